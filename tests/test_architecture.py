@@ -61,7 +61,7 @@ ROOMS = {
         "design": "derive/declare derive/dimension derive/faults derive/files derive/units host inputs loading model pictures/sweeps run sensitivity "
         "simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
-        "fitting": "derive/faults derive/units inputs loading measured model run sensitivity simulation solution start sweeps",
+        "fitting": "derive/faults inputs loading measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
         "inputs": "derive/faults derive/units measured model run",

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.derive.units import UnitError, parse_unit
-from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
+from hertzwerk.runtime.model.binding import Value, read, read_state
+from hertzwerk.runtime.model.free_quantities import read_quantity
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -180,14 +181,8 @@ def _si_of(model: Model, name: str, part: str, value: Value, given: Distribution
         si, fault = read_state(where, "1", value)
         faults += [] if fault is None else [fault]
         return si
-    if name not in model.parameters:
-        si, fault = read_state(where, model.joints.units[name], value)
-        faults += [] if fault is None else [fault]
-        return si
-    if part in given.places:
-        reading = read_parameters(model.declared, {name: value})
-        faults += [Fault(where, fault.found, fault.expected, fault.remedy) for fault in reading.faults]
-        return reading.si[name]
+    if name not in model.parameters or part in given.places:
+        return read_quantity(model, name, value, where, faults)
     return _width(model, name, where, value, given, faults)
 
 

@@ -1,7 +1,7 @@
 """Best parameters for a number of a run: SciPy's SLSQP with exact gradients, where outputs have them.
 
 1. objective    a formula of outputs and parameters, its unit proven        design/formula
-2. ranges       of what is varied, as parts 0..1 of them
+2. ranges       of what is varied, and places in them: halves or logarithms   model/ranges
 3. runs         one for each point, with the derivatives of its outputs     design/output_derivatives
 4. minimum      checked: the derivatives beside a difference of runs        design/minimum
 """
@@ -10,29 +10,30 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.design.formula import Formula, names_in, read_formula
-from hertzwerk.runtime.design.minimum import Held, Minimum, Trial
+from hertzwerk.runtime.design.minimum import Held, Minimum, Trial, best_of
 from hertzwerk.runtime.design.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.design.propagation import duration_follows, refused_by_sweep
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.inputs.given import Input
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
-from hertzwerk.runtime.model.binding import Value, read_parameters, read_state
+from hertzwerk.runtime.model.binding import Value, named_values, read_state, whole_faults
+from hertzwerk.runtime.model.free_quantities import Free, Freed, read_free, read_quantity
+from hertzwerk.runtime.model.ranges import starts_in
 from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import REACHED_END, Outcome
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.design import Axis, Range, read_design
 from hertzwerk.runtime.sweeps.row_outputs import Measured, Output, chosen
 
 if TYPE_CHECKING:
@@ -41,7 +42,6 @@ if TYPE_CHECKING:
 
 STEP = 1e-4  # of a range: differences, and the check of derivatives
 DOUBT = 0.01  # relative difference of derivatives from differences that is said
-ENDS = 1e-6  # of a range: nearer to its end a value is at it
 NEAR = 1e-3  # of a constraint's size: nearer to its limit it is active
 KEPT = 1e-6  # of a constraint's size: how far it may be missed
 LARGEST = re.compile(r"\.(max|min|peak_to_peak|peak_force|max_penetration)$|^peak_force$")
@@ -51,7 +51,7 @@ _BOUND = re.compile(r"\s*(<=|>=|=)\s*(.+)")
 def minimise(
     model: plain.Model | str | Path | Scene,
     objective: str,
-    over: Mapping[str, str],
+    over: Mapping[str, Freed] | Sequence[str],
     constraints: Mapping[str, str] | None = None,
     *,
     start: Mapping[str, Value] | None = None,
@@ -67,6 +67,8 @@ def minimise(
     wall_time: float | None = None,
     precision: float = 1e-6,
     max_runs: int = 200,
+    starts: int = 0,
+    seed: int = 0,
 ) -> Minimum:
     """Return the parameters, within ranges, for which a number of a run is least.
 
@@ -75,11 +77,12 @@ def minimise(
     over         ranges of parameters and initial states: {"counterweight": "0..0.5 kg", "stiffness": "1e6..1e9 N/m log"}
     constraints  bounds of outputs or formulas: {"slider_pin.peak_force": "<= 5 kN", "final.guide.travel": "= 0.1 m"}
     start        values to begin with, by default the model's where they are within the range, else its middle
-    precision    of the objective's and the constraints' sizes, at which it ends; max_runs    where to stop
+    starts, seed    further points of a Latin hypercube to begin from: the best is returned, and how many ended there
+    precision    of the objective's and the constraints' sizes, at which it ends; max_runs    where to stop, from each start
 
     Gradients are exact where every output has derivatives, else differences of runs. The largest value of a history switches
-    from one peak to another: `.norm8` and `.norm32` are smooth stand-ins for it. The minimum is a local one. The other
-    arguments are those of `simulate`. Raises InputError with every fault.
+    from one peak to another: `.norm8` and `.norm32` are smooth stand-ins for it. The minimum is that of
+    its starts: another, local one may be lower where none began. The other arguments are those of `simulate`. Raises InputError with every fault.
     """
     model = model if isinstance(model, plain.Model) else load(model)
     settings: dict[str, Any] = {
@@ -98,40 +101,22 @@ def minimise(
     for where, number, least in (("precision", precision, 0.0), ("max_runs", max_runs, 1)):
         if isinstance(number, bool) or not isinstance(number, int | float) or not number > least:
             faults.append(Fault(where, shown(number), f"a number above {least:g}"))
-    faults += [Fault(name, "among values and over", "one of the two") for name in ranges if name in (values or {})]
+    faults += whole_faults(starts=starts, seed=seed)
+    faults += [Fault(x.name, "among values and over", "one of the two") for x in ranges if x.name in (values or {})]
     if faults or goal is None:
         raise InputError(f"minimum of {model.name}", faults)
     problem = _Problem(model, goal, tuple(bounds), ranges, outputs, dict(values or {}), inputs, settings)
-    return _Search(problem, int(max_runs)).minimum(float(precision))
-
-
-@dataclass(frozen=True)
-class _Span:
-    """Range of one name in SI, of which a point is a part 0..1.
-
-    log    equal parts are equal ratios; begin    part to begin with
-    """
-
-    low: float
-    high: float
-    log: bool
-    begin: float
-
-    def at(self, part: float) -> float:
-        """Return the value at a part."""
-        if self.log:
-            return self.low * math.pow(self.high / self.low, part)
-        return self.low + part * (self.high - self.low)
-
-    def slope(self, part: float) -> float:
-        """Return the change of the value with the part."""
-        return self.at(part) * math.log(self.high / self.low) if self.log else self.high - self.low
-
-    def part(self, value: float) -> float:
-        """Return the part of a value."""
-        if self.log:
-            return math.log(value / self.low) / math.log(self.high / self.low)
-        return (value - self.low) / (self.high - self.low)
+    begins = starts_in(ranges, [one.value for one in ranges], starts, seed)
+    found: list[Minimum] = []
+    failed: list[InputError] = []
+    for begin in begins:
+        try:
+            found.append(_Search(problem, begin, int(max_runs)).minimum(float(precision)))
+        except InputError as error:
+            failed.append(error)
+    if not found:
+        raise failed[0]
+    return best_of(found, ranges, len(failed))
 
 
 @dataclass(frozen=True)
@@ -155,54 +140,23 @@ class _Bound:
 
 def _ranges(
     model: plain.Model, over: object, start: Mapping[str, Value] | None, faults: list[Fault]
-) -> dict[str, _Span]:
-    """Return the ranges of what is varied; bad input is appended to `faults`."""
-    units = si_units(model)
-    states = (*model.joints.coordinates, *model.joints.speeds)
-    axes: dict[str, Axis] = {}
-    for one in [{name: given} for name, given in over.items()] if isinstance(over, Mapping) and over else [over]:
-        wrong: list[Fault] = []
-        axes |= read_design(one, sample=1, faults=wrong).axes
-        faults += wrong
-    found: dict[str, _Span] = {}
-    begins = start if isinstance(start, Mapping) else {}
-    if start is not None and not isinstance(start, Mapping):
-        faults.append(Fault("start", shown(start), 'values by name, such as {"clearance": "0.2 mm"}'))
+) -> tuple[Free, ...]:
+    """Return the ranges, with values to begin with; bad input is appended to `faults`."""
+    ranges = read_free(model, over, faults, argument="over", decades=math.inf)
+    begins = named_values("start", start or {}, faults)
+    varied = over if isinstance(over, Mapping | list | tuple) else ()
+    found = []
     faults += [
-        Fault(f"start[{name!r}]", "a name that is not varied", "one of over") for name in begins if name not in axes
+        Fault(f"start[{name!r}]", "a name that is not varied", "one of over") for name in begins if name not in varied
     ]
-    for name, axis in axes.items():
-        if name not in (*model.parameters, *states):
-            faults.append(
-                unknown("parameter or initial state", name, [n for n in units if n in model.parameters or n in states])
-            )
-        elif not isinstance(axis, Range):
-            faults.append(Fault(f"over[{name!r}]", "values", 'a range, such as "0.05..0.5 mm" or "1e6..1e9 N/m log"'))
-        else:
-            low, high = ((float(end), axis.unit) for end in (axis.low, axis.high))
-            ends = [_si(model, name, end, f"over[{name!r}]", faults) for end in (low, high)]
-            begin = model.bind()[name] if name in model.parameters else math.nan
-            if name in begins:
-                begin = _si(model, name, begins[name], f"start[{name!r}]", faults)
-            if all(map(math.isfinite, ends)):
-                span = _Span(ends[0], ends[1], axis.log, 0.5)
-                within = ends[0] <= begin <= ends[1]
-                if name in begins and math.isfinite(begin) and not within:
-                    faults.append(Fault(f"start[{name!r}]", shown(begins[name]), "a value within its range"))
-                found[name] = replace(span, begin=span.part(begin)) if within else span
-    return found
-
-
-def _si(model: plain.Model, name: str, value: Value, where: str, faults: list[Fault]) -> float:
-    """Return a value of a parameter or state in SI, nan with faults appended."""
-    if name not in model.parameters:
-        si, fault = read_state(where, model.joints.units[name], value)
-        faults += [] if fault is None else [fault]
-        return math.nan if fault is not None else si
-    reading = read_parameters(model.declared, {name: value})
-    wrong = [Fault(where, fault.found, fault.expected, fault.remedy) for fault in reading.faults]
-    faults += wrong
-    return math.nan if wrong else reading.si[name]
+    for one in ranges:
+        if one.name in begins:
+            where = f"start[{one.name!r}]"
+            one = replace(one, value=read_quantity(model, one.name, begins[one.name], where, faults))
+            if math.isfinite(one.value) and not one.low <= one.value <= one.high:
+                faults.append(Fault(where, shown(begins[one.name]), "a value within its range"))
+        found.append(one)
+    return tuple(found)
 
 
 def _bounds(constraints: object, named: Mapping[str, str], faults: list[Fault]) -> list[_Bound]:
@@ -236,7 +190,7 @@ class _Problem:
     model: plain.Model
     goal: Formula
     bounds: tuple[_Bound, ...]
-    ranges: Mapping[str, _Span]
+    ranges: tuple[Free, ...]
     outputs: Mapping[str, Output]
     values: Mapping[str, Value]
     inputs: Mapping[str, Input] | None
@@ -244,7 +198,11 @@ class _Problem:
 
     def given(self, x: np.ndarray) -> dict[str, float]:
         """Return the values at a point, SI."""
-        return {name: span.at(float(part)) for (name, span), part in zip(self.ranges.items(), x, strict=True)}
+        return {free.name: free.outer(place) for free, place in zip(self.ranges, x.tolist(), strict=True)}
+
+    def slopes(self, x: np.ndarray) -> np.ndarray:
+        """Return the changes of the values with their places, SI."""
+        return np.array([free.slope(value) for free, value in zip(self.ranges, self.given(x).values(), strict=True)])
 
     def run(self, x: np.ndarray) -> Solution:
         """Run the model at a point; raises InputError, _RunFailedError."""
@@ -265,8 +223,8 @@ class _Problem:
         return {**{name: si_of(self.model, name, value) for name, value in run.parameters.items()}, **found}
 
     def gradient(self, run: Solution, x: np.ndarray) -> np.ndarray:
-        """Return the exact gradients (formulas, names) with the parts; raises NoDerivativeError, InputError."""
-        names = list(self.ranges)
+        """Return the exact gradients (formulas, names) with the places; raises NoDerivativeError, InputError."""
+        names = [free.name for free in self.ranges]
         duration = self.settings["duration"]
         if isinstance(duration, str) and duration_follows(self.model, names, duration):
             raise NoDerivativeError(f"the duration {duration} changes with what is varied: state it as a time")
@@ -277,14 +235,13 @@ class _Problem:
         rows = [
             formula.gradient(numbers) @ [of.get(name, still) for name in formula.names] for formula in self.formulas
         ]
-        slopes = [span.slope(float(part)) for span, part in zip(self.ranges.values(), x, strict=True)]
-        found: np.ndarray = np.array(rows) * slopes
+        found: np.ndarray = np.array(rows) * self.slopes(x)
         return found
 
     @cached_property
-    def begin(self) -> np.ndarray:
-        """Point to begin with."""
-        return np.array([span.begin for span in self.ranges.values()])
+    def box(self) -> np.ndarray:
+        """Ends of the ranges, places (names, 2)."""
+        return np.array([free.bounds for free in self.ranges])
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -300,7 +257,7 @@ class _StoppedError(Exception):
 class _Point:
     """Run at a point, with objective and constraints.
 
-    value    of both (formulas,); gradient    of both (formulas, names), with the parts of the ranges
+    value    of both (formulas,); gradient    of both (formulas, names), with the places in the ranges
     """
 
     run: Solution
@@ -313,6 +270,7 @@ class _Search:
     """Search for a minimum; every point is run once."""
 
     problem: _Problem
+    begin: np.ndarray
     max_runs: int
     exact: bool = True
     why: str = ""
@@ -346,27 +304,29 @@ class _Search:
         return run, value
 
     def _gradient(self, x: np.ndarray, run: Solution, value: np.ndarray) -> np.ndarray:
-        """Return the gradients (formulas, names) with respect to the parts: exact, or by differences."""
+        """Return the gradients (formulas, names) with respect to the places: exact, or by differences."""
         if self.exact:
             try:
                 return self.problem.gradient(run, x)
             except (NoDerivativeError, InputError) as error:
                 self.exact, self.why = False, str(error)
-        steps = np.where(x + STEP <= 1, STEP, -STEP)
+        step = STEP * np.ptp(self.problem.box, axis=1)
+        steps = np.where(x + step <= self.problem.box[:, 1], step, -step)
         moved = [self._run(x + by)[1] for by in np.diag(steps)]
         found: np.ndarray = (np.array(moved) - value).T / steps
         return found
 
     def checked(self) -> float:
         """Return the relative difference of the objective's derivative from a difference of runs, along it."""
-        x = np.clip(self.problem.begin, STEP, 1 - STEP)
+        step = STEP * np.ptp(self.problem.box, axis=1)
+        x = np.clip(self.begin, self.problem.box[:, 0] + step, self.problem.box[:, 1] - step)
         gradient = self.at(x).gradient[0]
         size = float(np.abs(gradient).max())
         if not self.exact or not size > 0:
             return math.nan
-        way = gradient / size
-        ahead, behind = (self._run(x + by * way)[1][0] for by in (STEP, -STEP))
-        return float(abs((ahead - behind) / (2 * STEP) / (gradient @ way) - 1))
+        way = step * gradient / size
+        ahead, behind = (self._run(x + sign * way)[1][0] for sign in (1, -1))
+        return float(abs((ahead - behind) / 2 / (gradient @ way) - 1))
 
     def minimum(self, precision: float) -> Minimum:
         """Return the minimum."""
@@ -375,14 +335,14 @@ class _Search:
         problem = self.problem
         checked, outcome = math.nan, Outcome("finished", "the objective changes no more", "")
         try:
-            size = abs(self.at(problem.begin).value[0]) or 1.0
+            size = abs(self.at(self.begin).value[0]) or 1.0
             checked = self.checked()
             found = minimize(
                 lambda x: self.at(x).value[0] / size,
-                problem.begin,
+                self.begin,
                 jac=lambda x: self.at(x).gradient[0] / size,
                 method="SLSQP",
-                bounds=[(0.0, 1.0)] * len(problem.begin),
+                bounds=problem.box,
                 constraints=[self._constraint(k, bound) for k, bound in enumerate(problem.bounds, start=1)],
                 options={"ftol": precision, "maxiter": self.max_runs},
             )
@@ -424,8 +384,8 @@ class _Search:
                 "infeasible", "no run keeps the constraints", "widen ranges or bounds, or begin elsewhere: start"
             )
         x, units = np.frombuffer(key), si_units(problem.model)
-        slopes = np.array([span.slope(float(part)) for span, part in zip(problem.ranges.values(), x, strict=True)])
-        gradient = dict(zip(problem.ranges, (best.gradient[0] / slopes).tolist(), strict=True))
+        values = problem.given(x)
+        gradient = dict(zip(values, (best.gradient[0] / problem.slopes(x)).tolist(), strict=True))
         held = [
             Held(bound.text, float(v), bound.formula.unit, bound.lower, bound.upper,
                  active=min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size)
@@ -434,14 +394,14 @@ class _Search:
         return Minimum(
             scene=problem.model.name,
             objective_text=problem.goal.text,
-            values={name: (value, units[name]) for name, value in problem.given(x).items()},
+            values={name: (value, units[name]) for name, value in values.items()},
             objective=float(best.value[0]),
             begun=self.trials[0].objective,
             unit=problem.goal.unit,
             gradient=gradient,
             exact=self.exact,
             checked=checked,
-            at_end=tuple(name for name, part in zip(problem.ranges, x, strict=True) if min(part, 1 - part) <= ENDS),
+            at_end=tuple(free.name for free in problem.ranges if free.at_end(values[free.name])),
             constraints=tuple(held),
             run=best.run,
             trials=tuple(self.trials),

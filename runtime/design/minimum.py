@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.model.ranges import Range
     from hertzwerk.runtime.simulation import Solution
     from hertzwerk.runtime.solution.outcome import Outcome
+
+LEVEL = 1e-3  # of an objective: minima are one whose values differ by less,
+NEAR = 1e-2  # and whose places by less than this part of a range
 
 
 @dataclass(frozen=True)
@@ -35,6 +39,17 @@ class Trial:
 
 
 @dataclass(frozen=True)
+class Ended:
+    """End of a search from one start, both in SI; here: whether it is that of the best."""
+
+    begun: Mapping[str, float]
+    values: Mapping[str, float]
+    objective: float
+    outcome: str
+    here: bool
+
+
+@dataclass(frozen=True)
 class Minimum:
     """Values that minimise an objective: `found["counterweight"]` is one, in SI.
 
@@ -42,7 +57,7 @@ class Minimum:
     gradient    of the objective there, by name, SI; exact    whether by derivatives, else by differences of runs
     checked    relative difference of the derivatives from a difference of runs, along them, at the start; nan where not
     at_end    names at an end of their range; constraints    as they are there
-    run    at the minimum; trials    every run, in order
+    run    at the minimum; trials    every run, in order; searches    where every start ended
     """
 
     scene: str
@@ -60,6 +75,7 @@ class Minimum:
     trials: tuple[Trial, ...]
     outcome: Outcome
     notes: tuple[str, ...]
+    searches: tuple[Ended, ...] = ()
 
     def __getitem__(self, name: str) -> float:
         return self.values[name][0]
@@ -104,5 +120,41 @@ class Minimum:
                 for held in self.constraints
             ],
             "trials": [vars(trial) for trial in self.trials],
+            "searches": [vars(search) for search in self.searches],
             "notes": list(self.notes),
         }
+
+
+def best_of(found: Sequence[Minimum], ranges: Sequence[Range], failed: int) -> Minimum:
+    """Return the best of several minima, with what became of the other starts.
+
+    failed    starts from which no run reached its end
+    """
+    best = min(found, key=lambda one: (one.outcome.name == "infeasible", one.objective))
+    places = np.array([[r.inner(one[name]) for r, name in zip(ranges, best.values, strict=True)] for one in found])
+    apart = np.abs(places - places[found.index(best)]) / [np.ptp(one.bounds) for one in ranges]
+    size = LEVEL * max(abs(best.objective), abs(best.begun) * LEVEL)
+    searches = tuple(
+        Ended(
+            one.trials[0].values,
+            {name: value for name, (value, _) in one.values.items()},
+            one.objective,
+            one.outcome.name,
+            here=bool(one.objective - best.objective <= size and np.all(far <= NEAR)),
+        )
+        for one, far in zip(found, apart, strict=True)
+    )
+    notes, count = best.notes, len(found) + failed
+    if count > 1:
+        here = sum(search.here for search in searches)
+        others = [search for search in searches if not search.here]
+        unit = f" {best.unit}" if best.unit else ""
+        told = f"{here} of {count} starts ended in this minimum"
+        if others:
+            worst = sorted(search.objective for search in others)
+            told += f", the others at {', '.join(f'{value:.6g}' for value in worst)}{unit}: there are several minima"
+            if any(search.outcome != "finished" for search in others):
+                told += ", or searches that did not end"
+        notes = (*notes, f"{told}; from {failed} no run reached its end" if failed else told)
+    trials = tuple(trial for one in found for trial in one.trials)
+    return replace(best, begun=found[0].begun, trials=trials, searches=searches, notes=notes)

@@ -24,6 +24,7 @@ from hertzwerk.runtime.inputs.given import Input
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.free_quantities import quantities
 from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, read_duration
 from hertzwerk.runtime.simulation import simulate
@@ -84,8 +85,7 @@ def propagate(
     differ by more than their errors are warned of. Raises InputError with every fault.
     """
     model = model if isinstance(model, plain.Model) else load(model)
-    units = si_units(model)
-    known = {name: units[name] for name in (*model.parameters, *model.joints.coordinates, *model.joints.speeds)}
+    known = quantities(model)
     faults: list[Fault] = []
     # 1. distributions
     drawn = read_distributions(model, uncertain, known, faults)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
+from hertzwerk.runtime.model.free_quantities import Free
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,21 +29,15 @@ CLOSE = 0.95  # correlation of estimates that is told
 
 
 @dataclass(frozen=True)
-class FittedValue:
-    """Fitted quantity [SI]: its value, 95 % interval, and the range that was searched."""
+class FittedValue(Free):
+    """Fitted quantity [SI]: its value and 95 % interval, within the range that was searched."""
 
-    name: str
-    unit: str
-    value: float
     interval: Interval
-    low: float
-    high: float
-    log: bool
 
-    @property
-    def at_end(self) -> bool:
-        """Whether it lies at an end of its range."""
-        return min(self.value - self.low, self.high - self.value) <= 1e-6 * (self.high - self.low)
+    @classmethod
+    def of(cls, free: Free, value: float, interval: Interval) -> FittedValue:
+        """Return what was free, fitted."""
+        return cls(**{**vars(free), "value": value}, interval=interval)
 
     def __str__(self) -> str:
         unit = "" if self.unit == "1" else f" {self.unit}"

@@ -21,12 +21,13 @@ from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.fitting.experiment import Observed, read_experiments
 from hertzwerk.runtime.fitting.fitted import CORRELATED, Fitted, FittedSignal, FittedValue, Goodness
 from hertzwerk.runtime.fitting.forward import Forward
-from hertzwerk.runtime.fitting.free_quantities import Free, read_free
 from hertzwerk.runtime.fitting.identified import identified
 from hertzwerk.runtime.fitting.intervals import intervals
 from hertzwerk.runtime.fitting.search import Found, Search
 from hertzwerk.runtime.measured.asked import Between, read_between
 from hertzwerk.runtime.measured.residuals import residual_of
+from hertzwerk.runtime.model.binding import whole_faults
+from hertzwerk.runtime.model.free_quantities import Free, read_free
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
@@ -104,9 +105,7 @@ def read_fit(
         free=list(free) if isinstance(free, Mapping | list | tuple) else [],
         faults=faults,
     )
-    for name, value in (("starts", starts), ("seed", seed)):
-        if not isinstance(value, int) or isinstance(value, bool) or value < 0:
-            faults.append(Fault(name, shown(value), "a whole number from 0 on"))
+    faults += whole_faults(starts=starts, seed=seed)
     if profile not in ("auto", True, False):
         faults.append(Fault("profile", shown(profile), '"auto", True or False'))
     nuisance: list[Free] = []
@@ -115,7 +114,7 @@ def read_fit(
         for i, each in enumerate(observed):
             offsets[i] = len(freed) + len(nuisance)
             where = f"offset of {each.name}" if len(observed) > 1 else "offset"
-            nuisance.append(Free(where, "s", low, high, False, min(max(0.0, low), high)))
+            nuisance.append(Free(low, high, "s", False, where, min(max(0.0, low), high)))
     gains: dict[str, int] = {}
     columns = {channel.column for each in observed for channel in each.channels}
     for column, between in (gain or {}).items():
@@ -127,7 +126,7 @@ def read_fit(
         if not 0 < ends[0] < ends[1]:
             faults.append(Fault(f"gain of {column}", shown(between), 'a range of positive numbers, such as "0.9..1.1"'))
             continue
-        nuisance.append(Free(f"gain of {column}", "1", *ends, False, min(max(1.0, ends[0]), ends[1])))
+        nuisance.append(Free(*ends, "1", False, f"gain of {column}", min(max(1.0, ends[0]), ends[1])))
     faults += _setting_faults(tolerance, method)
     count = sum(len(each.at) for each in observed)
     if observed and count < len(freed) + len(nuisance):
@@ -204,7 +203,7 @@ def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
     known = identified(found.jacobian, forward.searched)
     ends, warnings = intervals(search, found, known, asked.profile)
     values = [
-        FittedValue(free.name, free.unit, free.outer(float(x)), interval, free.low, free.high, free.log)
+        FittedValue.of(free, free.outer(float(x)), interval)
         for free, x, interval in zip(forward.searched, found.x, ends, strict=True)
     ]
     count = len(asked.free)
@@ -302,7 +301,7 @@ def _warnings(
     warnings += [
         f"{value.name} lies at an end of its range, {value.low:.6g}..{value.high:.6g} {value.unit}"
         for value in values
-        if value.at_end
+        if value.at_end(value.value)
     ]
     for signal in signals:
         residual = signal.residual

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.fitting.experiment import Observed
-from hertzwerk.runtime.fitting.free_quantities import Free
 from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.free_quantities import Free
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.start.start_values import split_values
 

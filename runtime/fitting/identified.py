@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.fitting.free_quantities import Free
+from hertzwerk.runtime.model.free_quantities import Free
 
 Array = NDArray[np.float64]
 

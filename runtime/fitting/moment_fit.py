@@ -17,11 +17,12 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness
-from hertzwerk.runtime.fitting.free_quantities import Free, read_free
 from hertzwerk.runtime.fitting.identified import Identified, identified
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.model.binding import Value, read_state
+from hertzwerk.runtime.model.free_quantities import Free, read_free
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.ranges import Range, hypercube
 from hertzwerk.runtime.sweeps.parameter_sweep import sweep
 from hertzwerk.runtime.sweeps.row_outputs import chosen
 
@@ -220,11 +221,10 @@ def fitted_moments(asked: AskedMoments, progress: Callable[[float], object] | No
 
 def _spread(free: Sequence[Free], box: Array) -> dict[str, str]:
     """Return the ranges of a box as a sweep takes them."""
-    over = {}
-    for each, (low, high) in zip(free, box, strict=True):
-        ends = "..".join(f"{each.outer(float(end)):.15g}" for end in (low, high))
-        over[each.name] = f"{ends} {'' if each.unit == '1' else each.unit}{' log' if each.log else ''}"
-    return over
+    return {
+        each.name: str(Range(each.outer(low), each.outer(high), each.unit, each.log))
+        for each, (low, high) in zip(free, box.tolist(), strict=True)
+    }
 
 
 def _runs(
@@ -286,7 +286,6 @@ class _Surface:
 def _least(asked: AskedMoments, surface: _Surface) -> tuple[Array, Array, Array]:
     """Return the best place, the covariance of what differs there, and the derivatives of the statistics."""
     from scipy.optimize import least_squares  # slow to import
-    from scipy.stats import qmc  # slow to import
 
     measured = np.array([moment.value for moment in asked.moments])
     stated = np.diag([moment.deviation**2 for moment in asked.moments])
@@ -294,7 +293,7 @@ def _least(asked: AskedMoments, surface: _Surface) -> tuple[Array, Array, Array]
     best = surface.middle
     for _ in range(3):  # the covariance is that at the best
         root = np.linalg.cholesky(stated + surface.covariance(best))
-        starts = [best, *(low + qmc.LatinHypercube(len(low), rng=0).random(8) * (high - low))]
+        starts = [best, *hypercube(surface.box, 8, 0)]
         found = [
             least_squares(
                 lambda x, root=root: np.linalg.solve(root, measured - surface.at(x)),
@@ -330,9 +329,7 @@ def _concluded(
             bool(ends[0] <= low),
             bool(ends[1] >= high),
         )
-        values[each.name] = FittedValue(
-            each.name, each.unit, each.outer(float(best[j])), interval, each.low, each.high, each.log
-        )
+        values[each.name] = FittedValue.of(each, each.outer(float(best[j])), interval)
     at, deviations = surface.at(best), np.sqrt(np.diag(surface.covariance(best)))
     moments = tuple(
         Moment(m.name, m.unit, m.value, m.deviation, float(value), float(deviation))
@@ -347,7 +344,7 @@ def _concluded(
         for m in moments
         if m.fitted_deviation > m.deviation
     ]
-    warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end]
+    warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end(value.value)]
     untold = known.untold([value.value for value in values.values()], len(values))
     return FittedMoments(asked.model.name, values, moments, known, tuple(untold), goodness, made, tuple(warnings))
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.fitting.forward import Forward
+from hertzwerk.runtime.model.ranges import starts_in
 
 Array = NDArray[np.float64]
 
@@ -86,19 +87,8 @@ class Search:
 
     def starts(self, count: int, seed: int) -> list[Array]:
         """Return places to start from: the model's own values, and a Latin hypercube."""
-        from scipy.stats import qmc  # slow to import
-
-        parts = qmc.LatinHypercube(len(self.low), rng=seed).random(count)
-        middle = self._defaults()
-        return [middle, *(self.low + parts * (self.high - self.low))]
-
-    def _defaults(self) -> Array:
-        """Return the model's own values where they are within the ranges, else the middle of them."""
-        own = [
-            free.inner(free.value) if free.low < free.value < free.high else sum(free.bounds) / 2
-            for free in self.forward.searched
-        ]
-        return np.array(own)
+        free = self.forward.searched
+        return [*starts_in(free, [one.value for one in free], count, seed)]
 
     def _sigma0(self) -> Array:
         return np.where(np.isnan(self.stated), GUESSED * self.spread, self.stated)

@@ -162,6 +162,15 @@ def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> floa
     return math.nan
 
 
+def whole_faults(**given: object) -> list[Fault]:
+    """Return a fault for each of these that is no whole number from 0 on."""
+    return [
+        Fault(name, shown(value), "a whole number from 0 on")
+        for name, value in given.items()
+        if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value < 2**63
+    ]
+
+
 def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:
     """Return the defaults of everything that may stand in an exponent."""
     return {name: port.default for name, port in ports.items() if parse_unit(port.unit).dimensionless}

@@ -19,7 +19,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.integrate.loop.automatic import use_compiled
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
-from hertzwerk.runtime.model.si_values import si_units
+from hertzwerk.runtime.model.free_quantities import quantities
 from hertzwerk.runtime.sensitivity.chain import along, chained, later
 from hertzwerk.runtime.sensitivity.readout import Readout
 from hertzwerk.runtime.sensitivity.saltation import events_of, switched, tables_of_events, watched, watched_columns
@@ -55,7 +55,7 @@ class Sensitivities:
     ) -> None:
         self.history, self.names, self._compiled = history, names, compiled
         model = history.model
-        known = _known(history)
+        known = quantities(model)
         faults = [unknown("parameter or initial state", name, known) for name in names if name not in known]
         if not names:
             faults.append(Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}"))
@@ -102,7 +102,7 @@ class Sensitivities:
 
     def unit(self, name: str, to: str) -> str:
         """Return the SI unit text of a derivative, such as "N/(m/s)"."""
-        above, below = self.history.units[name], _known(self.history)[to]
+        above, below = self.history.units[name], quantities(self.history.model)[to]
         return above if not below else f"{above}/({below})" if set(below) & set("/ ") else f"{above}/{below}"
 
     def impacts(self, what: str, to: str) -> np.ndarray:
@@ -242,9 +242,3 @@ class Sensitivities:
         if to not in self.names:
             raise InputError("sensitivities", [unknown("parameter or initial state", to, self.names)])
         return self.names.index(to)
-
-
-def _known(history: History) -> dict[str, str]:
-    """SI unit text of everything that a derivative can be taken to."""
-    model, units = history.model, si_units(history.model)
-    return {name: units[name] for name in (*model.parameters, *model.joints.coordinates, *model.joints.speeds)}

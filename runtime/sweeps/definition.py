@@ -19,10 +19,11 @@ from hertzwerk.runtime.inputs.choices import Choices, Labels
 from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.model.build import derive_digest, is_file, law_files
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.ranges import Given, Range
 from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.design import Design, Given, Range
+from hertzwerk.runtime.sweeps.design import Design
 
 COMPUTING = (
     "accuracy",

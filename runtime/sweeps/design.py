@@ -1,11 +1,7 @@
 """Design of a sweep: ranges and lists of values, and the points of their grid, pairs or samples.
 
-"0.05..0.5 mm:10"        ten values, equally spaced, ends included
-"1e6..1e9 N/m:7 log"     seven values, of equal ratios
+"0.05..0.5 mm:10"        a range, see model/ranges
 "0.1, 0.2, 0.4 mm"       these; one unit for all, or one each
-"0.05..0.5 mm"           a range to be sampled, "... log" on a logarithmic scale
-
-Values of a range are computed in exact or extended precision and rounded once: 0.05..0.5 mm:10 and :19 share ten.
 """
 
 from __future__ import annotations
@@ -15,54 +11,20 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from decimal import Context, Decimal
 from fractions import Fraction
 from typing import TypeAlias
 
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, shown, unknown
-from hertzwerk.derive.units import UnitError, parse_unit
+from hertzwerk.derive.units import UnitError
 from hertzwerk.runtime.inputs.choices import Labels
-from hertzwerk.runtime.model.binding import Value, read
+from hertzwerk.runtime.model.binding import Value, read, whole_faults
+from hertzwerk.runtime.model.ranges import EXPECTED, MOST, NUMBER, Given, Range, read_range
 
-Given: TypeAlias = tuple[float, str]  # a number and its unit
 Varied: TypeAlias = str | Value | Sequence[Value]
 
-MOST = 1_000_000  # points
-LARGEST = 300  # power of ten
 SAMPLERS = ("latin", "sobol")
-_NUMBER = r"[-+]?(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][-+]?[0-9]{1,3})?"
-_RANGE = re.compile(
-    rf"\s*({_NUMBER})\s*\.\.\s*({_NUMBER})\s*([^:]*?)\s*(?::\s*([0-9]{{1,9}})\s*)?((?<![^\s0-9])log)?\s*"
-)
-_DIGITS = Context(prec=40)
-EXPECTED = 'a range "0.05..0.5 mm:10", "1e6..1e9 N/m:7 log", or values "0.1, 0.2, 0.4 mm"'
-
-
-@dataclass(frozen=True)
-class Range:
-    """Range of one parameter, ends included, in `unit`; `log`: equal parts are equal ratios."""
-
-    low: Fraction
-    high: Fraction
-    unit: str
-    log: bool
-
-    def __str__(self) -> str:
-        ends = "..".join(
-            format(Decimal(end.numerator) / Decimal(end.denominator), "g") for end in (self.low, self.high)
-        )
-        return f"{ends} {self.unit}{' log' if self.log else ''}"
-
-    def at(self, part: Fraction) -> Given:
-        """Return the value at a part of the way, 0..1, rounded once."""
-        if not self.log:
-            return float(self.low + part * (self.high - self.low)), self.unit
-        low, high, way = (_DIGITS.divide(x.numerator, x.denominator) for x in (self.low, self.high, part))
-        rise = _DIGITS.multiply(way, _DIGITS.ln(_DIGITS.divide(high, low)))
-        return float(_DIGITS.multiply(low, _DIGITS.exp(rise))), self.unit
-
 
 Axis: TypeAlias = tuple[Given, ...] | Labels | Range
 """Values of one parameter, labels of an input's, or a range to be sampled."""
@@ -140,8 +102,7 @@ def read_design(
         faults.append(
             Fault("sample", str(sample), f"a power of two, as Sobol points are balanced: {below} or {2 * below}")
         )
-    if not (_whole(seed) and 0 <= seed < 2**63):  # type: ignore[operator]
-        faults.append(Fault("seed", shown(seed), "a whole number from 0 on"))
+    faults += whole_faults(seed=seed)
     if not isinstance(zip, bool):
         faults.append(Fault("zip", shown(zip), "True or False"))
     if zip is True and sample is not None:
@@ -164,10 +125,9 @@ def _whole(value: object) -> bool:
 def _axis(where: str, values: object, sampled: bool, faults: list[Fault]) -> Axis | None:
     """Read the values of one name; bad input is appended to `faults`."""
     if isinstance(values, str):
-        written = values.replace("−", "-")
-        if ".." in written:
-            return read_range(where, written, sampled, faults)
-        return _listed(where, _with_shared_unit(written.split(",")), faults)
+        if ".." in values:
+            return read_range(where, values, sampled, faults)
+        return _listed(where, _with_shared_unit(values.replace("−", "-").split(",")), faults)
     if isinstance(values, tuple) and len(values) == 2 and isinstance(values[1], str) and _is_number(values[0]):
         return _listed(where, [values], faults)
     if isinstance(values, Sequence | np.ndarray):
@@ -182,8 +142,8 @@ def _is_number(value: object) -> bool:
 def _with_shared_unit(parts: list[str]) -> list[str]:
     """Return the parts of a list, each with the unit of the last one where no other has any."""
     *others, last = parts
-    unit = re.fullmatch(rf"\s*{_NUMBER}(.*)", last)
-    if unit is not None and all(re.fullmatch(rf"\s*{_NUMBER}\s*", part) for part in others):
+    unit = re.fullmatch(rf"\s*{NUMBER}(.*)", last)
+    if unit is not None and all(re.fullmatch(rf"\s*{NUMBER}\s*", part) for part in others):
         return [*(f"{part} {unit[1]}" for part in others), last]
     return parts
 
@@ -203,39 +163,3 @@ def _listed(where: str, values: Sequence[object], faults: list[Fault]) -> tuple[
         wrong.append(Fault(where, "no value", EXPECTED))
     faults += wrong
     return None if wrong else tuple(found)
-
-
-def read_range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Axis | None:
-    """Read a range: its values, or the range itself where it is sampled."""
-    written = _RANGE.fullmatch(text)
-    if written is None:
-        faults.append(Fault(where, shown(text), EXPECTED))
-        return None
-    low, high, unit, count, log = written.groups()
-    if max(abs(Decimal(end).adjusted()) for end in (low, high)) > LARGEST:
-        faults.append(Fault(where, shown(text), f"numbers within 1e{LARGEST}"))
-        return None
-    found = Range(_exact(low), _exact(high), unit or "1", log is not None)
-    before = len(faults)
-    try:
-        parse_unit(found.unit)
-    except UnitError as error:
-        faults.append(Fault(where, shown(text), EXPECTED, str(error)))
-    if not found.low < found.high:
-        faults.append(Fault(where, f"{low}..{high}", "the smaller end first"))
-    if found.log and not found.low > 0:
-        faults.append(Fault(where, shown(text), "ends above zero, as the values have equal ratios"))
-    if sampled and count is not None:
-        faults.append(Fault(where, shown(text), "a range without a number of values", "sample is the number of points"))
-    if not sampled and count is None:
-        expected = f'a number of values after it, such as "{text.strip()}:10"'
-        faults.append(Fault(where, shown(text), expected, "or sample=200: points within it"))
-    elif not sampled and not 2 <= int(count) <= MOST:
-        faults.append(Fault(where, f"{count} values", f"2 to {MOST:,}, ends included"))
-    if len(faults) > before:
-        return None
-    return found if sampled else tuple(found.at(Fraction(i, int(count) - 1)) for i in range(int(count)))
-
-
-def _exact(text: str) -> Fraction:
-    return Fraction(Decimal(text))

@@ -34,7 +34,9 @@ from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, reports_bad_inpu
     help='Such as "slider_pin.peak_force <= 5 kN", or with >= or =.',
 )
 @click.option("--start", metavar="NAME=VALUE", multiple=True, help="Values to begin with (default: the model's).")
-@click.option("--max-runs", metavar="NUMBER", type=int, help="Where to stop (default: 200).")
+@click.option("--starts", metavar="NUMBER", type=int, help="Further starts, of a Latin hypercube (default: 0).")
+@click.option("--seed", metavar="NUMBER", type=int, help="Of the hypercube (default: 0).")
+@click.option("--max-runs", metavar="NUMBER", type=int, help="Where to stop, from each start (default: 200).")
 @VARIATION
 @DURATION
 @ACCURACY
@@ -55,7 +57,7 @@ def minimise(target: str, as_json: bool, **options: Any) -> int:
             "over": assignments("--over", options["over"], faults),
             "constraints": named("--constraint", options["constraints"], "<= >= =", faults),
             "start": assignments("--start", options["start"], faults) or None,
-            **({} if options["max_runs"] is None else {"max_runs": options["max_runs"]}),
+            **{name: options[name] for name in ("starts", "seed", "max_runs") if options[name] is not None},
         }
 
     found = minimisation.minimise(

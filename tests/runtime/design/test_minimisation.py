@@ -108,7 +108,7 @@ def test_every_fault_is_told_at_once(yoke):
         minimise(
             yoke,
             BEARING,
-            {"counterweight": "0..5 kg", "throw": "1..2 s", "nothing": "1..2", "speed": "1, 2 rad/s"},
+            {"counterweight": "-1..5 kg", "throw": "1..2 s", "nothing": "1..2", "speed": "1, 2 rad/s"},
             {"bearing.reaction_x.max": "5 N", "bearing.reaction_y.max": "<= 5 m"},
             start={"arm": "1 m", "counterweight": "9 kg"},
             values={"counterweight": "1 kg"},
@@ -119,3 +119,25 @@ def test_every_fault_is_told_at_once(yoke):
     for place in ("over['counterweight']", "over['throw']", "nothing", "over['speed']", "constraints['bearing.reaction_x.max']",
                   "constraints['bearing.reaction_y.max']", "start['arm']", "duration", "precision"):  # fmt: skip
         assert place in text
+
+
+def test_several_starts_find_the_lower_of_two_minima():
+    """(e - 0.4)^2 (e - 0.8)^2 + e/200 has its minima at the roots of its derivative; the start lies by the higher one."""
+    ball, how = load("bouncing_ball"), {"duration": "1 ms", "tolerance": 1e-6, "compiled": False, "precision": 1e-9}
+    text, over = "(restitution - 0.4)**2 * (restitution - 0.8)**2 + restitution/200", {"restitution": "0.2..0.95"}
+    e = np.polynomial.Polynomial([0, 1])
+    well = (e - 0.4) ** 2 * (e - 0.8) ** 2 + e / 200
+    low, _, high = sorted(well.deriv().roots().real)
+    alone = minimise(ball, text, over, start={"restitution": 0.79}, **how)
+    assert alone["restitution"] == pytest.approx(high, abs=1e-3)
+    assert len(alone.searches) == 1
+    found = minimise(ball, text, over, start={"restitution": 0.79}, starts=4, **how)
+    assert found["restitution"] == pytest.approx(low, abs=1e-3)
+    assert found.begun == alone.begun
+    ends = [search.values["restitution"] for search in found.searches]
+    here = [search.here for search in found.searches]
+    assert here == [abs(end - low) < 0.01 for end in ends]
+    assert 0 < sum(here) < 5
+    assert f"{sum(here)} of 5 starts ended in this minimum" in str(found)
+    assert "several minima" in str(found)
+    assert f"{well(high):.6g}" in str(found)

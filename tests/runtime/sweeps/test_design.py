@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hertzwerk.runtime.sweeps.design import Range, read_design
+from hertzwerk.runtime.model.ranges import Range
+from hertzwerk.runtime.sweeps.design import read_design
 
 
 def design(over, **how):

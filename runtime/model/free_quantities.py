@@ -1,25 +1,18 @@
-"""Quantities that are fitted: their ranges, and the scale on which they are searched."""
+"""Quantities of a model that are searched: their ranges in SI, given or those of their laws."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-import numpy as np
-from numpy.typing import NDArray
+from dataclasses import dataclass, replace
 
 from hertzwerk.derive.faults import Fault, shown, unknown
 from hertzwerk.derive.units import UnitError
-from hertzwerk.runtime.model.binding import Value, read, read_state
+from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.ranges import Range, read_range
 from hertzwerk.runtime.model.si_values import si_of, si_units
-from hertzwerk.runtime.sweeps.design import Range, read_range
 
-if TYPE_CHECKING:
-    from hertzwerk.runtime.model.model import Model
-
-Array = NDArray[np.float64]
 Freed = str | tuple[Value, Value] | None  # "0.3..1", "1e6..1e9 N/m log", "log", (0.3, 1); None: the law's range
 
 DECADES = 100.0  # ratio of a range's ends from which it is searched by ratios
@@ -29,69 +22,61 @@ EXPECTED = 'a range such as "0.3..1" or "1e6..1e9 N/m log", "log", or None for t
 
 
 @dataclass(frozen=True)
-class Free:
-    """Quantity that is fitted, in SI, between low and high; log: searched by ratios."""
+class Free(Range):
+    """Quantity that is searched, in SI; value: the model's own, or one to begin with; nan without."""
 
-    name: str
-    unit: str
     low: float
     high: float
-    log: bool
-    value: float = math.nan
-
-    @property
-    def scale(self) -> float:
-        """Value of one unit on the scale of the search: half the range, or a factor of e."""
-        return 1.0 if self.log else (self.high - self.low) / 2
-
-    def inner(self, value: float) -> float:
-        """Return a value [SI] on the scale of the search."""
-        return math.log(value) if self.log else value / self.scale
-
-    def outer(self, x: float) -> float:
-        """Return the value [SI] of a place on the scale of the search."""
-        found = math.exp(x) if self.log else x * self.scale
-        return min(max(found, self.low), self.high)
-
-    def slope(self, value: float) -> float:
-        """Return the change [SI] with the place on the scale, at a value."""
-        return value if self.log else self.scale
-
-    @property
-    def bounds(self) -> tuple[float, float]:
-        """Ends on the scale of the search."""
-        return self.inner(self.low), self.inner(self.high)
-
-    def __str__(self) -> str:
-        unit = "" if self.unit == "1" else f" {self.unit}"
-        return f"{self.low:.6g}..{self.high:.6g}{unit}{' log' if self.log else ''}"
+    name: str
+    value: float
 
 
-def read_free(model: Model, given: object, faults: list[Fault]) -> tuple[Free, ...]:
-    """Read what is fitted, by name, or names alone; bad input is appended to `faults`."""
+def quantities(model: Model) -> dict[str, str]:
+    """Return the SI unit text of every parameter and initial state, "" of a number."""
+    units = si_units(model)
+    return {name: units[name] for name in (*model.parameters, *model.joints.coordinates, *model.joints.speeds)}
+
+
+def read_quantity(model: Model, name: str, value: Value, where: str, faults: list[Fault]) -> float:
+    """Return a value of a parameter or initial state in SI; nan with faults appended."""
+    if name not in model.parameters:
+        si, fault = read_state(where, model.joints.units[name], value)
+        wrong = [] if fault is None else [fault]
+    else:
+        reading = read_parameters(model.declared, {name: value})
+        si = reading.si[name]
+        wrong = [Fault(where, fault.found, fault.expected, fault.remedy) for fault in reading.faults]
+    faults += wrong
+    return math.nan if wrong else si
+
+
+def read_free(
+    model: Model, given: object, faults: list[Fault], *, argument: str = "free", decades: float = DECADES
+) -> tuple[Free, ...]:
+    """Read what is searched, by name, or names alone; bad input is appended to `faults`.
+
+    argument    its name in faults; decades    ratio of a range's ends from which it is searched by ratios, unasked
+    """
     if isinstance(given, Sequence) and not isinstance(given, str) and all(isinstance(name, str) for name in given):
         given = dict.fromkeys(given)
     if not isinstance(given, Mapping) or not given:
-        faults.append(
-            Fault("free", shown(given), 'ranges by name, such as {"restitution": (0.3, 1), "stiffness": "log"}')
-        )
+        example = 'ranges by name, such as {"restitution": (0.3, 1), "stiffness": "log"}'
+        faults.append(Fault(argument, shown(given), example))
         return ()
-    known = (*model.parameters, *model.joints.coordinates, *model.joints.speeds)
+    known = quantities(model)
     found = []
     for name, text in given.items():
         if name not in known:
-            faults.append(unknown("parameter or initial state", name, known))
+            faults.append(unknown("parameter or initial state", name, tuple(known)))
             continue
         before = len(faults)
-        one = _one(model, name, text, faults)
+        one = _one(model, name, text, f"{argument}[{name!r}]", known[name] or "1", faults)
         if len(faults) == before and one is not None:
-            found.append(one)
+            found.append(replace(one, log=one.log or (one.low > 0 and one.high / one.low >= decades)))
     return tuple(found)
 
 
-def _one(model: Model, name: str, given: object, faults: list[Fault]) -> Free | None:
-    unit = si_units(model)[name] or "1"
-    where = f"free[{name!r}]"
+def _one(model: Model, name: str, given: object, where: str, unit: str, faults: list[Fault]) -> Free | None:
     port = model.parameters.get(name)
     value = si_of(model, name, (port.default, port.unit)) if port is not None else math.nan
     asked_log = given == "log"
@@ -111,26 +96,26 @@ def _one(model: Model, name: str, given: object, faults: list[Fault]) -> Free | 
         if ends is None:
             return None
         texts, asked_log = ends
-        faults += [fault for text in texts for fault in _end_faults(model, name, text)]
-        low, high = (si_of(model, name, text) for text in texts)
+        low, high = (_end(model, name, text, where, faults) for text in texts)
     low, high = _off_open_ends(model, name, low, high)
     if not low < high:
-        faults.append(Fault(where, f"{low:g}..{high:g} {unit}", "the smaller end first, within the range of its law"))
+        if math.isfinite(low + high):
+            expected = "the smaller end first, within the range of its law"
+            faults.append(Fault(where, f"{low:g}..{high:g} {unit}", expected))
         return None
     if asked_log and low <= 0:
         faults.append(Fault(where, shown(given), "ends above zero, as the values have equal ratios"))
         return None
-    return Free(name, unit, low, high, asked_log or (low > 0 and high / low >= DECADES), value)
+    return Free(low, high, unit, asked_log, name, value)
 
 
 def _ends(where: str, given: object, faults: list[Fault]) -> tuple[tuple[Value, Value], bool] | None:
     """Return both ends of a range with their units, and whether it is logarithmic."""
-    if isinstance(given, str):
-        found = read_range(where, given.replace("−", "-"), True, faults) if ".." in given else None
-        if isinstance(found, Range):
-            return ((float(found.low), found.unit), (float(found.high), found.unit)), found.log
-        if ".." in given:
+    if isinstance(given, str) and ".." in given:
+        found = read_range(where, given, True, faults)
+        if not isinstance(found, Range):
             return None
+        return ((float(found.low), found.unit), (float(found.high), found.unit)), found.log
     if isinstance(given, tuple) and len(given) == 2:
         try:
             for end in given:
@@ -143,16 +128,13 @@ def _ends(where: str, given: object, faults: list[Fault]) -> tuple[tuple[Value, 
     return None
 
 
-def _end_faults(model: Model, name: str, value: Value) -> list[Fault]:
-    """Return the faults of an end of a range; one at an open end of the law's is none."""
-    if name not in model.parameters:
-        return [fault for _, fault in [read_state(name, model.joints.units[name], value)] if fault is not None]
-    _, faults = model.check({name: value})
+def _end(model: Model, name: str, value: Value, where: str, faults: list[Fault]) -> float:
+    """Return an end of a range in SI; one at an open end of the law's is no fault."""
     si = si_of(model, name, value)
-    open_ends = {
-        end for row in _limits(model, name) for end, is_open in zip(row[2:4], row[4:6], strict=True) if is_open
-    }
-    return [] if si in open_ends else [fault for fault in faults if fault.where == name or math.isfinite(si)]
+    rows = _limits(model, name)
+    if si in {end for row in rows for end, is_open in zip(row[2:4], row[4:6], strict=True) if is_open}:
+        return si
+    return read_quantity(model, name, value, where, faults)
 
 
 def _limits(model: Model, name: str) -> list[tuple[str, str, float | None, float | None, bool, bool, str]]:
