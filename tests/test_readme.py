@@ -37,8 +37,8 @@ def blocks(name, *languages):
 
 def write_files(name, folder):
     """Blocks that begin with the name of a file become that file."""
-    for text in blocks(name, "python", "toml"):
-        if file := re.match(r"# (\w+\.\w+)\n", text):
+    for text in blocks(name, "python", "toml", "xml"):
+        if file := re.match(r"(?:# |<!-- )(\w+\.\w+)(?: -->)?\n", text):
             (folder / file[1]).write_text(text, encoding="utf-8")
 
 
