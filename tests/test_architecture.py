@@ -53,7 +53,7 @@ ROOMS = {
         ".": "comparing derive/faults design effects fitting inputs loading measured model parameter_fit simulation solution "
         "statics sweeps",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets design effects fitting hard_cases host inputs integrate/tableaux loading "
+        "cli": "accuracy derive/audit derive/faults derive/sheets design effects export fitting hard_cases host inputs integrate/tableaux loading "
         "measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
@@ -61,6 +61,8 @@ ROOMS = {
         "design": "derive/declare derive/dimension derive/faults derive/files derive/units host inputs loading model pictures/sweeps run sensitivity "
         "simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
+        "export": "accuracy derive/faults derive/units host integrate/events integrate/loop integrate/step integrate/tableaux model run "
+        "sensitivity simulation solution start tables",
         "fitting": "derive/faults inputs loading measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
@@ -364,6 +366,7 @@ COMMANDS = [
     "derive",
     "draw",
     "effects",
+    "export",
     "fit",
     "hardcases",
     "laws",

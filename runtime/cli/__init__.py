@@ -15,6 +15,7 @@ from hertzwerk.runtime.cli.commands.compare import compare
 from hertzwerk.runtime.cli.commands.derive import derive, list_scenes
 from hertzwerk.runtime.cli.commands.draw import draw
 from hertzwerk.runtime.cli.commands.effects import effects
+from hertzwerk.runtime.cli.commands.export import export
 from hertzwerk.runtime.cli.commands.fit import fit
 from hertzwerk.runtime.cli.commands.hardcases import hardcases
 from hertzwerk.runtime.cli.commands.laws import laws
@@ -67,7 +68,7 @@ def main() -> None:
         click.get_current_context().color = False
 
 
-OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, statics, modes, draw, animate, report)
+OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, statics, modes, draw, animate, report, export)
 OF_STUDIES = (propagate, minimise, effects, compare, fit, validate, accuracy, hardcases, study)
 for command in (*OF_SCENES, *OF_STUDIES):
     main.add_command(command)

@@ -32,12 +32,12 @@ class Readout:
     def __call__(self, model: Model) -> Any:
         """Build the function; raises KeyError for an unknown history."""
         given = model.symbols(ARGUMENTS)
-        value = _Expressions(model, given)[self.name]
+        value = Expressions(model, given)[self.name]
         return ca.Function("readout", given, [ca.densify(ca.SX(value))])
 
 
-class _Expressions:
-    """Expressions of histories in a state under its modes."""
+class Expressions:
+    """Expressions of histories by name, in a state under its modes; KeyError for an unknown one."""
 
     def __init__(self, model: Model, given: list[Any]) -> None:
         self.model = model

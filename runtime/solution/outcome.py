@@ -160,6 +160,12 @@ def outcome(status: int, method: str, history: History, *, error: Exception | No
     return Outcome(name, message.format(**facts, error=raised), _first(better, remedy))
 
 
+def said_of(status: int) -> str:
+    """Return a status of the engine in words that hold of any run, with the remedy."""
+    name, _, remedy = _OUTCOMES[status]
+    return f"{name}: {remedy}"
+
+
 def _raised(error: Exception) -> str:
     """Describe an exception and the line that raised it."""
     (*_, last) = traceback.extract_tb(error.__traceback__)

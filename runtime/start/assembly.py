@@ -274,7 +274,7 @@ class _Loops:
 
     def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
         """Return constraints (nl,), rates (nl,), and their derivatives (nl, nq) by q, (nl, nu) by u."""
-        evaluate = _loops_of(self.model) if self.whole is None else _journals_of(self.whole, self.model)
+        evaluate = _loops_of(self.model) if self.whole is None else ideal_loops(self.whole, self.model)
         phi, rate, by_q, by_u = evaluate(self.t, q, u, self.bound.c)
         if self.seats is not None:
             phi[len(phi) - len(self.seats) :] -= self.seats
@@ -298,7 +298,8 @@ def _loops_of(model: Model) -> Callers:
 
 
 @per_model
-def _journals_of(whole: Model, model: Model) -> Callers:
+def ideal_loops(whole: Model, model: Model) -> Callers:
+    """Return the function of `_Loops.at` for the loops of the joints' `model` and closed clearances."""
     return _residuals(model, whole)
 
 

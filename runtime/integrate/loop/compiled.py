@@ -48,7 +48,7 @@ class Program:
 
     def __init__(self, *functions: Any) -> None:
         self._functions, self._compiler = functions, _compiler()
-        self._text = _c_text(functions)
+        self._text = c_text(functions)
         self._level = "-O1" if len(self._text) > LARGE else "-O3"
         self._flags = (self._level, *FLAGS)
         parts = (self._text, *self._compiler, _version(self._compiler), *self._flags, _processor())
@@ -90,8 +90,9 @@ def available() -> bool:
     return True
 
 
-def _c_text(functions: Iterable[Any]) -> str:
-    generator = ca.CodeGenerator("hertzwerk_chunk.c", {"with_header": False})
+def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
+    """Return the C text of CasADi functions, whose inner names begin with a name."""
+    generator = ca.CodeGenerator(f"{name}.c", {"with_header": False})
     for function in functions:
         generator.add(function)
     text: str = generator.dump()

@@ -1,0 +1,98 @@
+"""`hertzwerk export`: a scene for other programs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.target import (
+    ACCURACY,
+    BY_METHOD,
+    COORDINATES,
+    DURATION,
+    LAW,
+    SET,
+    WITHOUT,
+    assignments,
+    loaded,
+    number,
+    together,
+)
+from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
+from hertzwerk.runtime.export.formats import FORMATS, Format
+
+
+def _option(each: Format) -> Callable[[Any], Any]:
+    if not each.place:
+        return click.option(each.option, each.name, is_flag=True, help=each.meaning)
+    return click.option(
+        each.option, each.name, metavar=each.place, type=click.Path(path_type=Path), help=f"New {each.meaning}"
+    )
+
+
+@click.command()
+@click.argument("target")
+@together(*map(_option, FORMATS), SET, WITHOUT, LAW, COORDINATES, DURATION, ACCURACY)
+@click.option("--tolerance", metavar="NUMBER", help="Local tolerance, in place of the one that an accuracy takes.")
+@BY_METHOD
+@click.option(
+    "--output",
+    "outputs",
+    metavar="NAME",
+    multiple=True,
+    help="This history is an output too: floor.normal_force, rod.x (`hertzwerk list TARGET` has all).",
+)
+@reports_bad_input
+def export(
+    target: str,
+    settings: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    coordinates: str | None,
+    duration: str | None,
+    accuracy: str | None,
+    tolerance: str | None,
+    method: str | None,
+    outputs: Sequence[str],
+    **places: Path | bool | None,
+) -> int:
+    """Export TARGET for other programs, with its parameters, start and method."""
+    from hertzwerk.runtime.export.export_request import Asked
+    from hertzwerk.runtime.run.request import METHOD, Settings, check
+    from hertzwerk.runtime.solution.history import unknown_histories
+    from hertzwerk.runtime.start.start_values import split_values
+    from hertzwerk.runtime.validate import scenarios
+
+    wanted = [(each, place) for each in FORMATS if (place := places[each.name])]
+    faults = [fault for each, place in wanted if isinstance(place, Path) for fault in each.faults(place)]
+    if not wanted:
+        options = ", ".join(f"{each.option} {each.place}".rstrip() for each in FORMATS)
+        faults.append(Fault("export", "no format", f"one of {options}"))
+    numbers = scenarios.read(target)
+    accurate = number(accuracy) if accuracy is not None else None if tolerance is not None else numbers.get("accuracy")
+    asked = Settings(
+        duration or numbers.get("duration") or "1 s",
+        accurate,
+        None if tolerance is None else number(tolerance),
+        method or numbers.get("method", METHOD),
+    )
+    values = assignments("--set", settings, faults)
+    model = loaded(target, without, laws, faults, coordinates=coordinates, others=asked.faults)
+    parameters, initial = split_values(model, values)
+    faults += unknown_histories(model, outputs)
+    request = Asked(model, parameters, initial, asked, tuple(outputs))
+    if model.inputs:  # given where it is used
+        faults += asked.faults()
+    else:
+        check(model, asked, parameters, initial, faults)
+        faults = []
+    if faults:
+        raise InputError("export", faults)
+    for each, place in wanted:
+        told = each.write(request, place if isinstance(place, Path) else Path())
+        line("written", told) if each.place else click.echo(told)
+    return GOOD

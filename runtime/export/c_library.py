@@ -1,0 +1,241 @@
+"""C99 library of a scene: its functions, and a driver that does what the loop of a run does."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.accuracy.ladder import LEAST
+from hertzwerk.runtime.export.c_functions import functions
+from hertzwerk.runtime.export.exported import Contents, Row, contents, name_faults
+from hertzwerk.runtime.host.folder import new_folder
+from hertzwerk.runtime.host.versions import versions
+from hertzwerk.runtime.integrate.loop.choose import PATIENCE
+from hertzwerk.runtime.integrate.loop.compiled import LARGE
+from hertzwerk.runtime.integrate.loop.tally import tally
+from hertzwerk.runtime.integrate.step import layout
+from hertzwerk.runtime.model.signal import WIDTH
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS
+from hertzwerk.runtime.run.single_run import CLOSE, LEAST_STEPS
+from hertzwerk.runtime.solution.outcome import FRICTION_LOCKS, said_of
+from hertzwerk.runtime.start.assembly import CLOSED, ITERATIONS, RANK
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.export.export_request import Asked
+
+TEMPLATES = resources.files(__package__) / "c"
+STATUSES = (
+    *("FLIGHT", "CONTACT", "RELEASED", "CALM", "SUSPECT", "RUNNING", "FINISHED", "STEP_TOO_SMALL", "NOT_FINITE"),
+    *("CONSTRAINT_LOST", "OUTSIDE_LAW_RANGE", "EVENT_LIMIT", "TOO_MANY_STEPS"),
+)
+IN_STATE = (
+    *("t", "y", "mode", "gap", "gap_rate", "force", "pieces", "stop", "h", "status", "pressure", "events", "steps"),
+    *("rejected", "retaken", "evaluations"),
+)
+IN_CONTROLS = ("scale", "speed_limits", "tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
+DEEP = 10.0  # of the scene's length: overlap of surfaces at a start of one's own that is refused
+
+
+def write(asked: Asked, folder: Path) -> str:
+    """Write the library of a scene into a new folder; return its files. Raises InputError."""
+    faults = name_faults("scene", asked.model.name)
+    if faults:
+        raise InputError("export", faults)
+    texts = library(contents(asked), asked.model.name)
+
+    def fill(place: Path) -> list[str]:
+        for name, text in texts.items():
+            (place / name).write_text(text, encoding="utf-8")
+        return [*texts]
+
+    _, files = new_folder(asked.model.name, folder, fill)
+    return f"{folder}/ ({', '.join(files)})"
+
+
+def library(found: Contents, name: str) -> dict[str, str]:
+    """Return the files of a library by name; `name` begins its functions."""
+    made = functions(found.model, found.made, [row.name for row in found.outputs], f"{name}_")
+    level = "-O1" if len(made.text) > LARGE else "-O2"
+    words = {**_words(found, name), "level": level}
+    constants = _constants(found, made.work)
+    driver = template("driver.c", words)
+    include = f'#include <math.h>\n#include <string.h>\n\n#include "{name}.h"\n'
+    tables = _tables(found, name)
+    head = f"/* {name}: written by `hertzwerk export`. Functions that CasADi generated, tables, and a driver. */\n"
+    return {
+        f"{name}.h": template("library.h", words),
+        f"{name}.c": "\n".join([head + include, made.text, constants, tables, driver]),
+        "main.c": template("main.c", words),
+        "CMakeLists.txt": template("CMakeLists.txt", words),
+    }
+
+
+def template(file: str, words: Mapping[str, str]) -> str:
+    """Return a text of the folder `c` with @word@ replaced."""
+    text = (TEMPLATES / file).read_text(encoding="utf-8")
+    for word, value in words.items():
+        text = text.replace(f"@{word}@", value)
+    return text
+
+
+def quoted(text: str) -> str:
+    """Return a text as a string of C."""
+    return json.dumps(text).replace("??", '?""?')
+
+
+def number(value: float) -> str:
+    """Return a number as C reads the same bits of."""
+    if not np.isfinite(value):
+        return "HUGE_VAL" if value > 0 else "-HUGE_VAL"
+    return repr(float(value))
+
+
+def _words(found: Contents, name: str) -> dict[str, str]:
+    upper = name.upper()
+    counts = {
+        "PARAMETERS": found.parameters,
+        "STARTS": found.starts,
+        "STATES": found.states,
+        "OUTPUTS": found.outputs,
+        "INPUTS": found.inputs,
+        "PAIRS": found.pairs,
+    }
+    outcomes = {
+        "STEP_TOO_SMALL": layout.STEP_TOO_SMALL,
+        "NOT_FINITE": layout.NOT_FINITE,
+        "CONSTRAINT_LOST": layout.CONSTRAINT_LOST,
+        "OUTSIDE_LAW_RANGE": layout.OUTSIDE_LAW_RANGE,
+        "EVENT_LIMIT": layout.EVENT_LIMIT,
+        "TOO_MANY_STEPS": layout.TOO_MANY_STEPS,
+        "FRICTION_LOCKS": FRICTION_LOCKS,
+    }
+    return {
+        "n": name,
+        "N": upper,
+        "name": name,
+        "summary": comment(found.model.module.SUMMARY),
+        "origin": f" of hertzwerk {versions()['hertzwerk']}",
+        "parameter": found.parameters[0].name if found.parameters else "",
+        "duration": f"{found.seconds:.17g}",
+        "part": f"{found.seconds / 100:.3g}",
+        "method": found.method,
+        "tolerance": f"{found.tolerance:.17g}",
+        "counts": "\n".join(f"    {upper}_{each} = {len(rows)}," for each, rows in counts.items()).rstrip(","),
+        "listing": "\n".join(line for each, rows in counts.items() for line in _listed(each.lower(), rows)),
+        "texts": "\n".join(
+            f"    case {upper}_{each}: return {quoted(said_of(status))};" for each, status in outcomes.items()
+        ),
+    }
+
+
+def comment(text: str) -> str:
+    """Return a text that may stand in a comment of C."""
+    return text.replace("*/", "* /").replace("/*", "/ *").replace("\n", " ")
+
+
+def _listed(title: str, rows: tuple[Row, ...]) -> list[str]:
+    if not rows:
+        return [f" * {title}: none"]
+    wide = max(len(row.name) for row in rows)
+    return [
+        f" * {title}",
+        *(
+            f" *   {i:3d}  {row.name:{wide}}  {row.unit:12}  {row.value:<23.17g}  {comment(row.meaning)}".rstrip()
+            for i, row in enumerate(rows)
+        ),
+        " *",
+    ]
+
+
+def _constants(found: Contents, work: Mapping[str, int]) -> str:
+    model, layouts = found.model, found.made.layouts
+    joints, counting = model.joints, tally(model).layout
+    quaternions = len(joints.quaternions)
+    rows, unknowns = len(found.loops) + quaternions, max(joints.nq, joints.nu)
+    limited = "speed_limits" if model.speed_limited else ""
+    floor = list(model.parameters).index("approach_floor") if "approach_floor" in model.parameters else -1
+    integers = {
+        **{"N_PARAMETERS": len(found.parameters), "N_STARTS": len(found.starts), "N_OUTPUTS": len(found.outputs)},
+        **{"N_INPUTS": len(found.inputs), "N_PAIRS": len(found.pairs), "N_PIECES": model.npieces, "WIDTH": WIDTH},
+        **{"N_STATE": layouts.state.size, "N_CONTROLS": layouts.controls.size, "N_TALLY": counting.size},
+        **{"N_Y": len(found.states), "N_C": model.nc, "N_Q_ALL": model.nq, "N_U_ALL": model.nu},
+        **{"N_Q": joints.nq, "N_U": joints.nu, "N_QUATERNIONS": quaternions, "N_LOOPS": len(found.loops)},
+        **{"N_CLOSED": joints.nl if found.loops else 0, "N_ROWS": rows, "N_UNKNOWNS": unknowns},
+        **{"N_LATCHES": len(model.latches), "N_LIMITS": len(_limits(model))},
+        **{"N_SPEED_LIMITS": model.k if limited else 0, "IS_PLACED": int(joints is not model)},
+        **{"CAN_ASSEMBLE": int(found.follows), "HAS_MARGINS": int(bool(model.loads)), "FLOOR_PARAMETER": floor},
+        **{f"SIZE_{part.upper()}": max(size, 5 if part in ("arg", "res") else 0) for part, size in work.items()},
+        **{f"AT_{name.upper()}": layouts.state.places[name] for name in IN_STATE},
+        **{f"AT_{name.upper()}": layouts.controls.places[name] for name in IN_CONTROLS},
+        **{f"AT_{name.upper()}": counting.places.get(name, -1) for name in ("error", "moved", "size")},
+        **{"AT_SCENE": layouts.controls.places["scales"], "ITERATIONS": ITERATIONS, "LEAST_STEPS": LEAST_STEPS},
+        **{name: int(getattr(layout, name)) for name in STATUSES},
+    }
+    numbers = {
+        **{"TOLERANCE": found.tolerance, "LEAST_TOLERANCE": LEAST, "MAX_STEPS": MAX_STEPS, "MAX_EVENTS": MAX_EVENTS},
+        **{"PATIENCE": PATIENCE, "CLOSE": CLOSE, "CLOSED": CLOSED, "RANK": RANK, "DEEP": DEEP},
+        "APPROACH_FLOOR": found.floor,
+    }
+    lines = ["#define ROOM(n) ((n) > 0 ? (n) : 1) /* C has no array of no length */", "", "enum {"]
+    lines += [f"    {name} = {value}," for name, value in integers.items()]
+    lines[-1] = lines[-1].rstrip(",")
+    lines += ["};", "", *(f"#define {name} {number(value)}" for name, value in numbers.items())]
+    return "\n".join(["", *lines])
+
+
+def _limits(model: object) -> list[tuple[str, float, float, int]]:
+    """Return (parameter, lower, upper, which are open) of the limits within which a model is defined."""
+    rows = model.module.LIMITS  # type: ignore[attr-defined]
+    return [
+        (name, -np.inf if low is None else low, np.inf if high is None else high, left + 2 * right)
+        for name, kind, low, high, left, right, _ in rows
+        if kind == "defined"
+    ]
+
+
+def _tables(found: Contents, name: str) -> str:
+    tables = {
+        "parameter_rows": found.parameters,
+        "start_rows": found.starts,
+        "state_rows": found.states,
+        "output_rows": found.outputs,
+        "input_rows": found.inputs,
+        "pair_rows": found.pairs,
+    }
+    lines = ["", "typedef struct { const char *name, *unit; double value; const char *meaning; } row;"]
+    for table, rows in tables.items():
+        cells = [
+            f"    {{{quoted(row.name)}, {quoted(row.unit)}, {number(row.value)}, {quoted(row.meaning)}}}"
+            for row in rows
+        ]
+        lines += ["", f"static const row {table}[] = {{", ",\n".join(cells) or "    {0, 0, 0, 0}", "};"]
+    listed = ", ".join(f"{{{len(rows)}, {table}}}" for table, rows in tables.items())
+    lines += ["", f"static const struct {{ int count; const row *rows; }} tables[] = {{{listed}}};"]
+    parameters = [row.name for row in found.parameters]
+    limits = [
+        f"    {{{parameters.index(limited)}, {number(low)}, {number(high)}, {kind}}}"
+        for limited, low, high, kind in _limits(found.model)
+    ]
+    lines += [
+        "",
+        "/* is_open: 1 where the lower limit, 2 where the upper one is excluded */",
+        "static const struct { int parameter; double lower, upper; int is_open; } limits[] = {",
+        ",\n".join(limits) or "    {0, 0, 0, 0}",
+        "};",
+        _array("double", "fallback_scales", [number(value) for value in found.scales]),
+        _array("int", "is_stated", [str(int(value)) for value in found.stated]),
+        _array("int", "was_given", [str(int(value)) for value in found.given]),
+        _array("int", "loop_is_length", [str(int(unit != "1")) for unit in found.loops]),
+        _array("int", "quaternions", [str(i) for i in found.model.joints.quaternions]),
+    ]
+    return "\n".join(lines)
+
+
+def _array(kind: str, name: str, values: list[str]) -> str:
+    return f"static const {kind} {name}[] = {{{', '.join(values) or '0'}}};"

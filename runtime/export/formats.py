@@ -1,0 +1,53 @@
+"""Formats that `hertzwerk export` writes: a row of a table each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.faults import Fault
+    from hertzwerk.runtime.export.export_request import Asked
+
+
+@dataclass(frozen=True)
+class Format:
+    """Format of an export.
+
+    option    of the command line
+    place     word for where it is written to: "DIR", "FILE"; empty where it is a text that is printed
+    meaning   for --help
+    write     writes it, or returns the text; returns what to tell. Raises InputError
+    faults    of the place and of what is asked for, found before anything is computed
+    """
+
+    option: str
+    place: str
+    meaning: str
+    write: Callable[[Asked, Path], str]
+    faults: Callable[[Path], list[Fault]] = lambda _: []
+
+    @property
+    def name(self) -> str:
+        """Name of the option in Python."""
+        return self.option.removeprefix("--")
+
+
+def _c_library(asked: Asked, folder: Path) -> str:
+    from hertzwerk.runtime.export import c_library
+
+    return c_library.write(asked, folder)
+
+
+def _new_folder(folder: Path) -> list[Fault]:
+    from hertzwerk.runtime.host.folder import destination_fault
+
+    fault = destination_fault(folder)
+    return [] if fault is None else [fault]
+
+
+FORMATS = (
+    Format("--c", "DIR", "C99 library: header, source, CMakeLists.txt and an example.", _c_library, _new_folder),
+)
