@@ -13,7 +13,7 @@ from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, scal
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
-from hertzwerk.derive.effects.loads.resistances import Moment, PairResistance
+from hertzwerk.derive.effects.loads.resistances import Grip, Moment, PairResistance
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
 from hertzwerk.derive.laws.smoothing import begun, energy_begun
@@ -32,24 +32,6 @@ PURE = Dimension.from_unit(parse_unit("1"), {})
 
 
 @dataclass(frozen=True)
-class Grip:
-    """Friction with stick and slip: directions and limits of its force.
-
-    tangents  unit vectors along which the first body may slide on the second: one in plane motion, else two
-    along     generalised force by joint, per newton on the first body along each tangent
-    velocity  sliding velocity along each tangent [m/s]
-    sliding   friction force while sliding [N]
-    holding   greatest friction force at rest [N]
-    """
-
-    tangents: tuple[Vector, ...]
-    along: tuple[dict[str, Any], ...]
-    velocity: tuple[Any, ...]
-    sliding: Any
-    holding: Any
-
-
-@dataclass(frozen=True)
 class Forces:
     """Result of a contact: generalised forces by joint, powers [W], normal force [N], sliding velocity.
 
@@ -57,7 +39,8 @@ class Forces:
     `bristle_rates` [m/s] are given for friction with a bristle. `grip` is given for friction with modes, which
     `generalised` and `friction_power` then do not include, and has its sliding velocities. `rubbing` is the part of `generalised` due to friction,
     `friction_force` [N] its force on the first body along the direction of `sliding_velocity`, and `drag` [N] that as a
-    vector, else None. `resistances` are the moments against rolling and drilling by effect, which `generalised` includes.
+    vector, else None. `resistances` are the moments against rolling and drilling by effect, which `generalised` includes, and
+    `turning` the grips of those with modes, which it does not.
     """
 
     generalised: dict[str, Any]
@@ -72,6 +55,12 @@ class Forces:
     friction_force: Any = None
     drag: Vector | None = None
     resistances: Mapping[PairResistance, Moment] = field(default_factory=dict)
+    turning: Mapping[PairResistance, Grip] = field(default_factory=dict)
+
+    @property
+    def grips(self) -> list[Grip]:
+        """Grips of friction and of resistances with modes, in the order of their slips."""
+        return [*([] if self.grip is None else [self.grip]), *self.turning.values()]
 
 
 class PairKinematics:
@@ -173,17 +162,18 @@ class PairKinematics:
         modes = friction is not None and bool(friction.law.law.modes)
         pulls = contact.damping is not None and contact.damping.law.release == "gap"
         pressing = normal_force
-        if pulls or modes:
+        if pulls or modes or any(effect.has_modes for effect in resistances):
             pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force")
-        moments = {effect: effect.moment(self.kin, self.touch, pressing) for effect in resistances}
+        acting = self.kin, self.touch, pressing
+        moments = {effect: effect.moment(*acting) for effect in resistances if not effect.has_modes}
+        turning = {effect: effect.grip(*acting) for effect in resistances if effect.has_modes}
         for moment in moments.values():
             _add_to(generalised, moment.generalised)
         if friction is None or modes:
             grip = None if friction is None else self._grip(friction, pressing)
             in_range = self._in_range(contact)
-            return Forces(
-                generalised, normal_power, sp.S.Zero, normal_force, None, in_range, grip=grip, resistances=moments
-            )
+            given = generalised, normal_power, sp.S.Zero, normal_force, None, in_range
+            return Forces(*given, grip=grip, resistances=moments, turning=turning)
         drag, sliding, opposing, friction_power, rates = self._drag(friction, pressing, bristle)
         drag = self._named(drag, "drag")
         rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
@@ -201,6 +191,7 @@ class PairKinematics:
             friction_force=-opposing,
             drag=drag,
             resistances=moments,
+            turning=turning,
         )
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:

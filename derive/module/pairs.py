@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from hertzwerk.derive.contact.contact_forces import Forces, PairKinematics
 from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.loads.resistances import PairResistance
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.program.program import Function, Result
 
@@ -41,6 +44,9 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
             system.enter(friction.name, rubbing, driven=True)
     for effect, moment in forces.resistances.items():
         system.enter(effect.name, moment.generalised, driven=True)
+    for effect, turning in forces.turning.items():
+        for axis in turning.along:
+            system.enter(effect.name, axis, driven=True)
     given = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
     f = [given.get(row.key, sp.S.Zero) for row in system.rows]
     rates = {f"{name}.dissipated": forces.normal_power}
@@ -49,14 +55,16 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
         rates[f"{friction.name}.dissipated"] = forces.friction_power
     rates |= dict(zip(bristles, forces.bristle_rates, strict=True))
     sliding = () if friction is None else (forces.sliding_velocity,) if forces.grip is None else forces.grip.velocity
-    grip = [] if friction is None or forces.grip is None else _grip(system, friction, forces)
-    parts = [contact.text, *([friction.law.law.name] if friction else []), *(e.text for e in forces.resistances)]
+    grip = _grips(system, name, friction, forces) if forces.grips else []
+    parts = [contact.text, *([friction.law.law.name] if friction else [])]
+    parts += [effect.text for effect in system.scene.resistances(name)]
     return system.function(
         f"contact_{name}",
         f"Forces of {name}: {', '.join(parts)}. "
         "The normal force is the laws' own, not clamped: where it would pull, the contact ends."
         + (" Friction comes on top: `along` times its force, which is that of slip or stick." if grip else "")
-        + (" Along two tangents: `along` and `dz_along` of the one, then of the other." if len(sliding) > 1 else ""),
+        + (" Along two tangents: `along` and `dz_along` of the one, then of the other." if len(sliding) > 1 else "")
+        + (" Then of the moments of rolling and drilling, about their axes." if forces.turning else ""),
         "t q u z m c",
         system.of_rows("f", f),
         system.memory_rates([rates.get(entry, sp.S.Zero) for entry, _ in system.memory]),
@@ -67,32 +75,43 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     )
 
 
-def _grip(system: System, friction: Friction, forces: Forces) -> list[Result]:
-    """Results for friction with stick and slip.
+def _grips(system: System, name: str, friction: Friction | None, forces: Forces) -> list[Result]:
+    """Results for friction and resistances with stick and slip.
 
-    Per newton along the tangent: generalised force and dissipated power; then the forces of slip and stick.
+    Per newton along each tangent, and per newton metre about each axis: generalised force and dissipated power; then
+    the forces of slip and stick.
     """
-    grip, name = forces.grip, friction.pair
-    if grip is None:
-        raise ValueError(f"{friction.name} has no modes")
-    n = len(grip.along)
-    along = [tangent.get(row.key, sp.S.Zero) for tangent in grip.along for row in system.rows]
-    per_newton = {"N": "1", "N m": "m"}
-    units = tuple(per_newton[unit] for unit in system.row_units)
+    effects: list[Any] = [*([] if forces.grip is None else [friction]), *forces.turning]
+    each = [
+        (effect, grip, i) for effect, grip in zip(effects, forces.grips, strict=True) for i in range(len(grip.along))
+    ]
+    along = [grip.along[i].get(row.key, sp.S.Zero) for _, grip, i in each for row in system.rows]
+    units = [_PER[_unit(effect)][unit] for effect, *_ in each for unit in system.row_units]
     power = [
-        -velocity if entry == f"{friction.name}.dissipated" else sp.S.Zero
-        for velocity in grip.velocity
+        -grip.velocity[i] if entry == f"{effect.name}.dissipated" else sp.S.Zero
+        for effect, grip, i in each
         for entry, _ in system.memory
     ]
-    rates = {"J": "W/N", "m": "m/(s N)"}
+    rates = [_PER[_unit(effect)][unit] for effect, *_ in each for _, unit in system.memory]
+    whose = tuple(name if effect is friction else effect.name for effect in effects)
+    limits = tuple(map(_unit, effects))
+    turning = [(effect.name, velocity) for effect, grip in forces.turning.items() for velocity in grip.velocity]
+    labels, velocities = tuple(zip(*turning, strict=True)) if turning else ((), ())
     return [
-        Result("along", tuple(row.key for row in system.rows) * n, units * n, tuple(along)),
-        Result(
-            "dz_along",
-            tuple(entry for entry, _ in system.memory) * n,
-            tuple(rates[unit] for _, unit in system.memory) * n,
-            tuple(power),
-        ),
-        Result("sliding_force", (name,), ("N",), (grip.sliding,)),
-        Result("holding_force", (name,), ("N",), (grip.holding,)),
+        Result("along", tuple(row.key for row in system.rows) * len(each), tuple(units), tuple(along)),
+        Result("dz_along", tuple(entry for entry, _ in system.memory) * len(each), tuple(rates), tuple(power)),
+        Result("sliding_force", whose, limits, tuple(grip.sliding for grip in forces.grips)),
+        Result("holding_force", whose, limits, tuple(grip.holding for grip in forces.grips)),
+        *([Result("turning_velocity", labels, ("rad/s",) * len(labels), velocities)] if turning else []),
     ]
+
+
+_PER = {
+    "N": {"N": "1", "N m": "m", "J": "W/N", "m": "m/(s N)"},
+    "N m": {"N": "1/m", "N m": "1", "J": "rad/s", "m": "1/(s N)"},
+}
+
+
+def _unit(effect: object) -> str:
+    """Unit of what a grip holds with."""
+    return "N m" if isinstance(effect, PairResistance) else "N"

@@ -88,10 +88,16 @@ class System:
 
     def _sticking_faults(self) -> Iterator[Fault]:
         """Faults of contacts that stick beside loads by reactions: they would be solved together."""
-        for _, _, friction in self.contacts:
-            if friction is not None and friction.law.law.modes and (self.kin.carried or self.kin.normal_forces):
+        if not (self.kin.carried or self.kin.normal_forces):
+            return
+        for pair, _, friction in self.contacts:
+            if friction is not None and friction.law.law.modes:
                 yield Fault(f"effect {friction.name}", f"law {friction.law.law.name}, set-valued, beside loads by reactions or normal forces",
                             "a law of the sliding velocity", "smooth_coulomb is one; or declare the loads otherwise.")  # fmt: skip
+            for effect in self.scene.resistances(pair.pair.name):
+                if effect.has_modes:
+                    yield Fault(f"effect {effect.name}", f"{effect.text}, set-valued, beside loads by reactions or normal forces",
+                                "a smoothed one", "Give it a speed; or declare the loads otherwise.")  # fmt: skip
 
     def _memory(self) -> list[tuple[str, str]]:
         """Entries of z as (name, unit); those that functions read come first, in the order of the inputs."""

@@ -101,17 +101,23 @@ def _loads(system: System) -> dict[str, tuple[Any, ...]]:
 
 
 def _slips(system: System) -> dict[str, tuple[Any, ...]]:
-    """Table of pairs whose friction has modes, if any: their entries of m, after LATCHES, and the pair.
+    """Table of the friction with modes, if any: its entries of m, after LATCHES, and the pair.
 
-    In plane motion the sign of the sliding velocity, else a vector along the pair's two tangents.
+    In one direction the sign of the sliding or angular velocity, else a vector along the pair's two tangents.
     """
     rows: list[tuple[str, str, int]] = []
     for j, (pair, _, friction) in enumerate(system.contacts):
         if friction is not None and friction.law.law.modes:
-            name = f"{pair.pair.name}.slip"
-            plane = pair.slides_along == 1
-            rows += [(name, "1", j)] if plane else [(f"{name}_1", "m/s", j), (f"{name}_2", "m/s", j)]
+            rows += _directions(f"{pair.pair.name}.slip", "m/s", j, pair.slides_along)
+        for effect in system.scene.resistances(pair.pair.name):
+            if effect.has_modes:
+                rows += _directions(f"{effect.name}.turning", "rad/s", j, len(effect.axes(pair.touch)))
     return {"SLIPS": tuple(rows)} if rows else {}
+
+
+def _directions(name: str, unit: str, pair: int, count: int) -> list[tuple[str, str, int]]:
+    """Rows of a slip in one direction, a sign, or in several."""
+    return [(name, "1", pair)] if count == 1 else [(f"{name}_{i}", unit, pair) for i in range(1, count + 1)]
 
 
 def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -97,7 +98,9 @@ class Drafts:
         if pair and result in ("f", "along"):
             return  # shown in the equations of motion
         if pair and result == "holding_force":
-            yield from self._friction_with_modes(pair, function)
+            yield from self._friction_with_modes(pair, function, label, expression)
+        if pair and label in self._effects and label != pair and result != "dz":
+            return  # limits and velocities of turning, which its moments show
         if result == "dz":
             if expression != 0:
                 yield self._rate_of_memory(pair, label, unit, expression)
@@ -152,33 +155,48 @@ class Drafts:
         effect = self._effects.get(constraint.rpartition(".")[0])
         return effect if isinstance(effect, Coupling | RollingWithoutSlip | KnifeEdge) else None
 
-    def _friction_forces(self, pair: str, n: int) -> list[sp.Symbol]:
-        """Friction forces along the n tangents of a contact with stick and slip, against the sliding velocity."""
-        ends = [f"_{i}" for i in range(1, n + 1)] if n > 1 else [""]
-        return [sp.Symbol(f"{pair}_friction_force{end}", real=True) for end in ends]
+    def _slips(self, pair: str) -> dict[str, list[sp.Symbol]]:
+        """Friction forces and moments of a contact with stick and slip, by its pair or an effect.
 
-    def _friction_with_modes(self, pair: str, function: Function) -> Iterator[Draft]:
-        """Drafts of the friction forces of a contact with stick and slip."""
-        results = {result.name: result.expressions for result in function.results}
-        (sliding,), velocities = results["sliding_force"], results["sliding_velocity"]
+        They act along the tangents or about the axes, against the velocity there.
+        """
+        place, found = [name for name, _ in self._program.tables["PAIRS"]].index(pair), dict[str, list[sp.Symbol]]()
+        for slip, _, j in self._program.tables.get("SLIPS", ()):
+            if j == place:
+                whose, _, name = slip.rpartition(".")
+                force = name.replace("slip", "friction_force").replace("turning", "moment")
+                found.setdefault(whose, []).append(sp.Symbol(f"{whose}_{force}", real=True))
+        return found
+
+    def _friction_with_modes(self, pair: str, function: Function, whose: str, sliding: Any) -> Iterator[Draft]:
+        """Drafts of the friction forces or moments with stick and slip of one that a contact has."""
+        results = {result.name: result for result in function.results}
+        turning, forces = results.get("turning_velocity"), self._slips(pair)[whose]
+        velocities = results["sliding_velocity"].expressions
+        if whose != pair and turning is not None:
+            rows = zip(turning.labels, turning.expressions, strict=True)
+            velocities = tuple(velocity for label, velocity in rows if label == whose)
         speed = sp.sqrt(sp.Add(*(velocity**2 for velocity in velocities)))
-        for velocity, force in zip(velocities, self._friction_forces(pair, len(velocities)), strict=True):
-            sticking = sp.Symbol(force.name.replace("_friction_force", "_sticking_force"), real=True)
+        for velocity, force in zip(velocities, forces, strict=True):
+            what = (
+                force.name.removeprefix(f"{whose}_").replace("friction", "sticking").replace("moment", "resting_moment")
+            )
+            sticking = sp.Symbol(f"{whose}_{what}", real=True)
             if len(velocities) == 1:
                 self.added[force] = Where(sp.Ne(velocity, 0), sliding * sp.sign(velocity), sticking)
             else:
                 self.added[force] = Where(speed > 0, sliding * velocity / speed, sticking)
-            yield Draft(contact_title(pair), force.name, "N", self._names.meaning(force), force, force)
+            unit = "N" if whose == pair else "N m"
+            yield Draft(contact_title(pair), force.name, unit, self._names.meaning(force), force, force)
 
     def _friction_power(self, pair: str, result: Result) -> Iterator[Draft]:
         """Drafts of the powers of friction with stick and slip, given per newton along each tangent."""
-        entries = list(dict.fromkeys(result.labels))
-        n = len(result.labels) // len(entries) if entries else 0
+        entries, forces = list(dict.fromkeys(result.labels)), list(chain(*self._slips(pair).values()))
         for i, label in enumerate(entries):
-            parts = zip(result.expressions[i :: len(entries)], self._friction_forces(pair, n), strict=True)
+            parts = zip(result.expressions[i :: len(entries)], forces, strict=True)
             power = sp.Add(*(-part * force for part, force in parts))
             if power != 0:
-                yield self._rate_of_memory(pair, label, result.units[i].replace("W/N", "W"), power)
+                yield self._rate_of_memory(pair, label, "W", power)
 
     def _definition(self, section: str, name: str, unit: str, expression: Any) -> Draft:
         """Draft that defines the symbol of this name.
@@ -248,7 +266,7 @@ class Drafts:
                     parts.append(Part(False, function.summary, force, source=function.name))
                 for along in (result for result in function.results if result.name == "along"):
                     columns = along.expressions[i :: len(labels)]
-                    forces = self._friction_forces(pair_of(function.name), len(columns))
+                    forces = chain(*self._slips(pair_of(function.name)).values())
                     friction = sp.Add(*(-force * column for force, column in zip(forces, columns, strict=True)))
                     parts.append(Part(False, function.summary, friction, source=function.name))
             yield Draft(MOTION, f"row {row}", unit, f"motion of {row}", parts=parts)

@@ -27,6 +27,7 @@ from hertzwerk.derive.algebra.vectors import (
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.effect import DISSIPATED, Effect, Element
 from hertzwerk.derive.effects.gravity import Gravity
+from hertzwerk.derive.effects.loads.resistances import Moment
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Point
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.module.contents import with_constants
@@ -236,7 +237,15 @@ class _Readings:
             yield Reading(f"{friction.name}.power", "W", power, f"power dissipated by {friction.name}")
             if drag is not None and pair.slides_along > 1:
                 yield from self._vector(name, "friction_force_{}", "N", drag, f"friction force on {what}")
-        for effect, moment in forces.resistances.items():
+        moments = dict(forces.resistances)
+        for effect, grip in forces.turning.items():
+            given = [
+                self.tape.input(f"{effect.name}_friction_in", "friction", dimension_of("N m")) for _ in grip.tangents
+            ]
+            vector = add(*(scale(part, axis) for part, axis in zip(given, grip.tangents, strict=True)))
+            power = total(*(-velocity * part for part, velocity in zip(given, grip.velocity, strict=True)))
+            moments[effect] = Moment(vector, {}, power)
+        for effect, moment in moments.items():
             turning = list(
                 self._moment(effect.name, "moment_{}", "N m", moment.vector, f"{effect.text}: moment on {what}")
             )

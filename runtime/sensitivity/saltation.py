@@ -28,7 +28,7 @@ from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.events.slips import at_rest
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
-from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of, pairs_of
+from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.sensitivity.chain import along
@@ -179,7 +179,7 @@ def _sliding(history: History) -> np.ndarray:
     """Return the slips (rows, ns), of pairs that slide in two directions 1 or 0: theirs follow the motion."""
     model = history.model
     found = history.part("m")[:, model.nm - model.ns :].copy()
-    for group in groups_of(pairs_of(model)):
+    for group in groups_of(grips_of(model)):
         if len(group) > 1:
             found[:, group] = np.any(found[:, group] != 0, axis=1, keepdims=True)
     return found
@@ -247,7 +247,7 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
 def _stopping(history: History, index: np.ndarray) -> np.ndarray:
     """Return whether a pair that slid in two directions sticks after the steps (j,) from rows `index`."""
     sliding, found = _sliding(history), np.zeros(len(index), dtype=bool)
-    for group in groups_of(pairs_of(history.model)):
+    for group in groups_of(grips_of(history.model)):
         if len(group) > 1:
             found |= (sliding[index, group[0]] == 1) & (sliding[index + 1, group[0]] == 0)
     return found

@@ -12,6 +12,7 @@ from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
+from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of, turns
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
@@ -118,11 +119,11 @@ class History:
                 return {name: self.part("m")[:, len(model.latches) + i]}
             if name == friction_force(slip):
                 return {name: self.part("friction")[:, i]}
-        for j, both in _in_two_directions(model).items():
-            if name == f"{model.pairs[j]}.slip":
+        for slip, both in _in_two_directions(model).items():
+            if name == slip:
                 slips = self.part("m")[:, len(model.latches) :][:, both]
                 return {name: np.any(slips != 0, axis=1).astype(float)}
-            if name == f"{model.pairs[j]}.friction_force":
+            if name == friction_force(slip):
                 return {name: -np.hypot(*self.part("friction")[:, both].T)}  # against the sliding velocity
         if name in model.constraints:
             value, rate = self.map("constraints", "t q u")  # of a constraint on a speed the value is zero
@@ -303,9 +304,8 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
     for name in model.speeds:
         units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
     units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
-    units |= {friction_force(name): "N" for name, *_ in model.slips}
-    for pair in (model.pairs[j] for j in _in_two_directions(model)):
-        units |= {f"{pair}.slip": "1", f"{pair}.friction_force": "N"}
+    for name in (*(slip for slip, *_ in model.slips), *_in_two_directions(model)):
+        units |= {friction_force(name): "N m" if turns(name) else "N", name: units.get(name, "1")}
     for pair in model.pairs:
         units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
         slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
@@ -357,17 +357,18 @@ def _in_trial(_: Model, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]
 
 
 def friction_force(slip: str) -> str:
-    """Name the friction force along the tangent of a slip: `floor.slip_1` -> `floor.friction_force_1`."""
-    pair, _, name = slip.rpartition(".")
-    return f"{pair}.{name.replace('slip', 'friction_force')}"
+    """Name the friction force of a slip: `floor.slip_1` -> `floor.friction_force_1`.
+
+    Of a turning the moment: `rolling.turning` -> `rolling.moment`.
+    """
+    grip, _, name = slip.rpartition(".")
+    return f"{grip}.{name.replace('slip', 'friction_force').replace('turning', 'moment')}"
 
 
-def _in_two_directions(model: Model) -> dict[int, list[int]]:
-    """Return the slips of each pair that may slide in two directions, by the pair."""
-    places: dict[int, list[int]] = {}
-    for i, (*_, pair) in enumerate(model.slips):
-        places.setdefault(pair, []).append(i)
-    return {pair: both for pair, both in places.items() if len(both) > 1}
+def _in_two_directions(model: Model) -> dict[str, list[int]]:
+    """Return the slips of each grip in two directions, by their common name: `floor.slip`."""
+    groups = groups_of(grips_of(model))
+    return {model.slips[group[0]][0].rpartition("_")[0]: group for group in groups if len(group) > 1}
 
 
 def constraint_force(constraint: str) -> str:

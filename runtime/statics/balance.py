@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of, pairs_of
+from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of, pair_grips, pairs_of
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -53,21 +53,29 @@ class Balance:
 
 def balance(model: Model, bound: Bound, t: float, q: Array, closed: Array, multipliers: Array, mu: Array) -> Balance:
     """Evaluate the balance at q (nq,), with closed pairs (k,) [0 or 1], multipliers (nl,) and mu (n,)."""
-    nu, nq, nl, k, n = model.nu, model.nq, model.nl, model.k, len(grips_of(model))
+    nu, nq, nl, k, n = model.nu, model.nq, model.nl, model.k, len(grip_pairs(model))
     shapes = ((nu,), (nl,), (nl, nu), (nu, n), (n, nu), (n,), (nu, nu), (nq, nu), (k,), (k, nu), (k,), (k,))
     found = _balance(model)(t, q, closed, multipliers, mu, bound.c)
     return Balance(*(np.asarray(x).reshape(shape) for x, shape in zip(found, shapes, strict=True)))
 
 
-def grips_of(model: Model) -> tuple[int, ...]:
+def grip_pairs(model: Model) -> tuple[int, ...]:
     """Return the pair of every grip: of set-valued friction, then of bristles."""
     return (*pairs_of(model), *(j for _, j in bristles_of(model)))
+
+
+def grip_names(model: Model) -> list[str]:
+    """Return the name of every grip: of a pair or an effect, then of the friction whose bristle it is."""
+    return [
+        *grips_of(model),
+        *(model.memory[row].rpartition(".")[0] for row, _ in bristles_of(model)),
+    ]
 
 
 def sizes_of(model: Model, mu: Array) -> Array:
     """Return the size of each mu (n,): of a pair that may slide in two directions, that of all together."""
     found = np.abs(mu)
-    for group in groups_of(grips_of(model)):
+    for group in groups_of(grip_names(model)):
         found[group] = np.linalg.norm(mu[group])
     return found
 
@@ -94,32 +102,32 @@ def bristles_of(model: Model) -> Sequence[tuple[int, int]]:
 def _balance(model: Model) -> Callers:
     """Build the function (t, q, closed, multipliers, mu, c) -> fields of `Balance`."""
     t, q, u, closed, multipliers, c, z = model.symbols("t q u mode multipliers c z")
-    grips = grips_of(model)
+    grips = grip_pairs(model)
     mu = ca.SX.sym("mu", len(grips))
     m = ca.vertcat(UNDAMPED * ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
     force = model.function("applied")(t, q, u, c)[: model.nu]
     normal, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
     D, S, limit = ca.SX.zeros(model.nu, len(grips)), ca.SX.zeros(len(grips), model.nu), ca.SX.zeros(len(grips))
     contact: list[ca.SX] = []
-    rows = dict.fromkeys(range(model.ns)) | {i: row for i, (row, _) in enumerate(bristles_of(model), model.ns)}
     for j, pair in enumerate(model.pairs):
         touches = closed[j] > 0
-        f, _, pressing, sliding, in_range_j, *grip = model.function(f"contact_{pair}")(t, q, u, z, m, c)
+        f, _, pressing, sliding, in_range_j, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
         force += ca.if_else(touches, f[: model.nu], 0)
         contact.append(ca.if_else(touches, f, 0))
         normal[j], in_range[j] = ca.if_else(touches, pressing, 0), ca.if_else(touches, in_range_j, 1)
-        for i in (i for i, own in enumerate(grips) if own == j):
-            tangent = 0 if rows[i] is not None else [n for n, own in enumerate(grips) if own == j].index(i)
-            along = (
-                grip[0][tangent * f.numel() : (tangent + 1) * f.numel()]
-                if rows[i] is None
-                else ca.jacobian(f, z[rows[i]])
-            )
+        slips = [i for i, own in enumerate(pairs_of(model)) if own == j]
+        if slips:
+            velocity, along, _, _, holding = pair_grips(model, j, t, q, u, z, m, c)
+            D[:, slips] = ca.if_else(touches, along[: model.nu, :], 0)
+            S[slips, :] = ca.jacobian(velocity, u)
+            limit[slips] = ca.if_else(touches, holding, 0)
+        own_bristles = [(i, row) for i, (row, own) in enumerate(bristles_of(model), model.ns) if own == j]
+        for i, row in own_bristles:
+            along = ca.jacobian(f, z[row])
             D[:, i] = ca.if_else(touches, along[: model.nu], 0)
             # of bristles that bend in two directions the force along each is its speed's direction too
-            bends = rows[i] is not None and grips.count(j) > 1
-            S[i, :] = along[: model.nu].T if bends else ca.jacobian(sliding[tangent], u)
-            limit[i] = ca.if_else(touches, grip[3] if rows[i] is None else 1, 0)
+            S[i, :] = along[: model.nu].T if len(own_bristles) > 1 else ca.jacobian(sliding, u)
+            limit[i] = ca.if_else(touches, 1, 0)
     if model.has("loads"):  # by reactions and normal forces, which at rest are those of the accelerations' own solution
         whole = sum(contact, start=model.function("applied")(t, q, u, c))
         reactions = model.function("accelerations").call([t, q, u, whole, c])[1]

@@ -11,6 +11,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.inputs.given import Input, given_inputs
+from hertzwerk.runtime.integrate.step.set_valued_friction import turns
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.signal import constant
@@ -20,8 +21,8 @@ from hertzwerk.runtime.statics.balance import (
     UNDAMPED,
     Array,
     along_of,
-    bristles_of,
-    grips_of,
+    grip_names,
+    grip_pairs,
     kernel,
     memory_of,
     sizes_of,
@@ -49,7 +50,7 @@ class Equilibrium(Mapping[str, Value]):
     contacts    normal force of every pair [N], 0 where it is open; penetrations [m] of the closed ones
     drives      force [N] or moment [N m] of every drive, held where it is
     sticking    friction of pairs that stick: force along the tangent [N], its size where there are two, or deflection of the
-                bristle [m]
+                bristle [m]; moment of resistances to rolling and drilling [N m]
     indifferent coordinates that no force holds; indeterminate: constraints and contacts whose forces do not follow from
                 balance: those of contacts from their stiffness, those of redundant constraints from nothing
     """
@@ -114,7 +115,8 @@ class Equilibrium(Mapping[str, Value]):
         if not self.found:
             return ()
         units = drive_units(model)
-        grips = {name: "N" if i < model.ns else "m" for i, name in enumerate(_grip_names(model))}
+        grips = dict.fromkeys(grip_names(model), "m")
+        grips |= {slip.rpartition(".")[0]: "N m" if turns(slip) else "N" for slip, *_ in model.slips}
         found = [
             ("coordinate", name, float(x), model.units[name]) for name, x in zip(model.coordinates, self.q, strict=True)
         ]
@@ -219,10 +221,10 @@ def _time(model: Model, at: str | float) -> float:
 
 
 def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, rest: Rest) -> Equilibrium:
-    at, grips = rest.balance, _grip_names(model)
+    at, grips = rest.balance, grip_names(model)
     touching = [j for j in range(model.k) if rest.closed[j]]
     held = np.where([grips.count(name) > 1 for name in grips], sizes_of(model, rest.mu), rest.mu)
-    sticking = {name: float(held[i]) for i, name in enumerate(grips) if rest.closed[grips_of(model)[i]]}
+    sticking = {name: float(held[i]) for i, name in enumerate(grips) if rest.closed[grip_pairs(model)[i]]}
     least, indifferent = _least_stiffness(model, search, rest)
     return Equilibrium(
         model=model,
@@ -264,7 +266,7 @@ def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...]) -> Outcome:
         if outside
         else "nothing holds the mechanism at rest"
     )
-    slides = [pair for j, pair in enumerate(model.pairs) if rest.closed[j] and j not in grips_of(model)]
+    slides = [pair for j, pair in enumerate(model.pairs) if rest.closed[j] and j not in grip_pairs(model)]
     smooth = any(kind == "friction" for _, kind, _ in model.module.EFFECTS) and slides
     remedy = "look for a load without a support, or start nearer to one"
     if smooth:
@@ -294,7 +296,7 @@ def _indeterminate(model: Model, search: Search, rest: Rest) -> tuple[str, ...]:
     at, sticks = rest.balance, _sticks(model, rest)
     touching = [j for j in range(model.k) if rest.closed[j]]
     columns = np.vstack([at.G, at.W[touching], at.S[sticks]]) * search.scale
-    names = [*model.constraints, *(model.pairs[j] for j in touching), *(f"{_grip_names(model)[i]}" for i in sticks)]
+    names = [*model.constraints, *(model.pairs[j] for j in touching), *(f"{grip_names(model)[i]}" for i in sticks)]
     if not len(columns):
         return ()
     sizes = np.maximum(np.linalg.norm(columns, axis=1), 1e-300)
@@ -305,7 +307,7 @@ def _indeterminate(model: Model, search: Search, rest: Rest) -> tuple[str, ...]:
 
 
 def _sticks(model: Model, rest: Rest) -> list[int]:
-    return [i for i, j in enumerate(grips_of(model)) if rest.closed[j]]
+    return [i for i, j in enumerate(grip_pairs(model)) if rest.closed[j]]
 
 
 def _coordinates_of(model: Model, moves: Array) -> list[str]:
@@ -316,11 +318,6 @@ def _coordinates_of(model: Model, moves: Array) -> list[str]:
         name = model.coordinates[row]
         found.append(f"{name.rpartition('.')[0]}.orientation" if row in turned else name)
     return found
-
-
-def _grip_names(model: Model) -> list[str]:
-    bristles = [model.memory[row].rpartition(".")[0] for row, _ in bristles_of(model)]
-    return [*(name.rpartition(".")[0] for name, *_ in model.slips), *bristles]
 
 
 def _drives(model: Model, bound: Bound, t: float, rest: Rest) -> dict[str, float]:
@@ -335,7 +332,7 @@ def _drives(model: Model, bound: Bound, t: float, rest: Rest) -> dict[str, float
         if rest.closed[j]:
             f, *others = model.evaluate(f"contact_{pair}", t, rest.q, still, z, m, bound.c)
             forces += f
-            mine = [i for i, own in enumerate(grips_of(model)[: model.ns]) if own == j]
+            mine = [i for i, own in enumerate(grip_pairs(model)[: model.ns]) if own == j]
             if mine:
                 forces += along_of(model, others[4]) @ rest.mu[mine]
     _, reactions, *_ = model.evaluate("accelerations", t, rest.q, still, forces, bound.c)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.integrate.step.implicit import linearised
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
-from hertzwerk.runtime.integrate.step.set_valued_friction import pairs_of, sticking
+from hertzwerk.runtime.integrate.step.set_valued_friction import pair_grips, pairs_of, sticking
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start import start_values
@@ -124,11 +124,10 @@ def _conditions(
 @per_model
 def _derivatives(model: Model) -> Callers:
     """Build (t, q, u, z, m, c) -> derivatives of constraints, their rates, slips and coordinate rates."""
-    t, q, u, z, m, c = given = model.symbols("t q u z m c")
+    t, q, u, _, _, c = given = model.symbols("t q u z m c")
     none = ca.SX(0, 1)
     loops, rates = model.function("constraints")(t, q, u, c) if model.nl else (none, none)
-    pairs = dict.fromkeys(pairs_of(model))
-    sliding = [model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)[3] for j in pairs]
+    sliding = [pair_grips(model, j, *given)[0] for j in dict.fromkeys(pairs_of(model))]
     x, s = ca.vertcat(q, u), ca.vertcat(none, *sliding)
     moves = ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u)
     results = [ca.jacobian(loops, q), ca.jacobian(rates, x), ca.jacobian(s, x), moves]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of
-from hertzwerk.runtime.statics.balance import Array, Balance, balance, grips_of, kernel, limits, sizes_of
+from hertzwerk.runtime.statics.balance import Array, Balance, balance, grip_names, grip_pairs, kernel, limits, sizes_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -73,7 +73,7 @@ class Search:
 
     def start(self, q: Array) -> Rest:
         """Return the state of the search at a position."""
-        model, n = self.model, len(grips_of(self.model))
+        model, n = self.model, len(grip_pairs(self.model))
         none = np.zeros(model.k), np.zeros(model.nl), np.zeros(n)
         loads = balance(model, self.bound, self.t, q, *none).force * self.scale
         self.load = float(np.max(np.abs(loads), initial=0.0))
@@ -156,7 +156,7 @@ class Search:
         Loops are closed, and contacts stick. Return what it leads to, and its change (nu,); None where the equations are not finite.
         """
         at, nu, loops = rest.balance, self.model.nu, self.model.nl
-        sticks = np.flatnonzero(rest.sticks & (rest.closed[list(grips_of(self.model))] > 0))
+        sticks = np.flatnonzero(rest.sticks & (rest.closed[list(grip_pairs(self.model))] > 0))
         slides = np.setdiff1d(np.arange(rest.mu.size), sticks)
         directions, held = np.vstack([at.G, at.S[sticks]]), np.hstack([at.G.T, at.D[:, sticks]])
         n, unit = nu + len(directions), self.scale
@@ -171,7 +171,7 @@ class Search:
         change, multipliers, mu = part * unit * found[:nu], rest.multipliers.copy(), rest.mu.copy()
         multipliers += part * (found[nu : nu + loops] - multipliers)
         mu[sticks] += part * (found[nu + loops :] - mu[sticks])
-        mu[rest.closed[list(grips_of(self.model))] == 0] = 0.0
+        mu[rest.closed[list(grip_pairs(self.model))] == 0] = 0.0
         moved = rest.q + at.moves @ change
         for i in self.model.quaternions:
             moved[i : i + 4] /= np.linalg.norm(moved[i : i + 4])
@@ -201,7 +201,7 @@ class Search:
     def _decide(self, rest: Rest, total: Array) -> None:
         """Decide which grips stick in a step: what was beyond its limit slips, while that takes energy."""
         bound, ways = limits(self.model, self.bound, rest.balance), rest.balance.D.T @ total
-        for group in groups_of(grips_of(self.model)):
+        for group in groups_of(grip_names(self.model)):
             limit, size = bound[group[0]], float(np.linalg.norm(rest.mu[group]))
             if rest.sticks[group[0]]:
                 rest.sticks[group] = size <= limit * (1 + HOLDS)

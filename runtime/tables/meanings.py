@@ -21,6 +21,8 @@ _WORDS = {  # by the last part of a name, or by the one before an axis: meaning,
     "parameter": "parameter of the curve where it is touched or followed",
     "slip": "mode of set-valued friction: 0 where the surfaces stick, else the sign of sliding, 1 in two directions",
     "friction_force": "friction force",
+    "turning": "mode of set-valued resistance: 0 where nothing turns, else the sign of turning, 1 in two directions",
+    "moment": "moment",
     "dissipated": "energy dissipated since the start",
     "input": "work put in since the start",
     "force": "force",
@@ -97,7 +99,9 @@ def meaning_of(model: Model, name: str) -> str:
         return f"{part.replace('_', ' ')} of {whose}"
     along = [slip for slip, *_ in model.slips if name in (slip, friction_force(slip)) and slip[-1].isdigit()]
     if along:
-        what = "direction of sliding, zero while it sticks," if name in along else "friction force"
+        turning = units_of(model, None)[friction_force(along[0])] == "N m"
+        way, force = ("turning", "moment") if turning else ("sliding", "friction force")
+        what = f"direction of {way}, zero while it sticks," if name in along else force
         return f"{what} of {whose}, along its tangent {name[-1]}"
     if name in map(acceleration_of, model.speeds):
         return f"{part.replace('_', ' ')} of {whose}"

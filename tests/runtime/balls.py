@@ -1,4 +1,4 @@
-"""Balls and discs that roll and slide on a plane in space, which is level or inclined towards X."""
+"""Balls that roll and slide on a plane in space, which is level or inclined towards X; a wheel under a block."""
 
 import sympy as sp
 
@@ -6,6 +6,7 @@ from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
+    CylinderOnPlane,
     EnergyLedger,
     Free,
     Friction,
@@ -14,6 +15,7 @@ from hertzwerk.derive import (  # fmt: skip
     Parameter,
     PointForce,
     Prismatic,
+    Revolute,
     Scales,
     Scene,
     SphereOnPlane,
@@ -65,4 +67,29 @@ def ball(law, *, share=0.4, turns=True, **coordinates):
             | {f"flight.angular_speed_{axis}": Parameter(f"w_{axis}", "rad/s", 0) for axis in ("xyz" if turns else "")},
         ),
         **coordinates,
+    )
+
+
+def brake(*effects):
+    """A block, guided along Y, that its weight presses on a wheel; no friction."""
+    mass, inertia, radius = (
+        Parameter("mass", "kg", 2),
+        Parameter("inertia", "kg m^2", 1e-3),
+        Parameter("radius", "mm", 50),
+    )
+    gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", STIFFNESS)
+    wheel, block = Body("wheel", mass=mass, inertia=inertia), Body("block", mass=mass, inertia=inertia)
+    face = block.at(0, 0, 0)
+    pair = CylinderOnPlane("rub", wheel.at(0, 0, 0), Z, radius, Parameter("length", "mm", 10), face, -Y)
+    joints = Revolute("axle", GROUND, wheel, axis=Z), Prismatic("guide", GROUND, block, axis=Y)
+    return Scene(
+        Mechanism("brake", joints, (pair,)),
+        (
+            Gravity("gravity", gravity, direction=-Y),
+            Contact("rub", power(stiffness, 1), kelvin_voigt(Parameter("restitution", "1", 0.2))),
+            EnergyLedger(),
+            *effects,
+        ),
+        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius),
+        Start(position={"guide": radius - mass * gravity / stiffness}, speed={"axle": Parameter("spin", "rad/s", 100)}),
     )

@@ -18,6 +18,24 @@ from hertzwerk.derive.program.program import Tape
 
 
 @dataclass(frozen=True)
+class Grip:
+    """Friction with stick and slip: directions and limits of its force, or of its moment about axes.
+
+    tangents  unit vectors along which the first body may slide, or turn, on the second: one in plane motion, else two; one of spin
+    along     generalised force by joint, per newton on the first body along each tangent, or per newton metre
+    velocity  sliding velocity along each tangent [m/s], or angular velocity [rad/s]
+    sliding   friction force while sliding [N], or moment while turning [N m]
+    holding   greatest at rest
+    """
+
+    tangents: tuple[Vector, ...]
+    along: tuple[Mapping[str, Any], ...]
+    velocity: tuple[Any, ...]
+    sliding: Any
+    holding: Any
+
+
+@dataclass(frozen=True)
 class Moment:
     """Moment on the first body [N m], generalised forces by joint, and dissipated power [W]."""
 
@@ -45,25 +63,32 @@ class PairResistance(PairEffect):
     """Moment -c N w/sqrt(w^2 + w0^2) on the first body against a relative angular velocity w.
 
     It is a part of the first body's against the second's. `coefficient` c [m], the arm of the normal force N; `speed` w0
-    [rad/s] smooths the change of sign: at 10 w0 the moment is within 0.5 % of c N, at 100 w0 within 5e-5.
+    [rad/s] smooths the change of sign: at 10 w0 the moment is within 0.5 % of c N, at 100 w0 within 5e-5. Without it the
+    moment is set-valued, as Coulomb's friction: c N against w, and at rest whatever keeps w = 0, up to c N.
     """
 
     name: str
     pair: str
     coefficient: Scalar
-    speed: Scalar
+    speed: Scalar | None
     enters: ClassVar[str] = CONTACT
-    sought: ClassVar[tuple[str, ...]] = ("turning", "turning_speed", "moment")
+    sought: ClassVar[tuple[str, ...]] = ("turning", "turning_speed", "moment", "turning_velocity", "holding_moment")
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"{self.kind.replace('_', ' ')} at {self.pair}"
 
+    @property
+    def has_modes(self) -> bool:
+        """Whether it is set-valued, with rest as a mode."""
+        return self.speed is None
+
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield coefficient and speed."""
         yield Slot(f"{self.where}, coefficient", self.coefficient, "m", NOT_NEGATIVE)
-        yield Slot(f"{self.where}, speed", self.speed, "rad/s", POSITIVE)
+        if self.speed is not None:
+            yield Slot(f"{self.where}, speed", self.speed, "rad/s", POSITIVE)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair without a contact."""
@@ -75,6 +100,19 @@ class PairResistance(PairEffect):
     def opposed(self, turning: Vector, normal: Vector) -> Vector:
         """Part of a relative angular velocity that it opposes."""
         raise NotImplementedError
+
+    def axes(self, touch: Any) -> tuple[Vector, ...]:
+        """Axes of the turning that it opposes, at a contact geometry (a `Touch`)."""
+        raise NotImplementedError
+
+    def grip(self, kin: Turning, touch: Any, pressing: Any) -> Grip:
+        """Grip of a set-valued resistance, under the force that presses [N]."""
+        bodies, tape, axes = (touch.first.body, touch.second.body), kin.tape, self.axes(touch)
+        relative = sub(*map(kin.angular_velocity, bodies))
+        velocity = tuple(tape.let(dot(relative, axis), f"{self.name}_turning_velocity") for axis in axes)
+        limit = tape.let(sp.sympify(self.coefficient) * pressing, f"{self.name}_holding_moment")
+        along = tuple(kin.generalised_moment(axis, *bodies, f"{self.name}_grip") for axis in axes)
+        return Grip(axes, along, velocity, limit, limit)
 
     def moment(self, kin: Turning, touch: Any, pressing: Any) -> Moment:
         """Moment at a contact geometry (a `Touch`), under the force that presses [N]."""
@@ -89,6 +127,20 @@ class PairResistance(PairEffect):
         return Moment(vector, generalised, tape.let(per_speed * square, f"{self.name}_power"))
 
 
+def _with_modes(below: str, what: str) -> dict[str, tuple[str, str, str]]:
+    """Quantities of a set-valued resistance, with the letter of their subscript."""
+    found = {
+        "turning_velocity": (r"\omega", rf"\mathrm{{{below}}}", f"angular velocity of {what}"),
+        "holding_moment": ("M", rf"\mathrm{{{below}h}}", f"moment against {what}, and the most that holds it at rest"),
+        "resting_moment": ("M", rf"\mathrm{{{below}s}}", f"what keeps it from {what}, at most the holding moment"),
+    }
+    for i in (1, 2):
+        found[f"moment_{i}"] = ("M", rf"\mathrm{{{below}{i}}}", f"moment against {what}, about tangent {i}")
+        rests = f"what keeps it from {what} about tangent {i}, with the other's at most the holding moment"
+        found[f"resting_moment_{i}"] = ("M", rf"\mathrm{{{below}s{i}}}", rests)
+    return found
+
+
 @dataclass(frozen=True)
 class RollingResistance(PairResistance):
     """Rolling resistance of a pair, against the relative angular velocity in its tangent plane.
@@ -100,13 +152,14 @@ class RollingResistance(PairResistance):
     name: str
     pair: str
     coefficient: Scalar
-    speed: Scalar
+    speed: Scalar | None = None
     kind: ClassVar[str] = "rolling_resistance"
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = {
         "turning": (r"\omega", r"\mathrm{r}", "angular velocity of rolling, of the first body against the second"),
         "turning_squared": (r"\omega^{2}", r"\mathrm{r}", "its square"),
         "turning_speed": (r"\Omega", r"\mathrm{r}", "its smoothed magnitude"),
         "per_speed": ("c", r"\mathrm{r}", "rolling resistance per angular velocity"),
+        **_with_modes("r", "rolling"),
         "moment": ("M", r"\mathrm{r}", "moment against rolling, on the first body"),
         "power": ("P", r"\mathrm{r}", "power dissipated by rolling"),
     }
@@ -115,6 +168,11 @@ class RollingResistance(PairResistance):
         """Part of a relative angular velocity across the normal."""
         spin = dot(turning, normal)
         return turning if spin == 0 else sub(turning, scale(spin, normal))
+
+    def axes(self, touch: Any) -> tuple[Vector, ...]:
+        """Tangents of the surfaces; in plane motion the normal of the plane."""
+        plane = touch.plane_of_motion
+        return (plane,) if plane is not None else touch.tangents
 
 
 @dataclass(frozen=True)
@@ -129,13 +187,14 @@ class DrillingResistance(PairResistance):
     name: str
     pair: str
     coefficient: Scalar
-    speed: Scalar
+    speed: Scalar | None = None
     kind: ClassVar[str] = "drilling_resistance"
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = {
         "turning": (r"\omega", r"\mathrm{d}", "angular velocity of spin, of the first body against the second"),
         "turning_squared": (r"\omega^{2}", r"\mathrm{d}", "its square"),
         "turning_speed": (r"\Omega", r"\mathrm{d}", "its smoothed magnitude"),
         "per_speed": ("c", r"\mathrm{d}", "drilling resistance per angular velocity"),
+        **_with_modes("d", "spin"),
         "moment": ("M", r"\mathrm{d}", "moment against spin, on the first body"),
         "power": ("P", r"\mathrm{d}", "power dissipated by spin"),
     }
@@ -143,3 +202,7 @@ class DrillingResistance(PairResistance):
     def opposed(self, turning: Vector, normal: Vector) -> Vector:
         """Part of a relative angular velocity along the normal."""
         return scale(dot(turning, normal), normal)
+
+    def axes(self, touch: Any) -> tuple[Vector, ...]:
+        """Return the normal of the surfaces."""
+        return (touch.normal,)

@@ -155,7 +155,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     suspect = _row_minimum(bernstein.T) <= doubt
     ending = sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force)) > 0
     if model.ns:
-        ending = ca.vertcat(ending, _slipping(model, start, end, tol_rate, tol_force)[0])
+        ending = ca.vertcat(ending, _slipping(model, run, start, end, tol_rate, tol_force)[0])
     if model.ne:
         ending = ca.vertcat(ending, falls(run, start, end)[0])
     outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt, suspect, ending))])
@@ -182,7 +182,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
             rows = [ca.if_else(ends, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
             aim = ca.if_else(ends, small / 2, aim)
     if model.ns:
-        margins_of.append(_slipping(model, start, end, *tolerance[1:]))
+        margins_of.append(_slipping(model, run, start, end, *tolerance[1:]))
     if model.ne:
         margins_of.append(falls(run, start, end))
     for ends, cubic, small in margins_of:
@@ -210,10 +210,15 @@ def _endings(
 
 
 def _slipping(
-    model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol_rate: Any, tol_force: Any
+    model: Model,
+    run: Mapping[str, Any],
+    start: Mapping[str, Any],
+    end: Mapping[str, Any],
+    tol_rate: Any,
+    tol_force: Any,
 ) -> tuple[Any, list[Any], Any]:
     """Return, for the slip and stick margins (ns): falls below zero, cubic's coefficients, tolerance."""
-    small = margin_tolerances(model, start["m"], end, tol_rate, tol_force)
+    small = margin_tolerances(model, run, start["m"], end, tol_rate, tol_force)
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
     falls = (at_slips(model, start["mode"]) == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)

@@ -7,6 +7,7 @@ otherwise a contact that ends at a gap of 1e-14 would never be left.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import reduce
 from operator import mul
 from typing import TYPE_CHECKING, Any
@@ -27,7 +28,11 @@ from hertzwerk.runtime.integrate.step.layout import (
     RUNNING,
     Layouts,
 )
-from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, margin_tolerances, undecided_and_breaking
+from hertzwerk.runtime.integrate.step.set_valued_friction import (
+    margin_tolerances,
+    slip_tolerances,
+    undecided_and_breaking,
+)
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.explicit import Flow
@@ -85,12 +90,14 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
         _, *tolerance = tolerances(model, run, {**after, "y": y})
     asked = ca.SX(0, 1)
     if model.ns:
-        small = margin_tolerances(model, m, after, *tolerance)
+        small = margin_tolerances(model, run, m, after, *tolerance)
         asked, _ = undecided_and_breaking(
             model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"]
         )
     booked = ca.Function(
-        "booked", arguments, [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, tolerance)]
+        "booked",
+        arguments,
+        [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, tolerance)],
     )
     y, m, busy = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm), ca.SX.sym("busy")
     end = right.at(after["t"], y, after["mode"], m, run["c"])
@@ -164,7 +171,7 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         end = right.at(t, y, touching, m, run["c"])
         spent = pulls(model, end["force"]) * (gap < -tol)
         mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
-    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_slip_tolerances(model, tolerance)]
+    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_slip_tolerances(model, run, tolerance)]
     touched = ca.Function("touched", [t, q, u, known, controls], [*asking, floored])
     given = touched.mx_in()
     *asked, booked = touched.call(given)
@@ -212,12 +219,9 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("first", [t, controls, mode, m, y, unsettled, floored], [vectors.state.join(start)])
 
 
-def _slip_tolerances(model: Model, tolerance: list[Any]) -> list[Any]:
+def _slip_tolerances(model: Model, run: Parts, tolerance: list[Any]) -> Sequence[Any]:
     """Return the tolerances of speeds and forces of the pairs with set-valued friction."""
-    if not model.ns:
-        return [ca.SX(0, 1)] * 2
-    rate, force = tolerance
-    return [at_slips(model, rate), ca.repmat(ca.mmax(force), model.ns)]
+    return slip_tolerances(model, run, *tolerance) if model.ns else [ca.SX(0, 1)] * 2
 
 
 def is_finite(end: Parts) -> Any:

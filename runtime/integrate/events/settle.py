@@ -192,7 +192,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     switched = any_of(mode != old["mode"])
     if model.ns:
         _, *tolerance = tolerances(model, run, end)
-        small = margin_tolerances(model, old["m"], end, *tolerance)
+        small = margin_tolerances(model, run, old["m"], end, *tolerance)
         turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
         switched = switched + accepted * any_of(sum(turns)) > 0
         m = ca.if_else(accepted, turned(model, m, end["friction"], end["margin"]), m)

@@ -23,9 +23,9 @@ from hertzwerk.runtime.integrate.step.set_valued_friction import (
     BREAKS,
     STICK,
     grips,
+    grips_of,
     groups_of,
     mobility,
-    pairs_of,
     size_of,
     slips_in,
     solve_sticking,
@@ -57,7 +57,7 @@ def resolve_slips(model: Model) -> Any:
     given = [*model.symbols("t y mode m c", ca.MX), *(ca.MX.sym(name, n) for name in ("asked", "rate", "force"))]
     if not n:
         return ca.Function("directed", given, [given[3], given[1], 0])
-    groups = tuple(map(tuple, groups_of(pairs_of(model))))
+    groups = tuple(map(tuple, groups_of(grips_of(model))))
     solve = pivoting(n) if len(groups) == n else settling(groups)
     slip, busy = solve(*_problem(model)(*given))
     if len(groups) < n:
@@ -150,7 +150,7 @@ def _ahead(model: Model) -> Any:
     given = [*model.symbols("t y mode m c"), *(ca.SX.sym(name, model.ns) for name in ("asked", "rate", "force", "way"))]
     m, asked, rate, way = given[3], given[5], given[6], given[8]
     found, slip, goes_on = ca.SX(way), m[slips_in(model)], (1 - asked) * (1 - sticking(model, m))
-    for group in groups_of(pairs_of(model)):
+    for group in groups_of(grips_of(model)):
         if len(group) > 1:
             new = AHEAD * rate[group] * way[group]
             found[group] = ca.if_else(goes_on[group] * (ca.sumsqr(way[group]) > 0), slip[group], new)

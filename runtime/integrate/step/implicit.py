@@ -20,7 +20,7 @@ from hertzwerk.runtime.integrate.step.explicit import ARGUMENTS, MEAN_OF, Flow, 
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import Elimination, solver, solver_of_calls
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.set_valued_friction import forces, grips, may_slip, pairs_of
+from hertzwerk.runtime.integrate.step.set_valued_friction import forces, grips, may_slip, rubbing
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -191,8 +191,8 @@ def _sliding(model: Model, contacts: Contacts) -> Any:
     q, u, z = model.parts(y)
     velocities = [ca.SX(0, 1)]
     for j, contact, active in active_contacts(model, contacts, mode):
-        if j not in pairs_of(model):
-            _, _, _, v, _ = contact(t, q, u, z, m, c)
+        if j not in rubbing(model):
+            _, _, _, v, *_ = contact(t, q, u, z, m, c)
             velocities.append(masked(active, v))
     v = ca.vertcat(*velocities)
     names = ["t", "y", "dy", "mode", "m", "c"]

@@ -11,6 +11,9 @@ sigma. The direction of sliding has no value at rest, so sigma has one: at the o
 accelerates, later that of s some steps ago. Its size is a small speed. Friction opposes s with its part along sigma, s', made
 sqrt(s'^2 + sigma^2): the direction of s but for rest, and smooth where s' falls through zero, as it does where sliding
 ends. It slips while s' is positive; where s has only turned that far, sigma follows.
+
+Resistance to rolling and to drilling is the same with moments [N m] and angular velocities [rad/s] about axes in place of tangents.
+What holds together, along the tangents of one pair or about the axes of one effect, is a grip; its name is that of pair or effect.
 """
 
 from __future__ import annotations
@@ -44,10 +47,10 @@ BREAKS = 0.25  # of the landing tolerance: excess of lambda over the holding for
 
 @dataclass(frozen=True)
 class Grips:
-    """Friction quantities along the n tangents of pairs at a state; 0 without contact.
+    """Friction quantities along the n tangents of grips at a state; 0 without contact.
 
-    places (n): indices among the slips; groups: indices among the n of each pair's own; along (nf, n): generalised force
-    per newton of friction; power (nz, n): rates of z per newton; sliding, holding (n): forces [N], of a pair the same
+    places (n): indices among the slips; groups: indices among the n of each grip's own; along (nf, n): generalised force
+    per newton of friction; power (nz, n): rates of z per newton; sliding, holding (n): forces [N], of a grip the same
     along its tangents; velocity (n): sliding velocity [m/s]; drift (n): its rate without any generalised acceleration
     [m/s^2]; touching, sticks (n): 1 or 0; slip (n).
     """
@@ -122,21 +125,51 @@ def pairs_of(model: Model) -> list[int]:
     return [pair for _, _, pair in model.slips]
 
 
+def grips_of(model: Model) -> list[str]:
+    """Return the name of the grip of each slip (ns)."""
+    return [name.rpartition(".")[0] for name, *_ in model.slips]
+
+
+def turns(slip: str) -> bool:
+    """Return whether a slip is that of a moment: `rolling.turning_1`."""
+    return slip.rpartition(".")[2].startswith("turning")
+
+
+def rubbing(model: Model) -> list[int]:
+    """Return the pairs with set-valued friction, of which sliding has modes."""
+    return [pair for name, _, pair in model.slips if not turns(name)]
+
+
 def at_slips(model: Model, of_pairs: Any) -> Any:
     """Return a quantity of the pairs (k) for each slip (ns)."""
     return ca.vertcat(*(of_pairs[j] for j in pairs_of(model)))
 
 
-def groups_of(pairs: Sequence[int]) -> list[list[int]]:
-    """Return the places of each pair among `pairs`, in which it stands once for each of its tangents."""
-    return [[i for i, other in enumerate(pairs) if other == pair] for pair in dict.fromkeys(pairs)]
+def groups_of(grips: Sequence[str]) -> list[list[int]]:
+    """Return the places of each grip among `grips`, in which it stands once for each of its tangents."""
+    return [[i for i, other in enumerate(grips) if other == grip] for grip in dict.fromkeys(grips)]
+
+
+def slip_tolerances(model: Model, run: Parts, tol_rate: Any, tol_force: Any) -> tuple[Any, Any]:
+    """Return the tolerance of the velocity and of the force of each slip (ns), from those of pairs (k).
+
+    What sticks holds the forces of all pairs, and is as uncertain as the most uncertain one. Those of turning follow by
+    the scene's arm, which turns an angle into a way.
+    """
+    turning = [i for i, (name, *_) in enumerate(model.slips) if turns(name)]
+    rate, force = at_slips(model, tol_rate), ca.repmat(ca.mmax(tol_force), model.ns)
+    if turning:
+        fast = next(i for i, name in enumerate(model.speeds) if model.units[name] == "rad/s")
+        arm = run["scales"][1] / run["scale"][model.nq + fast]
+        rate[turning], force[turning] = rate[turning] / arm, force[turning] * arm
+    return rate, force
 
 
 def sticking(model: Model, m: Any) -> Any:
-    """Return for each slip (ns) whether it is one of a pair that sticks or is apart."""
+    """Return for each slip (ns) whether it is one of a grip that sticks or is apart."""
     slips = m[slips_in(model)]
     found = slips == STICK
-    for group in groups_of(pairs_of(model)):
+    for group in groups_of(grips_of(model)):
         if len(group) > 1:
             still = found[group[0]] * found[group[1]]
             for i in group:
@@ -166,7 +199,7 @@ def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c
         columns.append([*values, ca.repmat(active, len(own)), masked(active, stuck[own]), slips[own]])
     joined = list(zip(*columns, strict=True))
     parts = *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:])
-    return Grips(places, groups_of(pairs), *parts)
+    return Grips(places, groups_of([grips_of(model)[i] for i in places]), *parts)
 
 
 @per_model
@@ -177,13 +210,25 @@ def pair_grip(model: Model, j: int) -> Any:
     """
     t, y, m, c = model.symbols("t y m c")
     q, u, z = model.parts(y)
-    _, _, _, velocity, _, along, power, sliding, holding = model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)
-    dq, n = model.function("coordinate_rates")(t, q, u, c), velocity.numel()
+    velocity, along, power, sliding, holding = pair_grips(model, j, t, q, u, z, m, c)
+    dq = model.function("coordinate_rates")(t, q, u, c)
     drift = ca.jtimes(velocity, ca.vertcat(t, y), ca.vertcat(1, dq, ca.SX.zeros(model.nu + model.nz)))
-    along, power = (ca.reshape(part, part.numel() // n, n) for part in (along, power))
-    sliding, holding = (ca.repmat(part, n) for part in (sliding, holding))
     results = [ca.sparsify(along), ca.sparsify(power), *map(ca.densify, (sliding, holding, velocity, drift))]
     return ca.Function("grip", [t, y, m, c], ca.cse(results))
+
+
+def pair_grips(model: Model, j: int, *given: Any) -> tuple[Any, Any, Any, Any, Any]:
+    """Return velocity (n), along (nf, n), power (nz, n), sliding and holding (n) of a pair's n slips.
+
+    given: (t, q, u, z, m, c).
+    """
+    _, _, _, velocity, _, along, power, sliding, holding, *turning = model.function(f"contact_{model.pairs[j]}")(*given)
+    velocity = ca.vertcat(*([velocity] if j in rubbing(model) else []), *turning)
+    own = [grip for grip, pair in zip(grips_of(model), pairs_of(model), strict=True) if pair == j]
+    along, power = (ca.reshape(part, part.numel() // len(own), len(own)) for part in (along, power))
+    of = [list(dict.fromkeys(own)).index(grip) for grip in own]
+    sliding, holding = (ca.vertcat(*(limit[i] for i in of)) for limit in (sliding, holding))
+    return velocity, along, power, sliding, holding
 
 
 @per_model
@@ -235,20 +280,20 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 # -- modes and events --------------------------------------------------------------------------------------------------
 
 
-def margin_tolerances(model: Model, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
+def margin_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
     """Return each margin's tolerance at a landing: a speed if slipping, a force if sticking.
 
-    What sticks holds the forces of all pairs, and is as uncertain as the most uncertain one. No margin is known better
-    than the time.
+    No margin is known better than the time.
     """
-    small = ca.if_else(sticking(model, m), ca.mmax(tol_force), at_slips(model, tol_rate))
+    rate, force = slip_tolerances(model, run, tol_rate, tol_force)
+    small = ca.if_else(sticking(model, m), force, rate)
     return ca.fmax(small, time_rounding(at["t"], at["margin_rate"]))
 
 
 def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
     """Return m with the slips in two directions turned to those of sliding, but near rest."""
     m, first = ca.SX(m), slips_in(model).start
-    for group in groups_of(pairs_of(model)):
+    for group in groups_of(grips_of(model)):
         if len(group) > 1:
             rows, force = [first + i for i in group], friction[group]
             size = size_of(m[rows])

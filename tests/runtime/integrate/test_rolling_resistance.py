@@ -7,30 +7,16 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sp
-from balls import GRAVITY, MASS, RADIUS, STIFFNESS, ball, dry
+from balls import GRAVITY, MASS, RADIUS, ball, brake, dry
 
 from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    CylinderOnPlane,
     DrillingResistance,
-    EnergyLedger,
-    Gravity,
     InputError,
-    Mechanism,
     Parameter,
-    Prismatic,
-    Revolute,
     RollingResistance,
-    Scales,
-    Scene,
-    Start,
-    Y,
-    Z,
     generate,
 )
-from hertzwerk.derive.laws import kelvin_voigt, power, smooth_coulomb
+from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.runtime import load, simulate
 
@@ -136,31 +122,6 @@ def test_a_ball_spins_to_rest(method):
 
 
 # ---- a wheel in plane motion -----------------------------------------------------------------------------------------
-
-
-def brake(*effects):
-    """A block, guided along Y, that its weight presses on a wheel; no friction."""
-    mass, inertia, radius = (
-        Parameter("mass", "kg", 2),
-        Parameter("inertia", "kg m^2", 1e-3),
-        Parameter("radius", "mm", 50),
-    )
-    gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", STIFFNESS)
-    wheel, block = Body("wheel", mass=mass, inertia=inertia), Body("block", mass=mass, inertia=inertia)
-    face = block.at(0, 0, 0)
-    pair = CylinderOnPlane("rub", wheel.at(0, 0, 0), Z, radius, Parameter("length", "mm", 10), face, -Y)
-    joints = Revolute("axle", GROUND, wheel, axis=Z), Prismatic("guide", GROUND, block, axis=Y)
-    return Scene(
-        Mechanism("brake", joints, (pair,)),
-        (
-            Gravity("gravity", gravity, direction=-Y),
-            Contact("rub", power(stiffness, 1), kelvin_voigt(Parameter("restitution", "1", 0.2))),
-            EnergyLedger(),
-            *effects,
-        ),
-        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius),
-        Start(position={"guide": radius - mass * gravity / stiffness}, speed={"axle": Parameter("spin", "rad/s", 100)}),
-    )
 
 
 def arm():
