@@ -106,6 +106,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.files.audit_text import audit_expression as audit_expression
     from hertzwerk.derive.files.lawfile import laws_from as laws_from
     from hertzwerk.derive.files.urdf import from_urdf as from_urdf
+    from hertzwerk.derive.imported.from_sympy import from_sympy as from_sympy
     from hertzwerk.derive.laws import LAWS as LAWS
     from hertzwerk.derive.laws.law import (
         BoundLaw as BoundLaw,

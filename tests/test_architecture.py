@@ -26,7 +26,7 @@ HALLS = {
 # TYPE_CHECKING too. Rooms of the same side go by their name alone.
 ROOMS = {
     "derive": {
-        ".": "algebra audit contact declare derivation effects faults files laws mechanism",
+        ".": "algebra audit contact declare derivation effects faults files imported laws mechanism",
         "algebra": "faults identifiers units",
         "audit": "algebra declare dimension faults laws mechanism program units",
         "contact": "algebra dimension effects faults laws mechanism motion units",
@@ -38,6 +38,7 @@ ROOMS = {
         "faults": "",
         "files": "algebra audit declare derivation dimension effects faults identifiers laws mechanism units",
         "identifiers": "faults",
+        "imported": "algebra audit declare dimension effects faults identifiers mechanism motion units",
         "laws": "algebra faults mechanism units",
         "mechanism": "algebra dimension faults identifiers units",
         "module": "algebra audit contact declare dimension effects faults laws mechanism motion program units",

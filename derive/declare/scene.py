@@ -224,9 +224,8 @@ class Scene:
 
     @cached_property
     def uncounted(self) -> tuple[str, ...]:
-        """Keys of angles of closing joints in space, known up to whole turns alone."""
-        turns = (freedom.key for freedom in self.mechanism.told if freedom.kind == "turn")
-        return tuple(turns) if self.mechanism.plane is None else ()
+        """Keys of angles known up to whole turns alone."""
+        return self.mechanism.uncounted
 
     @cached_property
     def states(self) -> dict[str, State]:

@@ -37,7 +37,7 @@ class Start:
     def coordinates(self, freedom: Freedom) -> list[Any]:
         """Values of a freedom's coordinates; a quaternion's are normalised."""
         given = [_given({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
-        if freedom.scalar:
+        if freedom.kind != "ball":
             return [value or 0 for value in given]
         if all(value is None for value in given):
             return [1, 0, 0, 0]
@@ -67,8 +67,9 @@ class Start:
                 for port in ports:
                     value = _given(values, port.name, freedom)
                     if value is not None:
-                        yield Slot(f"start, {what} of {freedom.key if freedom.scalar else port.name}", value, port.unit)
+                        named = port.name if freedom.kind == "ball" else freedom.key
+                        yield Slot(f"start, {what} of {named}", value, port.unit)
 
 
 def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
-    return values.get(name, values.get(freedom.key) if freedom.scalar else None)
+    return values.get(name, None if freedom.kind == "ball" else values.get(freedom.key))

@@ -381,7 +381,7 @@ class JointEffect(Effect):
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield the axis of a turn, or both points and the axis of a slide."""
-        if not self.drawn:
+        if not self.drawn or self.freedom(scene).axis is None:
             return
         kind = f"{self.freedom(scene).kind}_{self.kind}"
         place, point, axis = place_on_joint(scene, self.joint)

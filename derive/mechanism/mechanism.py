@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from typing import Any
 
 from hertzwerk.derive.algebra.vectors import along
 from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
@@ -78,6 +79,15 @@ class Mechanism:
         """Freedoms of closing joints that follow from where the bodies are, in order."""
         ruled = (joint for joint in self.closures if not joint.unruled())
         return tuple(freedom for joint in ruled for freedom in joint.freedoms if joint.measures(freedom))
+
+    @cached_property
+    def uncounted(self) -> tuple[str, ...]:
+        """Keys of angles of closing joints in space, known up to whole turns alone."""
+        return tuple(freedom.key for freedom in self.told if freedom.kind == "turn") if self.plane is None else ()
+
+    def given_motion(self, kinematics: Any) -> Any:
+        """Motion that is given by expressions, on the tape of a kinematics; None where it is that of joints."""
+        return None
 
     @cached_property
     def plane(self) -> int | None:

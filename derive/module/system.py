@@ -23,7 +23,7 @@ from hertzwerk.derive.module.results import dimension_of, ports_of, vector
 from hertzwerk.derive.module.surroundings import Surroundings
 from hertzwerk.derive.motion.absolute import Absolute
 from hertzwerk.derive.motion.carried import Carried, nonlinear_fault
-from hertzwerk.derive.motion.equations import Equations
+from hertzwerk.derive.motion.equations import equations_of
 from hertzwerk.derive.motion.links import Row
 from hertzwerk.derive.motion.periods import period
 from hertzwerk.derive.motion.resistance import resistance_faults
@@ -39,7 +39,7 @@ class System:
         for parameter, dimension in scene.dimensions.items():
             self.tape.input(parameter.name, "p", dimension, symbol=parameter)
         self.kin = kinematics(self.tape, scene)
-        self.equations = Equations(self.kin, scene)
+        self.equations = equations_of(self.kin, scene)
         self.contacts = [
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
             for pair, contact, friction in scene.contacts

@@ -247,6 +247,12 @@ class Equations:
         return self.tape.let(sp.Add(*total), "potential")
 
 
+def equations_of(kinematics: Kinematics, scene: Scene) -> Equations:
+    """Equations of motion of the links, or those that the mechanism has by expressions."""
+    given = kinematics.given
+    return Equations(kinematics, scene) if given is None else given.equations(scene)
+
+
 def gravity_vector(kinematics: Kinematics, effects: Sequence[Gravity]) -> Vector:
     """Sum of gravities, in ground axes [m/s^2]."""
     return add(ZERO, *(scale(kinematics.expression(sp.sympify(e.acceleration)), e.direction.unit) for e in effects))

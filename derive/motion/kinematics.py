@@ -108,9 +108,11 @@ class Kinematics:
         self.drive_states: list[DriveState] = []
         motion: dict[str, tuple[tuple[Any, ...], tuple[Row, ...]]] = {}
         for freedom, q, u, a in zip(free, inputs, speeds, seconds, strict=True):
-            rates = u if freedom.scalar else _quaternion_rates(q, [tape.let(w / 2, f"half_{w.name}") for w in u])
-            self.rates.extend(rates)
-            for symbol, rate in (*zip(q, rates, strict=True), *zip(u, a, strict=True)):
+            rates = (
+                u if freedom.kind != "ball" else _quaternion_rates(q, [tape.let(w / 2, f"half_{w.name}") for w in u])
+            )
+            self.rates.extend(rates if q else ())
+            for symbol, rate in (*zip(q, rates, strict=False), *zip(u, a, strict=True)):
                 tape.set_rate(symbol, rate)
             of_rows = zip(freedom.forces, u, a, strict=True)
             motion[freedom.key] = tuple(q), tuple(Row(*port, speed, rate, True) for port, speed, rate in of_rows)
@@ -119,7 +121,7 @@ class Kinematics:
                 motion[freedom.key] = self._driven(freedom, scene, groups[0])
         self.prescribed = {freedom.key: self._driven(freedom, scene, groups[0]) for freedom in scene.prescribed}
         self.effect_states = {name: self._input(Port(name, s.unit), groups[0]) for name, s in scene.states.items()}
-        self.states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
+        self.states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items() if q and rows}
         self._motions = motion
         self.tree = Tree(tape, scene.mechanism, motion, scene.held)
         self.carried: dict[tuple[str, str, Any], sp.Symbol] = {}
@@ -131,6 +133,8 @@ class Kinematics:
         self.origin_of = cache(self._origin)
         self.direction_of = cache(self._direction)
         self.turned = cache(self._turned_about)
+        self.given = scene.mechanism.given_motion(self)
+        """Motion given by expressions, see `imported`; None where links have their own."""
 
     def _driven(self, freedom: Freedom, scene: Scene, group: str) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
         """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives.
@@ -163,6 +167,10 @@ class Kinematics:
         """Coordinates and speeds of a freedom, free or driven."""
         coordinates, rows = self._motions[freedom.key]
         return coordinates, tuple(row.speed for row in rows)
+
+    def rows_of(self, freedom: Freedom) -> tuple[Row, ...]:
+        """Rows of a freedom of the tree."""
+        return self._motions[freedom.key][1]
 
     def coordinate(self, key: str) -> Any:
         """Coordinate of a scalar freedom of the tree, free or driven [rad or m]."""
@@ -204,6 +212,8 @@ class Kinematics:
 
         All turns on the way to the body must be about that axis.
         """
+        if self.given is not None:
+            return self.given.turned(body, k)
         joint = self.mechanism.joint_of(body)
         if joint is None:
             return sp.S.Zero
@@ -259,6 +269,8 @@ class Kinematics:
         return self._rotations[orientation]
 
     def _turned(self, link: Link) -> Matrix:
+        if link.kind == "given":
+            return self.given.rotation(link)  # type: ignore[no-any-return]
         return self.rotation_of(link.orientation, link.name)
 
     def _arm(self, link: Link) -> Vector:
@@ -281,12 +293,16 @@ class Kinematics:
         """Position of O [m]."""
         if link.parent is None:
             return ZERO
+        if link.kind == "given":
+            return self.given.origin(link)  # type: ignore[no-any-return]
         return self.tape.vector(add(self.origin_of(link.parent), self._arm(link)), link.name)
 
     def _motion(self, link: Link) -> Motion:
         tape, name = self.tape, link.name
         if link.parent is None:
             return Motion(IDENTITY, ZERO, ZERO, ZERO, ZERO, ZERO)
+        if link.kind == "given":
+            return self.given.motion(link)  # type: ignore[no-any-return]
         before = self.motion_of(link.parent)
         w, alpha, arm = before.angular_velocity, before.angular_acceleration, self._arm(link)
         spin = tape.vector(cross(w, arm), f"{name}_arm_rate")
@@ -320,6 +336,8 @@ class Kinematics:
         """
         if link.parent is None:
             return ZERO, ZERO
+        if link.kind == "given":
+            return self.given.bias(link)  # type: ignore[no-any-return]
         tape, name, w = self.tape, link.name, self.motion_of(link.parent).angular_velocity
         (alpha, bias), arm = self.bias_of(link.parent), self._arm(link)
         bias = add(bias, cross(alpha, arm), cross(w, tape.vector(cross(w, arm), f"{name}_arm_rate")))
@@ -405,6 +423,8 @@ class Kinematics:
 
     def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
         """Generalised forces in each row of a link, of a force at `position` on the link or its subtree."""
+        if link.kind == "given":
+            return self.given.of_force(link, force, position)  # type: ignore[no-any-return]
         if link.kind == "slide":
             return [dot(force, self.direction_of(link))]
         arm = sub(position, self.origin_of(link))
@@ -415,6 +435,8 @@ class Kinematics:
 
     def partial_turns(self, link: Link) -> list[Vector]:
         """Partial angular velocities of a link and its subtree, by each speed of the link [1]."""
+        if link.kind == "given":
+            return self.given.partial_turns(link)  # type: ignore[no-any-return]
         if link.kind == "slide":
             return [ZERO]
         return [self.direction_of(link)] if link.kind == "turn" else list(transpose(self._turned(link)))
@@ -438,7 +460,8 @@ class Kinematics:
                 if link in other:
                     continue
                 for row, value in zip(link.rows, effect(link), strict=True):
-                    out[row.key] = self.tape.let(sign * value, f"{name}_on_{row.key.replace('.', '_')}")
+                    share = self.tape.let(sign * value, f"{name}_on_{row.key.replace('.', '_')}")
+                    out[row.key] = out[row.key] + share if row.key in out else share
         return out
 
 

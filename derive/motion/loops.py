@@ -86,6 +86,8 @@ def measured(kinematics: Kinematics, key: str) -> Measured:
     if key in kinematics.states:
         row = kinematics.row(key)
         return Measured(*kinematics.states[key], sp.S.Zero if row.free else row.acceleration, {row.key: sp.S.One})
+    if kinematics.given is not None:
+        return Measured(*kinematics.given.measured(key))
     freedoms = ((joint, freedom) for joint in kinematics.mechanism.closures for freedom in joint.freedoms)
     joint, freedom = next(entry for entry in freedoms if entry[1].key == key)
     return Closure(kinematics, joint).measured(freedom)

@@ -24,7 +24,7 @@ def period(scene: Scene) -> Any | None:
     The past of a drive, before its last branch at a time, does not count: a speed that rises and stays is periodic from
     then on. A drive of constant speed is periodic if it turns an angle.
     """
-    angles = {freedom.key for freedom in scene.mechanism.freedoms if freedom.units[0] == "rad"}
+    angles = {freedom.key for freedom in scene.mechanism.freedoms if freedom.kind == "turn"}
     coupled = {key for coupling in scene.all(Coupling) for key in coupling.joints}
     frequencies: list[Any] = []
     if scene.inputs:

@@ -64,7 +64,7 @@ class Probe:
 
     def _normalised(self, state: Numbers) -> Numbers:
         for freedom in self.kin.mechanism.freedoms:
-            if not freedom.scalar:
+            if freedom.kind == "ball":
                 quaternion, _ = self.kin.motion_of_freedom(freedom)
                 norm = sum(state[symbol] ** 2 for symbol in quaternion) ** 0.5
                 state.update({symbol: state[symbol] / norm for symbol in quaternion})

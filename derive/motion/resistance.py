@@ -14,7 +14,7 @@ from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Body
 from hertzwerk.derive.mechanism.parameter import default_value
 from hertzwerk.derive.motion.absolute import Absolute
-from hertzwerk.derive.motion.equations import Equations
+from hertzwerk.derive.motion.equations import equations_of
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.probe import Probe
 from hertzwerk.derive.program.program import Tape
@@ -60,7 +60,7 @@ def _mass_matrix(scene: Scene) -> tuple[list[str], list[list[float]], list[list[
     for parameter, dimension in scene.dimensions.items():
         tape.input(parameter.name, "p", dimension, symbol=parameter)
     kin = Kinematics(tape, scene)
-    equations = Equations(kin, scene)
+    equations = equations_of(kin, scene)
     entries, rows = equations.mass_matrix(), [row.key for row in equations.free]
     probe = Probe(kin, scene.size)
     state = next(probe.states())

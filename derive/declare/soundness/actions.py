@@ -46,8 +46,8 @@ def _state_faults(scene: Scene, effect: Effect) -> Iterator[Fault]:
 
 def start_faults(scene: Scene) -> Iterator[Fault]:
     """Yield faults of positions and speeds given to coordinates not free, and of a missing arm."""
-    of_joints = [freedom.key for freedom in scene.free if freedom.scalar]
     for given, ports in (("position", "coordinates"), ("near", "coordinates"), ("speed", "speeds")):
+        of_joints = [freedom.key for freedom in scene.free if freedom.kind != "ball" and getattr(freedom, ports)]
         full = [port.name for freedom in scene.free for port in getattr(freedom, ports)]
         short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
         for name in getattr(scene.start, given):

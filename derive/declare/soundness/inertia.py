@@ -32,7 +32,7 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
     carriers = {rigid_root(mechanism, joint.parent.body) for joint in moved}
     alone = {joint.parent.body for joint in mechanism.joints}
     tied = {rigid_root(mechanism, place.body) for joint in mechanism.closures for place in (joint.parent, joint.child)}
-    for body in mechanism.bodies:
+    for body in (joint.child.body for joint in mechanism.tree if isinstance(joint.child.body, Body)):
         root = rigid_root(mechanism, body)
         if body == root and body not in carriers and body not in loaded and body not in tied:
             yield Fault(f"body {body.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",

@@ -54,10 +54,11 @@ class Freedom:
     coordinates  of a turn its angle, of a slide its travel, of a ball the unit quaternion q0 + q1 i + q2 j + q3 k of the child's axes
     speeds       the coordinate's rate; of a ball the angular velocity against the parent in the child's axes, in which the child's
                  equations are resolved; the four rates of the quaternion follow from it
+                 (`given`, by expressions: a coordinate alone, or a speed alone)
     forces       generalised force per speed
     """
 
-    kind: Literal["turn", "slide", "ball"]
+    kind: Literal["turn", "slide", "ball", "given"]
     key: str
     axis: Direction | None
     coordinates: tuple[Port, ...]
@@ -67,7 +68,7 @@ class Freedom:
     @property
     def scalar(self) -> bool:
         """Whether it has one coordinate, whose rate is its speed."""
-        return self.kind != "ball"
+        return self.kind in ("turn", "slide")
 
     @property
     def label(self) -> str:

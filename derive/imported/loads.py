@@ -1,0 +1,55 @@
+"""Loads of an imported model: generalised forces, and the power that they put in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.effects.effect import Declared, Effect, Element
+from hertzwerk.derive.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.imported.given_mechanism import Given
+
+
+@dataclass(frozen=True)
+class Loads(Effect):
+    """Loads as generalised forces by row, and the potential energy that some of them have.
+
+    Their power is booked as input, but for what changes that energy.
+    """
+
+    name: str
+    forces: tuple[tuple[str, Any], ...]
+    stored: Any = sp.S.Zero
+    kind: ClassVar[str] = "loads"
+
+    @property
+    def text(self) -> str:
+        """Description for people."""
+        return "loads of the imported model"
+
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """Yield a fault of a mechanism that was not imported."""
+        if not isinstance(scene.mechanism, Given):
+            yield Fault(self.where, f"mechanism {scene.mechanism.name}", "the imported model that has these loads")
+
+    def element(self, kin: Any) -> Element:
+        """Generalised forces, stored energy and power."""
+        tape, given = kin.tape, kin.given
+        forces = {key: tape.let(given.of(value), f"{self.name}_on_{key}") for key, value in self.forces}
+        power = sp.Add(*(force * given.speed(key) for key, force in forces.items()))
+        stored = tape.let(given.of(self.stored), f"{self.name}_stored")
+        drawn = tape.rate(stored, f"{self.name}_stored_rate") if stored != 0 else sp.S.Zero
+        return Element(forces, stored, input=tape.let(power + drawn, f"{self.name}_power"))
+
+
+def ledger_faults(effects: tuple[Any, ...], follows_time: tuple[str, ...]) -> Iterator[Fault]:
+    """Yield a fault of an energy ledger beside a motion that follows time, whose power is not known."""
+    if follows_time and any(isinstance(effect, EnergyLedger) for effect in effects):
+        named = " and ".join(follows_time)
+        yield Fault("effects", f"an energy ledger beside {named}, by which the motion itself follows time",
+                    "a motion whose drive is known: what it takes is not in SymPy's equations",
+                    "Make it a coordinate of the model and drive it, Drive(..., position=...); or leave the ledger out.")  # fmt: skip
