@@ -49,6 +49,8 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
+    from hertzwerk.runtime.model.model import Bound
+    from hertzwerk.runtime.sensitivity.lyapunov import Lyapunov
     from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
 
 ACCURACY = 1e-6  # where none is asked for
@@ -285,19 +287,33 @@ class Solution(plain_solution.Solution):
         run's steps. Found from the steps, so that a run pays nothing until it is asked. Raises InputError for names that
         are neither, and for a run without its steps or start: a saved one, a continuation, one of SUNDIALS.
         """
-        run, kept = self.with_steps(), self.checkpoint
-        if not run.history.steps or kept is None or self.t_start > 0:
-            expected = f"a run from its start by a method of {', '.join(IN_GRAPH)}, with its steps"
-            fault = Fault(
-                "sensitivities", "a run without its steps or start", expected, 'simulate(..., output="steps")'
-            )
-            raise InputError(self.model.name, [fault])
         from hertzwerk.runtime.sensitivity.sensitivities import (
             Sensitivities,
         )  # a run that is not asked imports none of it
 
-        bound = self.model.bind(parameters_of(self, self.model))
-        return Sensitivities(run.history, bound, kept.initial, names, compiled=self.compiled)
+        history, bound, initial = self._from_its_start("sensitivities")
+        return Sensitivities(history, bound, initial, names, compiled=self.compiled)
+
+    def lyapunov(self, count: int = 1) -> Lyapunov:
+        """Return the largest Lyapunov exponents, from the variational equations, through impacts.
+
+        `run.lyapunov().exponents[0]` is a mean with a 95 % confidence interval [1/s], as `averages` has them; `local` its
+        finite-time spread, `horizon(error)` the time in which an error grows to 1 % of the scales. count: at most 8.
+        Raises InputError as `sensitivities` does, and for a count beyond what the motion has.
+        """
+        from hertzwerk.runtime.sensitivity.lyapunov import lyapunov
+
+        history, bound, initial = self._from_its_start("Lyapunov exponents")
+        return lyapunov(history, bound, frozenset(initial), self.scales.state, count, compiled=self.compiled)
+
+    def _from_its_start(self, what: str) -> tuple[History, Bound, Mapping[str, Value]]:
+        """Return steps, parameters and given initial states of a run from its start; raises InputError."""
+        run, kept = self.with_steps(), self.checkpoint
+        if not run.history.steps or kept is None or self.t_start > 0:
+            expected = f"a run from its start by a method of {', '.join(IN_GRAPH)}, with its steps"
+            fault = Fault(what, "a run without its steps or start", expected, 'simulate(..., output="steps")')
+            raise InputError(self.model.name, [fault])
+        return run.history, self.model.bind(parameters_of(self, self.model)), kept.initial
 
     def _repr_html_(self) -> str:
         return notebook.of_run(self, parameters_of(self, self.model))

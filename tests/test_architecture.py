@@ -88,7 +88,7 @@ ROOMS = {
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
-        "sensitivity": "derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
+        "sensitivity": "accuracy derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults inputs integrate/step integrate/tableaux loading model pictures pictures/draw "
         "pictures/motion report run sensitivity solution tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
@@ -102,7 +102,7 @@ ROOMS = {
         "tables": "derive/faults derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units inputs integrate/tableaux loading model run "
         "simulation solution",
-        "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run simulation solution",
+        "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run sensitivity simulation solution",
     },
 }
 

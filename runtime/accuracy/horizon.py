@@ -21,6 +21,7 @@ from hertzwerk.runtime.accuracy.ladder import VALID
 Array = NDArray[np.float64]
 
 INTERVALS = 12  # of a run
+SAMPLES = 20  # of a growth that is known, in each
 FEWEST = 4  # intervals that show growth, or none
 ABOVE = 3.0  # times the floor: larger errors are the run's own, not the reference's
 SATURATED = 0.1  # in the scales: larger errors no longer grow linearly
@@ -98,6 +99,28 @@ def growth(t: Array, errors: Sequence[Array], floors: Sequence[Array]) -> Growth
     steps = np.diff(levels, axis=1)
     known = np.any(np.isfinite(steps), axis=0)
     steps = np.array([np.median(s[np.isfinite(s)]) if k else np.nan for s, k in zip(steps.T, known, strict=True)])
+    return _law(edges, steps)
+
+
+def growth_law(t: Array, growth: Array) -> Growth:
+    """Fit the law of a growth whose logarithm (n,) over t [s] is known, as that of a small change."""
+    edges = np.linspace(t[0], t[-1], INTERVALS + 1)
+    with np.errstate(invalid="ignore"):
+        levels = np.median(np.interp(_within(edges), t, growth), axis=1)
+        steps = np.diff(levels)
+    return _law(edges, np.where(np.isfinite(steps), steps, np.nan))
+
+
+def _within(edges: Array) -> Array:
+    """Return times (intervals, samples) within intervals."""
+    parts = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    found: Array = edges[:-1, None] + np.diff(edges)[:, None] * parts
+    return found
+
+
+def _law(edges: Array, steps: Array) -> Growth:
+    """Fit the law of a growth by the logarithms (intervals - 1,) of its factors; nan where unknown."""
+    known = np.isfinite(steps)
     edge = tuple(float(x) for x in edges)
     factors = tuple(float(x) for x in np.exp(steps))
     first, last = _longest(known)

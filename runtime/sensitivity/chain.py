@@ -182,6 +182,8 @@ def chained(
     *,
     switched: np.ndarray,
     compiled: bool,
+    renew: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None,
+    most: int | None = None,
 ) -> Changes:
     """Return the changes along a run from those at its begin (n, P).
 
@@ -189,6 +191,8 @@ def chained(
     events (j,)            rows that follow them
     solve                  returns the maps over steps after rows: of those that are not the graph's, or too coarse
     switched (rows,)       whether a row follows an event
+    renew                  takes rows (l,) and the changes (l, P, n) at them, at most WIDTH columns, and returns those to
+                           go on with (P, n), after at most so many links
     """
     (n, count), rows = begin.shape, len(history.rows)
     after_event = np.zeros(rows, dtype=int)
@@ -213,8 +217,9 @@ def chained(
         columns = np.r_[:n, n + some.start : n + some.stop]
         call = _Call(history, begin[:, some], directions.dc[:, some], compiled=compiled)
         size = NOISE / directions.sizes[some]
-        for start in range(0, len(row), call.room):
-            links = slice(start, start + call.room)
+        room = min(most or call.room, call.room)
+        for start in range(0, len(row), room):
+            links = slice(start, start + room)
             for _ in range(PASSES):
                 by_map = np.flatnonzero(number[links] >= 0)
                 x, errors, sizes = call(table[links], by_map, maps[number[links][by_map]][:, :, columns])
@@ -226,11 +231,11 @@ def chained(
                 again = start + np.flatnonzero(coarse)
                 number[again] = len(maps) + np.arange(len(again))
                 maps = np.concatenate([maps, solve(row[again] - 1)])
-            size = larger
             after[row[links], some] = x
             leading = np.flatnonzero(leads[links] >= 0)
             before[leads[links][leading], some] = x[leading]
-            call.go_on(x[-1])
+            size = size if renew else larger
+            call.go_on(renew(row[links], x) if renew else x[-1])
         call.end()
     return Changes(after.swapaxes(1, 2), before.swapaxes(1, 2), number[step] >= 0)
 

@@ -4,6 +4,7 @@
 2. steps        the variational equations by each step's own method              sensitivity/chain
                 by collocation where that is implicit, or too coarse             sensitivity/transitions
 3. events       the jump where modes change                                      sensitivity/saltation
+                one after the other                                              sensitivity/followed
 4. histories    by the chain rule from states, memory and directions             sensitivity/readout
 
 They are found after the run, from its steps: a run that is not asked pays nothing.
@@ -17,12 +18,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime.integrate.loop.automatic import use_compiled
-from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
+from hertzwerk.runtime.integrate.step.layout import FLIGHT
 from hertzwerk.runtime.model.free_quantities import quantities
-from hertzwerk.runtime.sensitivity.chain import along, chained, later
+from hertzwerk.runtime.sensitivity.chain import along, later
+from hertzwerk.runtime.sensitivity.followed import follow
 from hertzwerk.runtime.sensitivity.readout import Readout
-from hertzwerk.runtime.sensitivity.saltation import events_of, switched, tables_of_events, watched, watched_columns
+from hertzwerk.runtime.sensitivity.saltation import watched_columns
 from hertzwerk.runtime.sensitivity.start_changes import start_changes
 from hertzwerk.runtime.sensitivity.tangent import directions_of, tangent
 from hertzwerk.runtime.sensitivity.transitions import transitions
@@ -53,7 +54,7 @@ class Sensitivities:
         *,
         compiled: bool = False,
     ) -> None:
-        self.history, self.names, self._compiled = history, names, compiled
+        self.history, self.names = history, names
         model = history.model
         known = quantities(model)
         faults = [unknown("parameter or initial state", name, known) for name in names if name not in known]
@@ -63,11 +64,9 @@ class Sensitivities:
             raise InputError(f"sensitivities of {model.name}", faults)
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
         self._directions = directions_of(model, bound.p, bound.c, dp.reshape(-1, len(names)))
-        parameters = list(model.parameters)
-        floors = self._directions.dp[parameters.index("approach_floor")] if "approach_floor" in parameters else 0.0
-        self._floor = floors + np.zeros(len(names))
-        self.until, self.reason = float(history.t[-1]), ""
-        self._follow(start_changes(model, bound, initial, names), frozenset(initial))
+        begin = start_changes(model, bound, initial, names)
+        self._found = follow(history, self._directions, begin, frozenset(initial), compiled=compiled)
+        self.until, self.reason = self._found.until, self._found.reason
 
     # -- what is read ------------------------------------------------------------------------------------------------
 
@@ -92,8 +91,8 @@ class Sensitivities:
     @property
     def events(self) -> tuple[np.ndarray, np.ndarray]:
         """Rows (n,) of the run that follow an event, and the derivatives (n, P) of those events' times."""
-        told = slice(self._told)
-        return self._jumps.rows[told], self._times[told]
+        told = slice(self._found.told)
+        return self._found.jumps.rows[told], self._found.times[told]
 
     def after_event(self, row: int, name: str) -> np.ndarray:
         """Return the derivatives (P,) of a history just after the event before a row, whose time changes too."""
@@ -127,69 +126,20 @@ class Sensitivities:
 
     # -- how it is found ---------------------------------------------------------------------------------------------
 
-    def _follow(self, begin: np.ndarray, given: frozenset[str]) -> None:
-        """Follow the changes from row to row, through steps and events."""
-        history, rows = self.history, len(self.history.rows)
-        ny, n = history.engine.layouts.state.sizes["y"], history.engine.layouts.state.sizes["y"] + history.model.nm
-        first = np.zeros((n, len(self.names)))
-        first[: len(begin)] = begin
-        self._latch(first[:ny], first[ny:], given)
-        self._switched = switched(history)
-        if self._compiled and self._switched[1:].any():
-            use_compiled(tables_of_events(history, len(self.names)))
-        self._jumps = jumps = events_of(history, self._switched, self._directions)
-        self._at_rows = np.full(rows, -1)  # events by the rows that follow them
-        self._at_rows[jumps.rows], maps = np.arange(len(jumps.rows)), jumps.maps(self._floor)
-        h = np.diff(history.t)
-        changes = chained(
-            history,
-            first,
-            maps,
-            jumps.rows,
-            lambda index: self._transitions(index, h[index]),
-            self._directions,
-            switched=self._switched,
-            compiled=self._compiled,
-        )
-        self._apart = changes.apart
-        events, self.reason = jumps.first_without(changes.before)
-        self._changes, last = changes.after, jumps.rows[events] if self.reason else rows
-        lost = np.flatnonzero(~np.isfinite(self._changes[:last]).all(axis=(1, 2)))
-        if len(lost):
-            last = int(lost[0])
-            events = int(np.searchsorted(jumps.rows, last))
-            self.reason = f"the equations have no finite derivatives in the step before {history.t[last]:.6g} s"
-        if self.reason:
-            self.until = float(history.t[last])
-            self._changes[last:] = np.nan
-        self._times = along(jumps.time[:, None], changes.before)[:, 0]
-        self._then = along(jumps.then, changes.before)
-        self._times[events:], self._then[events:] = np.nan, np.nan
-        self._told = events
-
-    def _transitions(self, index: np.ndarray, h: np.ndarray) -> np.ndarray:
-        return transitions(self.history, index, h, self._switched, self._directions)
-
-    def _latch(self, state: np.ndarray, memory: np.ndarray, given: frozenset[str]) -> None:
-        """Set the changes of the approach speeds of pairs that touch at the start."""
-        history, places = self.history, watched_columns(self.history.model)["gap_rate"]
-        change = tangent(watched, history, history.rows[:1], self._directions).along(state, memory)[0, places]
-        floor = history.controls[history.engine.layouts.controls["floor"]][0]
-        mode, rates = history.part("mode")[0], history.part("gap_rate")[0]
-        for row, (name, _, pair) in enumerate(history.model.module.LATCHES):
-            if mode[pair] == CONTACT and name not in given:
-                memory[row] = -change[pair] if -rates[pair] > floor else self._floor
-
     def _at(self, index: np.ndarray, h: np.ndarray, name: str) -> np.ndarray:
         """Return the changes (n, P) of a history a time h (n,) [s] after rows `index` (n,), under their modes."""
         history = self.history
-        found, ny = self._changes[index], history.engine.layouts.state.sizes["y"]
+        found, ny = self._found.after[index], history.engine.layouts.state.sizes["y"]
         moves = h > 0
-        apart = np.append(self._apart, False)[index] & moves
-        found[apart] = along(self._transitions(index[apart], h[apart]), found[apart])
+        apart = np.append(self._found.apart, False)[index] & moves
+        found[apart] = along(
+            transitions(history, index[apart], h[apart], self._found.switched, self._directions), found[apart]
+        )
         moves &= ~apart
         if moves.any():
-            found[moves] = later(history, index[moves], h[moves], found[moves], self._directions.dc, self._switched)
+            found[moves] = later(
+                history, index[moves], h[moves], found[moves], self._directions.dc, self._found.switched
+            )
         rows = history.later(history.rows[index], h)
         at = tangent(Readout(name), history, rows, self._directions)
         changes: np.ndarray = at.along(found[:, :ny], found[:, ny:])[:, 0]
@@ -197,9 +147,9 @@ class Sensitivities:
 
     def _onset(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of times or approach speeds of onsets before rows of the run."""
-        event = self._at_rows[rows]
+        event = self._found.at_rows[rows]
         speeds = watched_columns(self.history.model)["gap_rate"].start + pairs
-        changes = self._times[event] if what == "t" else -self._then[event, speeds]
+        changes = self._found.times[event] if what == "t" else -self._found.then[event, speeds]
         return np.where(event[:, None] >= 0, changes, np.nan)
 
     def _peaks(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
@@ -232,10 +182,10 @@ class Sensitivities:
 
     def _just_after(self, name: str, rows: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of a history just after the events before rows, whose times change too."""
-        event, ny = self._at_rows[rows], self.history.engine.layouts.state.sizes["y"]
+        event, ny = self._found.at_rows[rows], self.history.engine.layouts.state.sizes["y"]
         found = tangent(Readout(name), self.history, self.history.rows[rows], self._directions)
-        rate, changes = found.rate(self.history.part("dy")[rows])[:, 0], self._changes[rows]
-        there = found.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._times[event]
+        rate, changes = found.rate(self.history.part("dy")[rows])[:, 0], self._found.after[rows]
+        there = found.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._found.times[event]
         return np.where(event[:, None] >= 0, there, np.nan)
 
     def _column(self, to: str) -> int:

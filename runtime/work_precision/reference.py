@@ -14,13 +14,12 @@ from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.tableaux.methods import EXPLICIT, IMPLICIT
 from hertzwerk.runtime.run.request import Settings, read
 from hertzwerk.runtime.run.single_run import set_up
-from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.solution import scales as scaling
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
     from hertzwerk.runtime.model.model import Model
-    from hertzwerk.runtime.solution.solution import Solution
 
 Array = NDArray[np.float64]
 

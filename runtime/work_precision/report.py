@@ -6,11 +6,14 @@ import csv
 import io
 import math
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hertzwerk.runtime.accuracy.ladder import VALID
 from hertzwerk.runtime.work_precision.study import NOT_TRIED, Row, Study
 from hertzwerk.runtime.work_precision.timed_runs import LATE
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.sensitivity.lyapunov import Lyapunov
 
 COLUMNS = (
     "method",
@@ -29,8 +32,8 @@ FIELDS = ("method", "compiled", "accuracy", "error", "estimate", "steps", "rhs_e
 
 
 def conclusions(study: Study) -> list[str]:
-    """Return sentences on the cost of ten times more accuracy, the method to take, and the time gained."""
-    return [_cost(study), _growth(study)]
+    """Return sentences on the cost of ten times more accuracy, the method, the time gained, and chaos."""
+    return [_cost(study), _growth(study), *_lyapunov(study)]
 
 
 def warnings(study: Study) -> list[str]:
@@ -133,6 +136,7 @@ def record(study: Study) -> dict[str, Any]:
             "factors": grows.factors,
             "gained": grows.gained,
         },
+        "lyapunov": _exponent(study.lyapunov),
         "methods": {
             method: {
                 "decade_cost": study.decade_costs[method],
@@ -215,6 +219,34 @@ def _growth(study: Study) -> str:
         f"Errors grow like t^{plain(grows.exponent)} ({how}{pace}): ten times more accuracy keeps the trajectory within {within} for "
         f"{plain(10 ** (1 / grows.exponent))} x the time."
     )
+
+
+def _lyapunov(study: Study) -> list[str]:
+    """Return what the largest exponent is, and how far its values in parts of the run spread."""
+    found = study.lyapunov
+    if found is None:
+        return []
+    low, high = found.spread
+    tells = "chaos, or an unstable motion" if found.chaotic else "neighbouring motions do not part exponentially"
+    return [
+        f"The largest Lyapunov exponent of the motion, from its variational equations, is {plain(found.law.rate)} +- {plain(found.law.deviation)} /s "
+        f"over this time, from {plain(low)} to {plain(high)} /s in twelfths of it: {tells}."
+    ]
+
+
+def _exponent(found: Lyapunov | None) -> dict[str, Any] | None:
+    if found is None:
+        return None
+    largest, law = found.exponents[0], found.law
+    return {
+        "rate": law.rate,
+        "deviation": law.deviation,
+        "kind": law.kind,
+        "factors": law.factors,
+        "mean": largest.mean,
+        "half_width": largest.half_width,
+        "reason": largest.reason,
+    }
 
 
 def _failures(found: Iterable[Row]) -> dict[str, str]:

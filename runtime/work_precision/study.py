@@ -7,15 +7,19 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from statistics import fmean, median
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.accuracy.horizon import Growth, crossing, growth
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
+from hertzwerk.runtime.integrate.tableaux.methods import EXPLICIT, IN_GRAPH
 from hertzwerk.runtime.work_precision.reference import Problem, Reference, reference
 from hertzwerk.runtime.work_precision.timed_runs import RunSpec, TimedRun, make, ready, repeat
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.sensitivity.lyapunov import Lyapunov
 
 Array = NDArray[np.float64]
 
@@ -25,6 +29,7 @@ STARTED = 0.01  # of the local tolerance: least error that shows growth; before 
 APART = 0.3  # least decades between two errors that a cost is computed from
 TOLD = 3.0  # times the reference's uncertainty: least measurable error
 FIRST = (0.3, 0.6)  # progress after the reference, and after the first run of each kind
+DEAR = 20_000  # implicit steps: derivatives of more take too long
 NOT_TRIED = "not_tried"
 
 
@@ -60,6 +65,7 @@ class Study:
 
     asked       duration that was asked for [s]; longer than the runs where the reference does not hold so long
     along       error and departure (n,) at the times of the reference, of the runs of each method and accuracy
+    lyapunov    exponent along the reference; None where that has no derivatives, or a run to find them in is too dear
     taken       of the time simulated by `auto`, the share of each of its methods, by accuracy
     """
 
@@ -68,6 +74,7 @@ class Study:
     asked: float
     rows: tuple[Row, ...]
     growth: Growth
+    lyapunov: Lyapunov | None
     along: Mapping[tuple[str, float], tuple[Array, Array]]
     taken: Mapping[float, Mapping[str, float]]
 
@@ -222,6 +229,9 @@ def study(
     reached = [this for this in made if this.reached]
     floors = [np.maximum(held.floor_of_departure, STARTED * this.tolerance) for this in reached]
     grows = growth(held.t, [this.departure for this in reached], floors)
+    exponent = _lyapunov(held)
+    if exponent is not None and exponent.chaotic:
+        grows = exponent.law  # of small changes: errors of runs show it where they are small, and known
     rows += [_row(this, held, grows) for this in made]
     places = {key: i for i, key in enumerate((m, c, a) for m, c in series for a in accuracies)}
     return Study(
@@ -230,9 +240,19 @@ def study(
         asked=asked,
         rows=tuple(sorted(rows, key=lambda row: places[row.method, row.compiled, row.accuracy])),
         growth=grows,
+        lyapunov=exponent,
         along={(this.by.method, this.by.accuracy): (this.error, this.departure) for this in reached},
         taken={this.by.accuracy: this.taken for this in made if this.taken},
     )
+
+
+def _lyapunov(held: Reference) -> Lyapunov | None:
+    """Return the largest exponent along the reference, by the cheaper of its two runs."""
+    runs = [run for run in (held.run, held.partner) if run.method in EXPLICIT or run.statistics.steps <= DEAR]
+    if not runs:
+        return None
+    found = min(runs, key=lambda run: (run.method not in EXPLICIT, run.statistics.steps)).lyapunov()
+    return None if found.reason else found
 
 
 def decade_cost(errors: Sequence[float], times: Sequence[float]) -> float | None:

@@ -24,8 +24,8 @@ from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.run.engine import prepare
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.simulation import Solution
     from hertzwerk.runtime.solution.outcome import Outcome
-    from hertzwerk.runtime.solution.solution import Solution
     from hertzwerk.runtime.work_precision.reference import Problem, Reference
 
 Array = NDArray[np.float64]

@@ -32,7 +32,7 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws import coulomb, power, smooth_coulomb
 from hertzwerk.runtime import Samples, load, simulate
 from hertzwerk.runtime.model.si_values import si_units
-from hertzwerk.runtime.sensitivity import chain, saltation, sensitivities
+from hertzwerk.runtime.sensitivity import chain, followed, saltation
 
 CRANK = {"duration": "1.5 ms", "tolerance": 1e-12}
 DASHPOT = {
@@ -278,8 +278,8 @@ def test_a_jump_without_one_of_its_terms_is_wrong(scene, left_out, monkeypatch, 
         "sliding": (sliding, "slide", "along_0.travel", {"duration": "1 s", "changes": {"slide": 1.0}}),
     }[scene]
     right = made(model, tolerance=1e-10, **how).sensitivities(to)[state, to]
-    events = sensitivities.events_of
-    monkeypatch.setattr(sensitivities, "events_of", lambda *of: left_out(events(*of)))
+    events = followed.events_of
+    monkeypatch.setattr(followed, "events_of", lambda *of: left_out(events(*of)))
     wrong = made(model, tolerance=1e-10, **how).sensitivities(to)[state, to]
     assert abs(right[-1] - wrong[-1]) > 1e-3 * abs(right[-1])
 
