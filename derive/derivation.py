@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from hertzwerk.derive.audit.audit import Finding, advice_findings, audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.audit.audit import Findings, advice_findings, audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.emit.cost import operations_per_step
@@ -56,17 +56,17 @@ def generate_readings(scene: Scene, source: str = "") -> str:
     return emit(replace(program, units=units), source)
 
 
-def audit_scene(scene: Scene) -> tuple[Finding, ...]:
+def audit_scene(scene: Scene) -> Findings:
     """Audit every law of the scene, then, if all hold, every assignment and output of its program.
 
     Includes advice on the laws. Raises InputError where units are consistent, and a law is not physically admissible
     (`behaviour`).
     """
-    laws = (*audit_laws(scene), *advice_findings(scene))
+    laws = Findings((*audit_laws(scene), *advice_findings(scene)))
     if any(finding.verdict == "inconsistent" for finding in laws):
         return laws
     refuse_misbehaving(scene)
-    return laws + audit_program(derivation_of(scene))[1]
+    return Findings((*laws, *audit_program(derivation_of(scene))[1]))
 
 
 def derivation_of(scene: Scene) -> Program:

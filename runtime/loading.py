@@ -57,6 +57,11 @@ class Model(plain.Model):
         made = integrator(self, tuple(table() for table in IN_GRAPH[method]))
         return made.step() if name == "step" else getattr(made, name)
 
+    def _repr_html_(self) -> str:
+        from hertzwerk.runtime.tables.model_summary import of_model
+
+        return of_model(self, self.draw())
+
     def draw(
         self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None
     ) -> Figure:

@@ -28,18 +28,19 @@ ROOMS = {
     "derive": {
         ".": "algebra audit contact declare derivation effects faults files imported laws mechanism",
         "algebra": "faults identifiers units",
-        "audit": "algebra declare dimension faults laws mechanism program units",
+        "audit": "algebra declare dimension faults html laws mechanism program units",
         "contact": "algebra dimension effects faults laws mechanism motion units",
-        "declare": "algebra dimension effects faults identifiers laws mechanism units",
+        "declare": "algebra dimension effects faults html identifiers laws mechanism units",
         "derivation": "audit declare emit faults module motion program readings",
         "dimension": "algebra faults units",
         "effects": "algebra dimension faults identifiers laws mechanism program units",
         "emit": "audit faults program",
         "faults": "",
         "files": "algebra audit declare derivation dimension effects faults identifiers laws mechanism units",
+        "html": "",
         "identifiers": "faults",
         "imported": "algebra audit declare dimension effects faults identifiers mechanism motion units",
-        "laws": "algebra faults mechanism units",
+        "laws": "algebra faults html mechanism units",
         "mechanism": "algebra dimension faults identifiers units",
         "module": "algebra audit contact declare dimension effects faults laws mechanism motion program units",
         "motion": "algebra audit declare dimension effects faults mechanism program units",
@@ -85,7 +86,7 @@ ROOMS = {
         "pictures/sweeps": "derive/faults pictures solution",
         "pictures/studies": "accuracy derive/sheets effects fitting integrate/tableaux measured pictures studies validate "
         "work_precision",
-        "report": "accuracy derive/readable host model pictures pictures/draw run solution",
+        "report": "accuracy derive/html derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
         "sensitivity": "accuracy derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
@@ -93,13 +94,13 @@ ROOMS = {
         "pictures/motion report run sensitivity solution tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
-        "statics": "derive/faults host inputs integrate/step loading model pictures/draw run solution start tables",
+        "statics": "derive/faults derive/html host inputs integrate/step loading model pictures/draw run solution start",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
-        "sweeps": "derive/declare derive/faults derive/files derive/units host inputs loading model run simulation solution start "
+        "sweeps": "derive/declare derive/faults derive/files derive/html derive/units host inputs loading model run simulation solution start "
         "pictures/sweeps sweeps/kept tables",
         "sweeps/kept": "derive/faults derive/units model run solution",
-        "tables": "derive/faults derive/units host model solution",
+        "tables": "derive/faults derive/html derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units inputs integrate/tableaux loading model run "
         "simulation solution",
         "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run sensitivity simulation solution",
@@ -317,10 +318,14 @@ def test_derive_imports_pydantic_only_where_a_file_is_read():
     assert subprocess.run([sys.executable, "-c", loaded], check=False).returncode == 0
 
 
-@pytest.mark.parametrize("name", ["units.py", "faults.py", "identifiers.py", "files/tomlfile.py"])
+HTML = [str(file.relative_to(ROOT / "derive")) for file in sources("derive/html")]
+
+
+@pytest.mark.parametrize("name", ["units.py", "faults.py", "identifiers.py", "files/tomlfile.py", *HTML])
 def test_what_both_sides_share_imports_only_the_standard_library(name):
     for module in modules(ROOT / "derive" / name):
-        assert module.split(".")[0] in sys.stdlib_module_names or reaches(module, "hertzwerk.derive.faults"), module
+        own = reaches(module, "hertzwerk.derive.faults", "hertzwerk.derive.html")
+        assert module.split(".")[0] in sys.stdlib_module_names or own, module
 
 
 def test_generated_modules_import_casadi_only():
@@ -339,6 +344,7 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
         "hertzwerk.derive.faults",
         "hertzwerk.derive.identifiers",
         "hertzwerk.derive.files.tomlfile",
+        "hertzwerk.derive.html",
     )
     for file in sources("runtime"):
         tree = tree_of(file)
@@ -353,7 +359,7 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
             module = node.module or "" if isinstance(node, ast.ImportFrom) else ""
             if reaches(module, "hertzwerk.derive") and not reaches(module, *shared) and id(node) not in typing_only:
                 names = {alias.name for alias in node.names}
-                if module == "hertzwerk.derive" and names <= {"units", "faults", "identifiers"}:
+                if module == "hertzwerk.derive" and names <= {"units", "faults", "identifiers", "html"}:
                     continue
                 assert file.name == "build.py", f"{file} imports {module}"
                 assert id(node) not in at_import, f"{file} imports {module} when it is imported"

@@ -15,6 +15,8 @@ from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError,
 from hertzwerk.derive.dimension.symbolic import Symbolic, reader, symbolic
 from hertzwerk.derive.dimension.walker import Walker, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.html.markup import tag
+from hertzwerk.derive.html.plain_table import coloured, heading, table
 from hertzwerk.derive.laws.law import GEOMETRY, STATE, BoundLaw, Law
 from hertzwerk.derive.program.program import Program
 from hertzwerk.derive.units import parse_unit
@@ -97,6 +99,28 @@ class Finding:
         if self.law:
             lines.append("To see what the inconsistent law does, mark it: Contact(..., unchecked=True).")
         return "\n".join(lines)
+
+
+class Findings(tuple[Finding, ...]):
+    """Findings of an audit, shown as a table of what was found and what is wrong."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        wrong = [finding for finding in self if not finding.sound]
+        told = f"{len(self)} findings, {len(wrong)} inconsistent" if wrong else f"{len(self)} findings, all consistent"
+        rows = [
+            (
+                coloured(f.verdict, f.sound),
+                f"{f.effect}, {f.what}",
+                tag("code", f.subexpression or f.expression, style="overflow-wrap:anywhere"),
+                f.found if f.sound else f"{f.found}, not {f.expected}",
+                f.repair or f.reason,
+            )
+            for f in self
+        ]
+        header = ("verdict", "expression", "as written", "unit", "what to do")
+        return heading("audit", told, "", good=not wrong) + table(header, rows)
 
 
 class InconsistentUnits(InputError):

@@ -13,6 +13,7 @@ from typing import Any, Literal, TypeVar
 import sympy as sp
 
 from hertzwerk.derive.declare.scales import Scales
+from hertzwerk.derive.declare.scene_html import scene_html
 from hertzwerk.derive.declare.soundness.check import faults_of
 from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.dimension.dimension import Dimension
@@ -76,6 +77,9 @@ class Scene:
         faults = faults_of(self)
         if faults:
             raise InputError(f"scene {self.name}", faults)
+
+    def _repr_html_(self) -> str:
+        return scene_html(self.name, self.summary, self.mechanism, self.effects, self.parameters.values())
 
     def _at_parts(self) -> Iterator[Any]:
         """Yield the effects, those at a pair of several parts at each that has none of its own."""

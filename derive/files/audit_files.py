@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from hertzwerk.derive.audit.audit import Finding, audit_law, verdict
+from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.derivation import audit_scene
@@ -24,9 +24,9 @@ __all__ = ["audit_catalogue", "audit_files", "audit_path", "differing_verdicts"]
 _RECORDS = ("StiffnessLaw", "DampingLaw", "FrictionLaw", "FilmLaw")
 
 
-def audit_catalogue() -> tuple[Finding, ...]:
+def audit_catalogue() -> Findings:
     """Audit every law of the catalogue: one finding if consistent, else one per inconsistent expression."""
-    return tuple(finding for law in LAWS.values() for finding in _of_law(law))
+    return Findings(finding for law in LAWS.values() for finding in _of_law(law))
 
 
 def differing_verdicts(findings: Iterable[Finding]) -> tuple[str, ...]:
@@ -47,9 +47,9 @@ def _of_law(law: Law) -> tuple[Finding, ...]:
     return tuple(replace(finding, repair="; ".join(filter(None, (finding.repair, named))) or None) for finding in wrong)
 
 
-def audit_path(path: str | Path) -> tuple[Finding, ...]:
+def audit_path(path: str | Path) -> Findings:
     """All findings on a file or folder. Raises InputError."""
-    return tuple(finding for findings in audit_files(path).values() for finding in findings)
+    return Findings(finding for findings in audit_files(path).values() for finding in findings)
 
 
 def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:

@@ -18,6 +18,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
+from hertzwerk.derive.laws.law_html import law_html
 from hertzwerk.derive.mechanism.bodies import Material, Slot
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Parameter
 
@@ -133,6 +134,9 @@ class Law:
         object.__setattr__(self, "__doc__", "\n".join(self._documentation()))
         with suppress(ValueError):  # names that are none, or stand twice: the scene that uses the law tells them
             object.__setattr__(self, "__signature__", self._signature())
+
+    def _repr_html_(self) -> str:
+        return law_html(self)
 
     def _documentation(self) -> Iterator[str]:
         """Yield the lines of a law's `help`."""
@@ -411,6 +415,9 @@ class BoundLaw:
     law: Any
     values: tuple[Any, ...]
     materials: tuple[Material, ...] = ()
+
+    def _repr_html_(self) -> str:
+        return law_html(self.law, self)
 
     @property
     def binding(self) -> dict[sp.Symbol, Any]:

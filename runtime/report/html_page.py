@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
 
-from hertzwerk.runtime.report.markup import Markup, joined, tag
+from hertzwerk.derive.html.markup import Markup, joined, tag
 
 FEW = 3  # sections that need no table of contents
 

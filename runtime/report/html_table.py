@@ -8,7 +8,7 @@ from collections.abc import Collection, Sequence
 from html import escape
 from typing import TypeAlias
 
-from hertzwerk.runtime.report.markup import Markup, joined, tag
+from hertzwerk.derive.html.markup import Markup, joined, tag
 
 Cell: TypeAlias = "str | Markup | int | float | None"
 LONG = 32  # characters from which a word is broken

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from xml.etree import ElementTree
 
-from hertzwerk.runtime.report.markup import Markup, tag
+from hertzwerk.derive.html.markup import Markup, tag
 
 _ALLOWED = (
     *(

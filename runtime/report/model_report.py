@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from hertzwerk.derive.html.markup import joined
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.report import scene_sections
 from hertzwerk.runtime.report.html_page import Origin, Section, bullets, facts, page
 from hertzwerk.runtime.report.html_table import number_text, table, unit_markup
-from hertzwerk.runtime.report.markup import joined
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model

@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.html.markup import Markup, joined
 from hertzwerk.runtime.accuracy.ladder import VALID, brief
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.pictures.prefixes import scale_of
 from hertzwerk.runtime.report import scene_sections
 from hertzwerk.runtime.report.html_page import Origin, Section, bullets, facts, guarded, page, paragraphs, verdict
 from hertzwerk.runtime.report.html_table import Cell, number_text, table, unit_markup
-from hertzwerk.runtime.report.markup import Markup, joined
 from hertzwerk.runtime.run.continuation import parameters_of
 
 if TYPE_CHECKING:

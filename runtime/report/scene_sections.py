@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.report import mathml
+from hertzwerk.derive.html import mathml
+from hertzwerk.derive.html.markup import Markup, joined, tag
 from hertzwerk.runtime.report.html_page import Section, bullets, guarded, paragraphs
 from hertzwerk.runtime.report.html_table import Cell, table, unit_markup
 from hertzwerk.runtime.report.inline_svg import picture
-from hertzwerk.runtime.report.markup import Markup, joined, tag
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

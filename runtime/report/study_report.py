@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from hertzwerk.derive.html.markup import Markup, joined, tag
 from hertzwerk.runtime.report.html_page import Origin, Section, bullets, guarded, page, paragraphs, verdict
 from hertzwerk.runtime.report.html_table import table
 from hertzwerk.runtime.report.inline_svg import picture
-from hertzwerk.runtime.report.markup import Markup, joined, tag
 
 MARKS = {True: "holds", False: "fails", None: "found"}
 MOST = 500  # rows of a table

@@ -8,10 +8,10 @@ from collections.abc import Callable, Mapping, Sequence
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.html.markup import Markup, joined
 from hertzwerk.runtime.report import scene_sections
 from hertzwerk.runtime.report.html_page import Origin, Section, facts, page, paragraphs, verdict
 from hertzwerk.runtime.report.html_table import Cell, number_text, table
-from hertzwerk.runtime.report.markup import Markup, joined
 from hertzwerk.runtime.solution.outcome import Outcome
 
 if TYPE_CHECKING:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.derive.html.markup import joined, tag
+from hertzwerk.derive.html.plain_table import heading, table
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.integrate.step.set_valued_friction import turns
@@ -29,7 +31,6 @@ from hertzwerk.runtime.statics.balance import (
 )
 from hertzwerk.runtime.statics.held import drive_units, held, parameters_at, start_at
 from hertzwerk.runtime.statics.relaxation import Rest, Search
-from hertzwerk.runtime.tables.notebook import heading, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -152,11 +153,10 @@ class Equilibrium(Mapping[str, Value]):
         return "\n".join([*lines, *self.notes])
 
     def _repr_html_(self) -> str:
-        colour = "finished" if self.outcome.name == "found" else self.outcome.name
-        head = heading(self.model.name, colour, f": {self.outcome.message}")
+        name = self.outcome.name
+        head = heading(self.model.name, name, f": {self.outcome.message}", good=name == "found")
         rows = ((kind, name, _shown(value, unit)) for kind, name, value, unit in self.rows)
-        notes = "".join(f"<p>{note}</p>" for note in self.notes)
-        return head + notes + table(("", "name", "value"), rows)
+        return joined([head, *(tag("p", note) for note in self.notes), table(("", "name", "value"), rows)])
 
 
 def equilibrium(

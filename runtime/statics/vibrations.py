@@ -11,6 +11,7 @@ import numpy as np
 import scipy.linalg
 
 from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.derive.html.plain_table import heading, table
 from hertzwerk.runtime.inputs.given import Input
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model import model as plain
@@ -19,7 +20,6 @@ from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.statics.balance import UNDAMPED, Array
 from hertzwerk.runtime.statics.equilibrium import Equilibrium, equilibrium, inputs_at
 from hertzwerk.runtime.statics.linearisation import linearise
-from hertzwerk.runtime.tables.notebook import heading, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -183,7 +183,9 @@ class Modes(Sequence[Mode]):
         return "\n".join([*lines, *self.notes])
 
     def _repr_html_(self) -> str:
-        head = heading(self.model.name, "finished" if self.stable else "unstable", f": {len(self)} modes")
+        head = heading(
+            self.model.name, "stable" if self.stable else "unstable", f": {len(self)} modes", good=self.stable
+        )
         names = [name for name in self.model.coordinates if any(abs(mode.shape[name]) > SMALL for mode in self.modes)]
         rows = (
             (str(i), str(mode), *(_phasor(mode.shape[name]) for name in names)) for i, mode in enumerate(self.modes, 1)

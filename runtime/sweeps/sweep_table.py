@@ -13,12 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.derive.html.markup import joined, tag
+from hertzwerk.derive.html.plain_table import heading, table
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
-from hertzwerk.runtime.tables import notebook
 from hertzwerk.runtime.tables.column_meanings import meaning_of
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
@@ -112,12 +113,10 @@ class Sweep:
     def _repr_html_(self) -> str:
         header = [f"{name} [{unit}]" if (unit := self.unit(name)) else name for name in self.names]
         rows = [[_cell(row[name]) for name in self.names] for row in self.rows[:SHOWN]]
-        more = f"<p>and {len(self) - SHOWN:,} more rows</p>" if len(self) > SHOWN else ""
-        return (
-            notebook.heading(self.scene, self.outcome.name, f": {self._summary()}")
-            + notebook.table(header, rows)
-            + more
-        )
+        more = tag("p", f"and {len(self) - SHOWN:,} more rows") if len(self) > SHOWN else None
+        name = self.outcome.name
+        head = heading(self.scene, name, f": {self._summary()}", good=name == "finished")
+        return joined([head, table(header, rows), more])
 
     def _summary(self) -> str:
         """Return the number of rows, and how they ended."""

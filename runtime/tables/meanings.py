@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from hertzwerk.derive.html.plain_table import table
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.readings import readings_of
 from hertzwerk.runtime.solution.history import acceleration_of, constraint_force, friction_force, units_of
-from hertzwerk.runtime.tables import notebook
 
 _WORDS = {  # by the last part of a name, or by the one before an axis: meaning, without what it is of
     "mode": "whether the surfaces touch: 0 apart, 1 in contact",
@@ -65,7 +65,7 @@ class Histories(tuple[Entry, ...]):
         return "\n".join(parts)
 
     def _repr_html_(self) -> str:
-        return notebook.table(("history", "unit", "meaning"), self._cells)
+        return table(("history", "unit", "meaning"), self._cells)
 
     @property
     def _cells(self) -> list[tuple[str, str, str]]:

@@ -3,11 +3,12 @@
 import pytest
 from pages import BROWSER, seen
 
+from hertzwerk.derive import LAWS, audit_scene
+from hertzwerk.derive.html.markup import Markup, joined
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.model.build import built_in_scenes
+from hertzwerk.runtime.model.build import built_in_scenes, scene_from
 from hertzwerk.runtime.report.html_page import Origin, Section, page
 from hertzwerk.runtime.report.html_table import table
-from hertzwerk.runtime.report.markup import Markup, joined
 from hertzwerk.runtime.report.model_report import model_page
 from hertzwerk.runtime.report.run_report import run_page
 
@@ -63,3 +64,13 @@ IN_CI = ("slider_crank",)
 )
 def test_equations_of_every_scene_fit(name, tmp_path):
     assert seen(model_page(load(name)), tmp_path)["cut"] == []
+
+
+def test_what_a_notebook_shows_fits_its_cell(tmp_path):
+    scene, model = scene_from("slider_crank"), load("slider_crank")
+    run = simulate(model, duration="12 ms")
+    shown = (scene, model, run, audit_scene(scene), *LAWS.values())
+    sections = [Section(f"Cell {k}", Markup(thing._repr_html_())) for k, thing in enumerate(shown)]
+    found = seen(page("run", "notebook", "", Markup(""), sections, Origin("x")), tmp_path)
+    assert found["cut"] == []
+    assert found["fetched"] == []

@@ -3,7 +3,12 @@
 from dataclasses import replace
 from html.parser import HTMLParser
 
+import pytest
+import sympy as sp
+
+from hertzwerk.derive import LAWS, Parameter, audit_catalogue, audit_scene, laws
 from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.model.build import scene_from
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep
 
 
@@ -17,7 +22,7 @@ class Cells(HTMLParser):
 
     def handle_starttag(self, tag, attrs):
         self.tags.append(tag)
-        self.open.append(tag)
+        self.open += [tag] if tag != "img" else []
 
     def handle_endtag(self, tag):
         assert self.open.pop() == tag
@@ -59,3 +64,52 @@ def test_a_sweep_shows_its_first_rows():
     assert "0.009" in page.texts
     assert "0.01" not in page.texts
     assert "and 2 more rows" in page.texts
+
+
+def test_a_scene_shows_all_that_it_declares():
+    scene = scene_from("slider_crank")
+    page = Cells(scene._repr_html_())
+    assert not page.open
+    for part in (*scene.mechanism.joints, *scene.mechanism.pairs, *scene.effects, *scene.parameters.values()):
+        assert part.name in page.texts
+    assert {"ground → crank", "rod and slider", "0.3", "kg"} < set(page.texts)
+    assert (
+        "<b>" not in scene.named("other", "<b> & more").summary
+        or "<b> & more" in Cells(scene.named("other", "<b> & more")._repr_html_()).texts
+    )
+
+
+def test_a_model_shows_its_start_and_its_parameters():
+    model = load("slider_crank")
+    page = Cells(model._repr_html_())
+    assert not page.open
+    assert page.tags.count("img") == 1
+    assert {*model.parameters, *(name for name, _, _ in model.module.EFFECTS)} < set(page.texts)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_law_shows_formulas_symbols_and_source(name):
+    page = Cells(LAWS[name]._repr_html_())
+    assert not page.open
+    assert LAWS[name].source in "".join(page.texts)
+    assert "code" not in page.tags or name in PLAIN
+    assert page.tags.count("math") >= len(LAWS[name].parameters)
+
+
+PLAIN = ()  # laws with an expression whose LaTeX has no MathML
+
+
+def test_a_law_with_values_shows_them():
+    e = Parameter("restitution", "1", 0.8)
+    assert "restitution/2" in Cells(laws.flores(e=e / sp.Integer(2))._repr_html_()).texts
+
+
+def test_an_audit_shows_verdicts_and_repairs():
+    found = audit_scene(scene_from("slider_crank"))
+    page = Cells(found._repr_html_())
+    assert f"{len(found)} findings, all consistent" in page.texts
+    assert page.texts.count("consistent") == sum(finding.verdict == "consistent" for finding in found)
+    assert len(found) > 8
+    page = Cells(audit_catalogue()._repr_html_())
+    assert not page.open
+    assert any("repaired as goldsmith_m3" in text for text in page.texts)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from html import escape
 from typing import TypeAlias
 
-EMPTY = ("br", "col", "link", "meta", "wbr")  # elements without content
+EMPTY = ("br", "col", "img", "link", "meta", "wbr")  # elements without content
 _FORBIDDEN = re.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f-\\x9f\\ud800-\\udfff]")
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import Literal, TypeAlias
 from unicodedata import lookup
 
-from hertzwerk.runtime.report.markup import Markup, joined, tag
+from hertzwerk.derive.html.markup import Markup, joined, tag
 
 LONG = 45  # tokens from which a bracket or a numerator is taken apart
 
@@ -141,7 +141,8 @@ class _Reader:
                 "{",
                 "{",
             ]
-            return self._fraction(last, below) if grouped and below - at > LONG else None
+            one = last == at + 2 and below - last <= LONG  # over what stays whole: nothing to take apart
+            return self._fraction(last, below) if grouped and below - at > LONG and not one else None
         if last - at <= LONG:
             return None
         if self._token == "{":

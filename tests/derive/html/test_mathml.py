@@ -6,8 +6,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from hertzwerk.derive.html.mathml import inline, lines_of
 from hertzwerk.runtime.model.build import built_in_scenes, equations, scene_from
-from hertzwerk.runtime.report.mathml import inline, lines_of
 
 
 def read(latex):
@@ -113,3 +113,10 @@ def test_every_symbol_of_an_equation_is_in_its_formula(scene):
             more = Counter(letters) - Counter(words)
             assert not Counter(words) - Counter(letters), text
             assert set(more) <= {"1"}, text  # of a long fraction taken apart
+
+
+def test_one_over_a_sum_of_fractions_stays_whole():
+    terms = " + ".join(rf"\frac{{1 - \nu_{{{k}}}^{{2}}}}{{E_{{{k}}}}}" for k in (1, 2))
+    assert len(lines_of(rf"E = \frac{{1}}{{{terms}}}")[0][0].split("<mfrac>")) == 4
+    assert "(" not in lines_of(rf"E = \frac{{1}}{{{terms}}}")[0][0]
+    assert "(" in lines_of(rf"E = \frac{{a + b + {terms}}}{{c}}")[0][0]

@@ -1,0 +1,1 @@
+"""HTML by construction, formulas as MathML, and plain tables: what notebooks and reports show."""
