@@ -7,7 +7,11 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.algebra.functions import Where as Where
     from hertzwerk.derive.algebra.splines import Table as Table
     from hertzwerk.derive.audit.audit import Finding as Finding, InconsistentUnits as InconsistentUnits
-    from hertzwerk.derive.contact.pairs.between_curves import CurveOnCurve as CurveOnCurve, GearMesh as GearMesh
+    from hertzwerk.derive.contact.pairs.between_curves import (
+        CurveOnCurve as CurveOnCurve,
+        GearMesh as GearMesh,
+        OutlineOnOutline as OutlineOnOutline,
+    )
     from hertzwerk.derive.contact.pairs.box import BoxOnPlane as BoxOnPlane
     from hertzwerk.derive.contact.pairs.corner import CornerOnFace as CornerOnFace
     from hertzwerk.derive.contact.pairs.curved import (

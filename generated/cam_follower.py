@@ -236,6 +236,19 @@ RIM_CURVE = (
 )
 
 
+def _called(name, inputs, result, slope):
+    """Function that is called, not expanded, with its derivative by the last input: slope(that input, its result); the others are constants."""
+    o, last = ca.SX.sym("o", result.numel()), ca.SX.sym("i", inputs[-1].shape)
+    slopes = [*(ca.SX(result.numel(), x.numel()) for x in inputs[:-1]), slope(last, o)]
+    names = [f"i{k}" for k in range(len(inputs))]
+    slopes = ca.Function(
+        f"jac_{name}", [*(ca.SX.sym("i", x.shape) for x in inputs[:-1]), last, o], slopes,
+        [*names, "out_found"], [f"jac_found_{k}" for k in names],
+    )
+    called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+    return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
+
+
 def _samples(curve, data, given):
     """Points of a curve at the parameters of its samples, first all x, then all y."""
     points = [curve(s, *ca.vertsplit(given))[:2] for s in data[-1]]
@@ -293,16 +306,12 @@ def _nearest(curve, data, samples, given, point):
             hollow = ca.if_else(ca.logic_and(d <= before, d < after), ca.if_else(d > least, d, 1e300), 1e300)
             other = refined(parameters[ca.find(hollow <= ca.mmin(hollow))], at_point, values)
             result = ca.if_else(other[-1] < result[-1], other, result)
-        o = ca.SX.sym("o", 5)
-        n, t, empty = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1]), ca.SX(5, samples.numel())
-        by_point = ca.vertcat(n.T, o[3]*t@t.T, ca.SX(2, 2))
-        inputs = [table, values, at_point]
-        slopes = ca.Function(
-            "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o], [empty, ca.SX(5, given.numel()), by_point],
-            ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
-        )
-        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
-        _NEAREST[curve] = ca.Function("nearest", inputs, [result[:5]], ["samples", "given", "point"], ["found"], called)
+
+        def slope(_, o):
+            t = ca.vertcat(-o[2], o[1])
+            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(2, 2))
+
+        _NEAREST[curve] = _called("nearest", [table, values, at_point], result[:5], slope)
     return _NEAREST[curve](samples, given, point)
 
 

@@ -347,6 +347,31 @@ PINION_TEETH_RIGHT_CURVE = (
 )
 
 
+def _called(name, inputs, result, slope):
+    """Function that is called, not expanded, with its derivative by the last input: slope(that input, its result); the others are constants."""
+    o, last = ca.SX.sym("o", result.numel()), ca.SX.sym("i", inputs[-1].shape)
+    slopes = [*(ca.SX(result.numel(), x.numel()) for x in inputs[:-1]), slope(last, o)]
+    names = [f"i{k}" for k in range(len(inputs))]
+    slopes = ca.Function(
+        f"jac_{name}", [*(ca.SX.sym("i", x.shape) for x in inputs[:-1]), last, o], slopes,
+        [*names, "out_found"], [f"jac_found_{k}" for k in names],
+    )
+    called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+    return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)
+
+
+def _slope_between(pose, found):
+    """Derivative of where two curves are nearest by the pose of the first."""
+    _, nx, ny, px, py, share, rolling, bend, *_ = ca.vertsplit(found)
+    x, y, c, s = ca.vertsplit(pose)
+    columns = []
+    for vx, vy, turn in ((1, 0, 0), (0, 1, 0), (s*(py - y), s*(x - px), -s), (c*(y - py), c*(px - x), c)):
+        slide = nx*vy - ny*vx
+        normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
+        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(5, 1)))
+    return ca.horzcat(*columns)
+
+
 def _samples(curve, data, given):
     """Points of a curve at the parameters of its samples, first all x, then all y."""
     points = [curve(s, *ca.vertsplit(given))[:2] for s in data[-1]]
@@ -487,20 +512,7 @@ def _between(first, first_data, second, second_data, samples, other_samples, giv
             new = ca.vertcat(h, cos*nx - sin*ny, sin*nx + cos*ny, cos*px - sin*py, sin*px + cos*py, share, rolling, bend, one, two)
             here = ca.if_else(ca.logic_and(met, h >= deepest), h, 1e299)
             result, least = (new, here) if result is None else (ca.if_else(here < least, new, result), ca.fmin(here, least))
-        o, inputs = ca.SX.sym("o", 10), [*tables, *values, place]
-        plain = [ca.SX.sym("i", x.shape) for x in inputs]
-        h, nx, ny, px, py, share, rolling, bend, *_ = ca.vertsplit(o)
-        x, y, c, s = ca.vertsplit(plain[-1])
-        columns = []
-        for vx, vy, turn in ((1, 0, 0), (0, 1, 0), (s*(py - y), s*(x - px), -s), (c*(y - py), c*(px - x), c)):
-            slide = nx*vy - ny*vx
-            normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
-            columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(5, 1)))
-        slopes = [*(ca.SX(10, x.numel()) for x in inputs[:4]), ca.horzcat(*columns)]
-        names = ["samples", "other_samples", "given", "other_given", "pose"]
-        slopes = ca.Function("jac_between", [*plain, o], slopes, [*names, "out_found"], [f"jac_found_{name}" for name in names])
-        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
-        _BETWEEN[first, second] = ca.Function("between", inputs, [result], names, ["found"], called)
+        _BETWEEN[first, second] = _called("between", [*tables, *values, place], result, _slope_between)
     return _BETWEEN[first, second](samples, other_samples, given, other_given, pose)
 
 

@@ -12,7 +12,18 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import NoText
 
-__all__ = ["Between", "Drawn", "DrawnTeeth", "Entry", "Nearest", "PlanarChain", "PlanarCurve", "Sampled", "Support"]
+__all__ = [
+    "Between",
+    "ChainPoints",
+    "Drawn",
+    "DrawnTeeth",
+    "Entry",
+    "Nearest",
+    "PlanarChain",
+    "PlanarCurve",
+    "Sampled",
+    "Support",
+]
 
 
 class _OfData(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
@@ -82,12 +93,28 @@ class PlanarChain(_OfData):
     @property
     def width(self) -> int:
         """Number of entries of what is computed once per run."""
-        return 6 * len(self.turns)
+        return 12 * len(self.turns)
 
     @property
     def row(self) -> tuple[Any, ...]:
         """Data beside the expressions, as a module has them."""
         return self.closed, self.hole, self.turns
+
+
+class ChainPoints(_OfData):
+    """What of a chain another chain may touch, with what it says of itself.
+
+    corners  numbers of the pieces that begin there; the end of an open chain has that of pieces
+    arcs     numbers of convex arcs
+    thick    half of how thick its solid is, relative to the sum of its pieces' lengths and radii
+    """
+
+    __slots__ = ("arcs", "corners", "name", "thick")
+
+    @property
+    def row(self) -> tuple[Any, ...]:
+        """The data, as a module has them."""
+        return self.corners, self.arcs, self.thick
 
 
 class Sampled(NoText):
@@ -132,7 +159,8 @@ class Between(NoText):
     """`Between(one, two, samples, samples, x, y, cos, sin, *given)`: where they are nearest.
 
     A vector. The place of the first is at (x, y) along the axes of the second's, and turned. Signed distance, normal out of the
-    second (two), its point there (two), three coefficients of their motion, both parameters (`OnCurve.between`).
+    second (two), its point there (two), three coefficients of their motion, both parameters (`OnCurve.between`). Of two chains
+    the last two are the `ChainPoints` of each.
     """
 
     @classmethod

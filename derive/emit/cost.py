@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import textwrap
 
+from hertzwerk.derive.emit.chain_helpers import CHAIN_HELPERS
+from hertzwerk.derive.emit.curve_helpers import CURVE_HELPERS
 from hertzwerk.derive.emit.helpers import HELPERS
 from hertzwerk.derive.emit.printer import function_text
 from hertzwerk.derive.program.program import Program
@@ -15,11 +17,7 @@ PER_STEP = {  # calls per step: in its stages; for events; to close loops, with 
     **dict.fromkeys(("gaps", "gap_accelerations"), 1),
     **{"constraints": 4, "projection": 3},
 }
-OF_CURVES = tuple(
-    f"{search}{of}"
-    for search in ("_samples", "_drawn", "_drawn_teeth", "_nearest", "_support", "_between")
-    for of in ("", "_of_chain")
-)
+OF_CURVES = (*CURVE_HELPERS, *CHAIN_HELPERS)
 """Helpers whose work depends on their curve."""
 # A sign precedes its operand, which is no number here, without a blank; a binary minus is surrounded by blanks.
 _SIGN = re.compile(r"-(?=[A-Za-z_(]|[\d.]+\*\*)")

@@ -1,6 +1,27 @@
 """Helper functions that search along planar curves, added to a generated module that calls them."""
 
 CURVE_HELPERS = {
+    "_called": '''def _called(name, inputs, result, slope):
+    """Function that is called, not expanded, with its derivative by the last input: slope(that input, its result); the others are constants."""
+    o, last = ca.SX.sym("o", result.numel()), ca.SX.sym("i", inputs[-1].shape)
+    slopes = [*(ca.SX(result.numel(), x.numel()) for x in inputs[:-1]), slope(last, o)]
+    names = [f"i{k}" for k in range(len(inputs))]
+    slopes = ca.Function(
+        f"jac_{name}", [*(ca.SX.sym("i", x.shape) for x in inputs[:-1]), last, o], slopes,
+        [*names, "out_found"], [f"jac_found_{k}" for k in names],
+    )
+    called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+    return ca.Function(name, inputs, [ca.densify(result)], names, ["found"], called)''',
+    "_slope_between": '''def _slope_between(pose, found):
+    """Derivative of where two curves are nearest by the pose of the first."""
+    _, nx, ny, px, py, share, rolling, bend, *_ = ca.vertsplit(found)
+    x, y, c, s = ca.vertsplit(pose)
+    columns = []
+    for vx, vy, turn in ((1, 0, 0), (0, 1, 0), (s*(py - y), s*(x - px), -s), (c*(y - py), c*(px - x), c)):
+        slide = nx*vy - ny*vx
+        normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
+        columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(5, 1)))
+    return ca.horzcat(*columns)''',
     "_samples": '''def _samples(curve, data, given):
     """Points of a curve at the parameters of its samples, first all x, then all y."""
     points = [curve(s, *ca.vertsplit(given))[:2] for s in data[-1]]
@@ -64,16 +85,12 @@ CURVE_HELPERS = {
             hollow = ca.if_else(ca.logic_and(d <= before, d < after), ca.if_else(d > least, d, 1e300), 1e300)
             other = refined(parameters[ca.find(hollow <= ca.mmin(hollow))], at_point, values)
             result = ca.if_else(other[-1] < result[-1], other, result)
-        o = ca.SX.sym("o", 5)
-        n, t, empty = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1]), ca.SX(5, samples.numel())
-        by_point = ca.vertcat(n.T, o[3]*t@t.T, ca.SX(2, 2))
-        inputs = [table, values, at_point]
-        slopes = ca.Function(
-            "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o], [empty, ca.SX(5, given.numel()), by_point],
-            ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
-        )
-        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
-        _NEAREST[curve] = ca.Function("nearest", inputs, [result[:5]], ["samples", "given", "point"], ["found"], called)
+
+        def slope(_, o):
+            t = ca.vertcat(-o[2], o[1])
+            return ca.vertcat(o[1:3].T, o[3]*t@t.T, ca.SX(2, 2))
+
+        _NEAREST[curve] = _called("nearest", [table, values, at_point], result[:5], slope)
     return _NEAREST[curve](samples, given, point)
 
 
@@ -100,134 +117,16 @@ _NEAREST: "dict[object, ca.Function]" = {}''',
         along, values, table = ca.MX.sym("direction", 2), ca.MX.sym("given", given.numel()), ca.MX.sym("samples", samples.numel())
         d = table[: len(at)]*along[0] + table[len(at) :]*along[1]
         result = refined(ca.MX(ca.DM(at))[ca.find(d <= ca.mmin(d))], along, values)
-        o, towards = ca.SX.sym("o", 4), ca.SX.sym("i", 2)
-        t = ca.vertcat(-towards[1], towards[0])
-        inputs = [table, values, along]
-        slopes = ca.Function(
-            "jac_support", [*(ca.SX.sym("i", x.shape) for x in inputs[:2]), towards, o],
-            [ca.SX(4, samples.numel()), ca.SX(4, given.numel()), ca.vertcat(-o[2]*t@t.T, ca.SX(2, 2))],
-            ["samples", "given", "direction", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_direction"],
-        )
-        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
-        _SUPPORT[curve] = ca.Function("support", inputs, [result], ["samples", "given", "direction"], ["found"], called)
+
+        def slope(towards, o):
+            t = ca.vertcat(-towards[1], towards[0])
+            return ca.vertcat(-o[2]*t@t.T, ca.SX(2, 2))
+
+        _SUPPORT[curve] = _called("support", [table, values, along], result, slope)
     return _SUPPORT[curve](samples, given, direction)
 
 
 _SUPPORT: "dict[object, ca.Function]" = {}''',
-    "_samples_of_chain": '''def _samples_of_chain(pieces, data, given):
-    """Pieces of a chain of arcs and lines: start x, y, end x, y, centre x, y of each."""
-    return ca.vertcat(*pieces(*ca.vertsplit(given)))''',
-    "_drawn_of_chain": '''def _drawn_of_chain(pieces, data, given):
-    """Points of a chain of arcs and lines for a picture, first all x, then all y."""
-    values, (closed, _, turns) = pieces(*ca.vertsplit(given)), data
-    points = []
-    for k, turn in enumerate(turns):
-        ax, ay, bx, by, cx, cy = values[6*k : 6*k + 6]
-        ux, uy, vx, vy = ax - cx, ay - cy, bx - cx, by - cy
-        angle = ca.atan2(turn*(ux*vy - uy*vx), ux*vx + uy*vy)
-        angle = turn*(angle + 2*ca.pi*(angle <= 0))
-        for j in range(25 if turn else 1):
-            c, s = ca.cos(angle*j/25), ca.sin(angle*j/25)
-            points.append((cx + ux*c - uy*s, cy + ux*s + uy*c) if turn else (ax, ay))
-    points.append(values[-4:-2] if not closed else points[0])
-    return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
-    "_nearest_of_chain": '''def _nearest_of_chain(pieces, data, samples, given, point):
-    """Signed distance of a point from a chain of arcs and lines, as of a curve; its parameter is the piece and the part of it.
-
-    The least of the distances of all pieces, where the point is beside them, and of all corners, each in closed form. A
-    function of its own, which is called; its derivatives are the results themselves.
-    """
-    if pieces not in _NEAREST_OF_CHAIN:
-        closed, hole, turns = data
-        side, count = -1 if hole else 1, len(turns)
-        rows, values, p = ca.SX.sym("samples", 6*count), ca.SX.sym("given", given.numel()), ca.SX.sym("point", 2)
-        found, ends = [], []
-        for k, turn in enumerate(turns):
-            a, b, c = rows[6*k : 6*k + 2], rows[6*k + 2 : 6*k + 4], rows[6*k + 4 : 6*k + 6]
-            if turn:
-                u, v, w = a - c, b - c, p - c
-                radius, away = ca.sqrt(u[0]**2 + u[1]**2), ca.sqrt(w[0]**2 + w[1]**2)
-                whole, part = (turn*ca.atan2(u[0]*x[1] - u[1]*x[0], u[0]*x[0] + u[1]*x[1]) for x in (v, w))
-                share = (part + 2*ca.pi*(part < 0))/(whole + 2*ca.pi*(whole <= 0))
-                least = ca.fmax(away, 1e-12*radius)
-                pace = 1/(least*(whole + 2*ca.pi*(whole <= 0)))
-                found.append((share <= 1, turn*side*(away - radius), turn*side*w/least, turn*side/least, k + share, pace))
-                ends.append((turn*u/radius, turn*v/radius))
-            else:
-                way, w = b - a, p - a
-                length = ca.sqrt(way[0]**2 + way[1]**2)
-                n = ca.vertcat(way[1], -way[0])/length
-                share = (w[0]*way[0] + w[1]*way[1])/length**2
-                beside = ca.logic_and(share >= 0, share <= 1)
-                found.append((beside, side*(w[0]*n[0] + w[1]*n[1]), side*n, 0, k + share, 1/length))
-                ends.append((n, n))
-        for k in range(count + (not closed)):
-            corner = rows[6*k : 6*k + 2] if k < count else rows[-4:-2]
-            w = p - corner
-            away = ca.sqrt(w[0]**2 + w[1]**2)
-            least = ca.fmax(away, 1e-300)
-            sign = 1
-            if closed or 0 < k < count:  # outside by the sum of both normals
-                n = ends[k - 1][1] + ends[k][0]
-                sign = ca.if_else(side*(w[0]*n[0] + w[1]*n[1]) < 0, -1, 1)
-            found.append((1, sign*away, sign*w/least, sign/least, k, 0))
-        best, result = 1e300, ca.SX.zeros(6)
-        for beside, h, n, bend, s, pace in found:
-            here = ca.if_else(beside, ca.fabs(h), 1e300)
-            result = ca.if_else(here < best, ca.vertcat(h, n, bend, s, side*pace), result)
-            best = ca.fmin(here, best)
-        o = ca.SX.sym("o", 6)
-        n, t = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1])
-        inputs = [rows, values, p]
-        slopes = ca.Function(
-            "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o],
-            [ca.SX(6, rows.numel()), ca.SX(6, given.numel()), ca.vertcat(n.T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))],
-            ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
-        )
-        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
-        _NEAREST_OF_CHAIN[pieces] = ca.Function("nearest", inputs, [ca.densify(result)], ["samples", "given", "point"], ["found"], called)
-    return _NEAREST_OF_CHAIN[pieces](samples, given, point)
-
-
-_NEAREST_OF_CHAIN: "dict[object, ca.Function]" = {}''',
-    "_support_of_chain": '''def _support_of_chain(pieces, data, samples, given, direction):
-    """Point of a chain of arcs and lines with the least component along a unit direction, as of a curve.
-
-    Of an arc to the left that faces it, or a corner. A function of its own, which is called; its derivatives are the results.
-    """
-    if pieces not in _SUPPORT_OF_CHAIN:
-        closed, _, turns = data
-        count = len(turns)
-        rows, values, m = ca.SX.sym("samples", 6*count), ca.SX.sym("given", given.numel()), ca.SX.sym("direction", 2)
-        best, result = 1e300, ca.SX.zeros(4)
-        for k in range(count + (not closed)):
-            corner = rows[6*k : 6*k + 2] if k < count else rows[-4:-2]
-            found = [(corner, 0, 1, k)]
-            if k < count and turns[k] > 0:
-                a, b, c = rows[6*k : 6*k + 2], rows[6*k + 2 : 6*k + 4], rows[6*k + 4 : 6*k + 6]
-                u, v = a - c, b - c
-                whole, part = (ca.atan2(u[0]*x[1] - u[1]*x[0], u[0]*x[0] + u[1]*x[1]) for x in (v, -m))
-                share = (part + 2*ca.pi*(part < 0))/(whole + 2*ca.pi*(whole <= 0))
-                radius = ca.sqrt(u[0]**2 + u[1]**2)
-                found.append((c - radius*m, radius, share <= 1, k + share))
-            for foot, radius, faces, s in found:
-                here = ca.if_else(faces, foot[0]*m[0] + foot[1]*m[1], 1e300)
-                result = ca.if_else(here < best, ca.vertcat(foot, radius, s), result)
-                best = ca.fmin(here, best)
-        o, towards = ca.SX.sym("o", 4), ca.SX.sym("i", 2)
-        t = ca.vertcat(-towards[1], towards[0])
-        inputs = [rows, values, m]
-        slopes = ca.Function(
-            "jac_support", [*(ca.SX.sym("i", x.shape) for x in inputs[:2]), towards, o],
-            [ca.SX(4, rows.numel()), ca.SX(4, given.numel()), ca.vertcat(-o[2]*t@t.T, ca.SX(2, 2))],
-            ["samples", "given", "direction", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_direction"],
-        )
-        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
-        _SUPPORT_OF_CHAIN[pieces] = ca.Function("support", inputs, [ca.densify(result)], ["samples", "given", "direction"], ["found"], called)
-    return _SUPPORT_OF_CHAIN[pieces](samples, given, direction)
-
-
-_SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
     "_between": '''def _between(first, first_data, second, second_data, samples, other_samples, given, other_given, pose):
     """Signed distance of two curves, normal out of the second, its foot there, coefficients of their motion, both parameters.
 
@@ -350,20 +249,7 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
             new = ca.vertcat(h, cos*nx - sin*ny, sin*nx + cos*ny, cos*px - sin*py, sin*px + cos*py, share, rolling, bend, one, two)
             here = ca.if_else(ca.logic_and(met, h >= deepest), h, 1e299)
             result, least = (new, here) if result is None else (ca.if_else(here < least, new, result), ca.fmin(here, least))
-        o, inputs = ca.SX.sym("o", 10), [*tables, *values, place]
-        plain = [ca.SX.sym("i", x.shape) for x in inputs]
-        h, nx, ny, px, py, share, rolling, bend, *_ = ca.vertsplit(o)
-        x, y, c, s = ca.vertsplit(plain[-1])
-        columns = []
-        for vx, vy, turn in ((1, 0, 0), (0, 1, 0), (s*(py - y), s*(x - px), -s), (c*(y - py), c*(px - x), c)):
-            slide = nx*vy - ny*vx
-            normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
-            columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(5, 1)))
-        slopes = [*(ca.SX(10, x.numel()) for x in inputs[:4]), ca.horzcat(*columns)]
-        names = ["samples", "other_samples", "given", "other_given", "pose"]
-        slopes = ca.Function("jac_between", [*plain, o], slopes, [*names, "out_found"], [f"jac_found_{name}" for name in names])
-        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
-        _BETWEEN[first, second] = ca.Function("between", inputs, [result], names, ["found"], called)
+        _BETWEEN[first, second] = _called("between", [*tables, *values, place], result, _slope_between)
     return _BETWEEN[first, second](samples, other_samples, given, other_given, pose)
 
 

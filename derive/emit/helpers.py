@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
+
+from hertzwerk.derive.emit.chain_helpers import CHAIN_HELPERS
 from hertzwerk.derive.emit.curve_helpers import CURVE_HELPERS
 
 HELPERS = {
@@ -53,4 +57,22 @@ HELPERS = {
 
 _SPLINES = {}''',
     **CURVE_HELPERS,
+    **CHAIN_HELPERS,
 }
+
+
+def helpers_in(texts: Iterable[str]) -> list[str]:
+    """Texts of the helpers that some texts call, and of those that these call."""
+    wanted, last = list(texts), -1
+    while len(wanted) > last:
+        last = len(wanted)
+        wanted += [
+            text
+            for name, text in HELPERS.items()
+            if text not in wanted and any(_calls(other, name) for other in wanted)
+        ]
+    return [text for text in HELPERS.values() if text in wanted]
+
+
+def _calls(text: str, name: str) -> bool:
+    return re.search(rf"(?<!def )(?<!\w){name}\b", text) is not None

@@ -7,7 +7,7 @@ from typing import Any
 
 from hertzwerk.derive.audit.audit import count_checked
 from hertzwerk.derive.emit.cost import operations
-from hertzwerk.derive.emit.helpers import HELPERS
+from hertzwerk.derive.emit.helpers import helpers_in
 from hertzwerk.derive.emit.printer import curve_text, function_text, prose
 from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.expression_text import curve_names
@@ -37,8 +37,7 @@ def emit(program: Program, source: str) -> str:
         *(_table(name, rows) for name, rows in tables.items()),
     ]  # fmt: skip
     texts = [*map(curve_text, curves), *functions.values()]
-    helpers = [text for name, text in HELPERS.items() if any(f"{name}(" in other for other in texts)]
-    return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers, *texts)) + "\n"
+    return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers_in(texts), *texts)) + "\n"
 
 
 def _header(program: Program, source: str, counts: dict[str, int]) -> str:

@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.planar_curve import PlanarChain
+from hertzwerk.derive.algebra.planar_curve import ChainPoints, PlanarChain
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults
 from hertzwerk.derive.mechanism.bodies import Slot
@@ -180,9 +180,14 @@ class Outline(SolidCurve):
         for k, (one, other) in enumerate(pairwise([*ways, ways[0]] if self.closed else ways)):
             yield k, angle_between(one[1], other[0])
 
+    @cached_property
+    def sound(self) -> bool:
+        """Whether it has no faults, and values for all coordinates."""
+        return not any(self.faults()) and _is_sound(self)
+
     def corner(self) -> int | None:
         """Number of the first piece that ends in a corner; None of a smooth chain, and of one with faults."""
-        if any(self.faults()) or not _is_sound(self):
+        if not self.sound:
             return None
         return next((k + 1 for k, bend in self._corners() if abs(bend) > SMOOTH), None)
 
@@ -200,6 +205,53 @@ class Outline(SolidCurve):
                 points.append((centre[0] + u[0] * c - u[1] * s, centre[1] + u[0] * s + u[1] * c))
                 numbers.append(number)
         return [*points, points[0] if self.closed else self._numbers()[-1][1]], numbers
+
+    @cached_property
+    def tips(self) -> tuple[tuple[tuple[int, ...], tuple[int, ...]], ...]:
+        """Its convex corners and rounded ones, which touch another outline first: corners and arcs of each, by number.
+
+        A corner has the number of the piece that begins there. Arcs that follow each other are one tip, with their ends.
+        """
+        count, side = len(self.pieces), -1 if self.hole else 1
+        bends = {(k + 1) % count if self.closed else k + 1: side * bend for k, bend in self._corners()}
+        round_ = [isinstance(piece, Arc) and piece.turn == side for piece in self.pieces]
+        found: list[tuple[list[int], list[int]]] = [([], [])]
+        for k in range(count if self.closed else count + 1):
+            bend = bends.get(k, 1.0)  # the ends of an open chain have none
+            beside = round_[k - 1] or round_[k % count]
+            if bend > SMOOTH or (beside and bend > -SMOOTH):
+                found[-1][0].append(k)
+            else:
+                found.append(([], []))
+            if k < count and round_[k]:
+                found[-1][1].append(k)
+            else:
+                found.append(([], []))
+        if self.closed and len(found) > 1:  # from the last piece to the first
+            last = found.pop()
+            found[0] = (last[0] + found[0][0], last[1] + found[0][1])
+        return tuple((tuple(corners), tuple(arcs)) for corners, arcs in found if corners or arcs)
+
+    @cached_property
+    def thickness(self) -> float:
+        """Half of how thick its solid is at least, relative to the sum of its pieces' lengths and radii."""
+        points, _ = self._drawn()
+        edges, least, side = list(pairwise(points)), math.inf, -1 if self.hole else 1
+        for k, (a, b) in enumerate(edges):
+            size = math.dist(a, b)
+            n = side * (a[1] - b[1]) / size, side * (b[0] - a[0]) / size
+            for share in (0.25, 0.5, 0.75):
+                p = a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])
+                hits = (_way_to(p, n, c, d) for j, (c, d) in enumerate(edges) if j != k)
+                least = min([least, *(way for way in hits if way > 0)])
+        sizes = (math.dist(end if isinstance(piece, Line) else centre, start) for piece, (start, end, centre) in
+                 zip(self.pieces, self._numbers(), strict=True))  # fmt: skip
+        return float(f"{min(least / 2 / sum(sizes), 1.0):.6g}")
+
+    def points(self, tips: Sequence[tuple[tuple[int, ...], tuple[int, ...]]]) -> ChainPoints:
+        """What of some tips another outline may touch."""
+        corners, arcs = (tuple(k for tip in tips for k in tip[i]) for i in (0, 1))
+        return ChainPoints(name=self.name, corners=corners, arcs=arcs, thick=self.thickness)
 
     @cached_property
     def planar(self) -> PlanarChain:
@@ -236,6 +288,17 @@ def _swept(start: Numbers, end: Numbers, centre: Numbers, turn: int) -> float:
     """Angle of an arc [rad], negative to the right."""
     angle = turn * angle_between(*((x - centre[0], y - centre[1]) for x, y in (start, end)))
     return turn * (angle if angle > 0 else angle + 2 * math.pi)
+
+
+def _way_to(p: Numbers, n: Numbers, a: Numbers, b: Numbers) -> float:
+    """Way from a point along a direction to a straight edge; infinite where it misses it."""
+    way = b[0] - a[0], b[1] - a[1]
+    across = n[0] * way[1] - n[1] * way[0]
+    if abs(across) <= ALIKE * math.hypot(*way):
+        return math.inf
+    w = a[0] - p[0], a[1] - p[1]
+    share = (w[0] * n[1] - w[1] * n[0]) / across
+    return (w[0] * way[1] - w[1] * way[0]) / across if 0 <= share <= 1 else math.inf
 
 
 def _ways(row: tuple[Numbers, Numbers, Numbers], piece: Piece) -> tuple[Numbers, Numbers]:

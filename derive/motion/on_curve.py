@@ -6,10 +6,20 @@ through the point: all rates follow by implicit differentiation, whatever finds 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from hertzwerk.derive.algebra.planar_curve import Between, Entry, Nearest, PlanarChain, PlanarCurve, Sampled, Support
+from hertzwerk.derive.algebra.planar_curve import (
+    Between,
+    ChainPoints,
+    Entry,
+    Nearest,
+    PlanarChain,
+    PlanarCurve,
+    Sampled,
+    Support,
+)
 from hertzwerk.derive.algebra.vectors import Vector, apply, transpose
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.mechanism.bodies import Point
@@ -131,8 +141,8 @@ class OnCurve:
         self.tape.set_rate(py, -radius * self._rate(y, "direction_y"))
         return Least((px, py), parameter)
 
-    def between(self, other: PlanarCurve, pose: Pose) -> Meeting:
-        """Another curve in a pose against this one's place.
+    def between(self, other: PlanarCurve | PlanarChain, pose: Pose, points: Sequence[ChainPoints] = ()) -> Meeting:
+        """Another curve in a pose against this one's place; of two chains with what of the other and of this one counts.
 
         With the curvatures k of the other and l of this one, the distance h and D = k + l + h k l, the foot on this curve
         moves along it by k/D for each length that the other slides there, and by (1 + h k)/D for each angle that it turns;
@@ -140,7 +150,7 @@ class OnCurve:
         """
         found = Between(
             other, self.curve, self._sampled(other), self.samples, pose.x, pose.y, pose.cos, pose.sin,
-            *other.given, *self.curve.given,
+            *other.given, *self.curve.given, *points,
         )  # fmt: skip
         named = (
             ("distance", METRE), ("normal_x", PURE), ("normal_y", PURE), ("foot_x", METRE), ("foot_y", METRE), ("share", PURE),

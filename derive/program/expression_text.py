@@ -13,7 +13,16 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.algebra.planar_curve import Between, Drawn, DrawnTeeth, Entry, Nearest, Sampled, Support
+from hertzwerk.derive.algebra.planar_curve import (
+    Between,
+    ChainPoints,
+    Drawn,
+    DrawnTeeth,
+    Entry,
+    Nearest,
+    Sampled,
+    Support,
+)
 from hertzwerk.derive.algebra.splines import Spline
 from hertzwerk.derive.mechanism.curve import CURVE
 from hertzwerk.derive.mechanism.parameter import TABLE
@@ -169,9 +178,11 @@ def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
 
 def _between(node: Any) -> tuple[str, int]:
     first, second, one, two, *pose = node.args
-    given = [pose[4 : 4 + len(first.given)], pose[4 + len(first.given) :]]
-    parts = [_curve(first), _curve(second), one.name, two.name, *map(_vector, (*given, pose[:4]))]
-    return f"_between({', '.join(parts)})", _ATOM
+    points = [point.row for point in pose if isinstance(point, ChainPoints)]
+    end = 4 + len(first.given)
+    given = pose[4:end], pose[end : end + len(second.given)]
+    parts = [_curve(first), _curve(second), one.name, two.name, *map(_vector, (*given, pose[:4])), *map(repr, points)]
+    return f"_between{first.searched}({', '.join(parts)})", _ATOM
 
 
 def _entry(node: Any) -> tuple[str, int]:

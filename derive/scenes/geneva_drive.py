@@ -1,9 +1,10 @@
-"""A Geneva drive: a pin that turns a wheel of four slots by a quarter, and leaves it at rest.
+"""A Geneva drive: a pin that turns a wheel of four slots by a quarter, and a disc that locks it while the pin is away.
 
 The pin enters and leaves a slot along it, where its circle of radius arm = distance/sqrt(2) touches the slot's middle. In between
 tan(b) = arm sin(a)/(distance - arm cos(a)) for the angles a of the crank and b of the wheel from the line of centres, but for the play of
-the pin: it is turned fastest there, sqrt(2) + 1 times as fast as the crank. A brake keeps it at rest until the pin comes
-and after it has left. Our choice of numbers.
+the pin: it is turned fastest there, sqrt(2) + 1 times as fast as the crank. The disc fills a hollow of the wheel, but for its own
+play: the wheel then turns until the one or the other tip of the hollow is on the disc, which is a triangle of known sides. The
+disc's recess, which lets the wheel pass, begins a right angle wide as the pin enters. Our choice of numbers.
 """
 
 import sympy as sp
@@ -15,8 +16,8 @@ from hertzwerk.derive import (
     CircleOnCurve,
     ConstantSpeed,
     Contact,
+    CurveOnCurve,
     EnergyLedger,
-    JointDamper,
     Line,
     Mechanism,
     Outline,
@@ -34,7 +35,10 @@ pin = Parameter("pin_radius", "mm", 4)
 play = Parameter("play", "mm", 0.01, "half the width of a slot less the pin's radius")
 rim, root, lock = (Parameter(name, "mm", value) for name, value in (("rim", 43.5), ("root", 13), ("lock_radius", 30)))
 speed = Parameter("crank_speed", "rpm", 120)
+lock_play = Parameter("lock_play", "mm", 0.01, "radius of the hollows less that of the locking disc")
+hub = Parameter("hub", "mm", 5, "from the crank's axis to the bottom of the disc's recess")
 K = Parameter("contact_stiffness", "N/m", 1e8)
+chi = Parameter("contact_damping", "N s/m^2", 1e9)
 
 arm = distance / sp.sqrt(2)
 half = pin + play
@@ -67,6 +71,16 @@ for k in range(4):
         Arc(turned(k + 1, mouth, -half), (0, 0)),
     ]
 slots = Outline("slots", turned(0, mouth, -half), pieces)
+hollows: list[Line | Arc] = []  # the same wheel without its slots, which the disc does not reach
+for k in range(4):
+    hollows += [
+        Arc(between(k, across, beside), between(k, distance, 0), clockwise=True),
+        Arc(between(k + 1, across, -beside), (0, 0)),
+    ]
+wheel_rim = Outline("wheel_rim", between(0, across, -beside), hollows)
+disc_radius = lock - lock_play
+end = COS * disc_radius
+disc = Outline("disc", (end, end), [Arc((end, -end), (0, 0)), Line((hub, 0)), Line((end, end))])  # the pin is along X
 
 crank = Body("crank", Parameter("crank_mass", "kg", 0.3), Parameter("crank_inertia", "kg m^2", 2e-4))
 wheel = Body("wheel", Parameter("wheel_mass", "kg", 0.2), Parameter("wheel_inertia", "kg m^2", 1e-4))
@@ -76,15 +90,18 @@ scene = Scene(
     Mechanism(
         "geneva_drive",
         joints=(Revolute("shaft", GROUND, crank, axis=Z), Revolute("axle", GROUND.at(distance, 0, 0), wheel, axis=Z)),
-        pairs=(CircleOnCurve("slot", tip, pin, slots, wheel.at(0, 0, 0)),),
+        pairs=(
+            CircleOnCurve("slot", tip, pin, slots, wheel.at(0, 0, 0)),
+            CurveOnCurve("lock", disc, crank.at(0, 0, 0).turned(Z, -sp.pi / 3), wheel_rim, wheel.at(0, 0, 0)),
+        ),
     ),
     effects=(
         ConstantSpeed("motor", "shaft", speed),
-        JointDamper("brake", "axle", Parameter("brake_damping", "N m s/rad", 0.02)),
-        Contact("slot", power(K, n=1), power_damping(chi=Parameter("contact_damping", "N s/m^2", 1e9), m=1)),
+        Contact("slot", power(K, n=1), power_damping(chi, m=1)),
+        Contact("lock", power(K, n=1), power_damping(chi, m=1)),
         EnergyLedger(),
     ),
     start=Start(position={"axle": Parameter("start_angle", "deg", 45)}),
     scales=Scales(length=play, speed=speed * arm / 10, arm=distance),
-    summary="a pin that turns a slotted wheel by a quarter, in closed form within the play",
+    summary="a pin that turns a slotted wheel by a quarter, and a disc that locks it, in closed form within the plays",
 )

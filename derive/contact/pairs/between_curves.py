@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -12,7 +12,8 @@ from hertzwerk.derive.contact.pairs.curved import CurveTouch, OnSolidCurve, outl
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Point, Slot
-from hertzwerk.derive.mechanism.curve import Curve
+from hertzwerk.derive.mechanism.curve import Curve, SolidCurve
+from hertzwerk.derive.mechanism.outline import Outline
 from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.mechanism.parameter import Scalar, is_number
 from hertzwerk.derive.mechanism.teeth import InvoluteTeeth
@@ -24,13 +25,14 @@ from hertzwerk.derive.motion.on_curve import Meeting, Pose
 class CurveOnCurve(OnSolidCurve):
     """Solid beside a curve that may touch the solid beside another, as flanks of teeth, in plane motion.
 
-    Each curve is fixed to its place. They touch in one point, the deepest of those that are compared, where no more than the
-    distance of samples is penetrated. An end touches as a corner.
+    Each curve is fixed to its place, two curves or two outlines. They touch in one point, the deepest of those that are compared,
+    where curves penetrate no more than their samples are apart, outlines half of how thick they are. An end touches as a
+    corner. Outlines that may touch in several points at a time are an `OutlineOnOutline`.
     """
 
-    first_curve: Curve
+    first_curve: SolidCurve
     first: Point
-    second_curve: Curve
+    second_curve: SolidCurve
     second: Point
     curvature_radius: Scalar | None = None
     length: Scalar | None = None
@@ -46,18 +48,17 @@ class CurveOnCurve(OnSolidCurve):
         """Axes and points of both curves, for landmarks."""
         return outline(self.first, self.first_curve), outline(self.second, self.second_curve)
 
+    @property
+    def tips(self) -> tuple[Sequence[Any], Sequence[Any]]:
+        """Tips of both outlines by which they touch, by default all."""
+        return tuple(curve.tips if isinstance(curve, Outline) else () for curve in self.curves)  # type: ignore[return-value]
+
     def faults(self) -> Iterator[Fault]:
-        """Yield faults of curves that cannot touch each other from outside, and of chains."""
-        for what, curve in (("first", self.first_curve), ("second", self.second_curve)):
-            if not isinstance(curve, Curve):
-                yield Fault(f"pair {self.name}, {what} curve", f"{curve!r:.80}", "a Curve(name, x, y), or what curve_through(...) gives",
-                            "An Outline is touched by circles, points and faces.")  # fmt: skip
-        if all(getattr(curve, "hole", False) is True for curve in self.curves):
-            yield Fault(
-                f"pair {self.name}, curves",
-                "two holes",
-                "at least one solid that is within the other's hole or beside it",
-            )
+        """Yield faults of curves that cannot touch each other from outside, and of a curve on an outline."""
+        if {type(curve) for curve in self.curves} == {Curve, Outline}:
+            yield Fault(f"pair {self.name}, curves", "a curve and an outline", "two curves, or two outlines",
+                        "An Outline is also touched by circles, points and faces; a circle is an Outline of one Arc.")  # fmt: skip
+        yield from hole_faults(self)
 
     def touch(self, kinematics: Kinematics) -> Touch:
         """Contact geometry on the kinematics' tape."""
@@ -76,7 +77,11 @@ class BetweenCurves(CurveTouch):
         w = sub(*(self.kin.angular_velocity(place.body) for place in (self.first, self.second)))
         turning = self.let(dot(w, tuple(row[2] for row in self._on.axes)), "relative_turning")
         x, y, _ = self._local
-        return self._on.between(self.pair.first_curve.planar, Pose(x, y, cos, sin, turning))
+        curves = self.pair.curves
+        chains = [
+            curve.points(tips) for curve, tips in zip(curves, self.pair.tips, strict=True) if isinstance(curve, Outline)
+        ]
+        return self._on.between(curves[0].planar, Pose(x, y, cos, sin, turning), chains)
 
     def faults(self, length: float) -> Iterator[Fault]:
         """Yield also the fault of a first curve whose Z is not the second's."""
@@ -107,6 +112,66 @@ class BetweenCurves(CurveTouch):
         """Gap, and the parameters of both curves where they are nearest."""
         names = zip(("first", "second"), self._meeting.parameters, strict=True)
         return [*super().outputs(), *((f"{self.pair.name}.{which}_parameter", "1", s) for which, s in names)]
+
+
+@dataclass(frozen=True)
+class OutlineOnOutline(OnSolidCurve):
+    """Two outlines that may touch in several points at a time, in plane motion.
+
+    It is a pair for each convex corner and each rounded one of either, NAME_1 of the first outline's first: that is pushed
+    where it is deepest within the other. What acts at NAME acts at all. Where two corners meet both are pushed.
+    """
+
+    first_outline: Outline
+    first: Point
+    second_outline: Outline
+    second: Point
+    curvature_radius: Scalar | None = None
+    length: Scalar | None = None
+    kind: ClassVar[str] = "outline_on_outline"
+
+    @property
+    def curves(self) -> tuple[Any, ...]:
+        """Both outlines."""
+        return self.first_outline, self.second_outline
+
+    @property
+    def parts(self) -> tuple[Pair, ...]:
+        """A pair for each tip; itself where an outline has faults, which the scene finds."""
+        if any(self.faults()) or not all(curve.sound for curve in self.curves):
+            return (self,)
+        one, two = self.curves
+        tips = [((tip,), ()) for tip in one.tips] + [((), (tip,)) for tip in two.tips]
+        given = one, self.first, two, self.second, self.curvature_radius, self.length
+        return tuple(TipOnOutline(f"{self.name}_{k}", *given, of=self.name, tips=tip) for k, tip in enumerate(tips, 1))
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield faults of what is no outline, and of two holes."""
+        for what, curve in zip(("first", "second"), self.curves, strict=True):
+            if not isinstance(curve, Outline):
+                yield Fault(f"pair {self.name}, {what} outline", f"{curve!r:.80}", "an Outline(name, start, pieces)")
+        yield from hole_faults(self)
+
+
+@dataclass(frozen=True)
+class TipOnOutline(CurveOnCurve):
+    """Corner or rounded corner of an outline beside another, a part of an `OutlineOnOutline`."""
+
+    of: str = ""
+    tips: tuple[Sequence[Any], Sequence[Any]] = ((), ())
+
+    @property
+    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+        """Name of the pair of outlines."""
+        return self.of
+
+
+def hole_faults(pair: OnSolidCurve) -> Iterator[Fault]:
+    """Yield the fault of two holes."""
+    if all(getattr(curve, "hole", False) is True for curve in pair.curves):
+        yield Fault(
+            f"pair {pair.name}, curves", "two holes", "at least one solid that is within the other's hole or beside it"
+        )
 
 
 @dataclass(frozen=True)

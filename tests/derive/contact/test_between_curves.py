@@ -11,6 +11,7 @@ from scipy.optimize import minimize
 
 from hertzwerk.derive import (
     GROUND,
+    Arc,
     Body,
     CircleOnCurve,
     Contact,
@@ -267,6 +268,7 @@ def test_all_faults_come_at_once():
     none = Curve("none_at_all", R * S, R * S**2, closed=False, repeats=0)
     wrong = (
         CurveOnCurve("chain", Outline("none", (0, 0), ()), PLATE.at(0, 0, 0), "R", CAM.at(0, 0, 0)),
+        CurveOnCurve("mixed", OVAL, PLATE.at(0, 0, 0), Outline("ring", (R, 0), (Arc((R, 0), (0, 0)),)), CAM.at(0, 0, 0)),
         CurveOnCurve("holes", hole, PLATE.at(0, 0, 0), replace(hole, name="other_hole"), CAM.at(0, 0, 0)),
         CurveOnCurve("copies", replace(hole, name="round", hole=False, repeats=3), PLATE.at(0, 0, 0), none, CAM.at(0, 0, 0)),
         CircleOnCurve("roller", PLATE.at(0, 0, 0), R, replace(none, name="teeth", repeats=8), CAM.at(0, 0, 0)),
@@ -281,8 +283,9 @@ def test_all_faults_come_at_once():
         )
     found = str(error.value)
     for text in (
-        "pair chain, first curve: found",
-        "pair chain, second curve: found 'R'",
+        "curve none, pieces: found ()",
+        "pair mixed, curves: found a curve and an outline",
+        "pair chain, curve: found 'R'",
         "pair holes, curves: found two holes",
         "curve round, repeats: found 3 copies of a closed curve",
         "curve none_at_all, repeats: found 0",

@@ -1,0 +1,275 @@
+"""Two outlines that may touch: against very many points, closed forms of circles, corners and journals; a Geneva wheel's lock."""
+
+import casadi as ca
+import numpy as np
+import pytest
+from derived import Derived
+from matplotlib.path import Path
+from scipy.spatial import cKDTree
+
+from hertzwerk.derive import (
+    GROUND,
+    Arc,
+    Body,
+    Contact,
+    CurveOnCurve,
+    EnergyLedger,
+    Gravity,
+    InputError,
+    JointSpring,
+    Line,
+    Mechanism,
+    Outline,
+    OutlineOnOutline,
+    Parameter,
+    Planar,
+    PointForce,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    Y,
+    Z,
+    laws,
+)
+from hertzwerk.derive.scenes.geneva_drive import scene as geneva_drive
+from hertzwerk.runtime import equilibrium, load
+
+R, L, E, C = (Parameter(name, "mm", value) for name, value in (("R", 15), ("L", 40), ("e", 6), ("c", 0.5)))
+CAM, PLATE = (
+    Body("cam", Parameter("M", "kg", 1), Parameter("J", "kg m^2", 1e-3)),
+    Body("plate", Parameter("m", "kg", 0.2), Parameter("J_p", "kg m^2", 1e-4)),
+)
+SHAFT, FREE = Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)
+CONTACT = Contact("touch", laws.power(Parameter("K", "N/m", 1e6), 1))
+# below a line, to the right a half circle, above a round hollow, to the left a notch
+BLOCK = Outline(
+    "block",
+    (0, -R),
+    [
+        Line((L, -R)), Arc((L, R), (L, 0)), Line(((L + R) / 2, R)), Arc(((L - R) / 2, R), (L / 2, R), clockwise=True),
+        Line((0, R)), Line((R / 2, 0)), Line((0, -R)),
+    ],
+)  # fmt: skip
+STONE = Outline("stone", (-E, -E), [Line((E, -E)), Arc((E, E), (E, 0)), Line((-E, E)), Line((-E, -E))])
+TURN = np.linspace(-np.pi / 2, np.pi / 2, 2001)
+RIMS = {
+    "block": [(0, -15), *np.transpose([40 + 15 * np.cos(TURN), 15 * np.sin(TURN)]),
+              *np.transpose([20 - 7.5 * np.sin(TURN), 15 - 7.5 * np.cos(TURN)]), (0, 15), (7.5, 0), (0, -15)],
+    "stone": [(-6, -6), *np.transpose([6 + 6 * np.cos(TURN), 6 * np.sin(TURN)]), (-6, 6), (-6, -6)],
+}  # fmt: skip
+
+
+def scene(first, second, pair=CurveOnCurve):
+    pairs = (pair("touch", first, PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0)),)
+    pace = Parameter("pace", "m/s", 1)
+    return Scene(Mechanism("two_outlines", (SHAFT, FREE), pairs), (CONTACT, EnergyLedger()), Scales(E, pace, arm=R))
+
+
+@pytest.fixture(scope="module")
+def stones():
+    return Derived(scene(STONE, BLOCK))
+
+
+def gaps(derived, q, u=(0, 0, 0, 0), a=(0, 0, 0, 0)):
+    q, u, a = (np.array(x, float) for x in (q, u, a))
+    G, dG = derived.call("gaps", q=q, u=u)
+    return float(G[0]), float(dG[0]), float(derived.call("gap_accelerations", q=q, u=u, a=a)[0])
+
+
+def rim(name, angle, x, y):
+    """Points of an outline, a tenth of a millimetre apart."""
+    corners, c, s = 1e-3 * np.array(RIMS[name]), np.cos(angle), np.sin(angle)
+    ways = np.hypot(*np.diff(corners.T))
+    along = np.concatenate([[0], np.cumsum(ways)])
+    at = np.union1d(along, np.arange(0, along[-1], 1e-4))
+    return np.transpose([np.interp(at, along, v) for v in corners.T]) @ [[c, s], [-s, c]] + [x, y]
+
+
+def test_outlines_are_as_far_as_the_nearest_of_very_many_points(stones):
+    random, apart, within = np.random.default_rng(1), 0, 0
+    for _ in range(60):
+        q = random.uniform(-1, 1, 4) * (3, 0.07, 0.07, 3)
+        one, two = rim("stone", q[3], q[1], q[2]), rim("block", q[0], 0, 0)
+        gap = gaps(stones, q)[0]
+        if Path(two[::9]).contains_points(one[::9]).any() or Path(one[::9]).contains_points(two[::9]).any():
+            within += 1
+            assert gap < 1e-7
+            continue
+        apart += 1
+        least = cKDTree(two).query(one)[0].min()
+        assert gap == pytest.approx(least, abs=1e-7 + 5e-9 / least)
+    assert apart > 30 and within > 3
+
+
+def test_rates_are_those_of_differences(stones):
+    random, h = np.random.default_rng(2), 1e-6
+    for _ in range(40):
+        q, u, a = (random.uniform(-1, 1, 4) * (3, 0.07, 0.07, 3) for _ in range(3))
+        _, dG, ddG = gaps(stones, q, u, a)
+        after, before = (gaps(stones, q + way * u + way**2 / 2 * a, u + way * a) for way in (h, -h))
+        assert dG == pytest.approx((after[0] - before[0]) / (2 * h), rel=1e-6, abs=1e-7)
+        assert ddG == pytest.approx((after[1] - before[1]) / (2 * h), rel=1e-5, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "angle", "gap", "normal"),
+    [
+        pytest.param(66.5, 0, np.pi, -0.5, (1, 0), id="arc on arc"),
+        pytest.param(30, -20.5, np.pi, -0.5, (0, -1), id="line on line"),
+        pytest.param(20, -14.7 - 6 * np.sqrt(2), -3 * np.pi / 4, -0.3, (0, -1), id="corner on line"),
+        pytest.param(-9, 25, np.pi, 5, (-0.6, 0.8), id="corner on corner"),
+        pytest.param(21.08, 19.56, -np.pi / 2, -0.3, (-0.6, 0.8), id="arc in hollow"),
+    ],
+)
+def test_each_kind_of_place_equals_its_closed_form(stones, x, y, angle, gap, normal):
+    """Of the gap, and of its rate as the stone moves and turns."""
+    v = np.array([0.3, -0.7])
+    found = gaps(stones, (0, 1e-3 * x, 1e-3 * y, angle), (0, *v, 0))
+    assert found[:2] == pytest.approx((1e-3 * gap, np.dot(normal, v)), rel=1e-11)
+
+
+def test_a_disc_in_a_ring_is_a_journal():
+    """Gap c - e, its rate and second derivative, wherever either has its seam."""
+    disc = Outline("disc", (R - C, 0), [Arc((R - C, 0), (0, 0))])
+    ring = Outline("ring", (0, R), [Arc((0, R), (0, 0))], hole=True)
+    derived, random, t = Derived(scene(disc, ring)), np.random.default_rng(3), ca.SX.sym("t")
+    for _ in range(30):
+        q, u, a = (random.uniform(-1, 1, 4) * (3, 6e-4, 6e-4, 3) for _ in range(3))
+        way = ca.DM(q) + t * ca.DM(u) + t**2 / 2 * ca.DM(a)
+        closed = 5e-4 - ca.norm_2(way[1:3])
+        rate = ca.jacobian(closed, t)
+        expected = ca.Function("expected", [t], [closed, rate, ca.jacobian(rate, t)])(0)
+        assert gaps(derived, q, u, a) == pytest.approx(np.array(expected).ravel(), rel=1e-8, abs=1e-11)
+
+
+def test_forces_are_minus_the_gradient_of_the_stored_energy(stones):
+    """Their derivatives too, as implicit methods take them: by CasADi against differences."""
+    random, x = np.random.default_rng(4), ca.SX.sym("x", 4)
+    known = {
+        "u": ca.SX.zeros(4),
+        "z": ca.SX.zeros(len(stones.MEMORY)),
+        "m": ca.SX(0, 1),
+        "c": ca.SX(stones.c),
+        "t": ca.SX(0),
+    }
+    force = stones.names["contact_touch"](*({**known, "q": x}[name] for name in stones.arguments("contact_touch")))[0]
+    value, slope = ca.Function("force", [x], [force]), ca.Function("slope", [x], [ca.jacobian(force, x)])
+
+    def energy(q):
+        return float(stones.call("energy", q=q, u=np.zeros(4))[2][0])
+
+    tried, h = 0, 1e-7
+    while tried < 8:
+        q = random.uniform(-1, 1, 4) * (3, 0.07, 0.07, 3)
+        if not -2e-3 < gaps(stones, q)[0] < -1e-5:
+            continue
+        tried += 1
+        moved = [(q + h * e, q - h * e) for e in np.eye(4)]
+        down = [(energy(b) - energy(a)) / (2 * h) for a, b in moved]
+        assert np.allclose(np.array(value(q)).ravel(), down, rtol=1e-5, atol=1e-2)
+        slopes = np.hstack([(np.array(value(a)) - np.array(value(b))) / (2 * h) for a, b in moved])
+        assert np.allclose(np.array(slope(q)), slopes, rtol=1e-5, atol=1.0)
+
+
+def test_a_thin_bow_is_not_entered_from_behind():
+    """A stone in the hollow of a bow half a millimetre thick: its corner or arc is as far from the inside as it is."""
+    bow = [Arc((-L, 0), (0, -E)), Line((-L, -C)), Arc((L, -C), (0, -E - C), clockwise=True), Line((L, 0))]
+    derived = Derived(scene(STONE, Outline("bow", (L, 0), bow)))
+    for y in (0.0, 0.02, 0.0273):
+        reach = max(np.hypot(0.006, 0.006 + y + 0.0065), np.hypot(0.006, y + 0.0065) + 0.006)
+        assert gaps(derived, (0, 0, y, np.pi))[0] == pytest.approx(np.hypot(0.04, 0.006) - reach, abs=1e-12)
+
+
+# -- several places ------------------------------------------------------------------------------------------------------
+
+
+def test_each_corner_of_a_box_carries_its_share():
+    """A box on a bench, pushed off its middle: by the lever's law."""
+    g = Parameter("g", "m/s^2", 9.81)
+    box = Outline("box", (-L, -R), [Line((L, -R)), Line((L, R)), Line((-L, R)), Line((-L, -R))])
+    bench = Outline("bench", (-4 * L, -R), [Line((4 * L, -R)), Line((4 * L, 0)), Line((-4 * L, 0)), Line((-4 * L, -R))])
+    pair = OutlineOnOutline("touch", box, PLATE.at(0, 0, 0), bench, GROUND.at(0, 0, 0))
+    at, pushed = Parameter("at", "mm", 15), Parameter("pushed", "N", 3)
+    hold, push = (
+        JointSpring("hold", "free.x", Parameter("k", "N/m", 1)),
+        PointForce("push", PLATE.at(at, 0, 0), (0, -pushed, 0)),
+    )
+    effects = Gravity("gravity", g, direction=-Y), CONTACT, push, hold, EnergyLedger()
+    start = Start(position={"free.y": R})
+    declared = Scene(Mechanism("bench", (FREE,), (pair,)), effects, Scales(C, Parameter("v", "m/s", 1), arm=L), start)
+    model = load(declared)
+    assert model.pairs == tuple(f"touch_{k}" for k in range(1, 9))
+    rest = equilibrium(model)
+    left, right = (rest.contacts[f"touch_{k}"] for k in (1, 2))
+    weight = 0.2 * 9.81
+    assert (left + right, (right - left) * 0.04) == pytest.approx((weight + 3, 3 * 0.015), rel=1e-4)
+    assert not any(rest.contacts.get(f"touch_{k}", 0) for k in range(3, 9))
+
+
+# -- a Geneva wheel's lock -----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def geneva():
+    return Derived(geneva_drive)
+
+
+@pytest.mark.parametrize("crank", [90, 180, 250])
+def test_the_tips_of_a_locked_hollow_leave_the_free_play_of_a_triangle(geneva, crank):
+    """Between the axes, the wheel's rim and the disc's radius: cos(b) = (D^2 + r^2 - R^2)/(2 D r), to both sides."""
+    D, r, disc, hollow = 0.06, 0.0435, 0.03 - 1e-5, 0.03
+
+    def tip(radius):
+        return np.arccos((D**2 + r**2 - radius**2) / (2 * D * r))
+
+    free, t = tip(hollow) - tip(disc), np.radians(crank + 60) / (4 * np.pi)
+    assert np.degrees(free) == pytest.approx(0.01385, rel=1e-3)
+    for side in (1, -1):
+        for share in (0.5, 1, 1.01):
+            angle = np.pi / 4 + side * share * free
+            gap = np.sqrt(D**2 + r**2 - 2 * D * r * np.cos(tip(hollow) - share * free)) - disc
+            found = geneva.call("gaps", t=t, q=np.array([angle]), u=np.zeros(1))[0][1]
+            assert found == pytest.approx(gap, abs=1e-14)
+            assert (found > -1e-16) == (share <= 1)
+
+
+@pytest.mark.parametrize("crank", [-60, -50, 47, 60])
+def test_beside_its_recess_the_edge_of_the_disc_locks_the_wheel(geneva, crank):
+    """It meets the hollow itself: the triangle of the axes' distance, the edge's from the axle, and the hollow's radius."""
+    D, disc, hollow = 0.06, 0.03 - 1e-5, 0.03
+    side = np.sign(crank)
+    edge = np.radians(crank) - side * np.pi / 4
+    x, y = D - disc * np.cos(edge), disc * np.sin(edge)  # from the axle, towards the crank
+    rho = np.hypot(x, y)
+    turned = np.arccos((rho**2 + D**2 - hollow**2) / (2 * rho * D)) - abs(np.arctan2(y, x))
+    assert turned > 1e-5
+    for share in (0.5, 1):
+        apart = np.sqrt(rho**2 + D**2 - 2 * rho * D * np.cos(abs(np.arctan2(y, x)) + share * turned))
+        found = geneva.call(
+            "gaps",
+            t=np.radians(crank + 60) / (4 * np.pi),
+            q=np.array([np.pi / 4 + side * share * turned]),
+            u=np.zeros(1),
+        )[0][1]
+        assert found == pytest.approx(hollow - apart, abs=1e-14)
+
+
+def test_all_faults_come_at_once():
+    ring, clock = (
+        Outline("ring", (R, 0), [Arc((R, 0), (0, 0))], hole=True),
+        Outline("clock", (0, 0), [Line((0, L)), Line((L, 0)), Line((0, 0))]),
+    )
+    pairs = (
+        OutlineOnOutline("text", "ring", PLATE.at(0, 0, 0), STONE, CAM.at(0, 0, 0)),
+        OutlineOnOutline("holes", ring, PLATE.at(0, 0, 0), ring, CAM.at(0, 0, 0)),
+        OutlineOnOutline("backwards", clock, PLATE.at(0, 0, 0), STONE, CAM.at(0, 0, 0)),
+    )
+    with pytest.raises(InputError) as error:
+        Scene(Mechanism("faulty", (SHAFT, FREE), pairs), (), Scales(R, Parameter("pace", "m/s", 1), R))
+    for text in (
+        "pair text, first outline: found 'ring'; expected an Outline",
+        "pair holes, curves: found two holes",
+        "curve clock: found a closed chain that runs clockwise",
+    ):
+        assert text in str(error.value), text
