@@ -6,7 +6,7 @@ Effects:
     slot: power x power_damping
     lock: power x power_damping
     energy_ledger: work put in, energy dissipated per effect
-Units: 108 assignments and 164 outputs checked, all consistent
+Units: 107 assignments and 163 outputs checked, all consistent
 Operations: flight 228 (equations of motion and gaps); in contact also contact_slot 57, contact_lock 67
 """
 
@@ -416,102 +416,6 @@ CONSTANTS = (
     ("slots_samples_286", "m"),
     ("slots_samples_287", "m"),
     ("slots_samples_288", "m"),
-    ("wheel_rim_samples_1", "m"),
-    ("wheel_rim_samples_2", "m"),
-    ("wheel_rim_samples_3", "m"),
-    ("wheel_rim_samples_4", "m"),
-    ("wheel_rim_samples_5", "m"),
-    ("wheel_rim_samples_6", "m"),
-    ("wheel_rim_samples_7", "m"),
-    ("wheel_rim_samples_8", "m"),
-    ("wheel_rim_samples_9", "m"),
-    ("wheel_rim_samples_10", "m"),
-    ("wheel_rim_samples_11", "m"),
-    ("wheel_rim_samples_12", "m"),
-    ("wheel_rim_samples_13", "m"),
-    ("wheel_rim_samples_14", "m"),
-    ("wheel_rim_samples_15", "m"),
-    ("wheel_rim_samples_16", "m"),
-    ("wheel_rim_samples_17", "m"),
-    ("wheel_rim_samples_18", "m"),
-    ("wheel_rim_samples_19", "m"),
-    ("wheel_rim_samples_20", "m"),
-    ("wheel_rim_samples_21", "m"),
-    ("wheel_rim_samples_22", "m"),
-    ("wheel_rim_samples_23", "m"),
-    ("wheel_rim_samples_24", "m"),
-    ("wheel_rim_samples_25", "m"),
-    ("wheel_rim_samples_26", "m"),
-    ("wheel_rim_samples_27", "m"),
-    ("wheel_rim_samples_28", "m"),
-    ("wheel_rim_samples_29", "m"),
-    ("wheel_rim_samples_30", "m"),
-    ("wheel_rim_samples_31", "m"),
-    ("wheel_rim_samples_32", "m"),
-    ("wheel_rim_samples_33", "m"),
-    ("wheel_rim_samples_34", "m"),
-    ("wheel_rim_samples_35", "m"),
-    ("wheel_rim_samples_36", "m"),
-    ("wheel_rim_samples_37", "m"),
-    ("wheel_rim_samples_38", "m"),
-    ("wheel_rim_samples_39", "m"),
-    ("wheel_rim_samples_40", "m"),
-    ("wheel_rim_samples_41", "m"),
-    ("wheel_rim_samples_42", "m"),
-    ("wheel_rim_samples_43", "m"),
-    ("wheel_rim_samples_44", "m"),
-    ("wheel_rim_samples_45", "m"),
-    ("wheel_rim_samples_46", "m"),
-    ("wheel_rim_samples_47", "m"),
-    ("wheel_rim_samples_48", "m"),
-    ("wheel_rim_samples_49", "m"),
-    ("wheel_rim_samples_50", "m"),
-    ("wheel_rim_samples_51", "m"),
-    ("wheel_rim_samples_52", "m"),
-    ("wheel_rim_samples_53", "m"),
-    ("wheel_rim_samples_54", "m"),
-    ("wheel_rim_samples_55", "m"),
-    ("wheel_rim_samples_56", "m"),
-    ("wheel_rim_samples_57", "m"),
-    ("wheel_rim_samples_58", "m"),
-    ("wheel_rim_samples_59", "m"),
-    ("wheel_rim_samples_60", "m"),
-    ("wheel_rim_samples_61", "m"),
-    ("wheel_rim_samples_62", "m"),
-    ("wheel_rim_samples_63", "m"),
-    ("wheel_rim_samples_64", "m"),
-    ("wheel_rim_samples_65", "m"),
-    ("wheel_rim_samples_66", "m"),
-    ("wheel_rim_samples_67", "m"),
-    ("wheel_rim_samples_68", "m"),
-    ("wheel_rim_samples_69", "m"),
-    ("wheel_rim_samples_70", "m"),
-    ("wheel_rim_samples_71", "m"),
-    ("wheel_rim_samples_72", "m"),
-    ("wheel_rim_samples_73", "m"),
-    ("wheel_rim_samples_74", "m"),
-    ("wheel_rim_samples_75", "m"),
-    ("wheel_rim_samples_76", "m"),
-    ("wheel_rim_samples_77", "m"),
-    ("wheel_rim_samples_78", "m"),
-    ("wheel_rim_samples_79", "m"),
-    ("wheel_rim_samples_80", "m"),
-    ("wheel_rim_samples_81", "m"),
-    ("wheel_rim_samples_82", "m"),
-    ("wheel_rim_samples_83", "m"),
-    ("wheel_rim_samples_84", "m"),
-    ("wheel_rim_samples_85", "m"),
-    ("wheel_rim_samples_86", "m"),
-    ("wheel_rim_samples_87", "m"),
-    ("wheel_rim_samples_88", "m"),
-    ("wheel_rim_samples_89", "m"),
-    ("wheel_rim_samples_90", "m"),
-    ("wheel_rim_samples_91", "m"),
-    ("wheel_rim_samples_92", "m"),
-    ("wheel_rim_samples_93", "m"),
-    ("wheel_rim_samples_94", "m"),
-    ("wheel_rim_samples_95", "m"),
-    ("wheel_rim_samples_96", "m"),
     ("half_sqrt_3", "1"),
     ("disc_samples_1", "m"),
     ("disc_samples_2", "m"),
@@ -556,7 +460,7 @@ CONSTANTS = (
 )
 
 OPERATIONS = (
-    ("constants", 17),
+    ("constants", 16),
     ("start", 0),
     ("scales", 14),
     ("coordinate_rates", 0),
@@ -571,19 +475,13 @@ OPERATIONS = (
     ("poses", 7),
     ("outputs", 37),
     ("period", 3),
-    ("landmarks", 16),
+    ("landmarks", 15),
 )
 
 SLOTS_CURVE = (
     True,
     False,
     (0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1),
-)
-
-WHEEL_RIM_CURVE = (
-    True,
-    False,
-    (-1, 1, -1, 1, -1, 1, -1, 1),
 )
 
 DISC_CURVE = (
@@ -646,14 +544,14 @@ def _samples_of_chain(pieces, data, given):
 def _drawn_of_chain(pieces, data, given):
     """Points of a chain of arcs and lines for a picture, first all x, then all y."""
     values, (closed, _, turns) = pieces(*ca.vertsplit(given)), data
-    points = []
+    points, steps = [], max(25, 150//max(sum(map(abs, turns)), 1))
     for k, turn in enumerate(turns):
         ax, ay, bx, by, cx, cy = values[6*k : 6*k + 6]
         ux, uy, vx, vy = ax - cx, ay - cy, bx - cx, by - cy
         angle = ca.atan2(turn*(ux*vy - uy*vx), ux*vx + uy*vy)
         angle = turn*(angle + 2*ca.pi*(angle <= 0))
-        for j in range(25 if turn else 1):
-            c, s = ca.cos(angle*j/25), ca.sin(angle*j/25)
+        for j in range(steps if turn else 1):
+            c, s = ca.cos(angle*j/steps), ca.sin(angle*j/steps)
             points.append((cx + ux*c - uy*s, cy + ux*s + uy*c) if turn else (ax, ay))
     points.append(values[-4:-2] if not closed else points[0])
     return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))
@@ -866,32 +764,6 @@ def slots_curve(rim, pin_radius, play, root, distance, lock_radius):
     return x6, minus_pin_radius_minus_play, root, minus_pin_radius_minus_play, x6, minus_pin_radius_minus_play, root, minus_pin_radius_minus_play, root, pin_radius_plus_play, root, 0, root, pin_radius_plus_play, x6, pin_radius_plus_play, root, pin_radius_plus_play, x6, pin_radius_plus_play, x20, x22, 0, 0, x20, x22, x22, x20, half_sqrt_2_times_distance, half_sqrt_2_times_distance, x22, x20, pin_radius_plus_play, x6, 0, 0, pin_radius_plus_play, x6, pin_radius_plus_play, root, pin_radius_plus_play, x6, pin_radius_plus_play, root, minus_pin_radius_minus_play, root, 0, root, minus_pin_radius_minus_play, root, minus_pin_radius_minus_play, x6, minus_pin_radius_minus_play, root, minus_pin_radius_minus_play, x6, x25, x20, 0, 0, x25, x20, x26, x22, minus_half_sqrt_2_times_distance, half_sqrt_2_times_distance, x26, x22, x28, pin_radius_plus_play, 0, 0, x28, pin_radius_plus_play, -root, pin_radius_plus_play, x28, pin_radius_plus_play, -root, pin_radius_plus_play, -root, minus_pin_radius_minus_play, -root, 0, -root, minus_pin_radius_minus_play, x28, minus_pin_radius_minus_play, -root, minus_pin_radius_minus_play, x28, minus_pin_radius_minus_play, x26, x25, 0, 0, x26, x25, x25, x26, minus_half_sqrt_2_times_distance, minus_half_sqrt_2_times_distance, x25, x26, minus_pin_radius_minus_play, x28, 0, 0, minus_pin_radius_minus_play, x28, minus_pin_radius_minus_play, -root, minus_pin_radius_minus_play, x28, minus_pin_radius_minus_play, -root, pin_radius_plus_play, -root, 0, -root, pin_radius_plus_play, -root, pin_radius_plus_play, x28, pin_radius_plus_play, -root, pin_radius_plus_play, x28, x22, x26, 0, 0, x22, x26, x20, x25, half_sqrt_2_times_distance, minus_half_sqrt_2_times_distance, x20, x25, x6, minus_pin_radius_minus_play, 0, 0
 
 
-def wheel_rim_curve(rim, distance, lock_radius):
-    """Pieces of the chain wheel_rim: start x, y, end x, y, centre x, y of each."""
-    sqrt_2 = ca.sqrt(2)
-    rim_squared = rim*rim
-    distance_squared = distance*distance
-    lock_radius_squared = lock_radius*lock_radius
-    minus_lock_radius_squared = -lock_radius_squared
-    x6 = rim_squared + distance_squared + minus_lock_radius_squared
-    x7 = x6*x6
-    inverse_distance_squared = 1/(distance*distance)
-    x9 = -x7*inverse_distance_squared/4
-    x10 = rim_squared + x9
-    x11 = ca.sqrt(x10)
-    x12 = sqrt_2*x11/2
-    x13 = sqrt_2*x6/(4*distance)
-    x14 = x12 + x13
-    x15 = -sqrt_2*x11/2
-    x16 = x13 + x15
-    half_sqrt_2_times_distance = sqrt_2*distance/2
-    x18 = -sqrt_2*x6/(4*distance)
-    x19 = x12 + x18
-    x20 = x15 + x18
-    minus_half_sqrt_2_times_distance = -sqrt_2*distance/2
-    return x14, x16, x16, x14, half_sqrt_2_times_distance, half_sqrt_2_times_distance, x16, x14, x19, x14, 0, 0, x19, x14, x20, x16, minus_half_sqrt_2_times_distance, half_sqrt_2_times_distance, x20, x16, x20, x19, 0, 0, x20, x19, x19, x20, minus_half_sqrt_2_times_distance, minus_half_sqrt_2_times_distance, x19, x20, x16, x20, 0, 0, x16, x20, x14, x19, half_sqrt_2_times_distance, minus_half_sqrt_2_times_distance, x14, x19, x14, x16, 0, 0
-
-
 def disc_curve(lock_play, lock_radius, hub):
     """Pieces of the chain disc: start x, y, end x, y, centre x, y of each."""
     sqrt_2 = ca.sqrt(2)
@@ -906,10 +778,10 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (21,): distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed, contact_stiffness,
+        c (20,): distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed, contact_stiffness,
             contact_damping, quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples,
-            wheel_rim_samples, half_sqrt_3, disc_samples, half_contact_stiffness, inverse_wheel_inertia,
-            half_wheel_inertia, half_crank_speed_squared_times_crank_inertia
+            half_sqrt_3, disc_samples, half_contact_stiffness, inverse_wheel_inertia, half_wheel_inertia,
+            half_crank_speed_squared_times_crank_inertia
     """
     crank_inertia = p[1]
     wheel_inertia = p[3]
@@ -927,7 +799,6 @@ def constants(p):
     quarter_of_sqrt_2_times_distance = ca.sqrt(2)*distance/4
     quarter_of_sqrt_6_times_distance = ca.sqrt(6)*distance/4
     slots_samples = _samples_of_chain(slots_curve, SLOTS_CURVE, ca.vertcat(rim, pin_radius, play, root, distance, lock_radius))
-    wheel_rim_samples = _samples_of_chain(wheel_rim_curve, WHEEL_RIM_CURVE, ca.vertcat(rim, distance, lock_radius))
     half_sqrt_3 = ca.sqrt(3)/2
     disc_samples = _samples_of_chain(disc_curve, DISC_CURVE, ca.vertcat(lock_play, lock_radius, hub))
     half_contact_stiffness = contact_stiffness/2
@@ -936,8 +807,8 @@ def constants(p):
     half_crank_speed_squared_times_crank_inertia = crank_speed*crank_speed*crank_inertia/2
     return ca.vertcat(distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed,
         contact_stiffness, contact_damping, quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance,
-        slots_samples, wheel_rim_samples, half_sqrt_3, disc_samples, half_contact_stiffness, inverse_wheel_inertia,
-        half_wheel_inertia, half_crank_speed_squared_times_crank_inertia)
+        slots_samples, half_sqrt_3, disc_samples, half_contact_stiffness, inverse_wheel_inertia, half_wheel_inertia,
+        half_crank_speed_squared_times_crank_inertia)
 
 
 def start(p):
@@ -1010,9 +881,8 @@ def gaps(t, q, u, c):
     quarter_of_sqrt_2_times_distance = c[11]
     quarter_of_sqrt_6_times_distance = c[12]
     slots_samples = c[13:301]
-    wheel_rim_samples = c[301:397]
-    half_sqrt_3 = c[397]
-    disc_samples = c[398:434]
+    half_sqrt_3 = c[301]
+    disc_samples = c[302:338]
     axle_angle = q[0]
     axle_speed = u[0]
     crank_angle = t*crank_speed
@@ -1048,7 +918,7 @@ def gaps(t, q, u, c):
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
     lock_relative_turning = crank_speed - axle_speed
-    lock_between = _between_of_chain(disc_curve, DISC_CURVE, wheel_rim_curve, WHEEL_RIM_CURVE, disc_samples, wheel_rim_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((7, 0, 1, 2, 3, 4, 5, 6), (7, 1, 3, 5), 0.0427299))
+    lock_between = _between_of_chain(disc_curve, DISC_CURVE, slots_curve, SLOTS_CURVE, disc_samples, slots_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, pin_radius, play, root, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((23, 0, 3, 4, 5, 6, 9, 10, 11, 12, 15, 16, 17, 18, 21, 22), (23, 3, 5, 9, 11, 15, 17, 21), 0.00391447))
     lock_distance = lock_between[0]
     lock_normal_x = lock_between[1]
     lock_normal_y = lock_between[2]
@@ -1081,9 +951,8 @@ def gap_accelerations(t, q, u, a, c):
     quarter_of_sqrt_2_times_distance = c[11]
     quarter_of_sqrt_6_times_distance = c[12]
     slots_samples = c[13:301]
-    wheel_rim_samples = c[301:397]
-    half_sqrt_3 = c[397]
-    disc_samples = c[398:434]
+    half_sqrt_3 = c[301]
+    disc_samples = c[302:338]
     axle_angle = q[0]
     axle_speed = u[0]
     axle_acceleration = a[0]
@@ -1122,7 +991,7 @@ def gap_accelerations(t, q, u, a, c):
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
     lock_relative_turning = crank_speed - axle_speed
-    lock_between = _between_of_chain(disc_curve, DISC_CURVE, wheel_rim_curve, WHEEL_RIM_CURVE, disc_samples, wheel_rim_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((7, 0, 1, 2, 3, 4, 5, 6), (7, 1, 3, 5), 0.0427299))
+    lock_between = _between_of_chain(disc_curve, DISC_CURVE, slots_curve, SLOTS_CURVE, disc_samples, slots_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, pin_radius, play, root, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((23, 0, 3, 4, 5, 6, 9, 10, 11, 12, 15, 16, 17, 18, 21, 22), (23, 3, 5, 9, 11, 15, 17, 21), 0.00391447))
     lock_normal_x = lock_between[1]
     lock_normal_y = lock_between[2]
     lock_foot_x = lock_between[3]
@@ -1229,15 +1098,18 @@ def contact_lock(t, q, u, z, m, c):
     """
     distance = c[0]
     rim = c[1]
+    pin_radius = c[2]
+    play = c[3]
+    root = c[4]
     lock_radius = c[5]
     lock_play = c[6]
     hub = c[7]
     crank_speed = c[8]
     contact_stiffness = c[9]
     contact_damping = c[10]
-    wheel_rim_samples = c[301:397]
-    half_sqrt_3 = c[397]
-    disc_samples = c[398:434]
+    slots_samples = c[13:301]
+    half_sqrt_3 = c[301]
+    disc_samples = c[302:338]
     axle_angle = q[0]
     axle_speed = u[0]
     crank_angle = t*crank_speed
@@ -1255,7 +1127,7 @@ def contact_lock(t, q, u, z, m, c):
     x6 = half_sin_crank + x5
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
-    lock_between = _between_of_chain(disc_curve, DISC_CURVE, wheel_rim_curve, WHEEL_RIM_CURVE, disc_samples, wheel_rim_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((7, 0, 1, 2, 3, 4, 5, 6), (7, 1, 3, 5), 0.0427299))
+    lock_between = _between_of_chain(disc_curve, DISC_CURVE, slots_curve, SLOTS_CURVE, disc_samples, slots_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, pin_radius, play, root, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((23, 0, 3, 4, 5, 6, 9, 10, 11, 12, 15, 16, 17, 18, 21, 22), (23, 3, 5, 9, 11, 15, 17, 21), 0.00391447))
     lock_distance = lock_between[0]
     lock_normal_x = lock_between[1]
     lock_normal_y = lock_between[2]
@@ -1305,7 +1177,7 @@ def accelerations(t, q, u, f, c):
         a (1,): axle.acceleration [rad/s^2]
         reactions (1,): shaft.reaction [N m]
     """
-    inverse_wheel_inertia = c[435]
+    inverse_wheel_inertia = c[339]
     axle_force = f[0]
     shaft_force = f[1]
     axle_acc = axle_force*inverse_wheel_inertia
@@ -1345,12 +1217,11 @@ def energy(t, q, u, c):
     quarter_of_sqrt_2_times_distance = c[11]
     quarter_of_sqrt_6_times_distance = c[12]
     slots_samples = c[13:301]
-    wheel_rim_samples = c[301:397]
-    half_sqrt_3 = c[397]
-    disc_samples = c[398:434]
-    half_contact_stiffness = c[434]
-    half_wheel_inertia = c[436]
-    half_crank_speed_squared_times_crank_inertia = c[437]
+    half_sqrt_3 = c[301]
+    disc_samples = c[302:338]
+    half_contact_stiffness = c[338]
+    half_wheel_inertia = c[340]
+    half_crank_speed_squared_times_crank_inertia = c[341]
     axle_angle = q[0]
     axle_speed = u[0]
     crank_angle = t*crank_speed
@@ -1376,7 +1247,7 @@ def energy(t, q, u, c):
     x6 = half_sin_crank + x5
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
-    lock_between = _between_of_chain(disc_curve, DISC_CURVE, wheel_rim_curve, WHEEL_RIM_CURVE, disc_samples, wheel_rim_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((7, 0, 1, 2, 3, 4, 5, 6), (7, 1, 3, 5), 0.0427299))
+    lock_between = _between_of_chain(disc_curve, DISC_CURVE, slots_curve, SLOTS_CURVE, disc_samples, slots_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, pin_radius, play, root, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((23, 0, 3, 4, 5, 6, 9, 10, 11, 12, 15, 16, 17, 18, 21, 22), (23, 3, 5, 9, 11, 15, 17, 21), 0.00391447))
     lock_distance = lock_between[0]
     slot_stored_energy = ca.if_else(-slot_gap > 0, half_contact_stiffness*slot_gap*slot_gap, 0)
     lock_stored_energy = ca.if_else(-lock_distance > 0, half_contact_stiffness*lock_distance*lock_distance, 0)
@@ -1428,9 +1299,8 @@ def outputs(t, q, u, c):
     quarter_of_sqrt_2_times_distance = c[11]
     quarter_of_sqrt_6_times_distance = c[12]
     slots_samples = c[13:301]
-    wheel_rim_samples = c[301:397]
-    half_sqrt_3 = c[397]
-    disc_samples = c[398:434]
+    half_sqrt_3 = c[301]
+    disc_samples = c[302:338]
     axle_angle = q[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -1456,7 +1326,7 @@ def outputs(t, q, u, c):
     x6 = half_sin_crank + x5
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
-    lock_between = _between_of_chain(disc_curve, DISC_CURVE, wheel_rim_curve, WHEEL_RIM_CURVE, disc_samples, wheel_rim_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((7, 0, 1, 2, 3, 4, 5, 6), (7, 1, 3, 5), 0.0427299))
+    lock_between = _between_of_chain(disc_curve, DISC_CURVE, slots_curve, SLOTS_CURVE, disc_samples, slots_samples, ca.vertcat(lock_play, lock_radius, hub), ca.vertcat(rim, pin_radius, play, root, distance, lock_radius), ca.vertcat(lock_local_x, lock_local_y, lock_turned_x, lock_turned_y), ((0, 1), (0,), 0.138602), ((23, 0, 3, 4, 5, 6, 9, 10, 11, 12, 15, 16, 17, 18, 21, 22), (23, 3, 5, 9, 11, 15, 17, 21), 0.00391447))
     lock_distance = lock_between[0]
     lock_first_parameter = lock_between[8]
     lock_second_parameter = lock_between[9]
@@ -1502,6 +1372,7 @@ def landmarks(p):
     lock_radius = p[9]
     lock_play = p[10]
     hub = p[11]
+    x1 = _drawn_of_chain(slots_curve, SLOTS_CURVE, ca.vertcat(rim, pin_radius, play, root, distance, lock_radius))
     sqrt_3 = ca.sqrt(3)
     return (
         ca.vertcat(0, 0, 0, 0, 0, 1),
@@ -1509,12 +1380,10 @@ def landmarks(p):
         ca.vertcat(distance, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(ca.sqrt(2)*distance/4, -ca.sqrt(6)*distance/4, 0, pin_radius),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, _drawn_of_chain(slots_curve, SLOTS_CURVE, ca.vertcat(rim, pin_radius,
-            play, root, distance, lock_radius))),
+        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x1),
         ca.vertcat(0, 0, 0, 1/2, -sqrt_3/2, 0, sqrt_3/2, 1/2, 0, _drawn_of_chain(disc_curve, DISC_CURVE,
             ca.vertcat(lock_play, lock_radius, hub))),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, _drawn_of_chain(wheel_rim_curve, WHEEL_RIM_CURVE, ca.vertcat(rim,
-            distance, lock_radius))),
+        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0),
         ca.vertcat(0, 0, 0),

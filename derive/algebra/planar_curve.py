@@ -102,7 +102,7 @@ class PlanarChain(_OfData):
 
 
 class ChainPoints(_OfData):
-    """What of a chain another chain may touch, with what it says of itself.
+    """Corners and arcs of a chain that another chain may touch.
 
     corners  numbers of the pieces that begin there; the end of an open chain has that of pieces
     arcs     numbers of convex arcs

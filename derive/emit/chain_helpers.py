@@ -1,4 +1,4 @@
-"""Helper functions that search along chains of arcs and lines, added to a generated module that calls them."""
+"""Helper functions that search along chains of arcs and lines, for generated modules."""
 
 CHAIN_HELPERS = {
     "_samples_of_chain": '''def _samples_of_chain(pieces, data, given):
@@ -27,14 +27,14 @@ CHAIN_HELPERS = {
     "_drawn_of_chain": '''def _drawn_of_chain(pieces, data, given):
     """Points of a chain of arcs and lines for a picture, first all x, then all y."""
     values, (closed, _, turns) = pieces(*ca.vertsplit(given)), data
-    points = []
+    points, steps = [], max(25, 150//max(sum(map(abs, turns)), 1))
     for k, turn in enumerate(turns):
         ax, ay, bx, by, cx, cy = values[6*k : 6*k + 6]
         ux, uy, vx, vy = ax - cx, ay - cy, bx - cx, by - cy
         angle = ca.atan2(turn*(ux*vy - uy*vx), ux*vx + uy*vy)
         angle = turn*(angle + 2*ca.pi*(angle <= 0))
-        for j in range(25 if turn else 1):
-            c, s = ca.cos(angle*j/25), ca.sin(angle*j/25)
+        for j in range(steps if turn else 1):
+            c, s = ca.cos(angle*j/steps), ca.sin(angle*j/steps)
             points.append((cx + ux*c - uy*s, cy + ux*s + uy*c) if turn else (ax, ay))
     points.append(values[-4:-2] if not closed else points[0])
     return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',

@@ -208,7 +208,7 @@ class Outline(SolidCurve):
 
     @cached_property
     def tips(self) -> tuple[tuple[tuple[int, ...], tuple[int, ...]], ...]:
-        """Its convex corners and rounded ones, which touch another outline first: corners and arcs of each, by number.
+        """Convex corners and rounded ones, which touch another outline first: corners and arcs, by number.
 
         A corner has the number of the piece that begins there. Arcs that follow each other are one tip, with their ends.
         """
@@ -234,7 +234,7 @@ class Outline(SolidCurve):
 
     @cached_property
     def thickness(self) -> float:
-        """Half of how thick its solid is at least, relative to the sum of its pieces' lengths and radii."""
+        """Half of its solid's least thickness, relative to the sum of its pieces' lengths and radii."""
         points, _ = self._drawn()
         edges, least, side = list(pairwise(points)), math.inf, -1 if self.hole else 1
         for k, (a, b) in enumerate(edges):
@@ -249,7 +249,7 @@ class Outline(SolidCurve):
         return float(f"{min(least / 2 / sum(sizes), 1.0):.6g}")
 
     def points(self, tips: Sequence[tuple[tuple[int, ...], tuple[int, ...]]]) -> ChainPoints:
-        """What of some tips another outline may touch."""
+        """Corners and arcs of some tips, for equations."""
         corners, arcs = (tuple(k for tip in tips for k in tip[i]) for i in (0, 1))
         return ChainPoints(name=self.name, corners=corners, arcs=arcs, thick=self.thickness)
 

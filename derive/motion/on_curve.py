@@ -142,7 +142,7 @@ class OnCurve:
         return Least((px, py), parameter)
 
     def between(self, other: PlanarCurve | PlanarChain, pose: Pose, points: Sequence[ChainPoints] = ()) -> Meeting:
-        """Another curve in a pose against this one's place; of two chains with what of the other and of this one counts.
+        """Another curve in a pose against this one's place; of two chains also their `points`.
 
         With the curvatures k of the other and l of this one, the distance h and D = k + l + h k l, the foot on this curve
         moves along it by k/D for each length that the other slides there, and by (1 + h k)/D for each angle that it turns;

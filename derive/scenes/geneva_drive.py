@@ -1,4 +1,4 @@
-"""A Geneva drive: a pin that turns a wheel of four slots by a quarter, and a disc that locks it while the pin is away.
+"""A Geneva drive: a pin that turns a wheel of four slots by a quarter, and a disc that locks it.
 
 The pin enters and leaves a slot along it, where its circle of radius arm = distance/sqrt(2) touches the slot's middle. In between
 tan(b) = arm sin(a)/(distance - arm cos(a)) for the angles a of the crank and b of the wheel from the line of centres, but for the play of
@@ -71,13 +71,6 @@ for k in range(4):
         Arc(turned(k + 1, mouth, -half), (0, 0)),
     ]
 slots = Outline("slots", turned(0, mouth, -half), pieces)
-hollows: list[Line | Arc] = []  # the same wheel without its slots, which the disc does not reach
-for k in range(4):
-    hollows += [
-        Arc(between(k, across, beside), between(k, distance, 0), clockwise=True),
-        Arc(between(k + 1, across, -beside), (0, 0)),
-    ]
-wheel_rim = Outline("wheel_rim", between(0, across, -beside), hollows)
 disc_radius = lock - lock_play
 end = COS * disc_radius
 disc = Outline("disc", (end, end), [Arc((end, -end), (0, 0)), Line((hub, 0)), Line((end, end))])  # the pin is along X
@@ -92,7 +85,7 @@ scene = Scene(
         joints=(Revolute("shaft", GROUND, crank, axis=Z), Revolute("axle", GROUND.at(distance, 0, 0), wheel, axis=Z)),
         pairs=(
             CircleOnCurve("slot", tip, pin, slots, wheel.at(0, 0, 0)),
-            CurveOnCurve("lock", disc, crank.at(0, 0, 0).turned(Z, -sp.pi / 3), wheel_rim, wheel.at(0, 0, 0)),
+            CurveOnCurve("lock", disc, crank.at(0, 0, 0).turned(Z, -sp.pi / 3), slots, wheel.at(0, 0, 0)),
         ),
     ),
     effects=(

@@ -1,4 +1,4 @@
-"""Two outlines that may touch: against very many points, closed forms of circles, corners and journals; a Geneva wheel's lock."""
+"""Two outlines that may touch: against very many points, closed forms, a journal, a Geneva lock."""
 
 import casadi as ca
 import numpy as np
