@@ -4,10 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TypeVar
 
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.signal import constant
 from hertzwerk.runtime.run.request import Settings
+
+AnyModel = TypeVar("AnyModel", bound=Model)
+
+
+def with_zero_inputs(model: AnyModel) -> AnyModel:
+    """Return a model whose inputs are zero where they have no value: each is set where the export runs."""
+    missing = {name: constant(0.0, "0") for name in model.inputs if name not in model.signals}
+    return model.with_signals({**model.signals, **missing}) if missing else model
 
 
 @dataclass(frozen=True)

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.units import parse_unit
+from hertzwerk.runtime.export.export_request import with_zero_inputs
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.tableaux.methods import SUNDIALS
-from hertzwerk.runtime.model.signal import constant
 from hertzwerk.runtime.run.request import read
 from hertzwerk.runtime.run.single_run import APPROACH_FLOOR, set_up
 from hertzwerk.runtime.simulation import solve
@@ -35,12 +36,13 @@ C_WORDS = frozenset(re.findall(r"\w+", """
 
 
 class Row(NamedTuple):
-    """Row of a table of names: SI unit, default [SI] and meaning."""
+    """Row of a table of names: SI unit, default [SI], meaning, and another unit that it was declared in."""
 
     name: str
     unit: str
     value: float
     meaning: str
+    shown: str = ""
 
 
 @dataclass(frozen=True)
@@ -91,8 +93,7 @@ def contents(asked: Asked) -> Contents:
     faults = _refused(model, settings.method)
     if faults:
         raise InputError("export", faults)
-    missing = {name: constant(0.0, "0") for name in model.inputs if name not in model.signals}
-    model = model.with_signals({**model.signals, **missing}) if missing else model
+    model = with_zero_inputs(model)
     given, _ = read(model, settings, asked.parameters, asked.initial)
     run = set_up(model, settings, given, needs=Needs.ENDS)
     tolerance = settings.tolerance
@@ -109,6 +110,7 @@ def contents(asked: Asked) -> Contents:
     q, u = assembled(model, given.bound, asked.initial, [])
     names = (*joints.coordinates, *joints.speeds)
     said = {*getattr(model.module, "GIVEN", names)}
+    numbers = dict(zip(model.parameters, map(float, given.bound.p), strict=True))  # exponents of units among them
     signals = {name: float(model.signals[name](np.zeros(1))[0]) for name in model.inputs}
     loops = getattr(joints.module, "CONSTRAINTS", ()) if hasattr(model.module, "GIVEN") else ()
     closed = [model.module.OUTPUTS[i] for i in journals(model)] if hasattr(model.module, "GIVEN") else []
@@ -116,7 +118,7 @@ def contents(asked: Asked) -> Contents:
         model=model,
         made=run.engine.integrator,
         parameters=tuple(
-            Row(name, _si(port.unit), float(value), port.meaning)
+            Row(name, _si(port.unit, numbers), float(value), port.meaning, _shown(port.unit))
             for (name, port), value in zip(model.parameters.items(), given.bound.p, strict=True)
         ),
         starts=tuple(
@@ -126,7 +128,7 @@ def contents(asked: Asked) -> Contents:
         states=_rows(model, tuple(model.units), [*given.q, *given.u, *np.zeros(model.nz)]),
         outputs=_rows(model, _outputs(model, asked.outputs)),
         inputs=tuple(
-            Row(name, _si(unit), signals[name], meaning or f"input {name}")
+            Row(name, _si(unit, numbers), signals[name], meaning or f"input {name}")
             for name, (unit, meaning) in model.inputs.items()
         ),
         pairs=tuple(Row(pair, "1", 0.0, f"contact pair {pair}") for pair in model.pairs),
@@ -156,7 +158,7 @@ def _refused(model: Model, method: str) -> list[Fault]:
 
 def _outputs(model: Model, further: Sequence[str]) -> tuple[str, ...]:
     """Return the names of the outputs: histories of every run that are no states, then others."""
-    states = {"t", *model.units}
+    states = {"t", *model.units, *model.inputs}
     both = {row[2] for row in model.slips if sum(other[2] == row[2] for other in model.slips) > 1}
     left = {f"{model.pairs[j]}.{part}" for j in both for part in ("slip", "friction_force")}
     return tuple(dict.fromkeys((*(n for n in units_of(model, None) if n not in states | left), *further)))
@@ -170,8 +172,15 @@ def _rows(model: Model, names: Sequence[str], values: Sequence[float] | None = N
     )
 
 
-def _si(unit: str) -> str:
+def _si(unit: str, numbers: Mapping[str, float]) -> str:
     """Return the SI unit of a value that is declared in another one: what is in mm is exported in m."""
-    from hertzwerk.derive.units import parse_unit
+    parsed = parse_unit(unit).at(numbers)
+    text = str(parsed)
+    if parsed.angle != 1:
+        return text
+    return "rad" if text == "1" else f"rad{text[1:]}" if text.startswith("1/") else text
 
-    return str(parse_unit(unit))
+
+def _shown(unit: str) -> str:
+    """Return a unit that differs from the SI one by a factor; else nothing."""
+    return "" if parse_unit(unit).factor == 1 else unit

@@ -41,6 +41,18 @@ def _c_library(asked: Asked, folder: Path) -> str:
     return c_library.write(asked, folder)
 
 
+def _fmu(asked: Asked, file: Path) -> str:
+    from hertzwerk.runtime.export import fmu
+
+    return fmu.write(asked, file)
+
+
+def _new_fmu(file: Path) -> list[Fault]:
+    from hertzwerk.runtime.export import fmu
+
+    return fmu.faults(file)
+
+
 def _new_folder(folder: Path) -> list[Fault]:
     from hertzwerk.runtime.host.folder import destination_fault
 
@@ -50,4 +62,7 @@ def _new_folder(folder: Path) -> list[Fault]:
 
 FORMATS = (
     Format("--c", "DIR", "C99 library: header, source, CMakeLists.txt and an example.", _c_library, _new_folder),
+    Format(
+        "--fmu", "FILE", "functional mock-up unit for co-simulation, NAME.fmu: sources and a binary.", _fmu, _new_fmu
+    ),
 )

@@ -8,19 +8,17 @@ from typing import Any
 
 import click
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.cli.target import (
     ACCURACY,
     BY_METHOD,
-    COORDINATES,
     DURATION,
-    LAW,
-    SET,
-    WITHOUT,
+    VARIATION,
     assignments,
     loaded,
     number,
     together,
+    with_given,
 )
 from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 from hertzwerk.runtime.export.formats import FORMATS, Format
@@ -36,7 +34,7 @@ def _option(each: Format) -> Callable[[Any], Any]:
 
 @click.command()
 @click.argument("target")
-@together(*map(_option, FORMATS), SET, WITHOUT, LAW, COORDINATES, DURATION, ACCURACY)
+@together(*map(_option, FORMATS), VARIATION, DURATION, ACCURACY)
 @click.option("--tolerance", metavar="NUMBER", help="Local tolerance, in place of the one that an accuracy takes.")
 @BY_METHOD
 @click.option(
@@ -46,6 +44,7 @@ def _option(each: Format) -> Callable[[Any], Any]:
     multiple=True,
     help="This history is an output too: floor.normal_force, rod.x (`hertzwerk list TARGET` has all).",
 )
+@click.option("--fmi", type=click.Choice(["2", "3"]), default="3", help="Version of FMI (default: 3).")
 @reports_bad_input
 def export(
     target: str,
@@ -58,10 +57,12 @@ def export(
     tolerance: str | None,
     method: str | None,
     outputs: Sequence[str],
+    inputs: Sequence[str],
+    fmi: str,
     **places: Path | bool | None,
 ) -> int:
     """Export TARGET for other programs, with its parameters, start and method."""
-    from hertzwerk.runtime.export.export_request import Asked
+    from hertzwerk.runtime.export.export_request import Asked, with_zero_inputs
     from hertzwerk.runtime.run.request import METHOD, Settings, check
     from hertzwerk.runtime.solution.history import unknown_histories
     from hertzwerk.runtime.start.start_values import split_values
@@ -84,14 +85,9 @@ def export(
     model = loaded(target, without, laws, faults, coordinates=coordinates, others=asked.faults)
     parameters, initial = split_values(model, values)
     faults += unknown_histories(model, outputs)
-    request = Asked(model, parameters, initial, asked, tuple(outputs))
-    if model.inputs:  # given where it is used
-        faults += asked.faults()
-    else:
-        check(model, asked, parameters, initial, faults)
-        faults = []
-    if faults:
-        raise InputError("export", faults)
+    model = with_zero_inputs(with_given(model, inputs, asked.duration, parameters, faults))
+    check(model, asked, parameters, initial, faults)
+    request = Asked(model, parameters, initial, asked, tuple(outputs), int(fmi))
     for each, place in wanted:
         told = each.write(request, place if isinstance(place, Path) else Path())
         line("written", told) if each.place else click.echo(told)

@@ -110,7 +110,7 @@ int @n@_set_start(@n@ *s, int index, double value)
 int @n@_set_tolerance(@n@ *s, double tolerance)
 {
     if (!(tolerance >= LEAST_TOLERANCE && tolerance <= 0.1)) return @N@_BAD_ARGUMENT;
-    s->tolerance = tolerance;
+    s->tolerance = s->controls[AT_TOLERANCE] = tolerance;
     return @N@_OK;
 }
 
@@ -483,6 +483,19 @@ int @n@_advance(@n@ *s, double t, int stop_at_impact)
 /* -- readings -- */
 
 double @n@_time(const @n@ *s) { return s->outcome == @N@_NOT_STARTED ? 0 : s->state[AT_T]; }
+
+double @n@_value(const @n@ *s, int table, int index)
+{
+    if (!row_of(table, index)) return 0;
+    if (table == @N@_PARAMETER) return s->parameters[index];
+    if (table == @N@_START) return s->starts[index];
+    if (table == @N@_STATE) return s->outcome == @N@_NOT_STARTED ? 0 : s->state[AT_Y + index];
+    if (table == @N@_INPUT) {
+        const double *piece = s->pieces + WIDTH * index;
+        return piece[1] + piece[2] * (@n@_time(s) - piece[0]);
+    }
+    return 0;
+}
 
 int @n@_states(const @n@ *s, double *states)
 {

@@ -79,7 +79,7 @@ double @n@_default(int table, int index);
 int @n@_set_parameter(@n@ *s, int index, double value);
 int @n@_set_start(@n@ *s, int index, double value);
 
-/* Local tolerance, in the scene's scales (default @tolerance@); it holds from the next start on. */
+/* Local tolerance, in the scene's scales (default @tolerance@); at any time. */
 int @n@_set_tolerance(@n@ *s, double tolerance);
 
 /* Most steps, tried in vain or not, and most contacts and events of one call of @n@_advance. */
@@ -93,6 +93,9 @@ int @n@_start(@n@ *s, double duration);
 
 /* Go on until a time [s]; with stop_at_impact, at most until the next impact begins, and return @N@_IMPACT. */
 int @n@_advance(@n@ *s, double t, int stop_at_impact);
+
+/* A parameter, start, state or input as it is now [SI]. */
+double @n@_value(const @n@ *s, int table, int index);
 
 /* Now: time [s]; states (@N@_STATES); outputs (@N@_OUTPUTS); latest impact of a pair. */
 double @n@_time(const @n@ *s);

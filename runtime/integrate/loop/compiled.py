@@ -14,7 +14,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -71,7 +71,9 @@ class Program:
             return self._loaded(self._library)
         try:
             with raise_interrupts(), scratch_folder(Path(tempfile.gettempdir())) as folder:
-                made = _compile(self._compiler, self._flags, self._text, folder, poll)
+                source = folder / "chunk.c"
+                source.write_text(self._text, encoding="utf-8")
+                made = compile_files(self._flags, [source], folder / "chunk.so", poll)
                 self._library = disk.keep(self._key, ".so", made.read_bytes())
                 return self._loaded(self._library or made)  # what is loaded needs no file any more
         except OSError as error:
@@ -102,17 +104,11 @@ def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
     return text
 
 
-def _compile(
-    compiler: tuple[str, ...],
-    flags: tuple[str, ...],
-    text: str,
-    folder: Path,
-    poll: Callable[[], object] = lambda: None,
+def compile_files(
+    flags: tuple[str, ...], sources: Sequence[Path], target: Path, poll: Callable[[], object] = lambda: None
 ) -> Path:
-    """Compile C text to a library in a folder; raises NoCompilerError, OSError, and what `poll` raises."""
-    source, target = folder / "chunk.c", folder / "chunk.so"
-    source.write_text(text, encoding="utf-8")
-    command = [*compiler, *flags, "-o", str(target), str(source), "-lm"]
+    """Compile C files to a library; raises NoCompilerError, OSError, and what `poll` raises."""
+    command = [*_compiler(), *flags, "-o", str(target), *map(str, sources), "-lm"]
     said, returncode = _run(command, poll)
     if returncode != 0:
         raise BrokenCompilerError(f"{' '.join(command)} failed:\n{said.strip()[:2000]}")
