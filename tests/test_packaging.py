@@ -38,7 +38,9 @@ def exported() -> list[str]:
 
 
 def shipped(name: str) -> bool:
-    return name.split("/")[0] in PACKAGES and name.endswith((".py", ".pyi", ".toml", "py.typed", ".css", ".js"))
+    return name.split("/")[0] in PACKAGES and name.endswith(
+        (".py", ".pyi", ".toml", "py.typed", ".css", ".js", ".c", ".h", "CMakeLists.txt")
+    )
 
 
 def installed(name: str) -> str:
