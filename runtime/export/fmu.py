@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LEAST
 from hertzwerk.runtime.export.c_library import library, number, template
-from hertzwerk.runtime.export.description import build_description, description
 from hertzwerk.runtime.export.exported import contents, name_faults
+from hertzwerk.runtime.export.model_description import build_description, description
 from hertzwerk.runtime.host.folder import new_file_faults
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
 from hertzwerk.runtime.integrate.loop.compiled import LARGE, NoCompilerError, compile_files
