@@ -73,7 +73,7 @@ def test_a_newcomer_finishes_it():
 
 
 def test_it_lists_all_commands():
-    assert set(re.findall(r"^\| `hertzwerk (\w+)", TEXTS["README.md"], re.MULTILINE)) == set(main.commands)
+    assert set(re.findall(r"^\| `hertzwerk (\w+)", TEXTS["README.md"], re.MULTILINE)) == set(main.list_commands(None))
 
 
 # -- all pages ---------------------------------------------------------------------------------------------------------
@@ -106,7 +106,7 @@ def test_every_command_and_option_it_shows_exists(name):
     shown = {line.strip("`") for line in re.findall(r"`hertzwerk [a-z][^`]*`", TEXTS[name])}
     for command, *rest in [*commands(name), *(line.split()[1:] for line in shown)]:
         if command not in ("COMMAND", "--help"):
-            known = {name for option in main.commands[command].params for name in option.opts} | {"--help"}
+            known = {name for option in main.get_command(None, command).params for name in option.opts} | {"--help"}
             assert {word for word in rest if word.startswith("--")} <= known, command
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from html import escape
 from typing import TypeAlias
 
 EMPTY = ("br", "col", "img", "link", "meta", "wbr")  # elements without content
@@ -26,7 +25,7 @@ def tag(name: str, /, *content: Content, **attributes: str | float | None) -> Ma
     Underscores in the name of an attribute stand for hyphens, but the last one.
     """
     given = ((key.removesuffix("_").replace("_", "-"), value) for key, value in attributes.items())
-    opened = "".join([name, *(f' {key}="{escape(_visible(str(value)))}"' for key, value in given if value is not None)])
+    opened = "".join([name, *(f' {key}="{_escaped(str(value))}"' for key, value in given if value is not None)])
     return Markup(f"<{opened}>" if name in EMPTY else f"<{opened}>{joined(content)}</{name}>")
 
 
@@ -37,9 +36,11 @@ def joined(parts: Iterable[Content], between: str = "") -> Markup:
 
 def escaped(text: str) -> Markup:
     """Return a text as HTML; markup stays as it is."""
-    return text if isinstance(text, Markup) else Markup(escape(_visible(text)))
+    return text if isinstance(text, Markup) else Markup(_escaped(text))
 
 
-def _visible(text: str) -> str:
-    """Replace what no HTML may hold: control characters, and halves of surrogate pairs."""
-    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", text)
+def _escaped(text: str) -> str:
+    """Escape a text; what no HTML may hold, control characters and halves of surrogate pairs, is replaced."""
+    import html  # slow, and nothing that every run needs
+
+    return html.escape(_FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", text))

@@ -4,28 +4,31 @@ from __future__ import annotations
 
 import os
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import click
 
-from hertzwerk.runtime.cli.commands.accuracy import accuracy
-from hertzwerk.runtime.cli.commands.animate import animate
-from hertzwerk.runtime.cli.commands.audit import audit
-from hertzwerk.runtime.cli.commands.compare import compare
-from hertzwerk.runtime.cli.commands.derive import derive, list_scenes
-from hertzwerk.runtime.cli.commands.draw import draw
-from hertzwerk.runtime.cli.commands.effects import effects
-from hertzwerk.runtime.cli.commands.export import export
-from hertzwerk.runtime.cli.commands.fit import fit
-from hertzwerk.runtime.cli.commands.hardcases import hardcases
-from hertzwerk.runtime.cli.commands.laws import laws
-from hertzwerk.runtime.cli.commands.minimise import minimise
-from hertzwerk.runtime.cli.commands.propagate import propagate
-from hertzwerk.runtime.cli.commands.reports import report
-from hertzwerk.runtime.cli.commands.run import run, validate
-from hertzwerk.runtime.cli.commands.statics import modes, statics
-from hertzwerk.runtime.cli.commands.studies import study
-from hertzwerk.runtime.cli.commands.sweep import sweep
+_OWN = (
+    "accuracy animate audit compare derive draw effects export fit hardcases laws minimise propagate run statics sweep"
+)
+FILES = {  # of commands/, by the names of commands
+    **{name: name for name in _OWN.split()},
+    **{"list": "derive", "modes": "statics", "report": "reports", "study": "studies", "validate": "run"},
+}
+
+
+class _Commands(click.Group):
+    """Commands by name, each imported once it is asked for: a run has no use for the others."""
+
+    def list_commands(self, _: click.Context) -> list[str]:
+        return sorted({*FILES, *self.commands})
+
+    def get_command(self, context: click.Context, name: str) -> click.Command | None:
+        if name in FILES and name not in self.commands:
+            there = vars(import_module(f"hertzwerk.runtime.cli.commands.{FILES[name]}")).values()
+            self.add_command(next(found for found in there if isinstance(found, click.Command) and found.name == name))
+        return super().get_command(context, name)
 
 
 def _open_streams() -> None:
@@ -49,7 +52,7 @@ def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> 
         context.exit()
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
 @click.option(
     "--version",
     is_flag=True,
@@ -66,9 +69,3 @@ def main() -> None:
     _open_streams()
     if os.environ.get("NO_COLOR"):  # https://no-color.org
         click.get_current_context().color = False
-
-
-OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, statics, modes, draw, animate, report, export)
-OF_STUDIES = (propagate, minimise, effects, compare, fit, validate, accuracy, hardcases, study)
-for command in (*OF_SCENES, *OF_STUDIES):
-    main.add_command(command)

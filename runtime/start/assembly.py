@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.host.lazy import cached_property
@@ -23,9 +22,11 @@ from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start.intrusion import intrusions
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from hertzwerk.runtime.model.model import Bound, Dependent, Model
 
-Array = NDArray[np.float64]
+    Array = NDArray[np.float64]
 
 CLOSED = 1e-11  # residual that counts as closed, relative to the sizes in a loop
 ITERATIONS, HALVINGS = 60, 30

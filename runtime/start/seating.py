@@ -18,10 +18,11 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.start.assembly import RANK, Array, assemble_at, eccentricities
+from hertzwerk.runtime.start.assembly import RANK, assemble_at, eccentricities
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
+    from hertzwerk.runtime.start.assembly import Array
 
 REPETITIONS = 100
 SETTLED = 1e-8  # of the clearance: change of a seat that ends the iteration

@@ -498,8 +498,9 @@ def test_interrupted_long_runs_keep_what_there_is(tmp_path, monkeypatch):
     code = (
         "import os, signal\n"
         "from hertzwerk.runtime import cli\n"
+        "from hertzwerk.runtime.cli import terminal\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a background shell has it ignored
-        "cli.terminal.Progress.__call__ = lambda *_: os.kill(os.getpid(), signal.SIGINT)\n"
+        "terminal.Progress.__call__ = lambda *_: os.kill(os.getpid(), signal.SIGINT)\n"
         "cli.main(['run', 'slider_crank', '--duration', '3600 s', '--no-plots', '--out', 'out'])\n"
     )
     done = subprocess.run(
