@@ -6,10 +6,17 @@ CasADi's Python layer drops many of the exceptions that a signal handler raises 
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING or sys.version_info >= (3, 12):
+    from signal import signal as handle
+else:  # what that wraps: before Python 3.12 it takes as long as 30 steps to see that a function is no constant
+    from _signal import signal as handle
 
 _waiting: list[Callable[[], None]] = []
 
@@ -35,9 +42,9 @@ def defer_interrupts() -> Iterator[Callable[[], None]]:
     def wait(*arguments: object) -> None:
         received.append(arguments)  # type: ignore[arg-type]
 
-    before = signal.signal(signal.SIGINT, wait)
+    before = handle(signal.SIGINT, wait)
     if not callable(before):
-        signal.signal(signal.SIGINT, before)
+        handle(signal.SIGINT, before)
         yield lambda: None
         return
     handler = before
@@ -53,9 +60,9 @@ def defer_interrupts() -> Iterator[Callable[[], None]]:
         yield poll
     finally:
         _waiting.remove(poll)
-        last = signal.signal(signal.SIGINT, before)
+        last = handle(signal.SIGINT, before)
         if last is not wait:  # whoever has put another in its place wants that
-            signal.signal(signal.SIGINT, last)
+            handle(signal.SIGINT, last)
     poll()
 
 
