@@ -26,7 +26,7 @@ def si_of(model: Model, name: str, value: Value) -> float:
     except UnitError:
         return math.nan
     declared = _units(model).get(name, NUMBER)
-    alike = bool(declared.free_names) or unit.exponents == declared.exponents
+    alike = unit.exponents == declared.exponents or bool(declared.free_names)
     return unit.to_si(number) if alike else math.nan
 
 

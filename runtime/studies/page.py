@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -24,7 +25,7 @@ Cell = str | int | float | None
 class Axis:
     """Quantity along an axis, in `unit`; `history`: the history of a run that it shows, for measurements.
 
-    `labels`: names of the positions 0, 1, ... where it shows no quantity.
+    `labels`: names of the positions 0, 1, ... where it shows no quantity; `least`: value that no interval reaches below.
     """
 
     name: str
@@ -32,6 +33,7 @@ class Axis:
     log: bool = False
     history: str = ""
     labels: tuple[str, ...] = ()
+    least: float = -math.inf
 
     def __str__(self) -> str:
         return f"{self.name} [{self.unit}]" if self.unit else self.name

@@ -121,7 +121,7 @@ def run(quick: bool, progress: Progress, sweeps: Sweeps) -> Page:
         tables=(_trajectory_table(trajectories), _case_table(cases)),
         charts=(
             _trajectory_chart(trajectories), _path_chart(trajectories), _section_chart(trajectories),
-            _impact_chart("over_speed", cases, plan), _impact_chart("over_clearance", cases, plan),
+            *(_impact_chart(name, cases, plan) for name, over in (("over_speed", plan.speeds), ("over_clearance", plan.clearances)) if len(over) > 1),
         ),
         verdicts=(*_trajectory_verdicts(trajectories), *_case_verdicts(cases, plan)),
         lacking=(
@@ -218,6 +218,7 @@ def _trajectory_chart(trajectories: Sequence[Trajectory]) -> Chart:
         curves = (Curve(x.label, x.curves.t * 1e3, x.curves[name] / factor) for x in shown)
         return Panel(title, time, axis, (*reference, *curves), y_limits=limits)
 
+    ends = np.array([first.t[-1] * 1e3, 0])  # a name stands at the last: there errors are small
     errors = ((x.label, x.run.error) for x in trajectories if x.run.error is not None)
     return Chart(
         "trajectories",
@@ -234,7 +235,7 @@ def _trajectory_chart(trajectories: Sequence[Trajectory]) -> Chart:
             panel("Contact force", f"{PIN}.normal_force", Axis("force", "kN", history=f"{PIN}.normal_force"), 1e3, None),
             Panel("Error of the trajectory", time, Axis("error/clearance", log=True), (
                 *(Curve(label, e.times * 1e3, np.maximum(e.values, 1e-12)) for label, e in errors),
-                Curve("1 %: the horizon", np.array([0, trajectories[0].run.t_end * 1e3]), np.full(2, 0.01), look="dashed"),
+                Curve("1 %: the horizon", ends, np.full(2, 0.01), look="dashed"),
             )),
         ),
         note="(R): a reconstruction, the paper's own expression could not be had.",
@@ -301,7 +302,12 @@ def _impact_chart(name: str, cases: Sequence[Case], plan: Plan) -> Chart:
     for friction in (True, False):
         said = "with friction" if friction else "without friction"
         panels.append(
-            Panel(f"Impacts, {said}", axis, Axis("impacts per revolution"), curves(RATE, friction, each_turn=True))
+            Panel(
+                f"Impacts, {said}",
+                axis,
+                Axis("impacts per revolution", least=0),
+                curves(RATE, friction, each_turn=True),
+            )
         )
         panels.append(
             Panel(

@@ -18,7 +18,7 @@ from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY, ORANGE, STYLE, pl
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.studies.page import Chart, Curve, Panel
+    from hertzwerk.runtime.studies.page import Axis, Chart, Curve, Panel
 
 WIDE, HIGH = 5.4, 3.5  # inches of a panel
 COLOURS = tuple(colour for colour in CYCLE if colour != ORANGE)  # which references have
@@ -78,7 +78,7 @@ def _looks(chart: Chart) -> dict[str, dict[str, Any]]:
 
 def _draw(axis: Axes, panel: Panel, looks: dict[str, dict[str, Any]]) -> None:
     for curve in panel.curves:
-        _curve(axis, curve, looks.get(curve.label, {}), across=bool(panel.y.labels))
+        _curve(axis, curve, looks.get(curve.label, {}), panel.y)
     axis.set(title=plain(panel.title), xlabel=plain(str(panel.x)), ylabel=plain(str(panel.y)))
     if panel.x.log:
         axis.set_xscale("log")
@@ -116,8 +116,8 @@ def _log_ticks(ticks: Any, limits: tuple[float, float]) -> None:
     ticks.set_minor_formatter(NullFormatter())
 
 
-def _curve(axis: Axes, curve: Curve, look: dict[str, Any], *, across: bool) -> None:
-    """Draw a curve; `across`: its errors are of x, the positions along y being names."""
+def _curve(axis: Axes, curve: Curve, look: dict[str, Any], y: Axis) -> None:
+    """Draw a curve; where the positions along y are names, its errors are of x."""
     label = plain(curve.label)
     if curve.look == "reference":
         axis.plot(curve.x, curve.y, color=ORANGE, linewidth=2.6, alpha=0.75, label=label)
@@ -139,11 +139,11 @@ def _curve(axis: Axes, curve: Curve, look: dict[str, Any], *, across: bool) -> N
     axis.plot(curve.x, curve.y, marker=marker, markersize=size, label=label, **style)
     if curve.half_width is None:
         return
-    if across:
+    if y.labels:
         axis.hlines(curve.y, curve.x - curve.half_width, curve.x + curve.half_width, color=look["color"], linewidth=1.0)
         return
-    low, high = curve.y - curve.half_width, curve.y + curve.half_width
-    if lined:
+    low, high = np.maximum(curve.y - curve.half_width, y.least), curve.y + curve.half_width
+    if lined and len(curve.x) > 1:
         axis.fill_between(curve.x, low, high, color=look["color"], alpha=0.15, linewidth=0)
     else:
         axis.vlines(curve.x, low, high, color=look["color"], linewidth=1.0)
