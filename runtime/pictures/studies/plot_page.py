@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, legend
 from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY, ORANGE, STYLE, plain
@@ -27,7 +27,7 @@ CHARACTERS = 17  # of a caption, per inch
 LABEL = 0.08  # inches that a character of a legend takes
 FORMATS = ("png", "svg")
 FEW, MANY = 3, 6  # labels of a panel, above which one legend stands below all: where all have the same, or not
-FEW_DECADES, MANY_DECADES = 2.0, 6.0  # of a logarithmic axis
+PART_OF_DECADE, FEW_DECADES, MANY_DECADES = 0.7, 2.0, 6.0  # of a logarithmic axis
 
 
 def save(chart: Chart, folder: Path) -> list[str]:
@@ -107,12 +107,12 @@ def _draw(axis: Axes, panel: Panel, looks: dict[str, dict[str, Any]]) -> None:
 
 
 def _log_ticks(ticks: Any, limits: tuple[float, float]) -> None:
-    """Label decades; below two of them 2 and 5 times their values, too."""
+    """Label decades; below two of them 2 and 5 times their values, too, and round values of less than one."""
     decades = float(np.log10(limits[1] / limits[0]))
     if decades < FEW_DECADES:
-        ticks.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        ticks.set_major_locator(LogLocator(subs=(1, 2, 5)) if decades > PART_OF_DECADE else MaxNLocator(6))
     if decades < MANY_DECADES:
-        ticks.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        ticks.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}" if value >= 1e4 else f"{value:g}"))
     ticks.set_minor_formatter(NullFormatter())
 
 

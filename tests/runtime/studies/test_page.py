@@ -67,6 +67,31 @@ def test_markdown_fits_80_columns_and_tables_keep_all_digits_in_csv():
     assert table.csv() == "a [m],b,c\n0.33333333333333331,,text\n"
 
 
+def drawn(axis, curve):
+    (found,) = figure(Chart("c", "C", (Panel("p", Axis("x"), axis, (curve,)),))).axes
+    found.figure.draw_without_rendering()
+    return found
+
+
+@pytest.mark.parametrize("x", [[1], [1, 2]])
+def test_intervals_end_where_their_quantity_does(x):
+    """Also that of a single point, which is no band."""
+    counts = Curve("a", x, [0.1] * len(x), half_width=[0.3] * len(x), look="both")
+    for least, expected in ((0.0, 0.0), (-np.inf, -0.2)):
+        (interval,) = drawn(Axis("n", least=least), counts).collections
+        assert min(path.vertices[:, 1].min() for path in interval.get_paths()) == pytest.approx(expected, abs=1e-12)
+
+
+@pytest.mark.parametrize("y", [[0.81, 1.05], [3, 6], [5, 50], [2e3, 2e6], [1e-3, 1e7]])
+def test_a_logarithmic_axis_has_numbers_enough(y):
+    axis = drawn(Axis("y", log=True), Curve("a", [0, 1], y))
+    low, high = axis.get_ylim()
+    said = [t.get_text() for v, t in zip(axis.get_yticks(), axis.get_yticklabels(), strict=True) if low <= v <= high]
+    assert len(said) > 2
+    assert all(said)
+    assert not any("e+" in text for text in said)
+
+
 @pytest.mark.parametrize("count", [1, 3, 12])
 def test_a_legend_names_every_curve_and_lies_over_none(count):
     labels = [f"law {k}" for k in range(count)]
