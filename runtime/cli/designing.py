@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import assignments, loaded, number
+from hertzwerk.runtime.cli.target import Variation, assignments, number
 
 
 def definition(
@@ -35,26 +35,27 @@ def definition(
         variation = {name: arguments.pop(name) for name in ("without", "laws", "coordinates") if name in arguments}
         return {"model": load(arguments.pop("target"), **variation), **arguments}
     arguments = own(faults)
-    model = loaded(target, options["without"], options["laws"], faults, coordinates=options["coordinates"])
-    arguments |= _of_run(target, options, faults)
+    varied = Variation.taken(target, dict(options))
+    model = varied.model(faults)
+    arguments |= _of_run(varied, options, faults)
     if faults:
         raise InputError(target, faults)
     return {"model": model, **arguments}
 
 
-def _of_run(target: str, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
+def _of_run(varied: Variation, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
     """Return the arguments of the runs, by default the scenario's."""
     from hertzwerk.runtime.run.request import METHOD
     from hertzwerk.runtime.validate import scenarios
 
-    numbers = scenarios.read(target)
+    numbers = scenarios.read(varied.target)
     accuracy, tolerance = (
         None if options[name] is None else number(options[name]) for name in ("accuracy", "tolerance")
     )
     default = None if tolerance is not None else numbers.get("accuracy")
     return {
-        "values": assignments("--set", options["settings"], faults),
-        "inputs": assignments("--input", options["inputs"], faults) or None,
+        "values": varied.values(faults),
+        "inputs": assignments("--input", varied.inputs, faults) or None,
         "duration": options["duration"] or numbers.get("duration"),
         "accuracy": default if accuracy is None else accuracy,
         "tolerance": tolerance,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
 from functools import reduce
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -99,59 +100,68 @@ JSON = click.option(
 )
 
 
-def loaded(
-    target: str,
-    without: Sequence[str],
-    laws: Sequence[str],
-    faults: list[Fault],
-    *,
-    coordinates: str | None = None,
-    others: Callable[[], list[Fault]] = list,
-) -> Model:
-    """Return the model of a target's variation.
+@dataclass(frozen=True)
+class Variation:
+    """A target and the options of `VARIATION` that vary it, as they were typed."""
 
-    Raises InputError with the faults found before and, as names of parameters and states cannot be checked then, only
-    those of `others`.
-    """
-    from hertzwerk.runtime.loading import load
+    target: str
+    settings: Sequence[str] = ()
+    inputs: Sequence[str] = ()
+    without: Sequence[str] = ()
+    laws: Sequence[str] = ()
+    coordinates: str | None = None
 
-    try:
-        return load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
-    except InputError as error:
-        raise InputError(error.subject, [*faults, *error.faults, *others()]) from error
+    @classmethod
+    def taken(cls, target: str, options: dict[str, Any]) -> Variation:
+        """Return the variation, its options taken out of those of a command."""
+        names = [each.name for each in fields(cls) if each.name in options]
+        return cls(target, **{name: options.pop(name) for name in names})
 
+    def model(self, faults: list[Fault], others: Callable[[], list[Fault]] = list) -> Model:
+        """Return the model of the varied scene.
 
-def solved(
-    target: str,
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
-    values: Sequence[str],
-    settings: Settings,
-    faults: list[Fault],
-    progress: Callable[[float], object],
-    histories: Sequence[str] = (),
-    *,
-    inputs: Sequence[str] = (),
-    at_rest: bool = False,
-) -> Solution:
-    """Load a target's variation and run it with the given values, from its start or its equilibrium.
+        Raises InputError with the faults found before and, as names of parameters and states cannot be checked then,
+        only those of `others`.
+        """
+        from hertzwerk.runtime.loading import load
 
-    Every name of `histories` must be one of its histories. Raises InputError with the faults found before and those of every option.
-    """
-    from hertzwerk.runtime.run.request import check
-    from hertzwerk.runtime.simulation import solve
-    from hertzwerk.runtime.solution.history import unknown_histories
-    from hertzwerk.runtime.start.start_values import split_values
+        laws = assignments("--law", self.laws, faults)
+        try:
+            return load(self.target, without=self.without, laws=laws, coordinates=self.coordinates)
+        except InputError as error:
+            raise InputError(error.subject, [*faults, *error.faults, *others()]) from error
 
-    given = assignments("--set", values, faults)
-    model = loaded(target, without, laws, faults, coordinates=coordinates, others=settings.faults)
-    parameters, initial = split_values(model, given)
-    faults += unknown_histories(model, histories)
-    model = with_given(model, inputs, settings.duration, parameters, faults)
-    begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
-    check(model, settings, parameters, begin, faults)
-    return solve(model, settings, parameters, begin, progress=progress)
+    def values(self, faults: list[Fault]) -> dict[str, str]:
+        """Return the values of --set; malformed ones are appended to `faults`."""
+        return assignments("--set", self.settings, faults)
+
+    def solved(
+        self,
+        settings: Settings,
+        faults: list[Fault],
+        progress: Callable[[float], object],
+        *,
+        histories: Sequence[str] = (),
+        at_rest: bool = False,
+    ) -> Solution:
+        """Run the varied scene with its values, from its start or its equilibrium.
+
+        Every name of `histories` must be one of its histories. Raises InputError with the faults found before and
+        those of every option.
+        """
+        from hertzwerk.runtime.run.request import check
+        from hertzwerk.runtime.simulation import solve
+        from hertzwerk.runtime.solution.history import unknown_histories
+        from hertzwerk.runtime.start.start_values import split_values
+
+        given = self.values(faults)
+        model = self.model(faults, settings.faults)
+        parameters, initial = split_values(model, given)
+        faults += unknown_histories(model, histories)
+        model = with_given(model, self.inputs, settings.duration, parameters, faults)
+        begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
+        check(model, settings, parameters, begin, faults)
+        return solve(model, settings, parameters, begin, progress=progress)
 
 
 def with_given(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,8 +15,7 @@ from hertzwerk.runtime.cli.target import (
     LAW,
     SET,
     WITHOUT,
-    assignments,
-    loaded,
+    Variation,
     unwritable_faults,
     with_given,
 )
@@ -58,7 +56,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     from hertzwerk.runtime.work_precision.study import study
 
     wanted = out is not None or not as_json
-    problem = _problem(target, out, wanted=wanted, **options)
+    problem = _problem(Variation.taken(target, options), out, wanted=wanted, **options)
     name = problem.model.name
     try:
         with Progress(f"{name}: accuracy", shown=not as_json and sys.stderr.isatty()) as progress:
@@ -74,17 +72,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     )
 
 
-def _problem(
-    target: str,
-    out: Path | None,
-    *,
-    wanted: bool,
-    settings: Sequence[str],
-    inputs: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    duration: str | None,
-) -> Problem:
+def _problem(varied: Variation, out: Path | None, *, wanted: bool, duration: str | None) -> Problem:
     """Return the problem of a command line; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime.run.request import Settings, check
     from hertzwerk.runtime.start.start_values import split_values
@@ -92,11 +80,10 @@ def _problem(
     from hertzwerk.runtime.work_precision.reference import Problem
 
     faults = unwritable_faults(out, wanted=wanted)
-    values = assignments("--set", settings, faults)
-    model = loaded(target, without, laws, faults)
-    numbers = scenarios.read(target)
+    values, model = varied.values(faults), varied.model(faults)
+    numbers = scenarios.read(varied.target)
     until, (parameters, initial) = duration or numbers.get("duration"), split_values(model, values)
-    model = with_given(model, inputs, until, parameters, faults)
+    model = with_given(model, varied.inputs, until, parameters, faults)
     problem = Problem(model, until, parameters, initial)
     check(model, Settings(problem.duration, None, None), problem.parameters, problem.initial, faults)
     return problem

@@ -3,21 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from hertzwerk.runtime.cli.continue_run import output_of
-from hertzwerk.runtime.cli.target import (
-    BY_METHOD,
-    DURATION,
-    GRID,
-    VARIATION,
-    number,
-    solved,
-)
+from hertzwerk.runtime.cli.target import BY_METHOD, DURATION, GRID, VARIATION, Variation, number
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
 if TYPE_CHECKING:
@@ -70,7 +62,7 @@ def animate(
     path = out or Path(f"{Path(target).stem}.gif")
     with raise_interrupts(), Progress(target, shown=sys.stderr.isatty()) as progress:
         progress.stage("running")
-        run = _run(target, path_faults(path, overwrite=overwrite), progress, **options)
+        run = _run(Variation.taken(target, options), path_faults(path, overwrite=overwrite), progress, **options)
         progress.stage("drawing")
         made = film_of(
             run,
@@ -90,15 +82,10 @@ def animate(
 
 
 def _run(
-    target: str,
+    varied: Variation,
     faults: list[Fault],
     progress: Progress,
     *,
-    settings: Sequence[str],
-    inputs: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
     duration: str | None,
     accuracy: str | None,
     method: str | None,
@@ -108,12 +95,12 @@ def _run(
     from hertzwerk.runtime.run.request import METHOD, Settings
     from hertzwerk.runtime.validate import scenarios
 
-    numbers = scenarios.read(target)
+    numbers = scenarios.read(varied.target)
     accurate = None if accuracy is None else number(accuracy)
     tolerance = TOLERANCE if accuracy is None else None
     until, by = duration or numbers.get("duration"), method or numbers.get("method", METHOD)
     settled = Settings(until, accurate, tolerance, by, "auto", output_of(grid))
-    run = solved(target, without, laws, coordinates, settings, settled, faults, progress, inputs=inputs)
+    run = varied.solved(settled, faults, progress)
     if run.outcome.name == "interrupted":
         raise KeyboardInterrupt
     return run

@@ -20,8 +20,8 @@ from hertzwerk.runtime.cli.target import (
     MAX_STEPS,
     VARIATION,
     WALL_TIME,
+    Variation,
     assignments,
-    loaded,
     number,
     unwritable_faults,
     with_given,
@@ -105,7 +105,7 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
         Progress(f"comparison of {target}", shown=not as_json and sys.stderr.isatty()) as progress,
         Stopping(progress) as stopping,
     ):
-        found = _compared(target, unwritable_faults(out, wanted=wanted), stopping, **options)
+        found = _compared(Variation.taken(target, options), unwritable_faults(out, wanted=wanted), stopping, **options)
     missing: list[str] = []
     folder = written_or_none(
         lambda: new_folder(
@@ -125,15 +125,10 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
 
 
 def _compared(
-    target: str,
+    varied: Variation,
     faults: list[Fault],
     stopping: Stopping,
     *,
-    settings: Sequence[str],
-    inputs: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
     duration: str | None,
     accuracy: str | None,
     method: str | None,
@@ -148,17 +143,17 @@ def _compared(
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
-    values = assignments("--set", settings, faults)
-    numbers = scenarios.read(target)
+    values = varied.values(faults)
+    numbers = scenarios.read(varied.target)
     stopping.stage("building")
     limits = limits_of(max_steps, wall_time, faults)
-    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    model = varied.model(faults)
     asked = _asked(model, faults, **measured)
     until = duration or (asked.lasts if asked is not None else numbers.get("duration", 1.0))
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     settled = Settings(until, accurate, None, method or numbers.get("method", METHOD), **limits)
     parameters, initial = split_values(model, values)
-    model = with_given(model, inputs, until, parameters, faults)
+    model = with_given(model, varied.inputs, until, parameters, faults)
     check(model, settled, parameters, initial, faults)
     if asked is None:  # its faults are among those that `check` raises
         raise InputError(model.name, faults)

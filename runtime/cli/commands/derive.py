@@ -6,12 +6,12 @@ import importlib
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import COORDINATES, LAW, WITHOUT, loaded
+from hertzwerk.runtime.cli.target import COORDINATES, LAW, WITHOUT, Variation
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 @LAW
 @COORDINATES
 @reports_bad_input
-def list_scenes(target: str | None, without: Sequence[str], laws: Sequence[str], coordinates: str | None) -> int:
+def list_scenes(target: str | None, **options: Any) -> int:
     """List the built-in scenes with their effects; of TARGET all histories with unit and meaning."""
     if target is not None:
-        return _list_histories(target, without, laws, coordinates)
+        return _list_histories(Variation.taken(target, options))
     from hertzwerk.runtime.model.regenerate import generated_names
 
     rows = []
@@ -38,12 +38,12 @@ def list_scenes(target: str | None, without: Sequence[str], laws: Sequence[str],
     return GOOD
 
 
-def _list_histories(target: str, without: Sequence[str], laws: Sequence[str], coordinates: str | None) -> int:
+def _list_histories(varied: Variation) -> int:
     """Print every history of a target: those always there, then those derived when asked for."""
     from hertzwerk.runtime.tables.meanings import SECTIONS, entries
 
     faults: list[Fault] = []
-    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    model = varied.model(faults)
     if faults:
         raise InputError("list", faults)
     found = entries(model)

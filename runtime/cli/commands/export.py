@@ -14,8 +14,7 @@ from hertzwerk.runtime.cli.target import (
     BY_METHOD,
     DURATION,
     VARIATION,
-    assignments,
-    loaded,
+    Variation,
     number,
     together,
     with_given,
@@ -48,18 +47,13 @@ def _option(each: Format) -> Callable[[Any], Any]:
 @reports_bad_input
 def export(
     target: str,
-    settings: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
     duration: str | None,
     accuracy: str | None,
     tolerance: str | None,
     method: str | None,
     outputs: Sequence[str],
-    inputs: Sequence[str],
     fmi: str,
-    **places: Path | bool | None,
+    **places: Any,
 ) -> int:
     """Export TARGET for other programs, with its parameters, start and method."""
     from hertzwerk.runtime.export.export_request import Asked, with_zero_inputs
@@ -68,6 +62,7 @@ def export(
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
+    varied = Variation.taken(target, places)
     wanted = [(each, place) for each in FORMATS if (place := places[each.name])]
     faults = [fault for each, place in wanted if isinstance(place, Path) for fault in each.faults(place)]
     if not wanted:
@@ -81,11 +76,10 @@ def export(
         None if tolerance is None else number(tolerance),
         method or numbers.get("method", METHOD),
     )
-    values = assignments("--set", settings, faults)
-    model = loaded(target, without, laws, faults, coordinates=coordinates, others=asked.faults)
+    values, model = varied.values(faults), varied.model(faults, asked.faults)
     parameters, initial = split_values(model, values)
     faults += unknown_histories(model, outputs)
-    model = with_zero_inputs(with_given(model, inputs, asked.duration, parameters, faults))
+    model = with_zero_inputs(with_given(model, varied.inputs, asked.duration, parameters, faults))
     check(model, asked, parameters, initial, faults)
     request = Asked(model, parameters, initial, asked, tuple(outputs), int(fmi))
     for each, place in wanted:

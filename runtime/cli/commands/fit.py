@@ -16,8 +16,8 @@ from hertzwerk.runtime.cli.target import (
     DURATION,
     JSON,
     VARIATION,
+    Variation,
     assignments,
-    loaded,
     number,
     unwritable_faults,
 )
@@ -119,15 +119,15 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
     wanted = into is not None or not as_json
     faults = [replace(fault, where="--into", remedy="name another: --into FOLDER") if fault.where == "--out" else fault
               for fault in unwritable_faults(into, wanted=wanted)]  # fmt: skip
-    moments = options.pop("moments")
+    moments, varied = options.pop("moments"), Variation.taken(target, options)
     found: Fitted | FittedMoments
     ranking: Ranking | None
     result: Fitted | FittedMoments | Ranking
     with Progress(f"fit of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
         if moments or not options["measured"]:
-            found, ranking = _of_moments(target, moments, faults, progress, **options), None
+            found, ranking = _of_moments(varied, moments, faults, progress, **options), None
         else:
-            found, ranking = _fitted(target, faults, progress, **options)
+            found, ranking = _fitted(varied, faults, progress, **options)
     result = found if ranking is None else ranking
     code = conclude(
         lambda missing: _write(found, ranking, into, missing, plots=not no_plots),
@@ -141,15 +141,10 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
 
 
 def _fitted(
-    target: str,
+    varied: Variation,
     faults: list[Fault],
     progress: Progress,
     *,
-    settings: Sequence[str],
-    inputs: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
     among: Sequence[str],
     **options: Any,
 ) -> tuple[Fitted, Ranking | None]:
@@ -158,9 +153,9 @@ def _fitted(
     from hertzwerk.runtime.fitting.law_ranking import ranked
     from hertzwerk.runtime.fitting.law_variants import law_variants, read_laws, split_laws
 
-    values, given = assignments("--set", settings, faults), assignments("--input", inputs, faults)
+    values, given = varied.values(faults), assignments("--input", varied.inputs, faults)
     progress.stage("building")
-    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    model = varied.model(faults)
     arguments = _arguments(model, values, given, faults, **options)
     if among:
         several = {effect: split_laws(text) for effect, text in assignments("--laws", among, faults).items()}
@@ -175,17 +170,12 @@ def _fitted(
 
 
 def _of_moments(
-    target: str,
+    varied: Variation,
     moments: Sequence[str],
     faults: list[Fault],
     progress: Progress,
     *,
     free: Sequence[str],
-    settings: Sequence[str],
-    inputs: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
     duration: str | None,
     tolerance: str | None,
     method: str | None,
@@ -204,10 +194,10 @@ def _of_moments(
     faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
     values, given, stated = (
         assignments(option, texts, faults)
-        for option, texts in (("--set", settings), ("--input", inputs), ("--moment", moments))
+        for option, texts in (("--set", varied.settings), ("--input", varied.inputs), ("--moment", moments))
     )
     progress.stage("building")
-    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    model = varied.model(faults)
     how = {
         "values": values,
         "inputs": given or None,

@@ -22,9 +22,9 @@ from hertzwerk.runtime.cli.target import (
     TABLE,
     VARIATION,
     WALL_TIME,
+    Variation,
     command_line,
     number,
-    solved,
     table_faults,
     unwritable_faults,
 )
@@ -115,7 +115,8 @@ def run(
             solution, request = continue_run(folder, target, faults, stopping, **options)
         else:
             request = _request(target, options)
-            solution = _simulate(faults, stopping, **{**options, "target": target})
+            asked = dict(options)
+            solution = _simulate(Variation.taken(str(target), asked), faults, stopping, **asked)
         solution = solution.with_histories(*options["histories"])
         request["command"] = command_line()
         if solution.outcome.name == "interrupted" and not solution.statistics.steps:
@@ -194,15 +195,10 @@ def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _simulate(
+    varied: Variation,
     faults: list[Fault],
     stopping: Stopping,
     *,
-    target: str,
-    settings: Sequence[str],
-    inputs: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
     duration: str | None,
     accuracy: str | None,
     method: str | None,
@@ -216,25 +212,13 @@ def _simulate(
     from hertzwerk.runtime.run.request import METHOD, Settings
     from hertzwerk.runtime.validate import scenarios
 
-    numbers = scenarios.read(target)
+    numbers = scenarios.read(varied.target)
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     by = method or numbers.get("method", METHOD)
     stopping.stage("building")
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
-    return solved(
-        target,
-        without,
-        laws,
-        coordinates,
-        settings,
-        settled,
-        faults,
-        stopping,
-        histories,
-        inputs=inputs,
-        at_rest=start is not None,
-    )
+    return varied.solved(settled, faults, stopping, histories=histories, at_rest=start is not None)
 
 
 def _report(solution: Solution) -> None:

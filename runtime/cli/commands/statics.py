@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime.cli.target import JSON, VARIATION, assignments, loaded, together
+from hertzwerk.runtime.cli.target import JSON, VARIATION, Variation, assignments, together
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ EQUILIBRIUM = together(
 @reports_bad_input
 def statics(out: Path | None, as_json: bool, **options: Any) -> int:
     """Find where TARGET comes to rest, its drives held: position, contact and drive forces, stability."""
-    rest = _read(out=out, **options)
+    rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
 
@@ -69,7 +69,7 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
     """Print frequencies, damping and shapes of the small vibrations of TARGET about its equilibrium."""
     from hertzwerk.runtime.statics.vibrations import modes as modes_of
 
-    rest = _read(out=out, **options)
+    rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
     found = modes_of(rest) if rest.found else None
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
@@ -109,13 +109,8 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
 
 
 def _read(
+    varied: Variation,
     *,
-    target: str,
-    settings: Sequence[str],
-    inputs: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    coordinates: str | None,
     at: str,
     nearest: bool,
     out: Path | None,
@@ -126,11 +121,11 @@ def _read(
     from hertzwerk.runtime.statics.equilibrium import equilibrium
 
     faults = [] if out is None else new_file_faults("--out", out)
-    values = assignments("--set", settings, faults)
-    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    values = varied.values(faults)
+    model = varied.model(faults)
     parameters, initial = split_values(model, values)
     try:
-        given = assignments("--input", inputs, faults)
+        given = assignments("--input", varied.inputs, faults)
         found = equilibrium(model, parameters=parameters, initial=initial, inputs=given, at=at, nearest=nearest)
     except InputError as error:
         raise InputError(error.subject, [*faults, *error.faults]) from error
