@@ -13,6 +13,7 @@ if TYPE_CHECKING:  # the list of public names
         OutlineOnOutline as OutlineOnOutline,
     )
     from hertzwerk.derive.contact.pairs.box import BoxOnPlane as BoxOnPlane
+    from hertzwerk.derive.contact.pairs.boxes import BoxOnBox as BoxOnBox
     from hertzwerk.derive.contact.pairs.corner import CornerOnFace as CornerOnFace
     from hertzwerk.derive.contact.pairs.curved import (
         CircleOnCurve as CircleOnCurve,

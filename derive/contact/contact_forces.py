@@ -200,12 +200,14 @@ class PairKinematics:
         )
 
     def _in_range(self, contact: Contact) -> Any:
-        reach = contact.stiffness.law.reach
-        if reach is None:
-            return sp.S.One
-        values = self._law(contact.stiffness, {}, contact.unchecked)
-        limit = self.let(reach.xreplace(values), "penetration_limit", METRE if contact.unchecked else None)
-        return self.let(Where(self.touch.penetration <= limit, 1, 0), "in_range")
+        reach, within = contact.stiffness.law.reach, sp.S.One
+        if reach is not None:
+            values = self._law(contact.stiffness, {}, contact.unchecked)
+            limit = self.let(reach.xreplace(values), "penetration_limit", METRE if contact.unchecked else None)
+            within = self.let(Where(self.touch.penetration <= limit, 1, 0), "in_range")
+        if self.touch.limit is not None:
+            within = self.let(Where(self.touch.penetration <= self.touch.limit, within, 0), "in_range")
+        return within
 
     def faults(self, friction: Friction | None, length: float) -> Iterator[Fault]:
         """Yield faults of the pair and its friction.

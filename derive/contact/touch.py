@@ -36,6 +36,8 @@ class Touch:
 
     proved: ClassVar[bool] = False
     """Whether gap and normal are known to be consistent; else they are tested at random states."""
+    limit: Any = None
+    """Penetration up to which the geometry holds [m]; None without a limit."""
 
     def __init__(self, pair: Pair, kinematics: Kinematics) -> None:
         self.kin = kinematics

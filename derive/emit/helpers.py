@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from hertzwerk.derive.emit.box_helpers import BOX_HELPERS
 from hertzwerk.derive.emit.chain_helpers import CHAIN_HELPERS
 from hertzwerk.derive.emit.curve_helpers import CURVE_HELPERS
 
@@ -58,6 +59,7 @@ HELPERS = {
 _SPLINES = {}''',
     **CURVE_HELPERS,
     **CHAIN_HELPERS,
+    **BOX_HELPERS,
 }
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.features import Features, Stacked
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.planar_curve import (
     Between,
@@ -241,6 +242,8 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     Support: _found("_support"),
     Between: _between,
     Entry: _entry,
+    Stacked: lambda node: (_vector(node.args), _ATOM),
+    Features: _call("_features"),
     sp.LambertW: _lambert_w,
     sp.gamma: _call("_gamma"),
     sp.StrictGreaterThan: _relation(">"),

@@ -28,6 +28,7 @@ ROUNDS = (
     "cylinder_on_plane",
     "rim_on_plane",
     "sphere_on_box",
+    "box_on_box",
     "sphere_on_face",
     "sphere_on_edge",
     "sphere_on_cylinder",

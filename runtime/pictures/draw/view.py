@@ -70,7 +70,7 @@ def _is_plane(places: Places, k: int) -> bool:
         for name, value in mark.beside.items()
         if len(value) == 3
         and name != "size"
-        and mark.kind not in ("gravity", "sphere_on_box")
+        and mark.kind not in ("gravity", "sphere_on_box", "box_on_box")
         and not mark.kind.startswith(SOLIDS)
     )
 
