@@ -1,4 +1,4 @@
-"""Nearest features of two boxes as SymPy objects, which are never evaluated: a generated module finds them."""
+"""Nearest features of two boxes as SymPy objects, which a generated module finds."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Stacked(NoText):
 
 
 class Features(NoText):
-    """`Features(dimensions, slot, pose, *rates)`: a vector that tells how near certain features of two boxes are.
+    """`Features(dimensions, slot, pose, *rates)`: how near certain features of two boxes are.
 
     Gap, penetration, normal (three) and point of the first from the second's middle (three), along the ground's axes; with
     a rate of the pose their rates, with two their second rates. The slots are those of `emit.box_helpers`.

@@ -1,4 +1,4 @@
-"""Helper function that finds the nearest features of two boxes, added to a generated module that calls it."""
+"""Helper function of generated modules that finds the nearest features of two boxes."""
 
 BOX_HELPERS = {
     "_features": '''def _features(n, slot, pose, *rates):
