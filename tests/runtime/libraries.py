@@ -30,7 +30,7 @@ class Library:
     """Simulations of an exported library."""
 
     def __init__(self, file, name):
-        self.loaded, self.prefix = ctypes.CDLL(str(file)), name
+        self.loaded, self.prefix, self.folder = ctypes.CDLL(str(file)), name, file.parent
         self.size = self.function("size", ctypes.c_size_t)()
 
     def function(self, name, result=ctypes.c_int):
