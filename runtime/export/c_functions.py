@@ -76,6 +76,8 @@ def observed(model: Model, made: Integrator, outputs: Sequence[str]) -> Any:
     given, (at, run) = made.layouts.symbols("state controls")
     (p,) = model.symbols("p")
     expressions = Expressions(model, [at["t"], at["y"], at["mode"], at["m"], run["c"], p])
+    if not model.inputs:  # as the last step left them; inputs may have changed since
+        expressions.ends |= {part: at[part] for part in expressions.ends if part in at}
     values, faults = [], []
     for name in outputs:
         pair, _, part = name.rpartition(".")

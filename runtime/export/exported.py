@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -90,7 +90,7 @@ def name_faults(where: str, name: str) -> list[Fault]:
 def contents(asked: Asked) -> Contents:
     """Find the numbers of an export, its tolerance by runs; raises InputError for what cannot be exported."""
     model, settings = asked.model, asked.settings
-    faults = _refused(model, settings.method)
+    faults = _refused(model, settings.method, asked.initial)
     if faults:
         raise InputError("export", faults)
     model = with_zero_inputs(model)
@@ -143,12 +143,14 @@ def contents(asked: Asked) -> Contents:
     )
 
 
-def _refused(model: Model, method: str) -> list[Fault]:
+def _refused(model: Model, method: str, initial: Collection[str]) -> list[Fault]:
     """Return the faults of what an export cannot have."""
     faults = []
     if method in SUNDIALS:
         expected = "a method whose steps are in the generated functions: dop853, dopri5, esdirk, rodas or auto"
         faults.append(Fault("method", f"{method}, whose steps are those of SUNDIALS", expected))
+    begun = [name for name in model.latches if name in initial]
+    faults += [Fault(name, "a contact begun before the start", "a start without one", "leave it out") for name in begun]
     for name, (_, use) in model.smooth.items():
         why = f"an input that must be smooth, for {use}"
         way_out = "drive the joint through a spring and a damper (SpringDamper, JointForce) instead"

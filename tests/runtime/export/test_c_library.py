@@ -30,11 +30,11 @@ def ball(tmp_path_factory):
     return exported(tmp_path_factory.mktemp("ball") / "c", "bouncing_ball", DURATION)
 
 
-def same_bits(library, run, simulation):
+def same_bits(library, run, simulation, rounding=0.0):
     states = [run[name][-1] for name in library.names("state")]
     outputs = [run[name][-1] for name in library.names("output")]
     assert simulation.vector("states").tolist() == states
-    assert simulation.vector("outputs").tolist() == outputs
+    assert simulation.vector("outputs") == pytest.approx(outputs, rel=rounding, abs=rounding)
     assert simulation.counts()[0] == run.statistics.steps
 
 
@@ -155,7 +155,8 @@ def test_every_method_and_coordinates(method, coordinates, scene, duration, tmp_
     library = exported(tmp_path / "c", model, duration, method=method, tolerance=1e-6)
     simulation = library.simulation()
     assert simulation.run(duration) == 0
-    same_bits(library, simulate(model, duration=duration, tolerance=1e-6, method=method), simulation)
+    run = simulate(model, duration=duration, tolerance=1e-6, method=method)
+    same_bits(library, run, simulation, rounding=1e-11)  # forces of constraints are solved for in another order
 
 
 def test_what_cannot_be_exported_is_refused_by_name(tmp_path, capsys):
