@@ -19,6 +19,7 @@ __all__ = [
     "DrawnTeeth",
     "Entry",
     "Nearest",
+    "Place",
     "PlanarChain",
     "PlanarCurve",
     "Sampled",
@@ -117,6 +118,12 @@ class ChainPoints(_OfData):
         return self.corners, self.arcs, self.thick
 
 
+class Place(_OfData):
+    """Number of a place where curves with copies touch, by depth."""
+
+    __slots__ = ("name", "row")
+
+
 class Sampled(NoText):
     """`Sampled(curve, *given)`: what is computed of a curve once per run, such as samples: a vector."""
 
@@ -160,7 +167,7 @@ class Between(NoText):
 
     A vector. The place of the first is at (x, y) along the axes of the second's, and turned. Signed distance, normal out of the
     second (two), its point there (two), three coefficients of their motion, both parameters (`OnCurve.between`). Of two chains
-    the last two are the `ChainPoints` of each.
+    the last two are the `ChainPoints` of each, of copies the last may be a `Place`.
     """
 
     @classmethod

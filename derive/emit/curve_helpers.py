@@ -127,15 +127,16 @@ _NEAREST: "dict[object, ca.Function]" = {}''',
 
 
 _SUPPORT: "dict[object, ca.Function]" = {}''',
-    "_between": '''def _between(first, first_data, second, second_data, samples, other_samples, given, other_given, pose):
+    "_between": '''def _between(first, first_data, second, second_data, samples, other_samples, given, other_given, pose, which=1):
     """Signed distance of two curves, normal out of the second, its foot there, coefficients of their motion, both parameters.
 
     `pose` is x, y, cosine and sine of the first curve's place against the second's. Newton's method on both parameters, until the
     normals are opposite and in line, or at an end, from the nearest samples: in several hollows where a curve is not convex, and
-    at the three copies that face the other curve. Of these the least distance, not deeper than samples are apart. A function of
+    at the three copies that face the other curve. Of these the least distance, not deeper than samples are apart, or of copies the
+    next in this order, `which`. A function of
     its own, which is called; its derivatives are the results themselves.
     """
-    if (first, second) not in _BETWEEN:
+    if (first, second, which) not in _BETWEEN:
         curves, rows = (first, second), (first_data, second_data)
         at, place = ca.SX.sym("at", 2), ca.SX.sym("pose", 4)
         values = [ca.SX.sym("given", x.numel()) for x in (given, other_given)]
@@ -196,10 +197,12 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
             turns = ca.MX(0)
             if copies > 1:  # the copy towards the other curve, and its neighbours
                 facing = ca.floor((ca.atan2(dy, dx) - ca.atan2(ca.sum1(y), ca.sum1(x)))*copies/(2*ca.pi) + 0.5)
-                turns = ca.vertcat(*(facing + j for j in (-1, 0, 1) for _ in at))
-                cos, sin = ca.cos(2*ca.pi*turns/copies), ca.sin(2*ca.pi*turns/copies)
-                x, y = ca.repmat(x, 3, 1), ca.repmat(y, 3, 1)
-                x, y = cos*x - sin*y, sin*x + cos*y
+                turned = [facing + j for j in (-1, 0, 1)]
+                angles = [2*ca.pi*turn/copies for turn in turned]
+                x, y = (
+                    ca.vertcat(*(ca.cos(a)*x - ca.sin(a)*y for a in angles)), ca.vertcat(*(ca.sin(a)*x + ca.cos(a)*y for a in angles)),
+                )
+                turns = ca.vertcat(*(turn for turn in turned for _ in at))
             spread.append((x, y, ca.MX(ca.DM(at*3 if copies > 1 else at)), turns))
         (x, y, parameters, turns), (to_x, to_y, to_parameters, to_turns) = spread
         x, y = ox + c*x - s*y, oy + s*x + c*y
@@ -234,7 +237,7 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
             all_x, all_y = table[: len(at)], table[len(at) :]
             widest.append(ca.mmax((all_x[1:] - all_x[:-1])**2 + (all_y[1:] - all_y[:-1])**2))
         deepest = -ca.sqrt(ca.fmin(*widest))
-        result, least = None, 1e300
+        best = []
         for i in starts:
             j = nearest(to_x, to_y, x[i], y[i])
             angle = [2*ca.pi*turn[k if copies > 1 else 0]/copies for turn, k, copies in ((turns, i, rows[0][4]), (to_turns, j, rows[1][4]))]
@@ -248,9 +251,16 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
             )
             new = ca.vertcat(h, cos*nx - sin*ny, sin*nx + cos*ny, cos*px - sin*py, sin*px + cos*py, share, rolling, bend, one, two)
             here = ca.if_else(ca.logic_and(met, h >= deepest), h, 1e299)
-            result, least = (new, here) if result is None else (ca.if_else(here < least, new, result), ca.fmin(here, least))
-        _BETWEEN[first, second] = _called("between", [*tables, *values, place], result, _slope_between)
-    return _BETWEEN[first, second](samples, other_samples, given, other_given, pose)
+            for k, (old, least) in enumerate(best):  # in order; equal ones, but for rounding, as they come
+                first_ = here < least + 1e-10*deepest
+                best[k] = ca.if_else(first_, new, old), ca.if_else(first_, here, least)
+                new, here = ca.if_else(first_, old, new), ca.if_else(first_, least, here)
+            best = [*best, (new, here)][:which]
+        result, least = best[-1]
+        if which > 1:  # if there is one
+            result = ca.vertcat(ca.if_else(least < 1e290, result[0], ca.fabs(result[0]) - deepest), result[1:])
+        _BETWEEN[first, second, which] = _called("between", [*tables, *values, place], result, _slope_between)
+    return _BETWEEN[first, second, which](samples, other_samples, given, other_given, pose)
 
 
 _BETWEEN: "dict[object, ca.Function]" = {}''',

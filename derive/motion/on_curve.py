@@ -15,6 +15,7 @@ from hertzwerk.derive.algebra.planar_curve import (
     ChainPoints,
     Entry,
     Nearest,
+    Place,
     PlanarChain,
     PlanarCurve,
     Sampled,
@@ -141,7 +142,9 @@ class OnCurve:
         self.tape.set_rate(py, -radius * self._rate(y, "direction_y"))
         return Least((px, py), parameter)
 
-    def between(self, other: PlanarCurve | PlanarChain, pose: Pose, points: Sequence[ChainPoints] = ()) -> Meeting:
+    def between(
+        self, other: PlanarCurve | PlanarChain, pose: Pose, points: Sequence[ChainPoints | Place] = ()
+    ) -> Meeting:
         """Another curve in a pose against this one's place; of two chains also their `points`.
 
         With the curvatures k of the other and l of this one, the distance h and D = k + l + h k l, the foot on this curve

@@ -21,6 +21,7 @@ from hertzwerk.derive.algebra.planar_curve import (
     DrawnTeeth,
     Entry,
     Nearest,
+    Place,
     Sampled,
     Support,
 )
@@ -179,7 +180,7 @@ def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
 
 def _between(node: Any) -> tuple[str, int]:
     first, second, one, two, *pose = node.args
-    points = [point.row for point in pose if isinstance(point, ChainPoints)]
+    points = [point.row for point in pose if isinstance(point, ChainPoints | Place)]
     end = 4 + len(first.given)
     given = pose[4:end], pose[end : end + len(second.given)]
     parts = [_curve(first), _curve(second), one.name, two.name, *map(_vector, (*given, pose[:4])), *map(repr, points)]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
 
+from hertzwerk.derive.algebra.planar_curve import Place
 from hertzwerk.derive.algebra.vectors import Vector, add, dot, sub
 from hertzwerk.derive.contact.pairs.curved import CurveTouch, OnSolidCurve, outline
 from hertzwerk.derive.contact.touch import Touch
@@ -53,6 +54,12 @@ class CurveOnCurve(OnSolidCurve):
         """Tips of both outlines by which they touch, by default all."""
         return tuple(curve.tips if isinstance(curve, Outline) else () for curve in self.curves)  # type: ignore[return-value]
 
+    @property
+    def points(self) -> list[Any]:
+        """Points of outlines by which they touch, for equations."""
+        chains = zip(self.curves, self.tips, strict=True)
+        return [curve.points(tips) for curve, tips in chains if isinstance(curve, Outline)]
+
     def faults(self) -> Iterator[Fault]:
         """Yield faults of curves that cannot touch each other from outside, and of a curve on an outline."""
         if {type(curve) for curve in self.curves} == {Curve, Outline}:
@@ -77,11 +84,7 @@ class BetweenCurves(CurveTouch):
         w = sub(*(self.kin.angular_velocity(place.body) for place in (self.first, self.second)))
         turning = self.let(dot(w, tuple(row[2] for row in self._on.axes)), "relative_turning")
         x, y, _ = self._local
-        curves = self.pair.curves
-        chains = [
-            curve.points(tips) for curve, tips in zip(curves, self.pair.tips, strict=True) if isinstance(curve, Outline)
-        ]
-        return self._on.between(curves[0].planar, Pose(x, y, cos, sin, turning), chains)
+        return self._on.between(self.pair.first_curve.planar, Pose(x, y, cos, sin, turning), self.pair.points)
 
     def faults(self, length: float) -> Iterator[Fault]:
         """Yield also the fault of a first curve whose Z is not the second's."""
@@ -179,8 +182,9 @@ class GearMesh(Pair):
     """Two external spur gears that mesh with backlash, in plane motion.
 
     It is two pairs: NAME_1 of the left flanks, by which the first gear drives the second as it turns counterclockwise, and
-    NAME_2 of the right ones. What acts at NAME acts at both. One place of contact carries each, where two do the geometry
-    of involutes is the same for both: one normal force along the same line of action.
+    NAME_2 of the right ones. What acts at NAME acts at all. One place of contact carries each: the force of all teeth, along
+    their common line of action. With `sharing=True` each pair of teeth carries its own, two of a side at most: NAME_3 and
+    NAME_4 are the second deepest of left and right flanks, so that the mesh is twice as stiff where two pairs touch.
     """
 
     first_teeth: InvoluteTeeth
@@ -189,6 +193,7 @@ class GearMesh(Pair):
     second: Point
     curvature_radius: Scalar | None = None
     length: Scalar | None = None
+    sharing: bool = False
 
     @property
     def parts(self) -> tuple[Pair, ...]:
@@ -197,13 +202,17 @@ class GearMesh(Pair):
         if any(self.faults()):
             return (self,)
         sides = (one.left, two.left), (one.right, two.right)
+        given = self.curvature_radius, self.length
         return tuple(
-            Flanks(f"{self.name}_{k}", a, self.first, b, self.second, self.curvature_radius, self.length, whole=self)
+            Flanks(f"{self.name}_{2 * row + k}", a, self.first, b, self.second, *given, whole=self, row=row)
+            for row in range(1 + self.sharing)
             for k, (a, b) in enumerate(sides, 1)
         )
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of both gears' teeth."""
+        if not isinstance(self.sharing, bool):
+            yield Fault(f"pair {self.name}, sharing", repr(self.sharing), "True or False")
         for what, teeth in (("first", self.first_teeth), ("second", self.second_teeth)):
             if not isinstance(teeth, InvoluteTeeth):
                 yield Fault(
@@ -224,6 +233,12 @@ class Flanks(CurveOnCurve):
     """Flanks of two gears that mesh."""
 
     whole: GearMesh | None = None
+    row: int = 0
+
+    @property
+    def points(self) -> list[Any]:
+        """Which pair of teeth, by depth, for equations."""
+        return [Place(name="place", row=self.row + 1)] if self.row else []
 
     @property
     def part_of(self) -> str:  # type: ignore[override]  # of each its own

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 import sympy as sp
 from derived import Derived
-from scipy.optimize import minimize
+from scipy.optimize import brentq, minimize
 
 from hertzwerk.derive import (
     GROUND,
     Arc,
     Body,
     CircleOnCurve,
+    ConstantSpeed,
     Contact,
     Curve,
     CurveOnCurve,
@@ -21,6 +22,7 @@ from hertzwerk.derive import (
     GearMesh,
     InputError,
     InvoluteTeeth,
+    JointForce,
     Mechanism,
     Outline,
     Parameter,
@@ -29,10 +31,12 @@ from hertzwerk.derive import (
     S,
     Scales,
     Scene,
+    Start,
     X,
     Z,
     laws,
 )
+from hertzwerk.runtime import load, simulate
 
 R, E, A, B, P = (Parameter(name, "mm", value) for name, value in (("R", 30), ("e", 5), ("a", 40), ("b", 15), ("p", 20)))
 CAM, PLATE = (
@@ -217,12 +221,17 @@ PINION, WHEEL = (
 )
 
 
+def meshing(*effects, start=None, sharing=False, damping=None):
+    mesh = GearMesh("mesh", PINION, PLATE.at(0, 0, 0), WHEEL, CAM.at(0, 0, 0), sharing=sharing)
+    joints = Revolute("one", GROUND, PLATE, axis=Z), Revolute("two", GROUND.at(APART, 0, 0), CAM, axis=Z)
+    effects = *effects, Contact("mesh", laws.power(Parameter("K", "N/m", 1e6), 1), damping), EnergyLedger()
+    scales = Scales(MODULE / 100, Parameter("v", "m/s", 1), APART)
+    return Scene(Mechanism("gears", joints, (mesh,)), effects, scales, start or Start())
+
+
 @pytest.fixture(scope="module")
 def gears():
-    mesh = GearMesh("mesh", PINION, PLATE.at(0, 0, 0), WHEEL, CAM.at(0, 0, 0))
-    joints = Revolute("one", GROUND, PLATE, axis=Z), Revolute("two", GROUND.at(APART, 0, 0), CAM, axis=Z)
-    effects = Contact("mesh", laws.power(Parameter("K", "N/m", 1e8), 1)), EnergyLedger()
-    return Derived(Scene(Mechanism("gears", joints, (mesh,)), effects, Scales(MODULE, Parameter("v", "m/s", 1), APART)))
+    return Derived(meshing())
 
 
 def test_gaps_of_involutes_are_lengths_of_the_line_of_action(gears):
@@ -261,6 +270,61 @@ def test_the_points_of_contact_are_those_of_involutes(gears):
         s = [found[f"mesh_2.{which}_parameter"] % 1 for which in ("first", "second")]
         ways = [r * roll * (0.04 + 0.96 * part) for r, roll, part in zip(base, rolls, s, strict=True)]
         assert sum(ways) + found["mesh_2.gap"] == pytest.approx(length, rel=1e-12)
+
+
+BASE = np.array([0.030, 0.045]) * np.cos(np.radians(20))
+WORKING = np.arccos(sum(BASE) / 0.0752)
+PATH = sum(np.sqrt(tip**2 - base**2) for tip, base in zip((0.033, 0.048), BASE, strict=True)) - 0.0752 * np.sin(WORKING)
+RATIO = PATH / (np.pi / 10 * BASE[0])  # of contact: the path of contact over the base pitch
+LEAD = 2 * (np.tan(np.radians(20)) - np.radians(20) - np.tan(WORKING) + WORKING)  # of a tooth's angles
+HALF_BACKLASH = (2 * np.pi / 20 - sum((np.pi / z - 0.1 / (1.5 * z) + LEAD) * z / 20 for z in (20, 30))) * BASE[0] / 2
+
+
+def test_two_pairs_of_teeth_touch_for_a_part_of_the_pitch_that_the_ratio_of_contact_tells():
+    """Both as deep, so that each carries half; the second leaves and comes with its tip, as far as the square of the way."""
+    derived = Derived(meshing(sharing=True))
+    pitch, deep = np.pi / 10, 1e-10
+
+    def second(angle):
+        off = (HALF_BACKLASH + deep) / BASE[1]
+        G, _ = derived.call("gaps", q=np.array([angle, np.pi + np.pi / 30 - angle * 20 / 30 - off]), u=np.zeros(2))
+        assert G[1] == pytest.approx(-deep, abs=1e-13)
+        assert G[0] > 0 < G[2]
+        return G[3]
+
+    coarse = 0.3 + pitch * np.arange(41) / 40
+    touching = np.array([second(angle) for angle in coarse]) < 0
+    ends = [brentq(second, coarse[k], coarse[k + 1], xtol=1e-9) for k in np.flatnonzero(np.diff(touching))]
+    assert len(ends) == 2
+    share = abs(ends[1] - ends[0]) / pitch
+    assert (share if touching[len(coarse) // 2] else 1 - share) == pytest.approx(RATIO - 1, abs=5e-4)
+    assert all(second(angle) == pytest.approx(-deep, abs=1e-13) for angle in coarse[1:-1][touching[:-2] & touching[2:]])
+
+
+def test_a_mesh_is_twice_as_stiff_where_two_pairs_of_teeth_carry():
+    """A slow pinion against a torque: the wheel lags by T/(K r_b), half of that in double contact."""
+    pace, load_, damping = (
+        Parameter("pace", "rad/s", 10),
+        Parameter("load", "N m", 0.4),
+        laws.power_damping(Parameter("c", "N s/m", 500), 0),
+    )
+    effects = ConstantSpeed("motor", "one", pace), JointForce("brake", "two", load_)
+    at = np.pi + np.pi / 30 + (HALF_BACKLASH + 0.4 / BASE[1] / 1e6) / BASE[1]
+    start = Start(position={"two": Parameter("at", "rad", at)}, speed={"two": -pace * 2 / 3})
+    run = simulate(
+        load(meshing(*effects, start=start, sharing=True, damping=damping)), duration=np.pi / 100, accuracy=1e-4
+    )
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-6
+    forces = np.array([run[f"mesh_{k}.normal_force"] for k in (1, 3)])
+    assert not np.any(run["mesh_2.normal_force"])
+    lag, single, both = -run["mesh_1.gap"], forces[1] == 0, (forces[1] > 0) & (np.abs(forces[1] - forces[0]) < 1e-6)
+    flanks = single | both  # else a tip enters or leaves, beside the line of action
+    torque = 0.4 - 1e-3 * run["two.acceleration"]
+    assert (forces.sum(axis=0) * BASE[1])[flanks] == pytest.approx(torque[flanks], rel=1e-6)
+    assert np.trapezoid(1.0 * both, run.t) / run.t[-1] == pytest.approx(RATIO - 1, abs=0.02)
+    assert np.median(lag[single]) == pytest.approx(0.4 / BASE[1] / 1e6, rel=2e-2)
+    assert np.median(lag[both]) == pytest.approx(0.4 / BASE[1] / 2e6, rel=2e-2)
 
 
 def test_all_faults_come_at_once():
