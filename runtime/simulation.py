@@ -11,8 +11,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,14 +21,13 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LadderResult
 from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.integrate.step.layout import FINISHED
-from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.loading import Model
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.run.accurate import run_to_accuracy, verdict_of
 from hertzwerk.runtime.run.continuation import parameters_of, resumable
 from hertzwerk.runtime.run.output_times import Output
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read, steps_faults
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
 from hertzwerk.runtime.run.warnings import floored, lost_grip, open_forces, too_fast, unchecked, uncompiled, unsettled
 from hertzwerk.runtime.solution import solution as plain_solution
@@ -51,7 +50,7 @@ if TYPE_CHECKING:
 
     from hertzwerk.runtime.model.model import Bound
     from hertzwerk.runtime.sensitivity.lyapunov import Lyapunov
-    from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
+    from hertzwerk.runtime.sensitivity.sensitivities import Derivative, Sensitivities
 
 ACCURACY = 1e-6  # where none is asked for
 REPEATABLE = 100_000  # most steps of a run that is made again for a picture
@@ -72,6 +71,7 @@ def simulate(
     max_steps: int = MAX_STEPS,
     max_events: int = MAX_EVENTS,
     wall_time: float | None = None,
+    sensitivities: Sequence[str] = (),
     progress: Callable[[float], object] | None = None,
 ) -> Solution:
     """Run a model from its start for a duration (seconds, or text such as "24 ms", "2 rev").
@@ -91,6 +91,8 @@ def simulate(
     compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
     max_steps (accepted; as many may be tried in vain), wall_time [s]    of all runs together, max_events (contacts begun) of each: where to stop,
                 with an outcome that says so
+    sensitivities    parameters and initial states: `run.sensitivity("slider_pin.normal_force", "restitution")` is then a history, and
+                `run.derivatives` has those of impacts; they are found after the run, from its steps
     progress    called now and then with the fraction done
 
     Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`. What raises anything, memory
@@ -106,6 +108,7 @@ def simulate(
         max_steps=max_steps,
         max_events=max_events,
         wall_time=wall_time,
+        sensitivities=sensitivities,
     )
     return solve(
         model,
@@ -141,11 +144,13 @@ def solve(
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     if tolerance is not None:
-        return _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
+        found = _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
+        return found.with_sensitivities(*settings.sensitivities)
     asked = settings.accuracy or ACCURACY
     ladder_result = run_to_accuracy(run, scales, times, asked, progress)
     # 5. solution
-    return _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
+    found = _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
+    return found.with_sensitivities(*settings.sensitivities)
 
 
 def _solution_of(
@@ -207,10 +212,15 @@ def _solution_of(
     )
 
 
+@dataclass(frozen=True, repr=False)
 class Solution(plain_solution.Solution):
-    """Result of a run, as `simulate` returns it, with continuation, plots and drawings."""
+    """Result of a run, as `simulate` returns it, with continuation, derivatives, plots and drawings.
+
+    derivatives    by the names that `simulate(..., sensitivities=...)` was given, None without
+    """
 
     model_type = Model
+    derivatives: Sensitivities | None = None
 
     def continued(
         self,
@@ -294,6 +304,27 @@ class Solution(plain_solution.Solution):
         history, bound, initial = self._from_its_start("sensitivities")
         return Sensitivities(history, bound, initial, names, compiled=self.compiled)
 
+    def sensitivity(self, history: str, name: str) -> Derivative:
+        """Return the derivative of a history by a parameter or initial state, as a history with a unit.
+
+        Names that the run was asked for (`sensitivities=`) cost no more; others are found now. Raises KeyError for an
+        unknown history, InputError as `sensitivities` does.
+        """
+        found = self.derivatives
+        if found is None or name not in found.names:
+            found = self.sensitivities(name)
+        return found.history_of(history, name, None if self.history.steps else self.t)
+
+    def with_sensitivities(self, *names: str) -> Solution:
+        """Return the run with its `derivatives` by some names, or with a warning that says why not."""
+        if not names:
+            return self
+        try:
+            return replace(self, derivatives=self.sensitivities(*names))
+        except InputError as error:
+            told = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
+            return replace(self, warnings=(*self.warnings, told))
+
     def lyapunov(self, count: int = 1) -> Lyapunov:
         """Return the largest Lyapunov exponents, from the variational equations, through impacts.
 
@@ -309,10 +340,12 @@ class Solution(plain_solution.Solution):
     def _from_its_start(self, what: str) -> tuple[History, Bound, Mapping[str, Value]]:
         """Return steps, parameters and given initial states of a run from its start; raises InputError."""
         run, kept = self.with_steps(), self.checkpoint
-        if not run.history.steps or kept is None or self.t_start > 0:
-            expected = f"a run from its start by a method of {', '.join(IN_GRAPH)}, with its steps"
-            fault = Fault(what, "a run without its steps or start", expected, 'simulate(..., output="steps")')
-            raise InputError(self.model.name, [fault])
+        faults = steps_faults(what, self.method)
+        if not faults and (not run.history.steps or kept is None or self.t_start > 0):
+            expected = f"a run from its start, with its steps; of at most {REPEATABLE:,} where it is to be made again"
+            faults.append(Fault(what, "a run without its steps or start", expected, 'simulate(..., output="steps")'))
+        if faults or kept is None:
+            raise InputError(self.model.name, faults)
         return run.history, self.model.bind(parameters_of(self, self.model)), kept.initial
 
     def _repr_html_(self) -> str:

@@ -56,7 +56,7 @@ ROOMS = {
         "statics sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets design effects export fitting hard_cases host inputs integrate/tableaux loading "
-        "measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
+        "measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run sensitivity simulation solution start "
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
@@ -90,15 +90,15 @@ ROOMS = {
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
         "sensitivity": "accuracy derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
-        "simulation": "accuracy derive/faults inputs integrate/step integrate/tableaux loading model pictures pictures/draw "
+        "simulation": "accuracy derive/faults inputs integrate/step loading model pictures pictures/draw "
         "pictures/motion report run sensitivity solution tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "statics": "derive/faults derive/html host inputs integrate/step loading model pictures/draw run solution start",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
-        "sweeps": "derive/declare derive/faults derive/files derive/html derive/units host inputs loading model run simulation solution start "
-        "pictures/sweeps sweeps/kept tables",
+        "sweeps": "derive/declare derive/faults derive/files derive/html derive/units host inputs loading model run sensitivity simulation "
+        "solution start pictures/sweeps sweeps/kept tables",
         "sweeps/kept": "derive/faults derive/units model run solution",
         "tables": "derive/faults derive/html derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units inputs integrate/tableaux loading model run "

@@ -29,6 +29,7 @@ def continue_run(
     max_steps: str | None,
     wall_time: str | None,
     histories: Sequence[str],
+    sensitivities: Sequence[str],
     **others: Any,
 ) -> tuple[Solution, dict[str, Any]]:
     """Return the continued run and the request to be recorded with it.
@@ -41,6 +42,9 @@ def continue_run(
 
     before, request = _read(folder)
     limits = limits_of(max_steps, wall_time, faults)
+    if sensitivities:
+        found = f"{', '.join(sensitivities)}, of a run that goes on"
+        faults.append(Fault("--sensitivity", found, "a run from its start", "run the whole without --continue"))
     stopping.stage("building")
     model = load(
         request["target"],

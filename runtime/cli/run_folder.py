@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -11,14 +12,18 @@ from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+import numpy as np
+
 from hertzwerk.runtime.host.folder import failures_of, new_folder
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
 from hertzwerk.runtime.host.versions import versions
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.solution.averages import Average
     from hertzwerk.runtime.solution.solution import Solution
 
+IMPACT_NUMBERS = ("t", "speed", "peak_force", "peak_penetration")
 CSV_LIMIT = 50e6  # bytes: larger files are written only on request
 
 
@@ -55,6 +60,32 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
         "warnings": list(solution.warnings),
         "advice": list(solution.advice),
         **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
+        **_derived(solution),
+    }
+
+
+def _derivatives(solution: Solution) -> Sensitivities | None:
+    """Return the derivatives that a run was asked for."""
+    found: Sensitivities | None = getattr(solution, "derivatives", None)
+    return found
+
+
+def _derived(solution: Solution) -> dict[str, Any]:
+    """Return the derivatives of final states and impacts by what the run was asked for, in SI."""
+    found = _derivatives(solution)
+    if found is None:
+        return {}
+    end = np.array([solution.t_end])
+    return {
+        "sensitivities": {
+            name: {
+                "final": {state: float(found.at(end, state, name)[0]) for state in solution.states},
+                "impacts": {what: found.impacts(what, name).tolist() for what in IMPACT_NUMBERS},
+                "until": found.until,
+                "reason": found.reason,
+            }
+            for name in found.names
+        }
     }
 
 
@@ -140,6 +171,8 @@ def write(
     if averages:
         extras.make("averages", lambda _: setattr(written, "averages", solution.averages()))
     extras.make_csv(force=csv)
+    if _derivatives(solution) is not None:
+        extras.make("sensitivities.csv", lambda at: _write_derivatives(solution, at / "sensitivities.csv"))
     if plots:
         extras.make_pictures()
     missing = [*lost, *written.left_out]
@@ -260,6 +293,22 @@ def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapp
     if not files:
         raise errors[0]
     return files
+
+
+def _write_derivatives(solution: Solution, path: Path) -> None:
+    """Write the derivatives of every state and normal force, by each name, over the run's rows."""
+    of = _derivatives(solution)
+    if of is None:
+        return
+    histories = [*solution.states, *(f"{pair}.normal_force" for pair in solution.model.pairs)]
+    times = None if solution.history.steps else solution.t
+    found = [of.history_of(history, name, times) for name in of.names for history in histories]
+    header = ",".join(["t [s]", *(f"{each.name} [{each.unit}]" for each in found)])
+    text = io.StringIO()
+    np.savetxt(
+        text, np.column_stack([solution.t, *(each.values for each in found)]), "%.17g", ",", header=header, comments=""
+    )
+    write_atomically(path, text.getvalue().encode())
 
 
 def _text(

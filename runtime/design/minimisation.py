@@ -2,7 +2,7 @@
 
 1. objective    a formula of outputs and parameters, its unit proven        design/formula
 2. ranges       of what is varied, and places in them: halves or logarithms   model/ranges
-3. runs         one for each point, with the derivatives of its outputs     design/output_derivatives
+3. runs         one for each point, with the derivatives of its outputs     sensitivity/output_derivatives
 4. minimum      checked: the derivatives beside a difference of runs        design/minimum
 """
 
@@ -20,8 +20,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.design.formula import Formula, names_in, read_formula
 from hertzwerk.runtime.design.minimum import Held, Minimum, Trial, best_of
-from hertzwerk.runtime.design.output_derivatives import NoDerivativeError, OutputDerivatives
-from hertzwerk.runtime.design.propagation import duration_follows, refused_by_sweep
+from hertzwerk.runtime.design.propagation import refused_by_sweep
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.inputs.given import Input
 from hertzwerk.runtime.loading import load
@@ -30,7 +29,8 @@ from hertzwerk.runtime.model.binding import Value, named_values, read_state, who
 from hertzwerk.runtime.model.free_quantities import Free, Freed, read_free, read_quantity
 from hertzwerk.runtime.model.ranges import starts_in
 from hertzwerk.runtime.model.si_values import si_of, si_units
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, duration_follows
+from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import REACHED_END, Outcome
 from hertzwerk.runtime.start.start_values import split_values
@@ -226,7 +226,7 @@ class _Problem:
         """Return the exact gradients (formulas, names) with the places; raises NoDerivativeError, InputError."""
         names = [free.name for free in self.ranges]
         duration = self.settings["duration"]
-        if isinstance(duration, str) and duration_follows(self.model, names, duration):
+        if duration_follows(self.model, names, duration):
             raise NoDerivativeError(f"the duration {duration} changes with what is varied: state it as a time")
         derivatives, numbers = OutputDerivatives(run.with_steps(), run.sensitivities(*names)), self.numbers(run)
         of = {name: derivatives[name] for name in self.outputs}

@@ -1,7 +1,7 @@
 """Uncertainty of a run's numbers: by the derivatives of one run, and by samples, side by side.
 
 1. distributions   of parameters and starts, in SI                        design/distributions
-2. one run         at their means, and the derivatives of its outputs     design/output_derivatives
+2. one run         at their means, and the derivatives of its outputs     sensitivity/output_derivatives
 3. samples         A, B and A with a column of B, a run for each          sweeps/parameter_sweep
 4. indices         parts of the variance, by Saltelli's estimators        scipy.stats.sobol_indices
 """
@@ -18,15 +18,14 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.design.distributions import read_distributions
-from hertzwerk.runtime.design.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.design.propagated import Index, Propagated, Uncertain
 from hertzwerk.runtime.inputs.given import Input
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.free_quantities import quantities
-from hertzwerk.runtime.model.si_values import si_units
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, read_duration
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, duration_follows
+from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import REACHED_END
 from hertzwerk.runtime.start.start_values import split_values
@@ -164,21 +163,13 @@ def _derivatives(run: Solution, names: tuple[str, ...], duration: object) -> tup
     """Return the derivatives of a run's outputs; None with the reason where there are none."""
     if run.outcome.name not in REACHED_END:
         return None, f"the run at the means ended: {run.outcome.message}"
-    if isinstance(duration, str) and duration_follows(run.model, names, duration):
+    if duration_follows(run.model, names, duration):
         return None, f"the duration {duration} changes with what is uncertain: state it as a time"
     try:
         whole = run.with_steps()
         return OutputDerivatives(whole, run.sensitivities(*names)), ""
     except InputError as error:
         return None, "; ".join(f"{fault.where}: {fault.found}" for fault in error.faults)
-
-
-def duration_follows(model: plain.Model, names: Sequence[str], duration: str) -> bool:
-    """Return whether a duration, such as "2 rev", changes with a parameter."""
-    now = read_duration(model, {}, duration, [])
-    bound, units = model.bind(), si_units(model)
-    moved = ({name: (1.5 * bound[name], units[name] or "1")} for name in names if name in model.parameters)
-    return any(read_duration(model, values, duration, []) not in (now, math.nan) for values in moved)
 
 
 def _gradient(derivatives: OutputDerivatives, name: str) -> tuple[np.ndarray, str]:

@@ -55,3 +55,10 @@ def si_text(unit: str) -> str:
     if read.angle == 1:
         return text.replace("1", "rad", 1)
     return "" if text == "1" else text
+
+
+def ratio(above: str, below: str) -> str:
+    """Return the unit text of a derivative, of the units above and below, such as "N/(m/s)"."""
+    if not below:
+        return above
+    return f"{above or 1}/({below})" if set(below) & set("/ ") else f"{above or 1}/{below}"

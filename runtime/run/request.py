@@ -14,12 +14,13 @@ from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime.accuracy.ladder import LEAST
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
 from hertzwerk.runtime.model.binding import Value, read_time
 from hertzwerk.runtime.model.drive_speed import drive_speed
+from hertzwerk.runtime.model.free_quantities import quantities
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.model.si_values import si_of
+from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.solution import scales as scaling
@@ -56,6 +57,7 @@ class Settings:
     max_steps: int = MAX_STEPS
     max_events: int = MAX_EVENTS
     wall_time: float | None = None
+    sensitivities: Sequence[str] = ()
 
     @property
     def limits(self) -> Limits:
@@ -66,8 +68,23 @@ class Settings:
         """Raise InputError for input that is bad whatever the parameters of the run."""
         faults = self.faults()
         times_of(self.output, read_duration(model, {}, self.duration, faults), faults)
+        faults += self.sensitivity_faults(model)
         if faults:
             raise InputError(model.name, faults)
+
+    def sensitivity_faults(self, model: Model) -> list[Fault]:
+        """Return the faults of what derivatives are asked for by."""
+        asked = self.sensitivities
+        if isinstance(asked, str) or not isinstance(asked, Sequence):
+            expected = 'names of parameters and initial states, such as ("restitution",)'
+            return [Fault("sensitivities", shown(asked), expected)]
+        known = quantities(model) if asked else {}
+        faults = [
+            unknown("parameter or initial state", name, known)
+            for name in asked
+            if not isinstance(name, str) or name not in known
+        ]
+        return [*faults, *steps_faults("sensitivities", self.method)] if asked else faults
 
     def faults(self) -> list[Fault]:
         """Return the faults of everything but the duration and the output, which depends on it."""
@@ -98,6 +115,14 @@ class Settings:
         if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
             faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))
         return faults
+
+
+def steps_faults(what: str, method: str) -> list[Fault]:
+    """Return the fault of what follows a run's own steps by a method that has none of ours."""
+    if method not in SUNDIALS:
+        return []
+    expected = f"a method of {', '.join(IN_GRAPH)}, whose steps are followed"
+    return [Fault(what, f"a run by {method}", expected, f'method="{METHOD}"')]
 
 
 @dataclass(frozen=True)
@@ -132,7 +157,7 @@ def read(
 
     Raises InputError with `before` and every fault. Text that was read before is not read again.
     """
-    faults = [*before, *settings.faults()]
+    faults = [*before, *settings.faults(), *settings.sensitivity_faults(model)]
     known, key = _remembered(model), _key((settings.duration, parameters, initial, digest_of(model.signals)))
     given = None if faults else known.get(key)
     seconds = read_duration(model, parameters, settings.duration, faults) if given is None else given.seconds
@@ -238,6 +263,16 @@ def read_duration(
         return float(duration)
     faults.append(Fault("duration", "none" if duration is None else shown(duration), expected))
     return math.nan
+
+
+def duration_follows(model: Model, names: Sequence[str], duration: object) -> bool:
+    """Return whether a duration, such as "2 rev", changes with a parameter."""
+    if not isinstance(duration, str):
+        return False
+    now = read_duration(model, {}, duration, [])
+    bound, units = model.bind(), si_units(model)
+    moved = ({name: (1.5 * bound[name], units[name] or "1")} for name in names if name in model.parameters)
+    return any(read_duration(model, values, duration, []) not in (now, math.nan) for values in moved)
 
 
 def _angle(text: str) -> float | None:

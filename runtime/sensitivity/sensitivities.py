@@ -13,13 +13,17 @@ They are found after the run, from its steps: a run that is not asked pays nothi
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.runtime.accuracy.ladder import VALID
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.step.layout import FLIGHT
 from hertzwerk.runtime.model.free_quantities import quantities
+from hertzwerk.runtime.model.si_values import ratio
 from hertzwerk.runtime.sensitivity.chain import along, later
 from hertzwerk.runtime.sensitivity.followed import follow
 from hertzwerk.runtime.sensitivity.readout import Readout
@@ -36,6 +40,28 @@ if TYPE_CHECKING:
 
 BISECTIONS = 60  # of the step in which a force or penetration is largest
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
+
+
+@dataclass(frozen=True)
+class Derivative:
+    """Derivative of a history: values (rows,) over t (rows,) [s], in `unit`; nan where there is none.
+
+    `numpy.asarray` of it, and its rows, are those of the values.
+    """
+
+    name: str
+    unit: str
+    t: np.ndarray
+    values: np.ndarray
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        return np.array(self.values, dtype=dtype, copy=True if copy is None else copy)
+
+    def __getitem__(self, rows: Any) -> Any:
+        return self.values[rows]
+
+    def __len__(self) -> int:
+        return len(self.values)
 
 
 class Sensitivities:
@@ -78,6 +104,11 @@ class Sensitivities:
         everywhere = np.arange(len(self.history.rows))
         return self._at(everywhere, np.zeros(len(everywhere)), name)[:, self._column(to)]
 
+    def history_of(self, name: str, to: str, times: np.ndarray | None = None) -> Derivative:
+        """Return the derivative of a history with its unit, over the run's steps, or times [s] of it."""
+        t, values = (self.history.t, self[name, to]) if times is None else (times, self.at(times, name, to))
+        return Derivative(f"d({name})/d({to})", self.unit(name, to), t, values)
+
     def at(self, times: np.ndarray, name: str, to: str) -> np.ndarray:
         """Return the derivative of a history at any times [s] of the run; at an event, that just after it."""
         return self.along(times, name)[:, self._column(to)]
@@ -99,10 +130,25 @@ class Sensitivities:
         changes: np.ndarray = self._just_after(name, np.array([row]))[0]
         return changes
 
+    @cached_property
+    def horizon(self) -> float:
+        """Time [s] by which an error as small as the run's tolerance has grown to 1 %; else infinite.
+
+        Of a parameter a relative one, of a state one in its scale.
+        """
+        history, layout = self.history, self.history.engine.layouts.controls
+        n = history.model.nq + history.model.nu
+        changes = np.abs(self._found.after[:, :n]) / history.controls[layout["scale"]][:n, None]
+        sizes = changes.max(axis=1, initial=0.0)
+        of_states = ~self._directions.dp.any(axis=0)
+        sizes *= np.where(of_states, 1 / np.where(of_states & (sizes[0] > 0), sizes[0], 1), self._directions.sizes)
+        grown = history.controls[layout["tolerance"]][0] * sizes.max(axis=1)
+        over = np.flatnonzero(grown > VALID)
+        return float(history.t[over[0]]) if len(over) else np.inf
+
     def unit(self, name: str, to: str) -> str:
         """Return the SI unit text of a derivative, such as "N/(m/s)"."""
-        above, below = self.history.units[name], quantities(self.history.model)[to]
-        return above if not below else f"{above}/({below})" if set(below) & set("/ ") else f"{above}/{below}"
+        return ratio(self.history.units[name], quantities(self.history.model)[to])
 
     def impacts(self, what: str, to: str) -> np.ndarray:
         """Return the derivatives of one number of the impacts, shape (impacts,).

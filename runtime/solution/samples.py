@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.solution import Solution
 
 SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
+NORMS = {"norm8": 8, "norm32": 32}  # even orders of smooth stand-ins for the largest magnitude
 POINTS, ZOOMS = 17, 4  # points around the largest sample, and refinements, of an extreme
 
 
@@ -61,6 +63,11 @@ class Samples:
     def mean(self, of: Callable[[History], np.ndarray]) -> float:
         """Average a quantity over time."""
         return self.integral(of) / float(self.t[-1] - self.t[0])
+
+    def norm(self, name: str, order: int) -> float:
+        """Return the mean over time of the order-th power of a magnitude, and of that the root."""
+        size = float(np.abs(self[name]).max()) or 1.0
+        return size * math.pow(self.mean(lambda history: (history[name] / size) ** order), 1 / order)
 
     @cached_property
     def _step_ends(self) -> History:

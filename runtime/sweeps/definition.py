@@ -31,6 +31,7 @@ COMPUTING = (
     "integrate",
     "model",
     "run",
+    "sensitivity",
     "solution",
     "start",
     "sweeps",

@@ -30,7 +30,16 @@ from hertzwerk.runtime.model.binding import Value, named_values, read
 from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.model.signal import digest_of
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check, read_duration
+from hertzwerk.runtime.run.request import (
+    MAX_EVENTS,
+    MAX_STEPS,
+    METHOD,
+    Compiled,
+    Settings,
+    check,
+    duration_follows,
+    read_duration,
+)
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
@@ -41,7 +50,7 @@ from hertzwerk.runtime.sweeps.following import Chains, read_chains, state_units
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError
-from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own, text_behind
+from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, derived_by, finals, own, text_behind
 from hertzwerk.runtime.sweeps.store import TABLE, Store, opened, read_rows
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Sweep, columns_of
 
@@ -100,7 +109,8 @@ def sweep(
     values    other values in place of the model's, the same for all points
     inputs    values of the scene's inputs that are not varied, as `simulate` takes them
     outputs    names such as "final.guide.travel", "slider_pin.peak_force", "slider_pin.impact_rate" (with half the
-               width of its 95 % interval as a column more), "guide.travel.max"; by default every final state
+               width of its 95 % interval as a column more), "guide.travel.max"; by default every final state; derivatives are
+               "d(slider_pin.peak_force)/d(restitution)", of outputs by parameters and initial states
     section    where each row keeps points: "main_bearing.angle = 0" (at every return of the drive), "phase = 90 deg" (of the
             period of what depends on time), "floor.gap = 0 m falling" (a history crosses a value; rising, falling or both)
     grid    at how many points, or at what spacing ("0.1 ms"), each row keeps histories
@@ -149,9 +159,12 @@ def sweep(
     kept = read_kept(model, **asked, duration=duration, end=end, faults=faults)
     faults += worker_faults(workers, client)
     try:
-        Settings(**settings, compiled=compiled).check(model)
+        Settings(**settings, compiled=compiled, sensitivities=derived_by(wanted)).check(model)
     except InputError as error:
         faults += error.faults
+    if not faults and duration_follows(model, derived_by(wanted), duration):
+        found = f"{duration}, which changes with what derivatives are taken by"
+        faults.append(Fault("duration", found, 'a time, such as "24 ms"'))
     if faults:
         raise InputError(f"sweep of {model.name}", faults)
     plan = Plan(model, design, fixed, varied, wanted, settings, kept, chains, choices)

@@ -17,17 +17,18 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import Settings
-from hertzwerk.runtime.simulation import solve
+from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError
+from hertzwerk.runtime.simulation import Solution, solve
 from hertzwerk.runtime.solution.findings import Needs
-from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, Times
-from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, named
+from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, derived_by, named
 from hertzwerk.runtime.sweeps.sweep_table import LOST, Row
 
 # outcomes of rows without a run or some of its numbers
 BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED = "bad_input", "bad_output", "output_no_number", "failed"
+NO_DERIVATIVE = "no_derivative"
 PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
 
 Own: TypeAlias = Callable[[Solution], float]
@@ -137,6 +138,7 @@ class Job:
         times = None if self.kept is None else self.kept.times(model, parameters)
         if times is not None and Needs.STEPS not in self.needs and len(times.all):
             settings = replace(settings, output=times.all)
+        settings = replace(settings, sensitivities=derived_by(self.outputs))
         solution = solve(model, settings, parameters, initial, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
@@ -164,6 +166,9 @@ class Job:
                 numbers.update(zip(output.columns, output.of(measured), strict=True))
             except NotANumberError as error:
                 outcome, message = NO_NUMBER, str(error)
+            except NoDerivativeError as error:
+                if solution.outcome.finished:
+                    outcome, message = NO_DERIVATIVE, f"{output.name}: {error}"
             except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
                 outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
         arrays: Mapping[str, Packed] = {}

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -15,13 +16,20 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, shown, unknown
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.model.free_quantities import quantities
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.si_values import ratio
+from hertzwerk.runtime.sensitivity.output_derivatives import (
+    NoDerivativeError,
+    OutputDerivatives,
+    without_derivative,
+)
+from hertzwerk.runtime.simulation import Solution
 from hertzwerk.runtime.solution.averages import OF_IMPACTS, POWERS, Average, Run, averages_by_name
 from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.history import units_of
 from hertzwerk.runtime.solution.impacts import Impact
-from hertzwerk.runtime.solution.samples import Samples
-from hertzwerk.runtime.solution.solution import Solution
+from hertzwerk.runtime.solution.samples import NORMS, Samples
 
 
 class Measured:
@@ -41,6 +49,14 @@ class Measured:
         run = self.run
         return averages_by_name(Run(run.model, run.findings, run.scales, run.tolerance, run.t_start, run.t_end))
 
+    @cached_property
+    def derivatives(self) -> OutputDerivatives:
+        """Derivatives of outputs; raises NoDerivativeError where the run has none."""
+        run = self.run.with_steps()
+        if self.run.derivatives is None:
+            raise NoDerivativeError("the run has none: its steps are not known")
+        return OutputDerivatives(run, self.run.derivatives)
+
     def impacts(self, pair: str | None) -> list[Impact]:
         """Contacts of one pair, or of all."""
         return [impact for impact in self.run.impacts if pair in (None, impact.contact)]
@@ -52,12 +68,14 @@ class Output:
 
     of    the numbers in the order of the columns; nan where a run has none
     function    the user's own that it is made of
+    derived    the output that it is the derivative of, and by what
     """
 
     columns: Mapping[str, str]
     needs: Needs
     of: Callable[[Measured], tuple[float, ...]]
     function: Callable[[Solution], float] | None = None
+    derived: tuple[str, str] | None = None
 
     @property
     def name(self) -> str:
@@ -70,6 +88,7 @@ class NotANumberError(TypeError):
 
 
 _OTHERWISE = "a history with .max, .min, .mean, .rms, .peak_to_peak, .norm8 or .norm32"
+DERIVATIVE = re.compile(r"d\((.+)\)/d\(([^()]+)\)")  # of an output by a parameter or initial state
 
 
 def own(name: str, function: Callable[[Solution], float]) -> Output:
@@ -92,10 +111,40 @@ def named(model: Model, outputs: Sequence[tuple[str, Callable[[Solution], float]
 
 def _found(model: Model, there: Mapping[str, Output], name: str) -> Any:
     """Return the output of a name, of a reading too, which is derived then; None where there is none."""
+    if DERIVATIVE.fullmatch(name):
+        return _derivative(model, there, name)
     history, _, kind = name.rpartition(".")
     if name in there or kind not in _REDUCERS or history not in units_of(model, None):
         return there.get(name)
     return _reduced(history, units_of(model, None)[history], kind)
+
+
+def _derivative(model: Model, there: Mapping[str, Output], name: str) -> Output | None:
+    """Return the output of a derivative, "d(OUTPUT)/d(NAME)"; None where there is none."""
+    above, to = DERIVATIVE.fullmatch(name).groups()  # type: ignore[union-attr]
+    of, units = _found(model, there, above), quantities(model)
+    if of is None or of.derived or to not in units:
+        return None
+
+    def one(measured: Measured) -> tuple[float, ...]:
+        derivatives = measured.derivatives
+        return (float(derivatives[above][derivatives.of.names.index(to)]),)
+
+    return Output({name: ratio(of.columns[above], units[to])}, Needs.STEPS, one, derived=(above, to))
+
+
+def _derivative_faults(model: Model, there: Mapping[str, Output], name: str) -> list[Fault]:
+    """Return the faults of the name of a derivative."""
+    above, to = DERIVATIVE.fullmatch(name).groups()  # type: ignore[union-attr]
+    units = quantities(model)
+    faults = [] if to in units else [unknown("parameter or initial state", to, units)]
+    if _found(model, there, above) is None:
+        faults.append(unknown("sweep output", above, there, _OTHERWISE))
+    elif DERIVATIVE.fullmatch(above):
+        faults.append(Fault(name, "a derivative of a derivative", "a first derivative: there are no others"))
+    elif reason := without_derivative(above):
+        faults.append(Fault(name, f"{above}: {reason}", "an output with a derivative"))
+    return faults
 
 
 def known(model: Model) -> dict[str, Output]:
@@ -114,15 +163,31 @@ def chosen(model: Model, names: object, faults: list[Fault]) -> list[Output]:
     faults += [unknown("sweep output", name, there, _OTHERWISE) for name in names if not isinstance(name, str)]
     texts = list(dict.fromkeys(name for name in names if isinstance(name, str)))
     found = {name: _found(model, there, name) for name in texts}
-    faults += [unknown("sweep output", name, there, _OTHERWISE) for name in texts if found[name] is None]
+    derivatives = [name for name in texts if DERIVATIVE.fullmatch(name)]
+    for name in derivatives:
+        faults += _derivative_faults(model, there, name)
+    faults += [
+        unknown("sweep output", name, there, _OTHERWISE)
+        for name in texts
+        if found[name] is None and name not in derivatives
+    ]
     faults += [Fault("outputs", f"{name} twice", "each once") for name in texts if names.count(name) > 1]
     return [output for output in found.values() if output is not None]
+
+
+def derived_by(outputs: Sequence[Output]) -> tuple[str, ...]:
+    """Return the names by which derivatives of outputs are taken."""
+    return tuple(dict.fromkeys(output.derived[1] for output in outputs if output.derived))
 
 
 def text_behind(model: Model, outputs: Sequence[Output], histories: Sequence[str]) -> str:
     """Return the text beside the model's own that outputs, or other histories, may be computed by."""
     units = units_of(model, None)
-    split = (output.name.rpartition(".") for output in outputs if output.function is None)
+    split = (
+        (output.derived[0] if output.derived else output.name).rpartition(".")
+        for output in outputs
+        if output.function is None
+    )
     asked = [*histories, *(history for history, _, kind in split if kind in _REDUCERS)]
     own = any(output.function is not None for output in outputs)  # may ask for anything
     return units.text_behind(units.everything if own else asked)
@@ -238,12 +303,6 @@ def _mean(samples: Samples, name: str) -> float:
     return samples.mean(lambda history: history[name])
 
 
-def norm(samples: Samples, name: str, order: int) -> float:
-    """Return the mean over time of the order-th power of a magnitude, and of that the root."""
-    size = float(np.abs(samples[name]).max()) or 1.0
-    return size * math.pow(samples.mean(lambda history: (history[name] / size) ** order), 1 / order)
-
-
 def _highest(samples: Samples, name: str) -> float:
     return samples.highest(lambda history: history[name])
 
@@ -252,14 +311,13 @@ def _lowest(samples: Samples, name: str) -> float:
     return -samples.highest(lambda history: -history[name])
 
 
-NORMS = {"norm8": 8, "norm32": 32}  # even orders of smooth stand-ins for the largest magnitude
 _REDUCERS: dict[str, Callable[[Samples, str], float]] = {
     "max": _highest,
     "min": _lowest,
     "mean": _mean,
-    "rms": partial(norm, order=2),
+    "rms": partial(Samples.norm, order=2),
     "peak_to_peak": lambda samples, name: _highest(samples, name) - _lowest(samples, name),
-    **{kind: partial(norm, order=order) for kind, order in NORMS.items()},
+    **{kind: partial(Samples.norm, order=order) for kind, order in NORMS.items()},
 }
 
 

@@ -13,10 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.html.markup import joined, tag
 from hertzwerk.derive.html.plain_table import heading, table
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.si_values import ratio
+from hertzwerk.runtime.sensitivity.regression import Slope, slope_of
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
@@ -178,6 +181,31 @@ class Sweep:
     def unit(self, name: str) -> str:
         """Return the SI unit text of a column; "" if it has none."""
         return self.columns[name]
+
+    def slope(self, output: str, name: str, at: float | None = None) -> Slope:
+        """Return the derivative of an output by what was varied, by regression over the finished rows.
+
+        For what has none along one run, as averages in chaos. at: where [SI], by default in the middle of the rows. Other
+        numbers that are varied count linearly. Raises InputError for names that are no such columns, and too few rows.
+        """
+        numbers = [column for column in self.varied if np.asarray(self[column]).dtype.kind == "f"]
+        outputs = [column for column in self.names if column not in (*self.varied, *TEXTS)]
+        faults = [] if name in numbers else [unknown("varied number", name, numbers)]
+        faults += [] if output in outputs else [unknown("output", output, outputs)]
+        if faults:
+            raise InputError(f"slope over the sweep of {self.scene}", faults)
+        columns = [np.asarray(self[each], dtype=float) for each in (name, output, *numbers)]
+        done = np.array([row.outcome == "finished" for row in self.rows], dtype=bool)
+        known = done & np.isfinite(columns).all(axis=0)
+        x, y, *others = (column[known] for column in columns)
+        others = [other for each, other in zip(numbers, others, strict=True) if each != name]
+        try:
+            unit = ratio(self.unit(output), self.unit(name))
+            return slope_of(f"d({output})/d({name})", unit, x, y, others, at)
+        except ValueError as error:
+            where = f"slope over the sweep of {self.scene}"
+            found, expected = str(error).split(", ")
+            raise InputError(where, [Fault(output, f"{found} of {name} that finished", expected)]) from None
 
     def counts(self) -> dict[str, int]:
         """Return the number of rows by outcome, the most frequent first."""

@@ -74,6 +74,13 @@ STOPPED = (
     multiple=True,
     help="Write this one too, derived from the scene: rod.x, crank_pin.reaction_x (`hertzwerk list TARGET` has all).",
 )
+@click.option(
+    "--sensitivity",
+    "sensitivities",
+    metavar="NAME",
+    multiple=True,
+    help="Write derivatives by this parameter or initial state too, through impacts, into sensitivities.csv.",
+)
 @MAX_STEPS
 @WALL_TIME
 @click.option(
@@ -207,6 +214,7 @@ def _simulate(
     wall_time: str | None,
     start: str | None,
     histories: Sequence[str],
+    sensitivities: Sequence[str],
 ) -> Solution:
     """Return the solution of a command line; raises InputError with `faults` and those of all its parts."""
     from hertzwerk.runtime.run.request import METHOD, Settings
@@ -217,7 +225,9 @@ def _simulate(
     by = method or numbers.get("method", METHOD)
     stopping.stage("building")
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
-    settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
+    settled = Settings(
+        duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits, sensitivities=sensitivities
+    )
     return varied.solved(settled, faults, stopping, histories=histories, at_rest=start is not None)
 
 

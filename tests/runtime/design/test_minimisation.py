@@ -6,7 +6,7 @@ from yokes import ARM, THROW, YOKE, balanced_crank, scotch_yoke
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, minimise, simulate
-from hertzwerk.runtime.design.output_derivatives import OutputDerivatives
+from hertzwerk.runtime.sensitivity.output_derivatives import OutputDerivatives
 from hertzwerk.runtime.solution.samples import Samples
 
 BEARING = "bearing.reaction_x.rms**2 + bearing.reaction_y.rms**2"

@@ -287,6 +287,33 @@ def test_a_jump_without_one_of_its_terms_is_wrong(scene, left_out, monkeypatch, 
 # -- what has no derivative, and bad input -----------------------------------------------------------------------------
 
 
+def test_a_run_may_be_asked_for_them_at_once(crank):
+    how = {"duration": "1 ms", "tolerance": 1e-9, "compiled": False}
+    run = simulate(crank, **how, sensitivities=("restitution", "guide.travel"))
+    later = simulate(crank, **how).sensitivities("restitution", "guide.travel")
+    found = run.sensitivity("slider_pin.normal_force", "restitution")
+    np.testing.assert_array_equal(found, later["slider_pin.normal_force", "restitution"])
+    assert (found.unit, found.name, len(found)) == ("N", "d(slider_pin.normal_force)/d(restitution)", len(run.t))
+    assert run.derivatives.impacts("speed", "restitution").tolist() == later.impacts("speed", "restitution").tolist()
+    assert np.isfinite(run.sensitivity("guide.travel", "clearance")[-1])  # not asked for: found now
+    grid = simulate(crank, **how, output=20, sensitivities=("restitution",)).sensitivity("guide.travel", "restitution")
+    assert grid.values.shape == grid.t.shape == (20,)
+    assert grid[-1] == pytest.approx(later["guide.travel", "restitution"][-1], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("how", "said"),
+    [
+        ({"sensitivities": ("restitutio",)}, "did you mean restitution"),
+        ({"sensitivities": "restitution"}, "expected names"),
+        ({"sensitivities": ("restitution",), "method": "cvodes"}, 'a run by cvodes.*method="auto"'),
+    ],
+)
+def test_what_cannot_be_followed_is_refused_before_the_run(crank, how, said):
+    with pytest.raises(InputError, match=f"(?s){said}"):
+        simulate(crank, duration="1 ms", tolerance=1e-6, **how)
+
+
 def test_a_graze_ends_it_by_name(crank, monkeypatch):
     """Surfaces that touch without approaching: a run that lands so, made by taking every landing for one."""
     run = made(crank, duration="0.5 ms", tolerance=1e-9)

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.accuracy.ladder import VALID
 from hertzwerk.runtime.solution.averages import POWERS
 from hertzwerk.runtime.solution.history import units_of
-from hertzwerk.runtime.solution.samples import Samples
-from hertzwerk.runtime.sweeps.row_outputs import NORMS, norm
+from hertzwerk.runtime.solution.samples import NORMS, Samples
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
@@ -34,12 +34,23 @@ WITHOUT = {
     "error": "it is an estimate, and has no derivative",
     "energy_residual": "it is an error, and has no derivative",
 }
-LONG = "an average of a long run has no derivative along one trajectory: the samples tell it"
-OWN = "a function of yours has no derivative here: the samples tell it"
+REGRESSION = "a sweep over the parameter tells it, with an interval: sweep(...).slope(OUTPUT, NAME)"
+LONG = f"an average of a long run has no derivative along one trajectory; {REGRESSION}"
+OWN = f"a function of yours has no derivative here; {REGRESSION}"
+AVERAGES = (*POWERS.values(), ".impact_rate", ".mean_force", ".mean_peak_force", ".mean_largest_force")
 
 
 class NoDerivativeError(ArithmeticError):
     """An output without a derivative, and why."""
+
+
+def without_derivative(output: str) -> str:
+    """Return why an output of any run has no derivative; empty where it may have one."""
+    if output.removesuffix(".half_width").endswith(AVERAGES):
+        return LONG
+    if output.startswith("final."):
+        return ""
+    return WITHOUT.get(output.rpartition(".")[2], "")
 
 
 class OutputDerivatives:
@@ -75,10 +86,7 @@ class OutputDerivatives:
         if reducer is not None and before in units_of(model, None):
             reduced: np.ndarray = reducer(self, before)
             return reduced
-        ends = (*POWERS.values(), ".impact_rate", ".mean_force", ".mean_peak_force", ".mean_largest_force")
-        if output.removesuffix(".half_width").endswith(ends):
-            raise NoDerivativeError(LONG)
-        raise NoDerivativeError(WITHOUT.get(last, OWN))
+        raise NoDerivativeError(without_derivative(output) or OWN)
 
     def _at(self, time: float, history: str) -> np.ndarray:
         found: np.ndarray = self.of.along(np.array([time]), history)[0]
@@ -131,12 +139,23 @@ class OutputDerivatives:
 
         return limit(rows - 1, steps[rows - 1], -by[rows - 1]), limit(rows, 0 * steps[rows], by[rows])
 
+    def _within_horizon(self) -> None:
+        """Raise NoDerivativeError for an average over more than derivatives along one trajectory tell."""
+        horizon = self.of.horizon
+        if self.run.t_end > horizon:
+            raise NoDerivativeError(
+                f"the run is longer than the horizon of its derivatives, {horizon:.4g} s, by which an error as small as its tolerance "
+                f"has grown to {VALID:.0%}: the average does not change as along this trajectory; {REGRESSION}"
+            )
+
     def _mean(self, name: str) -> np.ndarray:
+        self._within_horizon()
         found: np.ndarray = self._integral(name, lambda h: h, np.ones_like) / self._time
         return found
 
     def _norm(self, name: str, order: int) -> np.ndarray:
-        value = norm(self.samples, name, order)
+        self._within_horizon()
+        value = self.samples.norm(name, order)
         if value == 0:
             raise NoDerivativeError("it is zero throughout, where a root has no derivative")
         by = self._integral(name, lambda h: (h / value) ** order, lambda h: order * (h / value) ** (order - 1) / value)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.design.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.model.si_values import si_units
+from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.sweeps.row_outputs import Measured, chosen
 
 DASHPOT = {"floor": "power(K=1e6 N/m, n=1) x power_damping(chi=200 N s/m, m=0)"}

@@ -1,0 +1,33 @@
+"""`hertzwerk run --sensitivity`: derivatives in the run's folder, and names that are none."""
+
+import csv
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.cli import main
+
+
+def test_derivatives_are_written_beside_the_run(tmp_path):
+    asked = ["run", "slider_crank", "--duration", "0.6 ms", "--sensitivity", "restitution", "--no-plots"]
+    result = CliRunner().invoke(main, [*asked, "--out", str(tmp_path / "run")])
+    assert result.exit_code == 0, result.output
+    assert "sensitivities.csv" in result.output
+    header, *rows = csv.reader((tmp_path / "run" / "sensitivities.csv").read_text().splitlines())
+    run = simulate(load("slider_crank"), duration="0.6 ms", sensitivities=("restitution",))
+    travel = run.sensitivity("guide.travel", "restitution")
+    assert float(rows[-1][header.index("d(guide.travel)/d(restitution) [m]")]) == pytest.approx(travel[-1], rel=1e-12)
+    told = json.loads((tmp_path / "run" / "run.json").read_text())["sensitivities"]["restitution"]
+    assert told["final"]["guide.travel"] == pytest.approx(travel[-1], rel=1e-12)
+    assert told["impacts"]["peak_force"] == pytest.approx(run.derivatives.impacts("peak_force", "restitution"))
+    again = CliRunner().invoke(main, ["run", "--continue", str(tmp_path / "run"), "--sensitivity", "restitution"])
+    assert again.exit_code == 2
+    assert "a run from its start" in again.output
+
+
+def test_a_name_that_is_none_is_refused():
+    result = CliRunner().invoke(main, ["run", "slider_crank", "--duration", "1 ms", "--sensitivity", "restitutio"])
+    assert result.exit_code == 2
+    assert "did you mean restitution" in result.output
