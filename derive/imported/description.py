@@ -70,7 +70,6 @@ class Description:
     rates         key of a `given` coordinate -> its rate
     steps         symbols and expressions of what other expressions share, in order
     quantities    parameters and what varies, with their units
-    follows_time  names of what varies with time in the motion itself, whose power is not known
     """
 
     coordinates: tuple[Freedom, ...]
@@ -82,4 +81,3 @@ class Description:
     equations: Equations
     conditions: tuple[Condition, ...]
     quantities: tuple[Slot, ...]
-    follows_time: tuple[str, ...] = ()

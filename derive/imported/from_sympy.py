@@ -12,6 +12,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -75,6 +76,7 @@ class Model:
         self.parameters: Mapping[str, Parameter] = names.parameters
         """The constants by name, for use in pairs and effects."""
         self._bodies: dict[str, tuple[Body, Placed]] = {}
+        self._linear = cache(self._find_linear)
         self.bodies: tuple[Body, ...] = tuple(self._body(body) for body in reading.bodies)
         """The model's own bodies."""
 
@@ -157,14 +159,28 @@ class Model:
         return Placed(axes, (x, y, z), self._linear_vector(reading.velocity(point)), turning)
 
     def _linear_vector(self, vector: Any) -> tuple[Linear, Linear, Linear]:
-        x, y, z = (self._linear(value) for value in vector.to_matrix(self._reading.frame))
+        """Components along the ground's axes; each part is differentiated along the axes in which it is written."""
+        shares: tuple[dict[str, list[Any]], ...] = ({}, {}, {})
+        rests: tuple[list[Any], ...] = ([], [], [])
+        for values, frame in vector.args if vector != 0 else ():
+            matrix, parts = self._reading.frame.dcm(frame), [self._linear(value) for value in values]
+            for i in range(3):
+                for k, (share, rest) in enumerate(parts):
+                    turned = self._names.of(matrix[i, k])
+                    rests[i].append(turned * rest)
+                    for key, value in share.items():
+                        shares[i].setdefault(key, []).append(turned * value)
+        x, y, z = (
+            ({key: sp.Add(*terms) for key, terms in share.items()}, sp.Add(*rest))
+            for share, rest in zip(shares, rests, strict=True)
+        )
         return x, y, z
 
-    def _linear(self, expression: Any) -> Linear:
+    def _find_linear(self, expression: Any) -> Linear:
         """Coefficients of the speeds in an expression that is linear in them, and the rest."""
         reading, names = self._reading, self._names
-        expression = expression.xreplace(reading.derivatives())
-        shares = {names.keys[u]: names.of(expression.diff(u)) for u in reading.u}
+        expression = expression.xreplace(reading.derivatives)
+        shares = {names.keys[u]: names.of(expression.diff(u)) for u in reading.u if expression.has(u)}
         rest = names.of(expression.xreplace(dict.fromkeys(reading.u, sp.S.Zero)))
         return {key: share for key, share in shares.items() if share != 0}, rest
 
@@ -190,7 +206,7 @@ class Model:
         quantities += [Varying(f"function {name_of(f)}(t)", v, str(names.table[f])) for f, v in names.moving.items()]
         return Description(
             names.freedoms, names.measured, names.uncounted, rates, tuple(steps), places,
-            Equations(mass, bias, potential), conditions, tuple(quantities), self._follows_time(),
+            Equations(mass, bias, potential), conditions, tuple(quantities),
         )  # fmt: skip
 
     def _loads(self) -> tuple[Loads, ...]:
@@ -226,7 +242,8 @@ class Model:
         shares, rest = self._linear(rate)
         scaled = {key: factor * share for key, share in shares.items()}, factor * rest
         zero = sp.S.Zero if value is None else factor * self._names.of(value)
-        return Condition(name, "m/s" if value is None else "1" if angle else "m", zero, scaled)
+        unit, what = ("m/s", "rate") if value is None else ("1", "turned") if angle else ("m", "off")
+        return Condition(f"{name}.{what}", unit, zero, scaled)
 
     @property
     def _size(self) -> Any:
@@ -239,6 +256,8 @@ class Model:
     def _independent(self) -> list[Any]:
         """Constraints on speeds that are no rates of those on coordinates, at the values and random states."""
         reading, names = self._reading, self._names
+        if not reading.mixed:
+            return list(reading.nonholonomic)
         kept: list[Any] = []
         columns = [self._linear(expression.diff(TIME))[0] for expression in reading.holonomic]
         for expression in reading.nonholonomic:
@@ -249,22 +268,15 @@ class Model:
                 kept.append(expression)
         return kept
 
-    def _follows_time(self) -> tuple[str, ...]:
-        """Functions of time in the motion itself, or time."""
-        reading, speeds = self._reading, dict.fromkeys(self._reading.u, sp.S.Zero)
-        still = [rate.xreplace(speeds) for rate in reading.rates.values()]
-        vectors = [reading.velocity(mass_centre(body)[0]) for body in reading.bodies]
-        vectors += [
-            mass_centre(body)[1].ang_vel_in(reading.frame)
-            for body in reading.bodies
-            if mass_centre(body)[1] is not None
-        ]
-        for vector in vectors:
-            still += [v.xreplace(reading.derivatives()).xreplace(speeds) for v in vector.to_matrix(reading.frame)]
-        lagrangian = [] if reading.lagrangian is None else [reading.lagrangian]
-        functions = [name_of(a) for a in atoms_of([*still, *lagrangian]) if a in self._names.moving]
-        explicit = any(e.xreplace(reading.derivatives()).has(TIME) and _bare(e) for e in lagrangian)
-        return tuple(dict.fromkeys([*functions, *(["t"] if explicit or any(map(_bare, still)) else [])]))
+    def _follows_time(self) -> bool:
+        """Whether the motion itself follows time, so that there is a drive whose force is not known."""
+        reading = self._reading
+        linear = [self._linear(rate) for rate in reading.rates.values()]
+        for _, place in self._bodies.values():
+            linear += [*place.velocity, *place.angular_velocity]
+        given = () if reading.lagrangian is None else (reading.lagrangian,)
+        functions = any(atom in self._names.moving for atom in atoms_of(given))
+        return functions or any(map(_bare, given)) or any(rest != 0 for _, rest in linear)
 
 
 def _bare(expression: Any) -> bool:

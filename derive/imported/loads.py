@@ -46,10 +46,9 @@ class Loads(Effect):
         return Element(forces, stored, input=tape.let(power + drawn, f"{self.name}_power"))
 
 
-def ledger_faults(effects: tuple[Any, ...], follows_time: tuple[str, ...]) -> Iterator[Fault]:
+def ledger_faults(effects: tuple[Any, ...], follows_time: bool) -> Iterator[Fault]:
     """Yield a fault of an energy ledger beside a motion that follows time, whose power is not known."""
     if follows_time and any(isinstance(effect, EnergyLedger) for effect in effects):
-        named = " and ".join(follows_time)
-        yield Fault("effects", f"an energy ledger beside {named}, by which the motion itself follows time",
+        yield Fault("effects", "an energy ledger beside a motion that itself follows time",
                     "a motion whose drive is known: what it takes is not in SymPy's equations",
-                    "Make it a coordinate of the model and drive it, Drive(..., position=...); or leave the ledger out.")  # fmt: skip
+                    "Make what is specified a coordinate and drive it, Drive(..., position=...); or leave the ledger out.")  # fmt: skip

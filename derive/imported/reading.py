@@ -7,7 +7,8 @@ equations again without its constraints, which are kept beside them: multipliers
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -30,7 +31,7 @@ class Reading:
     force          generalised forces of the loads
     potential      energy of the Lagrangian's potential, or None
     stored         potential energies of the bodies, whose forces are among the loads, or 0
-    holonomic, nonholonomic  constraints, on coordinates and on speeds alone
+    holonomic, nonholonomic  constraints, on coordinates and on speeds; `mixed` where the latter may include the former's rates
     lagrangian     of Lagrange's equations, else None
     """
 
@@ -48,9 +49,10 @@ class Reading:
     stored: Any
     holonomic: tuple[Any, ...]
     nonholonomic: tuple[Any, ...]
-    kinematical: tuple[Any, ...] = ()
     lagrangian: Any = None
+    mixed: bool = False
 
+    @cached_property
     def derivatives(self) -> dict[Any, Any]:
         """Derivatives of the coordinates, by the speeds."""
         return {q.diff(TIME): rate for q, rate in self.rates.items()}
@@ -66,9 +68,7 @@ class Reading:
 def reading_of(method: Any, origin: Any) -> Reading:
     """Reading of a method of SymPy; raises InputError for anything else, and for equations not yet formed."""
     if isinstance(method, System):
-        if method.eom_method is None:
-            method.form_eoms()
-        return reading_of(method.eom_method, method.fixed_point if origin is None else origin)
+        return _of_system(method, method.fixed_point if origin is None else origin)
     if isinstance(method, KanesMethod):
         return _of_kane(method, origin)
     if isinstance(method, LagrangesMethod):
@@ -76,13 +76,31 @@ def reading_of(method: Any, origin: Any) -> Reading:
     raise InputError("from_sympy", [Fault("method", shown(method), KINDS)])
 
 
+def _of_system(system: Any, origin: Any) -> Reading:
+    """Reading of a System: its equations need not be formed, which would solve the constraints symbolically."""
+    if isinstance(system.eom_method, LagrangesMethod):
+        return _of_lagrange(system.eom_method, origin)
+    if not (system.q and system.u and system.bodies):
+        found = f"{len(system.q)} coordinates, {len(system.u)} speeds, {len(system.bodies)} bodies"
+        raise InputError(
+            "from_sympy", [Fault("System", found, "some of each", "system.add_bodies(...), add_coordinates(...).")]
+        )
+    _refuse_auxiliary("System", system.u_aux)
+    loads = [*system.loads, *(load for actuator in system.actuators for load in actuator.to_loads())]
+    whole = KanesMethod(system.frame, list(system.q), list(system.u), kd_eqs=list(system.kdes))
+    whole.kanes_equations(list(system.bodies), loads or None)
+    reading = _of_kane(whole, origin)
+    own = system._vel_constrs  # in place of the rates of the holonomic ones and the nonholonomic ones
+    speeds = system.nonholonomic_constraints if own is None else own
+    return replace(
+        reading, holonomic=tuple(system.holonomic_constraints), nonholonomic=tuple(speeds), mixed=own is not None
+    )
+
+
 def _of_kane(method: Any, origin: Any) -> Reading:
     if method._frstar is None:
         raise _not_formed("KanesMethod", "method.kanes_equations(bodies, loads)")
-    if method._uaux:
-        found = f"auxiliary speeds {', '.join(map(str, method._uaux))}"
-        raise InputError("from_sympy", [Fault("KanesMethod", found, "none: forces of constraints are histories here",
-                                              "Leave them out, with the loads they bring to light.")])  # fmt: skip
+    _refuse_auxiliary("KanesMethod", method._uaux)
     rates = {q: method.kindiffdict()[q.diff(TIME)] for q in method.q}
     speeds = method._k_nh * sp.Matrix(method.u) + method._f_nh if method._udep else sp.Matrix()
     whole = method
@@ -95,7 +113,7 @@ def _of_kane(method: Any, origin: Any) -> Reading:
         method._inertial, origin, tuple(method.q), tuple(method.u), rates, tuple(method.bodylist),
         tuple(method.forcelist or ()), whole._k_d, tuple(bias), tuple(force), None,
         sp.Add(*(sp.sympify(body.potential_energy, strict=True) for body in method.bodylist)),
-        tuple(method._f_h), tuple(speeds),
+        tuple(method._f_h), tuple(speeds), mixed=True,
     )  # fmt: skip
 
 
@@ -113,6 +131,13 @@ def _of_lagrange(method: Any, origin: Any) -> Reading:
         -lagrangian.xreplace(dict.fromkeys(u, sp.S.Zero)), sp.S.Zero,
         holonomic, tuple(method.coneqs)[len(holonomic):], lagrangian=lagrangian,
     )  # fmt: skip
+
+
+def _refuse_auxiliary(kind: str, speeds: Any) -> None:
+    if speeds:
+        found = f"auxiliary speeds {', '.join(map(str, speeds))}"
+        raise InputError("from_sympy", [Fault(kind, found, "none: forces of constraints are histories here",
+                                              "Leave them out, with the loads they bring to light.")])  # fmt: skip
 
 
 def _not_formed(kind: str, how: str) -> InputError:

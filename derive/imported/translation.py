@@ -35,9 +35,8 @@ def name_of(symbol: Any) -> str:
     return str(symbol.func.__name__ if isinstance(symbol, AppliedUndef) else symbol.name)
 
 
-def atoms_of(expressions: Iterable[Any]) -> list[Any]:
-    """Symbols and functions of time in expressions, but for time, in order of appearance."""
-    found: dict[Any, None] = {}
+def parts_of(expressions: Iterable[Any]) -> Iterator[Any]:
+    """Yield every part of expressions once, in order of appearance; functions of time are whole."""
     seen: set[Any] = set()
     pending = [*reversed(list(expressions))]
     while pending:
@@ -45,12 +44,14 @@ def atoms_of(expressions: Iterable[Any]) -> list[Any]:
         if node in seen:
             continue
         seen.add(node)
-        if isinstance(node, sp.Symbol | AppliedUndef):
-            found[node] = None
-        else:
+        yield node
+        if not isinstance(node, AppliedUndef):
             pending.extend(reversed(node.args))
-    found.pop(TIME, None)
-    return list(found)
+
+
+def atoms_of(expressions: Iterable[Any]) -> list[Any]:
+    """Symbols and functions of time in expressions, but for time, in order of appearance."""
+    return [part for part in parts_of(expressions) if isinstance(part, sp.Symbol | AppliedUndef) and part != TIME]
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +141,7 @@ class Naming:
                 self.table[s] = self.table.get(partner[s], Dimension.from_unit("1")) / SECOND
         freedoms, measured, uncounted = self._freedoms(minimal, keys)
         instead |= {s: coordinate_of(name_of(s)) for s in q} | {s: speed_of(keys[s]) for s in u}
-        derivatives = self.reading.derivatives()
+        derivatives = self.reading.derivatives
         self._unknown_derivatives({*instead, *derivatives})
         rates = {d: rate.xreplace(instead) for d, rate in derivatives.items() if d not in instead}
         self._unknown_entries([*q, *u, *others])
@@ -236,7 +237,7 @@ class Naming:
 
     def _unknown_derivatives(self, known: set[Any]) -> None:
         """Note derivatives that nothing tells."""
-        found = dict.fromkeys(d for e in self.expressions for d in e.atoms(sp.Derivative) if d not in known)
+        found = (part for part in parts_of(self.expressions) if isinstance(part, sp.Derivative) and part not in known)
         for derivative in sorted(found, key=str):
             self.faults.append(Fault(f"derivative {derivative}", "no value", "derivatives of coordinates, and of functions of time alone",
                                      "What is specified may be an Input or vary with the motion where it is a load; a motion is an "

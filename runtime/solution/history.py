@@ -20,7 +20,7 @@ from hertzwerk.runtime.model.readings import Units, evaluate
 
 _HELD_BY = {  # ending of a constraint's name -> that of the force which holds it
     **{"apart": "force", "off": "force", "turned": "moment", "gap": "normal_force"},
-    **{"sliding_velocity": "friction_force", "side_velocity": "side_force"},
+    **{"sliding_velocity": "friction_force", "side_velocity": "side_force", "rate": "force"},
 }
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
 

@@ -3,7 +3,17 @@
 from typing import Any
 
 import sympy as sp
-from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
+from sympy.physics.mechanics import (
+    KanesMethod,
+    LagrangesMethod,
+    Particle,
+    Point,
+    ReferenceFrame,
+    RigidBody,
+    System,
+    dynamicsymbols,
+    inertia,
+)
 
 g = sp.Symbol("g")
 
@@ -44,3 +54,134 @@ def rolling_disc() -> tuple[Any, dict[Any, str], dict[Any, float]]:
     method.kanes_equations([disc], [(D, -m * g * N.z)])
     units = {r: "m", m: "kg", g: "m/s^2"} | dict.fromkeys(q, "rad") | dict.fromkeys(u, "rad/s")
     return method, units, {r: 0.3, m: 2, g: 9.81}
+
+
+def bicycle() -> tuple[Any, dict[Any, str], dict[Any, float]]:
+    """Whipple's bicycle as a System: Meijaard et al., Proc. R. Soc. A 463 (2007) 1955, table 1; z points up here.
+
+    The rear wheel stands on its lowest point (x, y); the front wheel's height and both rims' slip are constraints.
+    """
+    t = dynamicsymbols._t
+    q = x, y, yaw, lean, pitch, steer, rear, front = dynamicsymbols("x y yaw lean pitch steer rear front")
+    u = dynamicsymbols("ux uy uyaw ulean upitch usteer urear ufront")
+    w, c, tilt, rr, rf = sp.symbols("w c tilt rr rf")
+    units = {w: "m", c: "m", tilt: "rad", rr: "m", rf: "m", g: "m/s^2", x: "m", y: "m"} | dict.fromkeys(q[2:], "rad")
+    values = {w: 1.02, c: 0.08, tilt: sp.pi.evalf(17) / 10, rr: 0.3, rf: 0.35, g: 9.81}
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    H = N.orientnew("H", "Axis", (yaw, N.z))
+    L = H.orientnew("L", "Axis", (lean, H.x))
+    B = L.orientnew("B", "Axis", (pitch, L.y))  # the frame, its axes upright where it stands
+    axis = -sp.sin(tilt) * B.x + sp.cos(tilt) * B.z
+    F = B.orientnew("F", "Axis", (steer, axis))
+    RW, FW = B.orientnew("RW", "Axis", (rear, B.y)), F.orientnew("FW", "Axis", (front, F.y))
+    hub = O.locatenew("hub", x * N.x + y * N.y + rr * L.z)
+    head = hub.locatenew("head", (w + c) * B.x - rr * B.z)
+    tip = head.locatenew("tip", -c * F.x + rf * F.z)
+
+    def body(name: str, frame: Any, at: Any, mass: float, moments: tuple[float, ...]) -> Any:
+        m = sp.Symbol(f"m_{name}")
+        ends = [sp.Symbol(f"{name}_{end}") for end in ("xx", "yy", "zz", "xz")]
+        units.update({m: "kg"} | dict.fromkeys(ends, "kg m^2"))
+        values.update({m: mass} | dict(zip(ends, moments, strict=True)))
+        return RigidBody(name, at, frame, m, (inertia(frame, *ends[:3], 0, 0, ends[3]), at))
+
+    def centre(name: str, start: Any, frame: Any, along: float, up: float, other: Any) -> Any:
+        a, b = sp.symbols(f"{name}_x {name}_z")
+        units.update({a: "m", b: "m"})
+        values.update({a: along, b: up})
+        return start.locatenew(f"{name}_centre", a * frame.x + b * frame.z + other)
+
+    bodies = [
+        body("rear_wheel", RW, hub, 2, (0.0603, 0.12, 0.0603, 0)),
+        body("frame", B, centre("frame", hub, B, 0.3, 0.9, -rr * B.z), 85, (9.2, 11, 2.8, -2.4)),
+        body("fork", F, centre("fork", head, F, 0.9, 0.7, -(w + c) * F.x), 4, (0.05892, 0.06, 0.00708, 0.00756)),
+        body("front_wheel", FW, tip, 3, (0.1405, 0.28, 0.1405, 0)),
+    ]
+    down = N.z - N.z.dot(F.y) * F.y
+    down = -down / sp.sqrt(1 - N.z.dot(F.y) ** 2)
+    slips = [hub.vel(N) + RW.ang_vel_in(N).cross(-rr * L.z), tip.vel(N) + FW.ang_vel_in(N).cross(rf * down)]
+    system = System(N, O)
+    system.add_coordinates(*q)
+    system.add_speeds(*u)
+    system.add_kdes(*(a.diff(t) - b for a, b in zip(q, u, strict=True)))
+    system.add_bodies(*bodies)
+    system.apply_uniform_gravity(-g * N.z)
+    system.add_holonomic_constraints(tip.pos_from(O).dot(N.z) + rf * down.dot(N.z))
+    rates = {a.diff(t): b for a, b in zip(q, u, strict=True)}
+    system.add_nonholonomic_constraints(*(slip.dot(way).xreplace(rates) for slip in slips for way in (N.x, N.y)))
+    return system, units, {symbol: float(value) for symbol, value in values.items()}
+
+
+def cart(n: int) -> tuple[Any, Any, dict[Any, str], dict[Any, float]]:
+    """n pendulums one below the other on a cart that a force pushes, all by Kane's method; angles to the vertical."""
+    q, u = dynamicsymbols(f"q0:{n + 1}"), dynamicsymbols(f"u0:{n + 1}")
+    push, m, length = dynamicsymbols("push"), sp.symbols(f"m0:{n + 1}"), sp.symbols(f"l1:{n + 1}")
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    at = O.locatenew("P0", q[0] * N.x)
+    at.set_vel(N, u[0] * N.x)
+    bodies, loads = [Particle("cart", at, m[0])], [(at, push * N.x)]
+    for i in range(n):
+        A = N.orientnew(f"A{i + 1}", "Axis", (q[i + 1], N.z))
+        A.set_ang_vel(N, u[i + 1] * N.z)
+        below = at.locatenew(f"P{i + 1}", -length[i] * A.y)
+        below.v2pt_theory(at, N, A)
+        bodies.append(Particle(f"bob_{i + 1}", below, m[i + 1]))
+        loads.append((below, -m[i + 1] * g * N.y))
+        at = below
+    method = KanesMethod(N, q, u, kd_eqs=[a.diff() - b for a, b in zip(q, u, strict=True)])
+    method.kanes_equations(bodies, loads)
+    units = (
+        {g: "m/s^2", q[0]: "m", push: "N"}
+        | dict.fromkeys(m, "kg")
+        | dict.fromkeys(length, "m")
+        | dict.fromkeys(q[1:], "rad")
+    )
+    values = {g: 9.81} | {s: 1 + 0.1 * i for i, s in enumerate(m)} | {s: 0.5 - 0.05 * i for i, s in enumerate(length)}
+    return method, O, units, values
+
+
+def rattleback() -> tuple[Any, dict[Any, str], dict[Any, float]]:
+    """Ellipsoid that rolls on a plane: Kane, Levinson, Int. J. Non-Linear Mech. 17 (1982) 175, and their numbers."""
+    q, u = dynamicsymbols("q1:4"), dynamicsymbols("u1:4")
+    a, b, c, h, m = axes_and_mass = sp.symbols("a b c h m")
+    moments = sp.symbols("A B C D")
+    N = ReferenceFrame("N")
+    R = N.orientnew("R", "Body", q, "ZXY")
+    turning = R.ang_vel_in(N)
+    R.set_ang_vel(N, u[0] * R.x + u[1] * R.y + u[2] * R.z)
+    mu = [N.z.dot(axis) for axis in R]  # the way up
+    size = sp.sqrt(sum((s * k) ** 2 for s, k in zip((a, b, c), mu, strict=True)))
+    P = Point("P")
+    P.set_vel(N, 0)
+    middle = P.locatenew(
+        "middle", sum((s**2 * k / size * axis for s, k, axis in zip((a, b, c), mu, R, strict=True)), start=0 * R.x)
+    )
+    centre = middle.locatenew("centre", -h * R.z)
+    centre.set_vel(N, R.ang_vel_in(N).cross(centre.pos_from(P)))
+    body = RigidBody("stone", centre, R, m, (inertia(R, *moments[:3], moments[3]), centre))
+    method = KanesMethod(N, q, u, kd_eqs=[(turning - R.ang_vel_in(N)).dot(axis) for axis in R])
+    method.kanes_equations([body], [(centre, -m * g * N.z)])
+    units = dict.fromkeys((a, b, c, h), "m") | {m: "kg", g: "m/s^2"} | dict.fromkeys(moments, "kg m^2")
+    units |= dict.fromkeys(q, "rad") | dict.fromkeys(u, "rad/s")
+    numbers = dict(
+        zip((*axes_and_mass, *moments), (0.2, 0.03, 0.02, 0.01, 1, 2e-4, 1.6e-3, 1.7e-3, -2e-5), strict=True)
+    )
+    return method, units, {**numbers, g: 9.81}
+
+
+def skate() -> tuple[Any, dict[Any, str], dict[Any, float]]:
+    """A skate on a slope by Lagrange's equations, with a constraint on speeds, and a bob on a circle beside it, with one on coordinates."""
+    q = x, y, turn, a, b = dynamicsymbols("x y turn a b")
+    m, J, slope, length = sp.symbols("m J slope l")
+    t = dynamicsymbols._t
+    kinetic = m * (x.diff(t) ** 2 + y.diff(t) ** 2 + a.diff(t) ** 2 + b.diff(t) ** 2) / 2 + J * turn.diff(t) ** 2 / 2
+    lagrangian = kinetic + m * g * sp.sin(slope) * x - m * g * b
+    edge = x.diff(t) * sp.sin(turn) - y.diff(t) * sp.cos(turn)
+    method = LagrangesMethod(lagrangian, list(q), hol_coneqs=[a**2 + b**2 - length**2], nonhol_coneqs=[edge])
+    method.form_lagranges_equations()
+    units = {m: "kg", J: "kg m^2", slope: "rad", length: "m", g: "m/s^2", turn: "rad"} | dict.fromkeys(
+        (x, y, a, b), "m"
+    )
+    return method, units, {m: 2, J: 0.1, slope: 0.3, length: 0.5, g: 9.81}

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 import sympy as sp
 import sympy_models as models
+from derived import Derived
+from scipy.integrate import solve_ivp
 from sympy.physics.mechanics import dynamicsymbols
 
 from hertzwerk.derive import (
@@ -117,3 +119,110 @@ def test_every_symbol_without_a_unit_or_a_value_is_told_at_once():
 def test_equations_not_yet_formed_and_other_objects_are_refused():
     with pytest.raises(InputError, match="KanesMethod, a LagrangesMethod or a System"):
         from_sympy("KanesMethod", units={}, values={})
+
+
+def test_pendulums_on_a_cart_have_the_accelerations_of_the_textbook():
+    # M_ij = (sum of the masses beyond) l_i l_j cos(q_i - q_j); Spong, Corke, Lozano-type equations written out here
+    n = 3
+    method, O, units, values = models.cart(n)
+    model = from_sympy(
+        method, units=units, values=values, origin=O, specified={"push": 3 * Parameter("F", "N", 1)}, name="cart"
+    )
+    scales = Scales(length=model.parameters["l1"], speed=Parameter("pace", "m/s", 1), arm=model.parameters["l1"])
+    derived = Derived(model.scene(scales=scales))
+    m, l, rng = [1 + 0.1 * i for i in range(n + 1)], [0.5 - 0.05 * i for i in range(n)], np.random.default_rng(1)
+    beyond = [sum(m[i + 1 :]) for i in range(n)]
+    for _ in range(3):
+        q, u = rng.uniform(-1, 1, n + 1), rng.uniform(-1, 1, n + 1)
+        M, f = np.zeros((n + 1, n + 1)), np.zeros(n + 1)
+        M[0, 0], f[0] = sum(m), 3
+        for i in range(n):
+            M[0, i + 1] = M[i + 1, 0] = beyond[i] * l[i] * np.cos(q[i + 1])
+            f[0] += beyond[i] * l[i] * np.sin(q[i + 1]) * u[i + 1] ** 2
+            f[i + 1] = -beyond[i] * l[i] * 9.81 * np.sin(q[i + 1])
+            for k in range(n):
+                M[i + 1, k + 1] = beyond[max(i, k)] * l[i] * l[k] * np.cos(q[i + 1] - q[k + 1])
+                f[i + 1] -= beyond[max(i, k)] * l[i] * l[k] * np.sin(q[i + 1] - q[k + 1]) * u[k + 1] ** 2
+        force = derived.call("applied", q=q, u=u)
+        found, *_ = derived.call("accelerations", q=q, u=u, f=force)
+        assert found == pytest.approx(np.linalg.solve(M, f), rel=1e-10, abs=1e-10)
+
+
+def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
+    method, units, values = models.rattleback()
+    model = from_sympy(method, units=units, values=values, name="rattleback")
+    a = model.parameters["a"]
+    half = Parameter("half", "deg", 0.5)
+    scene = model.scene(
+        effects=(EnergyLedger(),), scales=Scales(length=a, speed=Parameter("pace", "m/s", 1), arm=a),
+        start=Start(position={"q2": half, "q3": half}, speed={"u3": Parameter("spin", "rad/s", -5)}),
+    )  # fmt: skip
+    run = simulate(load(scene), duration="4 s", accuracy=1e-7)
+    axes, h, inertia = (
+        np.array((0.2, 0.03, 0.02)),
+        0.01,
+        np.array([[2e-4, -2e-5, 0], [-2e-5, 1.6e-3, 0], [0, 0, 1.7e-3]]),
+    )
+
+    def rates(_, y):
+        w, up = y[:3], y[3:]  # up in the stone's axes
+        size = np.sqrt(np.sum((axes * up) ** 2))
+        r = axes**2 * up / size - np.array((0, 0, h))  # from the contact to the mass centre, which moves at w x r
+        dup = -np.cross(w, up)
+        dr = axes**2 * (dup / size - up * np.sum(axes**2 * up * dup) / size**3)
+        # I w' + w x I w = -r x F, F = (w' x r + w x dr + w x (w x r)) + 9.81 up
+        across = np.array([[0, -r[2], r[1]], [r[2], 0, -r[0]], [-r[1], r[0], 0]])
+        known = np.cross(w, dr) + np.cross(w, np.cross(w, r)) + 9.81 * up
+        return np.concatenate(
+            (np.linalg.solve(inertia - across @ across, -np.cross(w, inertia @ w) - np.cross(r, known)), dup)
+        )
+
+    x, z = math.radians(0.5), math.radians(0.5)  # about the stone's x, then its y
+    up = np.array((-math.cos(x) * math.sin(z), math.sin(x), math.cos(x) * math.cos(z)))
+    other = solve_ivp(rates, (0, 4), [0, 0, -5, *up], rtol=1e-9, atol=1e-11, method="DOP853")
+    assert [run[f"u{k}.speed"][-1] for k in (1, 2, 3)] == pytest.approx(other.y[:3, -1], abs=1e-5)
+    assert run["u3.speed"][0] == -5
+    assert max(run["u3.speed"]) > 2  # it has turned back
+
+
+def test_constraints_of_lagranges_equations_hold_a_skate_and_a_bob():
+    # the skate's cycloid: Neimark, Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 1; the bob against energy and the native pendulum
+    method, units, values = models.skate()
+    model = from_sympy(method, units=units, values=values, name="skate")
+    l = model.parameters["l"]
+    nothing = Parameter("nothing", "m", 0)
+    scene = model.scene(
+        effects=(EnergyLedger(),), scales=Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l),
+        start=Start(position={"a": l, "b": nothing, "x": nothing, "y": nothing, "turn": Parameter("start", "rad", 0)},
+                    speed={"turn": Parameter("rate", "rad/s", 2), "b": Parameter("still", "m/s", 0)}),
+    )  # fmt: skip
+    run = simulate(load(scene), duration="1 s", accuracy=1e-9)
+    way, t = 9.81 * math.sin(0.3) / (2 * 2**2), 1.0
+    assert run["x.travel"][-1] == pytest.approx(way * math.sin(2 * t) ** 2, abs=1e-8)
+    assert run["y.travel"][-1] == pytest.approx(way * (2 * t - math.sin(4 * t) / 2), abs=1e-8)
+    assert run["a.travel"] ** 2 + run["b.travel"] ** 2 == pytest.approx(0.25, abs=1e-9)
+    assert run["a.speed"] ** 2 + run["b.speed"] ** 2 == pytest.approx(-2 * 9.81 * run["b.travel"], abs=1e-7)
+    assert run["energy"] == pytest.approx(run["energy"][0], abs=1e-8)
+
+
+@pytest.mark.slow
+def test_whipples_bicycle_has_its_published_eigenvalues():
+    # Meijaard, Papadopoulos, Ruina, Schwab, Proc. R. Soc. A 463 (2007) 1955, table 2, at 5 m/s
+    system, units, values = models.bicycle()
+    model = from_sympy(system, units=units, values=values, name="whipple")
+    radius, upright, speed = model.parameters["rr"], Parameter("upright", "rad", 0), Parameter("speed", "m/s", 5)
+    scene = model.scene(
+        effects=(EnergyLedger(),), scales=Scales(length=radius, speed=speed, arm=radius),
+        start=Start(
+            position=dict.fromkeys(("x", "y"), Parameter("origin", "m", 0)) | dict.fromkeys(("yaw", "lean", "steer", "rear", "front"), upright),
+            speed={"lean": Parameter("push", "rad/s", 0), "steer": Parameter("steering", "rad/s", 0), "rear": speed / radius},
+        ),
+    )  # fmt: skip
+    run = simulate(load(scene), duration=0.2, tolerance=1e-11)
+    names = [f"{joint}.{what}" for what in ("angle", "speed") for joint in ("lean", "steer")]
+    by = run.sensitivities(*names)
+    growth = np.array([[by[of, name][-1] for name in names] for of in names])
+    found = np.sort_complex(np.log(np.linalg.eigvals(growth).astype(complex)) / 0.2)
+    weave = -0.77534188219585 + 4.46486771378823j
+    published = np.sort_complex(np.array([-14.07838969279822, -0.32286642900409, weave, weave.conjugate()]))
+    assert found == pytest.approx(published, rel=1e-8)
