@@ -157,7 +157,8 @@ def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
         effects=(EnergyLedger(),), scales=Scales(length=a, speed=Parameter("pace", "m/s", 1), arm=a),
         start=Start(position={"q2": half, "q3": half}, speed={"u3": Parameter("spin", "rad/s", -5)}),
     )  # fmt: skip
-    run = simulate(load(scene), duration="4 s", accuracy=1e-7)
+    loaded = load(scene)
+    run = simulate(loaded, duration="0.3 s", accuracy=1e-9)
     axes, h, inertia = (
         np.array((0.2, 0.03, 0.02)),
         0.01,
@@ -179,10 +180,11 @@ def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
 
     x, z = math.radians(0.5), math.radians(0.5)  # about the stone's x, then its y
     up = np.array((-math.cos(x) * math.sin(z), math.sin(x), math.cos(x) * math.cos(z)))
-    other = solve_ivp(rates, (0, 4), [0, 0, -5, *up], rtol=1e-9, atol=1e-11, method="DOP853")
-    assert [run[f"u{k}.speed"][-1] for k in (1, 2, 3)] == pytest.approx(other.y[:3, -1], abs=1e-5)
-    assert run["u3.speed"][0] == -5
-    assert max(run["u3.speed"]) > 2  # it has turned back
+    other = solve_ivp(rates, (0, 0.3), [0, 0, -5, *up], rtol=1e-10, atol=1e-12, method="DOP853")
+    assert [run[f"u{k}.speed"][-1] for k in (1, 2, 3)] == pytest.approx(other.y[:3, -1], abs=1e-7)
+    spin = simulate(loaded, duration="4 s", accuracy=1e-6)["u3.speed"]
+    assert spin[0] == -5
+    assert spin[-1] > 2  # it has turned back
 
 
 def test_constraints_of_lagranges_equations_hold_a_skate_and_a_bob():
