@@ -159,7 +159,10 @@ class Model:
         return Placed(axes, (x, y, z), self._linear_vector(reading.velocity(point)), turning)
 
     def _linear_vector(self, vector: Any) -> tuple[Linear, Linear, Linear]:
-        """Components along the ground's axes; each part is differentiated along the axes in which it is written."""
+        """Components along the ground's axes.
+
+        Each part is differentiated along the axes in which it is written.
+        """
         shares: tuple[dict[str, list[Any]], ...] = ({}, {}, {})
         rests: tuple[list[Any], ...] = ([], [], [])
         for values, frame in vector.args if vector != 0 else ():

@@ -77,7 +77,10 @@ def reading_of(method: Any, origin: Any) -> Reading:
 
 
 def _of_system(system: Any, origin: Any) -> Reading:
-    """Reading of a System: its equations need not be formed, which would solve the constraints symbolically."""
+    """Reading of a System.
+
+    Its equations need not be formed, which would solve the constraints symbolically.
+    """
     if isinstance(system.eom_method, LagrangesMethod):
         return _of_lagrange(system.eom_method, origin)
     if not (system.q and system.u and system.bodies):

@@ -71,7 +71,7 @@ class Names:
     measured: tuple[Freedom, ...]
     uncounted: tuple[str, ...]
     moving: Mapping[Any, Any]
-    """What is specified."""
+    """Functions of time that are specified."""
 
     def of(self, expression: Any) -> Any:
         """An expression of SymPy's in the scene's symbols."""
