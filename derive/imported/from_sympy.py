@@ -215,7 +215,8 @@ class Model:
     def _loads(self) -> tuple[Loads, ...]:
         """The loads, as an effect."""
         reading, names = self._reading, self._names
-        forces = tuple((names.keys[u], names.of(f)) for u, f in zip(reading.u, reading.force, strict=True) if f != 0)
+        named = [(names.keys[u], names.of(f)) for u, f in zip(reading.u, reading.force, strict=True)]
+        forces = tuple((key, force) for key, force in named if force != 0)
         return (Loads("loads", forces, names.of(reading.stored)),) if forces else ()
 
     def _conditions(self) -> tuple[Condition, ...]:

@@ -10,11 +10,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+import sympy as sp
+
 from hertzwerk.derive.imported.description import Description
 from hertzwerk.derive.imported.given_motion import GivenMotion
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame, Point, Slot
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
+
+MASSES = ("kg", "g", "mg", "t")
 
 
 @dataclass(frozen=True, init=False)
@@ -61,6 +65,12 @@ class Given(Mechanism):
         """Coordinate axis normal to the motion of all bodies, by structure; None in space."""
         places = [self.description.places[body.name] for body in self.moved]
         return next((k for k in (2, 1, 0) if all(place.stays_across(k) for place in places)), None)
+
+    @property
+    def total_mass(self) -> Any:
+        """Mass by which energies are scaled [kg]: of the bodies, else all masses among the parameters."""
+        masses = [slot.value for slot in self.description.quantities if slot.unit in MASSES]
+        return super().total_mass or sp.Add(*masses)
 
     def joint_of(self, body: Frame) -> Joint | None:
         """Relation of a body to the ground; None for the ground."""

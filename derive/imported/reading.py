@@ -9,15 +9,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from types import ModuleType
 from typing import Any
 
 import sympy as sp
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Particle, System, dynamicsymbols
 
+from hertzwerk.derive.exported.to_sympy import SymPyEquations
 from hertzwerk.derive.faults import Fault, InputError, shown
 
 TIME = dynamicsymbols._t  # SymPy's own symbol of time
-KINDS = "a KanesMethod, a LagrangesMethod or a System of sympy.physics.mechanics"
+KINDS = "a KanesMethod, a LagrangesMethod or a System of sympy.physics.mechanics, or equations by to_sympy"
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +75,8 @@ def reading_of(method: Any, origin: Any) -> Reading:
         return _of_kane(method, origin)
     if isinstance(method, LagrangesMethod):
         return _of_lagrange(method, origin)
+    if isinstance(method, SymPyEquations | ModuleType) and hasattr(method, "kinematics"):
+        return _of_equations(method)
     raise InputError("from_sympy", [Fault("method", shown(method), KINDS)])
 
 
@@ -133,6 +137,18 @@ def _of_lagrange(method: Any, origin: Any) -> Reading:
         tuple(method.forcelist or ()), method._m_d, tuple(force[i] - method._f_d[i] for i in range(n)), force,
         -lagrangian.xreplace(dict.fromkeys(u, sp.S.Zero)), sp.S.Zero,
         holonomic, tuple(method.coneqs)[len(holonomic):], lagrangian=lagrangian,
+    )  # fmt: skip
+
+
+def _of_equations(found: Any) -> Reading:
+    """Reading of equations alone, as `to_sympy` and the file that it writes have them."""
+    still = dict.fromkeys(found.specified, sp.S.Zero)
+    alone = [f.xreplace(still) for f in found.forcing]
+    force = tuple(f - rest if f != rest else sp.S.Zero for f, rest in zip(found.forcing, alone, strict=True))
+    return Reading(
+        None, None, tuple(found.q), tuple(found.u), dict(zip(found.q, found.kinematics.values(), strict=True)), (), (),
+        found.mass_matrix, tuple(-rest for rest in alone), force, None, sp.S.Zero, tuple(found.holonomic_constraints),
+        tuple(found.nonholonomic_constraints),
     )  # fmt: skip
 
 

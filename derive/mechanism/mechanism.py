@@ -11,6 +11,8 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
+import sympy as sp
+
 from hertzwerk.derive.algebra.vectors import along
 from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
@@ -64,6 +66,11 @@ class Mechanism:
         """Joints that close a loop."""
         tree = {id(joint) for joint in self.tree}
         return tuple(joint for joint in self.joints if id(joint) not in tree)
+
+    @property
+    def total_mass(self) -> Any:
+        """Mass of all bodies [kg], by which energies are scaled."""
+        return sp.Add(*(sp.sympify(body.mass) for body in self.bodies))
 
     def joint_of(self, body: Frame) -> Joint | None:
         """Joint that carries `body`; None for the ground."""

@@ -19,7 +19,7 @@ def scales(system: System) -> Function:
     """Scales of all quantities that have a tolerance."""
     scales = system.scene.scales
     length, speed = sp.sympify(scales.length), sp.sympify(scales.speed)
-    mass = system.tape.let(sp.Add(*(sp.sympify(body.mass) for body in system.scene.mechanism.bodies)), "total_mass")
+    mass = system.tape.let(system.scene.mechanism.total_mass, "total_mass")
     energy = system.tape.let(mass * speed**2 / 2, "energy_scale")
     force = system.tape.let(energy / length, "force_scale")
     q = coordinate_sizes(system.scene, system.coordinates)

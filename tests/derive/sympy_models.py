@@ -76,8 +76,11 @@ def bicycle() -> tuple[Any, dict[Any, str], dict[Any, float]]:
     F = B.orientnew("F", "Axis", (steer, axis))
     RW, FW = B.orientnew("RW", "Axis", (rear, B.y)), F.orientnew("FW", "Axis", (front, F.y))
     hub = O.locatenew("hub", x * N.x + y * N.y + rr * L.z)
+    hub.set_vel(N, hub.pos_from(O).dt(N))
     head = hub.locatenew("head", (w + c) * B.x - rr * B.z)
+    head.v2pt_theory(hub, N, B)
     tip = head.locatenew("tip", -c * F.x + rf * F.z)
+    tip.v2pt_theory(head, N, F)
 
     def body(name: str, frame: Any, at: Any, mass: float, moments: tuple[float, ...]) -> Any:
         m = sp.Symbol(f"m_{name}")
@@ -90,7 +93,9 @@ def bicycle() -> tuple[Any, dict[Any, str], dict[Any, float]]:
         a, b = sp.symbols(f"{name}_x {name}_z")
         units.update({a: "m", b: "m"})
         values.update({a: along, b: up})
-        return start.locatenew(f"{name}_centre", a * frame.x + b * frame.z + other)
+        at = start.locatenew(f"{name}_centre", a * frame.x + b * frame.z + other)
+        at.v2pt_theory(start, N, frame)
+        return at
 
     bodies = [
         body("rear_wheel", RW, hub, 2, (0.0603, 0.12, 0.0603, 0)),
