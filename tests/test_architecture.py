@@ -26,7 +26,7 @@ HALLS = {
 # TYPE_CHECKING too. Rooms of the same side go by their name alone.
 ROOMS = {
     "derive": {
-        ".": "algebra audit contact declare derivation effects faults files imported laws mechanism",
+        ".": "algebra audit contact declare derivation effects exported faults files imported laws mechanism",
         "algebra": "faults identifiers units",
         "audit": "algebra declare dimension faults html laws mechanism program units",
         "contact": "algebra dimension effects faults laws mechanism motion units",
@@ -35,11 +35,12 @@ ROOMS = {
         "dimension": "algebra faults units",
         "effects": "algebra dimension faults identifiers laws mechanism program units",
         "emit": "audit faults program",
+        "exported": "algebra contact declare faults mechanism module motion program",
         "faults": "",
         "files": "algebra audit declare derivation dimension effects faults identifiers laws mechanism units",
         "html": "",
         "identifiers": "faults",
-        "imported": "algebra audit declare dimension effects faults identifiers mechanism motion units",
+        "imported": "algebra audit declare dimension effects exported faults identifiers mechanism motion units",
         "laws": "algebra faults html mechanism units",
         "mechanism": "algebra dimension faults identifiers units",
         "module": "algebra audit contact declare dimension effects faults laws mechanism motion program units",
@@ -63,8 +64,8 @@ ROOMS = {
         "design": "derive/declare derive/dimension derive/faults derive/files derive/units host inputs loading model pictures/sweeps run sensitivity "
         "simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
-        "export": "accuracy derive/faults derive/units host integrate/events integrate/loop integrate/step integrate/tableaux model run "
-        "sensitivity simulation solution start tables",
+        "export": "accuracy derive/faults derive/html derive/units host integrate/events integrate/loop integrate/step integrate/tableaux model run "
+        "report sensitivity simulation solution start tables",
         "fitting": "derive/faults inputs loading measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
@@ -76,8 +77,8 @@ ROOMS = {
         "integrate/tableaux": "host",
         "loading": "derive/declare derive/faults integrate/loop integrate/step integrate/tableaux model pictures/draw tables",
         "measured": "accuracy derive/faults derive/units host model solution",
-        "model": "derive/audit derive/declare derive/derivation derive/dimension derive/faults derive/files derive/laws derive/readable "
-        "derive/scenes derive/sheets derive/units host",
+        "model": "derive/audit derive/declare derive/derivation derive/dimension derive/exported derive/faults derive/files derive/laws "
+        "derive/readable derive/scenes derive/sheets derive/units host",
         "package": "derive/declare derive/faults loading simulation",
         "parameter_fit": "fitting measured model pictures/studies run",
         "pictures": "host model run solution start",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import keyword
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -58,12 +59,16 @@ def _variable(name: str) -> str:
     return f"{name}_" if name in TAKEN or keyword.iskeyword(name) else name
 
 
-def python_file(found: SymPyEquations, name: str) -> str:
-    """Text of the file."""
-    return "\n".join(_lines(found, name)) + "\n"
+def python_file(
+    found: SymPyEquations, name: str, values: Mapping[str, tuple[float, str]] = MappingProxyType({})
+) -> str:
+    """Text of the file; `values` with their units stand in place of the parameters' defaults."""
+    given = {symbol: values.get(symbol.name, (value, found.units[symbol])) for symbol, value in found.values.items()}
+    units = found.units | {symbol: unit for symbol, (_, unit) in given.items()}
+    return "\n".join(_lines(found, name, {symbol: value for symbol, (value, _) in given.items()}, units)) + "\n"
 
 
-def _lines(found: SymPyEquations, name: str) -> Iterator[str]:
+def _lines(found: SymPyEquations, name: str, values: Mapping[Any, float], units: Mapping[Any, str]) -> Iterator[str]:
     program = found.program
     variables = {s: "t" if a == TIME else _variable(s.name) for s, a in program.instead.items()}
     text = _Printer(variables).doprint
@@ -102,6 +107,6 @@ def _lines(found: SymPyEquations, name: str) -> Iterator[str]:
     for which in ("forcing", "holonomic_constraints", "nonholonomic_constraints"):
         yield f"{which} = sp.Matrix([{', '.join(map(of, r[which]))}])"
     yield f"specified = {{{', '.join(f'{named[a]}: {what!r}' for a, what in found.specified.items())}}}"
-    yield f"units = {{{', '.join(f'{named[a]}: {unit!r}' for a, unit in found.units.items())}}}"
-    yield f"values = {{{', '.join(f'{named[a]}: {value!r}' for a, value in found.values.items())}}}"
+    yield f"units = {{{', '.join(f'{named[a]}: {unit!r}' for a, unit in units.items())}}}"
+    yield f"values = {{{', '.join(f'{named[a]}: {value!r}' for a, value in values.items())}}}"
     yield f"names = {{{', '.join(f'{label!r}: {named[a]}' for label, a in found.names.items())}}}"

@@ -46,7 +46,7 @@ class SymPyEquations:
     holonomic_constraints: sp.Matrix
     nonholonomic_constraints: sp.Matrix
     specified: Mapping[Any, str]
-    units: Mapping[Any, str]
+    units: dict[Any, str]
     values: Mapping[Any, float]
     names: Mapping[str, Any]
     program: Straight = field(repr=False)

@@ -103,7 +103,7 @@ class Model:
         summary: str = "",
     ) -> Scene:  # fmt: skip
         """Scene of the model with its loads, and pairs and effects in addition; raises InputError."""
-        faults = list(ledger_faults(tuple(effects), self._follows_time()))
+        faults = list(ledger_faults(tuple(effects), self._follows_time(), self._reading.alone))
         if faults:
             raise InputError(f"scene {self.name}", faults)
         used = list(dict.fromkeys([*self.bodies, *_bodies_in((*pairs, *effects))]))

@@ -46,9 +46,14 @@ class Loads(Effect):
         return Element(forces, stored, input=tape.let(power + drawn, f"{self.name}_power"))
 
 
-def ledger_faults(effects: tuple[Any, ...], follows_time: bool) -> Iterator[Fault]:
-    """Yield a fault of an energy ledger beside a motion that follows time, whose power is not known."""
-    if follows_time and any(isinstance(effect, EnergyLedger) for effect in effects):
+def ledger_faults(effects: tuple[Any, ...], follows_time: bool, alone: bool) -> Iterator[Fault]:
+    """Yield faults of an energy ledger beside a motion that follows time, and beside equations alone."""
+    if not any(isinstance(effect, EnergyLedger) for effect in effects):
+        return
+    if alone:
+        yield Fault("effects", "an energy ledger beside equations alone", "a model whose loads or potential are known",
+                    "Leave it out; a KanesMethod and a LagrangesMethod know theirs.")  # fmt: skip
+    elif follows_time:
         yield Fault("effects", "an energy ledger beside a motion that itself follows time",
                     "a motion whose drive is known: what it takes is not in SymPy's equations",
                     "Make what is specified a coordinate and drive it, Drive(..., position=...); or leave the ledger out.")  # fmt: skip

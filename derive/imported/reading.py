@@ -53,6 +53,8 @@ class Reading:
     nonholonomic: tuple[Any, ...]
     lagrangian: Any = None
     mixed: bool = False
+    alone: bool = False
+    """Whether the equations are all there is, so that neither loads nor a potential are known."""
 
     @cached_property
     def derivatives(self) -> dict[Any, Any]:
@@ -148,7 +150,7 @@ def _of_equations(found: Any) -> Reading:
     return Reading(
         None, None, tuple(found.q), tuple(found.u), dict(zip(found.q, found.kinematics.values(), strict=True)), (), (),
         found.mass_matrix, tuple(-rest for rest in alone), force, None, sp.S.Zero, tuple(found.holonomic_constraints),
-        tuple(found.nonholonomic_constraints),
+        tuple(found.nonholonomic_constraints), alone=True,
     )  # fmt: skip
 
 

@@ -121,6 +121,35 @@ class Readable:
         """The record as Markdown, with LaTeX between dollar signs."""
         return "\n".join(self._lines())
 
+    def latex(self) -> str:
+        """The record as a LaTeX document."""
+        return "\n".join(self._latex_lines())
+
+    def _latex_lines(self) -> Iterator[str]:
+        yield from (
+            r"\documentclass{article}",
+            r"\usepackage{amsmath,amssymb,longtable}",
+            r"\allowdisplaybreaks",
+            r"\begin{document}",
+        )
+        yield rf"\section*{{{_in_latex(self.name)}}}"
+        yield f"{_in_latex(self.summary[:1].upper() + self.summary[1:])}." if self.summary else ""
+        for title, symbols in (("Coordinates, speeds, memory", self.states), ("Parameters", self.parameters)):
+            yield rf"\subsection*{{{title}}}"
+            yield r"\begin{longtable}{llll}"
+            yield from (
+                f"${s.latex}$ & {s.value} & {_in_latex(s.unit)} & {_in_latex(s.meaning or s.name)} \\\\"
+                for s in symbols
+            )
+            yield r"\end{longtable}"
+        for section in self.sections:
+            yield rf"\subsection*{{{_in_latex(section.title)}}}"
+            for equation in section.equations:
+                unit = "" if equation.unit in ("", "1") else f" [{equation.unit}]"
+                yield _in_latex(f"{equation.meaning or equation.name}{unit}")
+                yield f"\\[\n{equation.latex} \\tag{{{equation.number}}}\n\\]"
+        yield r"\end{document}"
+
     def record(self) -> dict[str, Any]:
         """The record as plain values for JSON."""
         return {
@@ -171,6 +200,16 @@ def _escaped(text: str) -> str:
     """Text escaped for Markdown: no markup, mathematics or HTML; `_` within words is none."""
     text = " ".join(text.split()).replace("&", "&amp;").replace("<", "&lt;")
     return re.sub(r"([\\`$]|(?<=\S)\*(?=\S))", r"\\\1", text)
+
+
+_SPECIAL = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"} | {
+    c: f"\\{c}" for c in "&%$#_{}"
+}
+
+
+def _in_latex(text: str) -> str:
+    """Text escaped for LaTeX."""
+    return "".join(_SPECIAL.get(character, character) for character in text)
 
 
 def _plain(record: Any, *without: str) -> dict[str, Any]:

@@ -53,6 +53,18 @@ def _new_fmu(file: Path) -> list[Fault]:
     return fmu.faults(file)
 
 
+def _text(name: str) -> Callable[[Asked, Path], str]:
+    """Return the writer of a text of equations."""
+
+    def write(asked: Asked, place: Path) -> str:
+        from hertzwerk.runtime.export import equations
+
+        made: str = getattr(equations, name)(asked, place)
+        return made
+
+    return write
+
+
 def _new_folder(folder: Path) -> list[Fault]:
     from hertzwerk.runtime.host.folder import destination_fault
 
@@ -65,4 +77,7 @@ FORMATS = (
     Format(
         "--fmu", "FILE", "functional mock-up unit for co-simulation, NAME.fmu: sources and a binary.", _fmu, _new_fmu
     ),
+    Format("--latex", "", "Print the equations as a LaTeX document.", _text("latex")),
+    Format("--mathml", "", "Print them as an HTML page of MathML.", _text("mathml")),
+    Format("--sympy", "", "Print them as a file of Python that makes them with SymPy.", _text("sympy")),
 )

@@ -190,6 +190,14 @@ def equations(scene: Scene) -> Readable:
     return equations_of(scene)
 
 
+def sympy_file(scene: Scene, values: Mapping[str, tuple[float, str]]) -> str:
+    """Return a file of Python that makes the equations of a scene with SymPy; raises InputError."""
+    from hertzwerk.derive.exported.python_file import python_file
+    from hertzwerk.derive.exported.to_sympy import to_sympy
+
+    return python_file(to_sympy(scene), scene.name, values)
+
+
 def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
     """Return findings on built-in scenes, files and folders, by target or file.
 

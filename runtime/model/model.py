@@ -295,13 +295,26 @@ class Model:
         Markdown with LaTeX, typeset in a notebook. Raises InputError for a model without its scene, as a saved run
         has it.
         """
+        from hertzwerk.runtime.model import build
+
+        return build.equations(self._scene())
+
+    def sympy_file(self, values: Mapping[str, tuple[float, str]]) -> str:
+        """Return a file of Python that makes the model's equations with SymPy; raises InputError.
+
+        values  parameter -> value and unit, in place of its default
+        """
+        from hertzwerk.runtime.model import build
+
+        return build.sympy_file(self._scene(), values)
+
+    def _scene(self) -> Scene:
+        """Return the model's scene; raises InputError where it has none."""
         if self.declaration is None:
             fault = Fault("equations", "a model without its scene", "a model that `load` returned",
                           f"load({self.name!r}).equations(), or hertzwerk derive {self.name} --show")  # fmt: skip
             raise InputError(self.name, [fault])
-        from hertzwerk.runtime.model import build
-
-        return build.equations(self.declaration.scene())
+        return self.declaration.scene()
 
     @property
     def reads(self) -> bool:
