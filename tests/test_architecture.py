@@ -35,7 +35,7 @@ ROOMS = {
         "dimension": "algebra faults units",
         "effects": "algebra dimension faults identifiers laws mechanism program units",
         "emit": "audit faults program",
-        "exported": "algebra contact declare faults mechanism module motion program",
+        "exported": "algebra declare faults mechanism module motion program",
         "faults": "",
         "files": "algebra audit declare derivation dimension effects faults identifiers laws mechanism units",
         "html": "",

@@ -474,6 +474,10 @@ def joint_faults(
             yield uncounted_fault(where, key)
         return
     closing = key.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
+    if told and not closing and key in scene.scalars:
+        yield Fault(where, f"{key}, of which the speeds are no rates", "a coordinate whose rate is a speed of its own",
+                    "Kinematical equations q' = u in SymPy make it one.")  # fmt: skip
+        return
     known = key in [joint.name for joint in scene.mechanism.joints]
     why = ", which closes a loop" if closing else ", which has not just one coordinate" if known else ""
     expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")

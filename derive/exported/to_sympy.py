@@ -31,7 +31,7 @@ KNOWN = (sp.Add, sp.Mul, sp.Pow, sp.sin, sp.cos, sp.tan, sp.atan, sp.atan2, sp.a
 
 @dataclass(frozen=True, eq=False)
 class SymPyEquations:
-    """Equations mass_matrix u' = forcing + jacobian^T multipliers, and q' = kinematics, as SymPy's matrices.
+    """Equations mass_matrix u' = forcing + G^T multipliers, and q' = kinematics, as SymPy's matrices.
 
     specified  function of time that is neither coordinate nor speed -> what it is: forces of contacts, inputs
     names      name of a coordinate or a speed in the scene -> its function of time
@@ -67,7 +67,10 @@ class Straight:
 
 
 def to_sympy(scene: Scene) -> SymPyEquations:
-    """Equations of a scene as SymPy matrices. Raises InputError, with every fault, for what has no such form."""
+    """Equations of a scene as SymPy matrices.
+
+    Raises InputError, with every fault, for what has no such form.
+    """
     found = _Export(System(absolute(scene) if scene.coordinates == "absolute" else scene))
     return found.equations()
 

@@ -215,8 +215,9 @@ class Model:
     def _loads(self) -> tuple[Loads, ...]:
         """The loads, as an effect."""
         reading, names = self._reading, self._names
+        units = {port.name: port.unit for freedom in names.freedoms for port in freedom.forces}
         named = [(names.keys[u], names.of(f)) for u, f in zip(reading.u, reading.force, strict=True)]
-        forces = tuple((key, force) for key, force in named if force != 0)
+        forces = tuple((key, units[key], force) for key, force in named if force != 0)
         return (Loads("loads", forces, names.of(reading.stored)),) if forces else ()
 
     def _conditions(self) -> tuple[Condition, ...]:

@@ -10,19 +10,21 @@ import sympy as sp
 
 from hertzwerk.derive.effects.effect import Declared, Effect, Element
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.effects.state_expression import COORDINATE, Varying
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.imported.given_mechanism import Given
+from hertzwerk.derive.mechanism.bodies import Slot
 
 
 @dataclass(frozen=True)
 class Loads(Effect):
-    """Loads as generalised forces by row, and the potential energy that some of them have.
+    """Generalised forces of loads, each with its row and unit, and the potential energy of some.
 
     Their power is booked as input, but for what changes that energy.
     """
 
     name: str
-    forces: tuple[tuple[str, Any], ...]
+    forces: tuple[tuple[str, str, Any], ...]
     stored: Any = sp.S.Zero
     kind: ClassVar[str] = "loads"
 
@@ -30,6 +32,11 @@ class Loads(Effect):
     def text(self) -> str:
         """Description for people."""
         return "loads of the imported model"
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """Yield the generalised forces and the energy."""
+        yield from (Varying(f"{self.where}, {key}", force, unit) for key, unit, force in self.forces)
+        yield Varying(f"{self.where}, stored energy", self.stored, "J", on=(COORDINATE,))
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield a fault of a mechanism that was not imported."""
@@ -39,7 +46,7 @@ class Loads(Effect):
     def element(self, kin: Any) -> Element:
         """Generalised forces, stored energy and power."""
         tape, given = kin.tape, kin.given
-        forces = {key: tape.let(given.of(value), f"{self.name}_on_{key}") for key, value in self.forces}
+        forces = {key: tape.let(given.of(value), f"{self.name}_on_{key}") for key, _, value in self.forces}
         power = sp.Add(*(force * given.speed(key) for key, force in forces.items()))
         stored = tape.let(given.of(self.stored), f"{self.name}_stored")
         drawn = tape.rate(stored, f"{self.name}_stored_rate") if stored != 0 else sp.S.Zero

@@ -84,6 +84,11 @@ class Absolute(Scene):
 def absolute(scene: Scene) -> Absolute:
     """The scene in absolute coordinates; raises InputError, with every fault, where that is impossible."""
     mechanism, driven = scene.mechanism, scene.driven
+    if not mechanism.tree:
+        fault = Fault(
+            "coordinates", "absolute ones of a mechanism without joints", "'tree': those that it was given with"
+        )
+        raise InputError(f"scene {scene.name} in absolute coordinates", [fault])
     carried: list[Joint] = []
     closing = list(mechanism.closures)
     unruled: list[Fault] = []

@@ -13,10 +13,14 @@ from sympy.physics.mechanics import dynamicsymbols
 from hertzwerk.derive import (
     GROUND,
     Body,
+    ConstantSpeed,
     Contact,
     EnergyLedger,
     Gravity,
     InputError,
+    JointDamper,
+    JointForce,
+    JointSpring,
     Mechanism,
     Parameter,
     Revolute,
@@ -27,6 +31,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
+    coordinate_of,
     from_sympy,
     laws,
 )
@@ -114,6 +119,29 @@ def test_every_symbol_without_a_unit_or_a_value_is_told_at_once():
         "function wind(t)": "neither a coordinate nor a speed, and not specified",
     }  # fmt: skip
     assert len(caught.value.faults) == 6  # k has no unit either
+
+
+def test_effects_act_on_coordinates_and_speeds_that_are_no_rates():
+    # energy put in and dissipated by effects on q and u of a disc, whose q' = K u
+    method, units, values = models.rolling_disc()
+    model = from_sympy(method, units=units, values=values, name="helped_disc")
+    r = model.parameters["r"]
+    help_ = (
+        JointDamper("damper", "u2", Parameter("c", "N m s", 0.5)), JointSpring("spring", "q2", Parameter("k", "N m", 10)),
+        JointForce("steer", "q1", Parameter("M", "N m", 0.2) * coordinate_of("q2")), EnergyLedger(),
+    )  # fmt: skip
+    scales = Scales(length=r, speed=Parameter("pace", "m/s", 1), arm=r)
+    start = Start(position={"q2": Parameter("lean", "rad", 0.1)}, speed={"u2": Parameter("spin", "rad/s", 8)})
+    scene = model.scene(effects=help_, scales=scales, start=start)
+    run = simulate(load(scene), duration="1 s", accuracy=1e-9)
+    balance = run["energy"] + run["damper.dissipated"] - run["loads.input"] - run["steer.input"]
+    assert balance == pytest.approx(balance[0], abs=1e-8)
+    assert run["damper.dissipated"][-1] > 1
+    assert "Energy" in load(scene).equations().markdown()
+    with pytest.raises(InputError, match="without joints"):
+        load(scene.with_coordinates("absolute"))
+    with pytest.raises(InputError, match="no rates"):
+        model.scene(effects=(ConstantSpeed("turn", "q1", Parameter("w", "rad/s", 3)),), scales=scales)
 
 
 def test_equations_not_yet_formed_and_other_objects_are_refused():
