@@ -122,10 +122,10 @@ def _words(found: Contents, name: str) -> dict[str, str]:
         "summary": comment(found.model.module.SUMMARY),
         "origin": f" of hertzwerk {versions()['hertzwerk']}",
         "parameter": found.parameters[0].name if found.parameters else "",
-        "duration": f"{found.seconds:.17g}",
+        "duration": number(found.seconds),
         "part": f"{found.seconds / 100:.3g}",
         "method": found.method,
-        "tolerance": f"{found.tolerance:.17g}",
+        "tolerance": number(found.tolerance),
         "counts": "\n".join(f"    {upper}_{each} = {len(rows)}," for each, rows in counts.items()).rstrip(","),
         "listing": "\n".join(line for each, rows in counts.items() for line in _listed(each.lower(), rows)),
         "texts": "\n".join(
@@ -146,7 +146,7 @@ def _listed(title: str, rows: tuple[Row, ...]) -> list[str]:
     return [
         f" * {title}",
         *(
-            f" *   {i:3d}  {row.name:{wide}}  {row.unit:12}  {row.value:<23.17g}  {comment(row.meaning)}".rstrip()
+            f" *   {i:3d}  {row.name:{wide}}  {row.unit:12}  {row.value!r:<23}  {comment(row.meaning)}".rstrip()
             for i, row in enumerate(rows)
         ),
         " *",

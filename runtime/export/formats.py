@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -69,7 +69,7 @@ def _new_folder(folder: Path) -> list[Fault]:
     from hertzwerk.runtime.host.folder import destination_fault
 
     fault = destination_fault(folder)
-    return [] if fault is None else [fault]
+    return [] if fault is None else [replace(fault, where="--c", remedy="an export never overwrites: name another")]
 
 
 FORMATS = (

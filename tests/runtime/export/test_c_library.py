@@ -168,7 +168,7 @@ def test_what_cannot_be_exported_is_refused_by_name(tmp_path, capsys):
     command = ["export", "bouncing_ball", "--c", str(occupied), "--output", "floor.colour", "--tolerance", "7"]
     assert main.main(command, standalone_mode=False) == 2
     said = capsys.readouterr().err
-    for fault in ("occupied", "floor.colour", "1e-13..0.1"):
+    for fault in ("--c: found", "never overwrites", "occupied", "floor.colour", "1e-13..0.1"):
         assert fault in said
     assert [path.name for path in occupied.iterdir()] == ["mine"]
     assert main.main(["export", "bouncing_ball"], standalone_mode=False) == 2
