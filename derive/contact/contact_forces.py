@@ -275,8 +275,8 @@ class PairKinematics:
         """Return what `_drag` does, of a bristle that bends in any direction of the tangent plane.
 
         It is a vector in the ground's axes, and tilts and twirls with the contact, about the normal with the mean of
-        both bodies: its rate is the law's for an observer who does, and the same for every other. Kuhn, J. Eng. Mech.
-        129 (2003) 539.
+        both bodies: its rate is the law's for an observer who does, and the same for every other. Kuhn, Bagi,
+        Mechanics Research Communications 32 (2005) 463.
         """
         law = friction.law.law.in_two_directions
         if law is None:

@@ -95,14 +95,17 @@ def _grips(system: System, name: str, friction: Friction | None, forces: Forces)
     rates = [_PER[_unit(effect)][unit] for effect, *_ in each for _, unit in system.memory]
     whose = tuple(name if effect is friction else effect.name for effect in effects)
     limits = tuple(map(_unit, effects))
-    turning = [(effect.name, velocity) for effect, grip in forces.turning.items() for velocity in grip.velocity]
-    labels, velocities = tuple(zip(*turning, strict=True)) if turning else ((), ())
+    pace = {"N": "m/s", "N m": "rad/s"}
+    turning = [
+        (effect.name, pace[effect.holds], part) for effect, grip in forces.turning.items() for part in grip.velocity
+    ]
+    labels, speeds, velocities = tuple(zip(*turning, strict=True)) if turning else ((), (), ())
     return [
         Result("along", tuple(row.key for row in system.rows) * len(each), tuple(units), tuple(along)),
         Result("dz_along", tuple(entry for entry, _ in system.memory) * len(each), tuple(rates), tuple(power)),
         Result("sliding_force", whose, limits, tuple(grip.sliding for grip in forces.grips)),
         Result("holding_force", whose, limits, tuple(grip.holding for grip in forces.grips)),
-        *([Result("turning_velocity", labels, ("rad/s",) * len(labels), velocities)] if turning else []),
+        *([Result("turning_velocity", labels, speeds, velocities)] if turning else []),
     ]
 
 
@@ -114,4 +117,4 @@ _PER = {
 
 def _unit(effect: object) -> str:
     """Unit of what a grip holds with."""
-    return "N m" if isinstance(effect, PairResistance) else "N"
+    return effect.holds if isinstance(effect, PairResistance) else "N"

@@ -87,7 +87,11 @@ class System:
         self.joints = Joints(self.tape, scene) if isinstance(scene, Absolute) else None
 
     def _sticking_faults(self) -> Iterator[Fault]:
-        """Faults of contacts that stick beside loads by reactions: they would be solved together."""
+        """Faults of contacts that stick beside loads by reactions: they would be solved together.
+
+        Friction then changes its own accelerations through the loads: forces that agree exist, since each is bounded by a
+        known normal force, but no least principle chooses among them, and there may be several.
+        """
         if not (self.kin.carried or self.kin.normal_forces):
             return
         for pair, _, friction in self.contacts:

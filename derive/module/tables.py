@@ -111,7 +111,8 @@ def _slips(system: System) -> dict[str, tuple[Any, ...]]:
             rows += _directions(f"{pair.pair.name}.slip", "m/s", j, pair.slides_along)
         for effect in system.scene.resistances(pair.pair.name):
             if effect.has_modes:
-                rows += _directions(f"{effect.name}.turning", "rad/s", j, len(effect.axes(pair.touch)))
+                unit = "m/s" if effect.holds == "N" else "rad/s"
+                rows += _directions(f"{effect.name}.{effect.mode}", unit, j, len(effect.axes(pair.touch)))
     return {"SLIPS": tuple(rows)} if rows else {}
 
 

@@ -176,6 +176,8 @@ class Drafts:
         if whose != pair and turning is not None:
             rows = zip(turning.labels, turning.expressions, strict=True)
             velocities = tuple(velocity for label, velocity in rows if label == whose)
+        if len(velocities) > 2:
+            return  # of a patch: integrals, which the declaration tells
         speed = sp.sqrt(sp.Add(*(velocity**2 for velocity in velocities)))
         for velocity, force in zip(velocities, forces, strict=True):
             what = (

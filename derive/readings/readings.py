@@ -222,6 +222,17 @@ class _Readings:
             rubbing = given[0] if len(given) == 1 else -sp.sqrt(total(*(part**2 for part in given)))
             for part, along in zip(given, forces.grip.along, strict=True):
                 force = add(force, tuple(sign * part * along[key] for key in wrench_keys(on, "force")))
+        moments, drags = dict(forces.resistances), {}
+        for effect, grip in forces.turning.items():
+            unit = dimension_of(effect.holds)
+            given = [self.tape.input(f"{effect.name}_friction_in", "friction", unit) for _ in grip.tangents]
+            pull, vector = effect.held(grip, given)
+            if effect.holds == "N":
+                drags[effect] = pull
+            for part, along in zip(given, grip.along, strict=True):
+                force = add(force, tuple(sign * part * along.get(key, 0) for key in wrench_keys(on, "force")))
+            spent = total(*(-velocity * part for part, velocity in zip(given, grip.velocity, strict=True)))
+            moments[effect] = Moment(vector, {}, spent)
         what = f"{touch.first.body.name} by {touch.second.body.name}"
         here = [
             *self._vector(name, "force_{}", "N", force, f"contact force on {what}"),
@@ -237,20 +248,15 @@ class _Readings:
             yield Reading(f"{friction.name}.power", "W", power, f"power dissipated by {friction.name}")
             if drag is not None and pair.slides_along > 1:
                 yield from self._vector(name, "friction_force_{}", "N", drag, f"friction force on {what}")
-        moments = dict(forces.resistances)
-        for effect, grip in forces.turning.items():
-            given = [
-                self.tape.input(f"{effect.name}_friction_in", "friction", dimension_of("N m")) for _ in grip.tangents
-            ]
-            vector = add(*(scale(part, axis) for part, axis in zip(given, grip.tangents, strict=True)))
-            power = total(*(-velocity * part for part, velocity in zip(given, grip.velocity, strict=True)))
-            moments[effect] = Moment(vector, {}, power)
         for effect, moment in moments.items():
             turning = list(
                 self._moment(effect.name, "moment_{}", "N m", moment.vector, f"{effect.text}: moment on {what}")
             )
             self.touching += [reading.name for reading in turning]
             yield from turning
+            if effect in drags:
+                text = f"friction force on {what}"
+                yield from self._vector(effect.name, "friction_force_{}", "N", drags[effect], text)
             yield Reading(f"{effect.name}.power", "W", moment.power, f"power dissipated by {effect.name}")
 
     def _reaction(self, joint: Joint) -> Iterator[Reading]:

@@ -124,7 +124,7 @@ class History:
                 slips = self.part("m")[:, len(model.latches) :][:, both]
                 return {name: np.any(slips != 0, axis=1).astype(float)}
             if name == friction_force(slip):
-                return {name: -np.hypot(*self.part("friction")[:, both].T)}  # against the sliding velocity
+                return {name: -np.hypot(*self.part("friction")[:, both[:2]].T)}  # against the sliding velocity
         if name in model.constraints:
             value, rate = self.map("constraints", "t q u")  # of a constraint on a speed the value is zero
             return dict(zip(model.constraints, (value + model.on_speeds * rate).T, strict=True))

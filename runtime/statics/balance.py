@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.integrate.step.limit_sets import measured
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of, pair_grips, pairs_of
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
@@ -76,8 +77,13 @@ def sizes_of(model: Model, mu: Array) -> Array:
     """Return the size of each mu (n,): of a pair that may slide in two directions, that of all together."""
     found = np.abs(mu)
     for group in groups_of(grip_names(model)):
-        found[group] = np.linalg.norm(mu[group])
+        found[group] = gauge_of(mu[group])
     return found
+
+
+def gauge_of(mu: Array) -> float:
+    """Return the size of what one grip holds with: the least limit that holds it."""
+    return float(np.linalg.norm(mu)) if mu.size < 3 else float(measured()(mu))
 
 
 def along_of(model: Model, along: Array) -> Array:

@@ -15,7 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of
-from hertzwerk.runtime.statics.balance import Array, Balance, balance, grip_names, grip_pairs, kernel, limits, sizes_of
+from hertzwerk.runtime.statics.balance import (
+    Array,
+    Balance,
+    balance,
+    gauge_of,
+    grip_names,
+    grip_pairs,
+    kernel,
+    limits,
+    sizes_of,
+)
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -202,7 +212,7 @@ class Search:
         """Decide which grips stick in a step: what was beyond its limit slips, while that takes energy."""
         bound, ways = limits(self.model, self.bound, rest.balance), rest.balance.D.T @ total
         for group in groups_of(grip_names(self.model)):
-            limit, size = bound[group[0]], float(np.linalg.norm(rest.mu[group]))
+            limit, size = bound[group[0]], gauge_of(rest.mu[group])
             if rest.sticks[group[0]]:
                 rest.sticks[group] = size <= limit * (1 + HOLDS)
             else:

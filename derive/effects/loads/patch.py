@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.algebra.vectors import dot, scale, sub
+from hertzwerk.derive.algebra.vectors import Vector, add, dot, scale, sub
 from hertzwerk.derive.effects.contacts import Friction
 from hertzwerk.derive.effects.effect import Declared
-from hertzwerk.derive.effects.loads.resistances import DrillingResistance, Moment, PairResistance, Turning
+from hertzwerk.derive.effects.loads.resistances import DrillingResistance, Grip, Moment, PairResistance, Turning
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
@@ -28,18 +28,21 @@ class PatchFriction(PairResistance):
     As of a flat disc. Every point of the patch slides with v + w x r and is opposed by `coefficient` mu times the pressure there. The force
     on the first body is mu N if it slides alone, the moment about the normal 2/3 mu N R if it spins alone, on the patch's
     `radius` R; each is less beside the other, and both end together: a disc comes to rest with v = 0.653 R w. The
-    integrals are complete elliptic ones, evaluated by arithmetic-geometric means to rounding. `speed` [m/s], added to
-    the faster of sliding and rim under a root, smooths the change of sign at rest: what stands on a slope creeps.
+    integrals are complete elliptic ones, evaluated by arithmetic-geometric means to rounding. It is set-valued: at rest
+    it holds any force and moment within their limit surface, and beyond it sets off along its normal. Or it is smoothed,
+    by a `speed` [m/s] added to the faster of sliding and rim under a root: what stands on a slope then creeps.
 
     It is in place of the pair's `Friction` and `DrillingResistance`. Source: Farkas, Bartels, Unger, Wolf, Phys. Rev. Lett. 90
-    (2003) 248302; Contensou, Kreiselprobleme (1963) 201.
+    (2003) 248302; Leine, Glocker, European Journal of Mechanics A/Solids 22 (2003) 193, after Contensou.
     """
 
     name: str
     pair: str
     coefficient: Scalar
     radius: Scalar
-    speed: Scalar
+    speed: Scalar | None = None
+    holds: ClassVar[str] = "N"
+    mode: ClassVar[str] = "slip"
     kind: ClassVar[str] = "patch_friction"
     sought: ClassVar[tuple[str, ...]] = ("slip", "spin", "faster", "force", "moment")
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = {
@@ -62,13 +65,30 @@ class PatchFriction(PairResistance):
         "force": ("F", r"\mathrm{t}", "friction force on the first body"),
         "moment": ("M", r"\mathrm{d}", "friction moment on the first body"),
         "power": ("P", r"\mathrm{d}", "power dissipated by the patch"),
+        "limit": ("F", r"\mathrm{h}", "the most that the patch holds with, without a moment"),
+        "friction_force_1": (
+            "F",
+            r"\mathrm{t1}",
+            "friction force of the patch along the first tangent, by its sliding and spin",
+        ),
+        "friction_force_2": (
+            "F",
+            r"\mathrm{t2}",
+            "friction force of the patch along the second tangent, by its sliding and spin",
+        ),
+        "friction_force_3": (
+            "F",
+            r"\mathrm{d}",
+            "friction moment of the patch over its radius, of its sliding and spin",
+        ),
     }
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield coefficient, radius and speed."""
         yield Slot(f"{self.where}, coefficient", self.coefficient, "1", NOT_NEGATIVE)
         yield Slot(f"{self.where}, radius", self.radius, "m", POSITIVE)
-        yield Slot(f"{self.where}, speed", self.speed, "m/s", POSITIVE)
+        if self.speed is not None:
+            yield Slot(f"{self.where}, speed", self.speed, "m/s", POSITIVE)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair without a contact, and of what it is in place of."""
@@ -77,6 +97,31 @@ class PatchFriction(PairResistance):
             if isinstance(other, (Friction, DrillingResistance)) and other.pair == self.pair:
                 yield Fault(self.where, f"{other.kind.replace('_', ' ')} {other.name} at {self.pair} too", "the friction of a patch alone",
                             "It is the patch's sliding and spin at once: leave the other out.")  # fmt: skip
+
+    def axes(self, touch: Any) -> tuple[Vector, ...]:
+        """Tangents of the surfaces, then their normal."""
+        return (*touch.tangents, touch.normal)
+
+    def grip(self, kin: Turning, touch: Any, pressing: Any) -> Grip:
+        """Grip of the patch: forces along the tangents, and the moment about the normal over the radius."""
+        bodies, tape = (touch.first.body, touch.second.body), kin.tape
+        *tangents, normal = axes = self.axes(touch)
+        radius = sp.sympify(self.radius)
+        rate = tape.vector(touch.rate_at(touch.contact_point), f"{self.name}_rate")
+        spin = dot(sub(*map(kin.angular_velocity, bodies)), normal)
+        velocity = *(dot(rate, tangent) for tangent in tangents), radius * spin
+        limit = tape.let(sp.sympify(self.coefficient) * pressing, f"{self.name}_limit")
+        on = touch.contact_point, *bodies, f"{self.name}_grip"
+        along = (
+            *(kin.generalised(tangent, *on) for tangent in tangents),
+            kin.generalised_moment(scale(radius, normal), *on[1:]),
+        )
+        return Grip(axes, along, tuple(tape.let(part, f"{self.name}_velocity") for part in velocity), limit, limit)
+
+    def held(self, grip: Grip, given: Sequence[Any]) -> tuple[Vector, Vector]:
+        """Force and moment of the patch."""
+        *forces, moment = (scale(part, axis) for part, axis in zip(given, grip.tangents, strict=True))
+        return add(*forces), scale(sp.sympify(self.radius), moment)
 
     def moment(self, kin: Turning, touch: Any, pressing: Any) -> Moment:
         """Moment at a contact geometry (a `Touch`), under the force that presses [N].

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import Vector, dot, scale, sub
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, dot, scale, sub
 from hertzwerk.derive.effects.contacts import contact_faults
 from hertzwerk.derive.effects.effect import CONTACT, Declared, Kinematics, PairEffect
 from hertzwerk.derive.faults import Fault
@@ -26,6 +26,8 @@ class Grip:
     velocity  sliding velocity along each tangent [m/s], or angular velocity [rad/s]
     sliding   friction force while sliding [N], or moment while turning [N m]
     holding   greatest at rest
+
+    Of a patch the third is its rim's speed by spin, and the moment over its radius.
     """
 
     tangents: tuple[Vector, ...]
@@ -72,6 +74,10 @@ class PairResistance(PairEffect):
     coefficient: Scalar
     speed: Scalar | None
     enters: ClassVar[str] = CONTACT
+    holds: ClassVar[str] = "N m"
+    """Unit of what it holds with."""
+    mode: ClassVar[str] = "turning"
+    """Name of its slip: of a force or of a moment."""
     sought: ClassVar[tuple[str, ...]] = ("turning", "turning_speed", "moment", "turning_velocity", "holding_moment")
 
     @property
@@ -113,6 +119,10 @@ class PairResistance(PairEffect):
         limit = tape.let(sp.sympify(self.coefficient) * pressing, f"{self.name}_holding_moment")
         along = tuple(kin.generalised_moment(axis, *bodies, f"{self.name}_grip") for axis in axes)
         return Grip(axes, along, velocity, limit, limit)
+
+    def held(self, grip: Grip, given: Sequence[Any]) -> tuple[Vector, Vector]:
+        """Force [N] and moment [N m] on the first body of what its grip holds with along each tangent."""
+        return ZERO, add(*(scale(part, axis) for part, axis in zip(given, grip.tangents, strict=True)))
 
     def moment(self, kin: Turning, touch: Any, pressing: Any) -> Moment:
         """Moment at a contact geometry (a `Touch`), under the force that presses [N]."""

@@ -1,10 +1,11 @@
-"""Stick and slip of pairs that may slide in two directions: forces within discs.
+"""Stick and slip of pairs that may slide in two directions: forces within discs, and other limit sets.
 
 With normal forces given, friction forces lambda and sliding accelerations a = W lambda + b are those of the least
 lambda^T W lambda/2 + b^T lambda with each |lambda| below its limit: inside a disc a = 0, on its edge lambda opposes a.
 First all pairs stick. Where that takes more than is held, pairs are limited by their sliding force, and the least is
 found by an interior point method. Corners of one body may share a force in many ways, W is then singular: sweeps over
-the pairs, one by one, need thousands there, Newton steps from within the discs about ten.
+the pairs, one by one, need thousands there, Newton steps from within the discs about ten. For a patch (`limit_sets`) |x|
+is the gauge of its body, with whose gradient and curvature a step is as good, but for its end, which is cut where it is outside.
 
 De Saxce, Feng, Math. Comput. Modelling 28 (1998) 225; Nocedal, Wright, Numerical Optimization (2006), section 19.3.
 """
@@ -17,14 +18,19 @@ from typing import Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.step.limit_sets import gauge, normal_and_curvature, outward, positive, unit_of
 from hertzwerk.runtime.integrate.step.linear import eliminated
-from hertzwerk.runtime.integrate.step.set_valued_friction import REDUNDANT, size_of, solve_sticking, unit_of
+from hertzwerk.runtime.integrate.step.set_valued_friction import REDUNDANT, solve_sticking
 
 ITERATIONS = 40  # of Newton's method; 9 to 13 end in random bodies on up to 16 feet
 COMPLEMENTARY = 1e-18  # product of a pair's room in its disc and its sliding, both relative, that counts as none
 BALANCED = 1e-11  # of its terms: error of an equation that counts as none
 INSIDE = 0.995  # of the way to the nearest edge that a step goes
 ON_EDGE = 1e-9  # of a limit: a force nearer to it slides
+CUTS, EXACT = (
+    4,
+    1e-9,
+)  # of a step beyond the edge of a patch's body, by halves; room from which it is known by the gauge
 TINY = 1e-300
 
 Groups = tuple[tuple[int, ...], ...]
@@ -91,6 +97,7 @@ def _newton(groups: Groups) -> Any:
 
     A predictor and a corrector. x (n): forces in unit discs; push (k): what the edges press with, beside the size;
     room (k): (1 - |x|^2)/2. Solved are W x + b + size push x = 0 and push room = mu, with mu falling to zero.
+    normal (n): x, or the gradient of minus the room.
     """
     n, k = sum(map(len, groups)), len(groups)
     W, b, x = ca.SX.sym("W", n, n), ca.SX.sym("b", n), ca.SX.sym("x", n)
@@ -105,39 +112,60 @@ def _newton(groups: Groups) -> Any:
     def dots(u: Any, v: Any) -> Any:
         return ca.vertcat(*(ca.dot(u[list(group)], v[list(group)]) for group in groups))
 
-    error, product = ca.mtimes(W, x) + b + each(size * push) * x, push * room
+    edges = [normal_and_curvature(x[list(group)]) for group in groups]
+    normal = ca.vertcat(*(of for of, _ in edges))
+    bends = {i: curvature for i, (_, curvature) in enumerate(edges) if len(groups[i]) > 2}
+    error, product = ca.mtimes(W, x) + b + each(size * push) * normal, push * room
     # along x and across it, since the press of an edge, along x, would drown what there is across
-    axes, pressed = ca.SX(n, n), each(size * push)
+    axes, pressed, curved = ca.SX(n, n), each(size * push), ca.SX(W)
     for i, group in enumerate(map(list, groups)):
-        way = ca.if_else(ca.sumsqr(x[group]) > 0, unit_of(x[group]), ca.DM([1.0, *[0.0] * (len(group) - 1)]))
-        axes[group, group[0]] = way
-        if len(group) > 1:
-            axes[group, group[1]] = ca.vertcat(-way[1], way[0])
-        pressed[group[0]] += size[i] * push[i] / room[i] * ca.sumsqr(x[group])
-    matrix = ca.mtimes(axes.T, ca.mtimes(W, axes)) + ca.diag(pressed)
+        way = ca.if_else(ca.sumsqr(normal[group]) > 0, unit_of(normal[group]), ca.DM([1.0, *[0.0] * (len(group) - 1)]))
+        axes[group, group] = _axes(way)
+        if i in bends:
+            pressed[group] = 0
+            curved[group, group] += size[i] * push[i] * bends[i]
+        pressed[group[0]] += size[i] * push[i] / room[i] * ca.sumsqr(normal[group])
+    matrix = ca.mtimes(axes.T, ca.mtimes(curved, axes)) + ca.diag(pressed)
     solve = eliminated([[matrix[i, j] for j in range(n)] for i in range(n)], pivoting=False)
 
+    def squares(dx: Any) -> Any:
+        found = dots(dx, dx)
+        for i, curvature in bends.items():
+            found[i] = ca.dot(dx[list(groups[i])], ca.mtimes(curvature, dx[list(groups[i])]))
+        return found
+
+    def inside(x: Any) -> Any:
+        return ca.vertcat(*((1 - gauge(x[list(groups[i])]) ** 2) / 2 for i in bends))
+
     def step(aim: Any) -> tuple[Any, Any, Any]:
-        right = -error - each(size * aim / room) * x
+        right = -error - each(size * aim / room) * normal
         dx = ca.mtimes(axes, ca.vertcat(*solve(ca.vertsplit(ca.mtimes(axes.T, right)))))
-        dpush = (aim + push * dots(x, dx)) / room
-        along, square = dots(x, dx), dots(dx, dx)
+        dpush = (aim + push * dots(normal, dx)) / room
+        along, square = dots(normal, dx), squares(dx)
         edge = 2 * room / ca.fmax(along + ca.sqrt(along**2 + 2 * room * square), TINY)
         end = ca.if_else(dpush < 0, -push / ca.fmin(dpush, -TINY), 1 / TINY)
         return dx, dpush, ca.fmin(ca.mmin(edge), ca.mmin(end))
 
     def moved(dx: Any, share: Any) -> Any:
-        found = room - share * dots(x, dx) - share**2 * dots(dx, dx) / 2
+        found = room - share * dots(normal, dx) - share**2 * squares(dx) / 2
         return ca.fmax(found, (1 - INSIDE) * room)  # as much is left but for rounding
 
     dx, dpush, share = step(-product)
     share, mean = ca.fmin(share, 1), ca.sum1(product) / k
     left = ca.sum1((push + share * dpush) * moved(dx, share)) / k
     mu = mean * ca.fmin(ca.fmax(left / mean, 0), 1) ** 3
-    dx, dpush, share = step(mu - product + dpush * dots(x, dx) + push * dots(dx, dx) / 2)
+    dx, dpush, share = step(mu - product + dpush * dots(normal, dx) + push * squares(dx) / 2)
     share = ca.fmin(INSIDE * share, 1)
+    for _ in range(CUTS if bends else 0):
+        share = ca.if_else(ca.mmin(inside(x + share * dx)) < -EXACT, share / 2, share)
     after, push, room, given = x + share * dx, push + share * dpush, moved(dx, share), [W, b, size, x, push, room]
-    error = ca.mtimes(W, after) + b + each(size * push) * after
+    if bends:
+        seen, of = inside(after), list(bends)
+        room[of] = ca.if_else(seen > EXACT, seen, room[of])
+        normal = ca.vertcat(*(normal_and_curvature(after[list(group)])[0] for group in groups))
+    else:
+        normal = after
+    error = ca.mtimes(W, after) + b + each(size * push) * normal
     done = (ca.sum1(push * room) <= k * COMPLEMENTARY) * (ca.sum1(ca.fabs(error) / each(size)) <= n * BALANCED)
     given.append(ca.SX.sym("busy"))
     return ca.Function("newton", given, ca.cse([after, push, room, 1 - done]))
@@ -150,7 +178,7 @@ def _found(groups: Groups) -> Any:
     push, room, busy = ca.SX.sym("push", k), ca.SX.sym("room", k), ca.SX.sym("busy")
     force = ca.SX(x)
     for i, group in enumerate(map(list, groups)):
-        at_edge = ca.if_else(push[i] > room[i], unit_of(x[group]), x[group])
+        at_edge = ca.if_else(push[i] > room[i], x[group] / positive(gauge(x[group])), x[group])
         force[group] = still[group] * limit[group] * at_edge
     lets_go = _on_edge(groups, still, force, limit) * (limit > sliding)
     given = [still, sliding, limit, x, push, room, busy]
@@ -174,8 +202,8 @@ def _directions(groups: Groups) -> Any:
     for group in map(list, groups):
         # without a limit the force is none, and the pair goes where the others make it, or nowhere
         away = ca.if_else(ca.sumsqr(a[group]) > 0, unit_of(a[group]), ca.DM([1.0, *[0.0] * (len(group) - 1)]))
-        way = ca.if_else(limit[group[0]] > 0, -unit_of(force[group]), away)
-        found[group] += edge[group] * way - beyond[group] * unit_of(held[group])
+        way = ca.if_else(limit[group[0]] > 0, outward(-force[group]), away)
+        found[group] += edge[group] * way + beyond[group] * outward(-held[group])
     return ca.Function("directions", given, [ca.cse(ca.densify(found))])
 
 
@@ -185,11 +213,28 @@ def _symbols(groups: Groups, names: str) -> list[Any]:
 
 
 def _sizes(groups: Sequence[Sequence[int]], x: Any) -> Any:
-    """Return the length of each pair's part of a vector, for each of its tangents."""
+    """Return the gauge of each pair's part of a vector, for each of its tangents."""
     found = ca.fabs(x)
     for group in map(list, groups):
-        found[group] = size_of(x[group])
+        found[group] = gauge(x[group])
     return found
+
+
+def _axes(way: Any) -> Any:
+    """Return an orthogonal matrix whose first column is a unit vector of one to three entries.
+
+    Duff et al., Journal of Computer Graphics Techniques 6 (2017) 1.
+    """
+    if way.numel() < 3:
+        return way if way.numel() == 1 else ca.horzcat(way, ca.vertcat(-way[1], way[0]))
+    x, y, z = ca.vertsplit(way)
+    side = ca.if_else(z >= 0, 1, -1)
+    a = -1 / (side + z)
+    one, two = (
+        ca.vertcat(1 + side * x * x * a, side * x * y * a, -side * x),
+        ca.vertcat(x * y * a, side + y * y * a, -y),
+    )
+    return ca.horzcat(way, one, two)
 
 
 def _on_edge(groups: Groups, still: Any, force: Any, limit: Any) -> Any:

@@ -18,6 +18,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.events.discs import settling
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, active_contacts, masked
+from hertzwerk.runtime.integrate.step.limit_sets import opposed, size_of, unit_of
 from hertzwerk.runtime.integrate.step.set_valued_friction import (
     AHEAD,
     BREAKS,
@@ -26,11 +27,9 @@ from hertzwerk.runtime.integrate.step.set_valued_friction import (
     grips_of,
     groups_of,
     mobility,
-    size_of,
     slips_in,
     solve_sticking,
     sticking,
-    unit_of,
 )
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -97,19 +96,23 @@ def _problem(model: Model) -> Any:
         f += masked(active, contact(t, q, u, z, m, c)[0])
     stays = now.sticks * (1 - asked)  # whatever errors have left it of speed
     slow, way = ca.fabs(now.velocity) <= rate, ca.sign(now.velocity)
+    pull = ca.if_else(asked, way, now.direction)
+    ahead = ca.SX(pull)
     for group in now.groups:
         if len(group) > 1:
             slow[group], way[group] = (
                 size_of(now.velocity[group]) <= AT_REST * rate[group],
                 unit_of(now.velocity[group]),
             )
+            pull[group] = ca.if_else(asked[group], opposed(now.velocity[group]), now.direction[group])
+            ahead[group] = ca.if_else(asked[group], way[group], unit_of(now.slip[group]))
     still = now.touching * (slow + stays > 0)
-    slides = now.touching * (1 - still) * ca.if_else(asked, way, now.direction)
-    a = model.function("accelerations").call([t, q, u, f - ca.mtimes(now.along, slides * now.sliding), c])[0]
+    slides = now.touching * (1 - still)
+    a = model.function("accelerations").call([t, q, u, f - ca.mtimes(now.along, slides * pull * now.sliding), c])[0]
     b = now.drift + ca.mtimes(now.along[: model.nu, :].T, a)
     W = ca.mtimes(now.along[: model.nu, :].T, mobility(model, t, q, u, now.along, c))
     bound = now.holding + ca.if_else(asked, 0, BREAKS * force)
-    first = ca.if_else(still, ca.if_else(asked, STICK, now.direction), slides)
+    first = ca.if_else(still, ca.if_else(asked, STICK, ahead), slides * ahead)
     given = [t, y, mode, m, c, asked, rate, force]
     return ca.Function("problem", given, ca.cse([*map(ca.densify, (W, b, still, now.sliding, first, bound))]))
 

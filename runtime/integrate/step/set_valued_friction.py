@@ -14,18 +14,22 @@ ends. It slips while s' is positive; where s has only turned that far, sigma fol
 
 Resistance to rolling and to drilling is the same with moments [N m] and angular velocities [rad/s] about axes in place of tangents.
 What holds together, along the tangents of one pair or about the axes of one effect, is a grip; its name is that of pair or effect.
+That of a circular patch has three velocities, of sliding and of its rim by spin, which end together: see `limit_sets`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import mul
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, masked
 from hertzwerk.runtime.integrate.step.layout import CONTACT
+from hertzwerk.runtime.integrate.step.limit_sets import gauge, opposed, outward, positive, size_of, unit_of
 from hertzwerk.runtime.integrate.step.linear import eliminated
 from hertzwerk.runtime.integrate.step.rounding import time_rounding
 from hertzwerk.runtime.model.per_model import per_model
@@ -73,7 +77,7 @@ class Grips:
         found = ca.SX(self.slip)
         for group in self.groups:
             if len(group) > 1:
-                found[group] = unit_of(_ahead(self.velocity[group], self.slip[group]))
+                found[group] = opposed(_ahead(self.velocity[group], self.slip[group]))
         return found
 
     def slipping(self) -> Any:
@@ -85,7 +89,7 @@ class Grips:
         size = ca.fabs(friction)
         for group in self.groups:
             if len(group) > 1:
-                size[group] = size_of(friction[group])
+                size[group] = gauge(friction[group])
         return ca.if_else(self.touching, self.holding - size, 0)
 
     def pace(self, velocity: Any) -> Any:
@@ -101,23 +105,8 @@ def _ahead(velocity: Any, slip: Any) -> Any:
     """Velocity in two directions that friction opposes, see above."""
     way, size = unit_of(slip), ca.sumsqr(slip)
     along = ca.dot(way, velocity)
-    reached = ca.sqrt(_positive(along**2 + size))
+    reached = ca.sqrt(positive(along**2 + size))
     return ca.if_else(size > 0, velocity + (reached - along) * way, 0)
-
-
-def _positive(x: Any) -> Any:
-    return ca.if_else(x > 0, x, 1)
-
-
-def size_of(x: Any) -> Any:
-    """Length of a vector; its derivative at zero is taken as zero."""
-    squared = ca.sumsqr(x)
-    return ca.if_else(squared > 0, ca.sqrt(_positive(squared)), 0)
-
-
-def unit_of(x: Any) -> Any:
-    """Unit vector along a vector, or zero."""
-    return x / ca.sqrt(_positive(ca.sumsqr(x)))
 
 
 def pairs_of(model: Model) -> list[int]:
@@ -171,7 +160,7 @@ def sticking(model: Model, m: Any) -> Any:
     found = slips == STICK
     for group in groups_of(grips_of(model)):
         if len(group) > 1:
-            still = found[group[0]] * found[group[1]]
+            still = reduce(mul, (found[i] for i in group))
             for i in group:
                 found[i] = still
     return found
@@ -298,7 +287,7 @@ def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
             rows, force = [first + i for i in group], friction[group]
             size = size_of(m[rows])
             follows = (size > 0) * (margin[group[0]] > FAR * size) * (ca.sumsqr(force) > 0)
-            m[rows] = ca.if_else(follows, -size * unit_of(force), m[rows])
+            m[rows] = ca.if_else(follows, size * outward(-force), m[rows])
     return m
 
 

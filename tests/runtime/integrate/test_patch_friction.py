@@ -6,35 +6,15 @@ from functools import cache
 
 import numpy as np
 import pytest
+from patches import DISC, GRAVITY, MU, RIM, flat_disc, shares
 from scipy.integrate import dblquad, solve_ivp
 from scipy.optimize import brentq
-from scipy.special import ellipe, ellipk
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    DrillingResistance,
-    EnergyLedger,
-    Friction,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    PatchFriction,
-    Planar,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-    generate,
-)
-from hertzwerk.derive.laws import kelvin_voigt, power, smooth_coulomb
+from hertzwerk.derive import DrillingResistance, Friction, InputError, Parameter, PatchFriction, generate
+from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import load, simulate
 
-DISC, RIM, GRAVITY, MU, LAYER = 2.0, 0.1, 9.81, 0.2, 1e-5  # kg, m, m/s^2, 1, m/s
+LAYER = 1e-5  # m/s
 FARKAS = 0.653  # v/(R w) at the end: Phys. Rev. Lett. 90 (2003) 248302
 
 
@@ -45,44 +25,12 @@ def patch(coefficient=MU, name="rub"):
 
 
 def scene(*more, **coordinates):
-    """A disc, m R^2/2, that carries its weight on its whole face."""
-    mass, rim, radius = Parameter("mass", "kg", DISC), Parameter("rim", "m", RIM), Parameter("radius", "m", 0.01)
-    gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", 1e5)
-    tray, disc = Body("tray", 0), Body("disc", mass, (mass * rim**2 / 4, mass * rim**2 / 2, mass * rim**2 / 4))
-    joints = (Planar("floor_plane", GROUND, tray, normal=Y), Prismatic("up", tray, disc, axis=Y))
-    return Scene(
-        Mechanism("flat_disc", joints, (SphereOnPlane("floor", disc.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),)),
-        (
-            Gravity("gravity", gravity, direction=-Y),
-            Contact("floor", power(stiffness, 1), kelvin_voigt(Parameter("restitution", "1", 0.2))),
-            *(more or (patch(),)),
-            EnergyLedger(),
-        ),
-        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=rim),
-        Start(
-            position={"up": radius - mass * gravity / stiffness},
-            speed={"floor_plane.x": Parameter("slide", "m/s", 1), "floor_plane.angle": Parameter("spin", "rad/s", 10)},
-        ),
-        **coordinates,
-    )
+    return flat_disc(*(more or (patch(),)), **coordinates)
 
 
 @cache
 def built(**coordinates):
     return load(scene(**coordinates))
-
-
-def shares(ratio):
-    """Force in mu N and moment in mu N R at v/(R w), by the elliptic integrals as published."""
-    m = ratio**2 if ratio < 1 else 1 / ratio**2
-    E, K = ellipe(m), ellipk(m)
-    if ratio < 1:
-        force, moment = ((m + 1) * E + (m - 1) * K) / ratio, (4 - 2 * m) * E + (m - 1) * K
-    else:
-        e2 = ratio**2
-        force = (e2 + 1) * E - (e2 - 1) * K
-        moment = ratio * ((4 - 2 * e2) * E + (2 * e2 - 5 + 3 * m) * K)
-    return 4 / (3 * math.pi) * force, 4 / (9 * math.pi) * moment
 
 
 def over_the_patch(v, u):

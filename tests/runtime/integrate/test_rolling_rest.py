@@ -236,3 +236,11 @@ def test_it_is_refused_beside_loads_by_normal_forces():
         generate(scene(fed))
     for word in ("effect rolling", "effect drilling", "effect rub", "Give it a speed"):
         assert word in str(caught.value)
+
+
+def test_readings_of_friction_are_those_without_resistance():
+    """Sliding friction and a rolling moment at one pair have their own vectors."""
+    run = simulate(model(), duration="10 ms", method="dop853", tolerance=1e-8, parameters={"v_x": (1, "m/s")})
+    assert run["floor.friction_force_x"][1] == pytest.approx(-MU * MASS * GRAVITY, rel=1e-6)
+    assert run["rolling.moment_z"][-1] == pytest.approx(ARM * MASS * GRAVITY, rel=1e-6)
+    assert "rolling.friction_force_x" not in run.names and not run.history.units.get("rolling.friction_force_x")

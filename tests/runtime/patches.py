@@ -1,0 +1,61 @@
+"""A flat disc that slides and spins on its whole face, and the forces of its friction as published."""
+
+import math
+
+from scipy.special import ellipe, ellipk
+
+from hertzwerk.derive import (  # fmt: skip
+    GROUND,
+    Body,
+    Contact,
+    EnergyLedger,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Planar,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    Y,
+)
+from hertzwerk.derive.laws import kelvin_voigt, power
+
+DISC, RIM, GRAVITY, MU = 2.0, 0.1, 9.81, 0.2  # kg, m, m/s^2, 1
+
+
+def flat_disc(*more, **coordinates):
+    """A disc, m R^2/2, that carries its weight on its whole face."""
+    mass, rim, radius = Parameter("mass", "kg", DISC), Parameter("rim", "m", RIM), Parameter("radius", "m", 0.01)
+    gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", 1e5)
+    tray, disc = Body("tray", 0), Body("disc", mass, (mass * rim**2 / 4, mass * rim**2 / 2, mass * rim**2 / 4))
+    joints = (Planar("floor_plane", GROUND, tray, normal=Y), Prismatic("up", tray, disc, axis=Y))
+    return Scene(
+        Mechanism("flat_disc", joints, (SphereOnPlane("floor", disc.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),)),
+        (
+            Gravity("gravity", gravity, direction=-Y),
+            Contact("floor", power(stiffness, 1), kelvin_voigt(Parameter("restitution", "1", 0.2))),
+            *more,
+            EnergyLedger(),
+        ),
+        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=rim),
+        Start(
+            position={"up": radius - mass * gravity / stiffness},
+            speed={"floor_plane.x": Parameter("slide", "m/s", 1), "floor_plane.angle": Parameter("spin", "rad/s", 10)},
+        ),
+        **coordinates,
+    )
+
+
+def shares(ratio):
+    """Force in mu N and moment in mu N R at v/(R w), by the elliptic integrals as published."""
+    m = ratio**2 if ratio < 1 else 1 / ratio**2
+    E, K = ellipe(m), ellipk(m)
+    if ratio < 1:
+        force, moment = ((m + 1) * E + (m - 1) * K) / ratio, (4 - 2 * m) * E + (m - 1) * K
+    else:
+        e2 = ratio**2
+        force = (e2 + 1) * E - (e2 - 1) * K
+        moment = ratio * ((4 - 2 * e2) * E + (2 * e2 - 5 + 3 * m) * K)
+    return 4 / (3 * math.pi) * force, 4 / (9 * math.pi) * moment
