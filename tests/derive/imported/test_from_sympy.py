@@ -8,7 +8,7 @@ import sympy as sp
 import sympy_models as models
 from derived import Derived
 from scipy.integrate import solve_ivp
-from sympy.physics.mechanics import dynamicsymbols
+from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
 
 from hertzwerk.derive import (
     GROUND,
@@ -17,6 +17,7 @@ from hertzwerk.derive import (
     Contact,
     EnergyLedger,
     Gravity,
+    Input,
     InputError,
     JointDamper,
     JointForce,
@@ -28,6 +29,7 @@ from hertzwerk.derive import (
     Scene,
     SphereOnPlane,
     Start,
+    T,
     X,
     Y,
     Z,
@@ -142,6 +144,38 @@ def test_effects_act_on_coordinates_and_speeds_that_are_no_rates():
         load(scene.with_coordinates("absolute"))
     with pytest.raises(InputError, match="no rates"):
         model.scene(effects=(ConstantSpeed("turn", "q1", Parameter("w", "rad/s", 3)),), scales=scales)
+
+
+def test_a_pivot_that_a_function_of_time_shakes_holds_a_pendulum_upright():
+    m, length, g = sp.symbols("m l g")
+    q, u, y = dynamicsymbols("q u y")
+    N, O = ReferenceFrame("N"), Point("O")
+    A = N.orientnew("A", "Axis", (q, N.z))
+    A.set_ang_vel(N, u * N.z)
+    O.set_vel(N, 0)
+    B = O.locatenew("B", y * N.y)
+    B.set_vel(N, y.diff() * N.y)
+    P = B.locatenew("P", -length * A.y)
+    P.v2pt_theory(B, N, A)
+    method = KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
+    method.kanes_equations([Particle("bob", P, m)], [(P, -m * g * N.y)])
+    units, values = {m: "kg", length: "m", g: "m/s^2", q: "rad", y: "m"}, {m: 1, length: 0.5, g: 9.81}
+    lift = Parameter("lift", "m", 0.02) * sp.cos(Parameter("w", "rad/s", 100) * T)
+    model = from_sympy(method, units=units, values=values, origin=O, specified={y: lift}, name="shaken")
+    l = model.parameters["l"]
+    scales = Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l)
+    scene = model.scene(scales=scales, start=Start(position={"q": Parameter("q0", "rad", 3)}))
+    run = simulate(load(scene), duration="1 s", accuracy=1e-8)
+
+    def rates(t, s):
+        return [s[1], -(9.81 - 0.02 * 100**2 * math.cos(100 * t)) / 0.5 * math.sin(s[0])]
+
+    other = solve_ivp(rates, (0, 1), [3, 0], rtol=1e-10, atol=1e-12, method="DOP853")
+    assert run["q.angle"][-1] == pytest.approx(other.y[0, -1], abs=1e-7)
+    with pytest.raises(InputError, match="follows time"):
+        model.scene(scales=scales, effects=(EnergyLedger(),))
+    with pytest.raises(InputError, match="derivatives of coordinates"):
+        from_sympy(method, units=units, values=values, origin=O, specified={y: Input("y_measured", "m")})
 
 
 def test_equations_not_yet_formed_and_other_objects_are_refused():
