@@ -205,7 +205,7 @@ def _of(t: np.ndarray, renewal: _Renewal, count: int, dimension: int, until: flo
     growth, logs = renewal.growth[: len(t)], np.array(renewal.logs)
     at = np.minimum(renewal.at, len(t) - 1)
     edges = np.linspace(t[0], until, INTERVALS + 1)
-    curves = [growth] if count == 1 else [np.interp(t, t[at], column) for column in logs.T]
+    curves = [growth] if count == 1 else [np.interp(t, t[at], column) for column in logs.T[:count]]
     levels = np.column_stack([np.interp(edges, t, curve) for curve in curves])
     step = (until - t[0]) / INTERVALS
     with np.errstate(invalid="ignore"):

@@ -185,6 +185,7 @@ def test_constraints_leave_the_exponents_of_the_motion():
         both.append(run.lyapunov(4))
     tree, absolute = both
     assert tree.dimension == absolute.dimension == 4
+    assert len(run.lyapunov(2).exponents) == 2
     assert sum(means(absolute)) == pytest.approx(sum(means(tree)), abs=0.1)
     assert absolute.law.rate == pytest.approx(tree.law.rate, rel=0.3)
 
