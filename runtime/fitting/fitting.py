@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,10 +24,12 @@ from hertzwerk.runtime.fitting.forward import Forward
 from hertzwerk.runtime.fitting.identified import identified
 from hertzwerk.runtime.fitting.intervals import intervals
 from hertzwerk.runtime.fitting.search import Found, Search
+from hertzwerk.runtime.fitting.shooting import check_shooting, shot
 from hertzwerk.runtime.measured.asked import Between, read_between
 from hertzwerk.runtime.measured.residuals import residual_of
 from hertzwerk.runtime.model.binding import whole_faults
 from hertzwerk.runtime.model.free_quantities import Free, read_free
+from hertzwerk.runtime.run.request import Settings, read_duration
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
@@ -37,6 +39,7 @@ Array = NDArray[np.float64]
 
 FEWEST = 8  # residuals of a column whose correlation is judged
 IDLE = 1e-6  # of a column's spread, by a change as large as the scale of the search: less is the error of runs
+LINEAR = "linear: curvature of the least squares at the best fit"
 PROBES = 3  # places besides the model's own values at which a quantity must enter what is measured
 
 
@@ -54,6 +57,7 @@ class Asked:
     starts: int
     seed: int
     profile: bool | str
+    shooting: str | float | None = None
 
     def forward(self, observed: tuple[Observed, ...] | None = None) -> Forward:
         """Return the forward model of all measured runs."""
@@ -86,6 +90,7 @@ def read_fit(
     starts: object,
     seed: object,
     profile: object,
+    shooting: object = None,
     before: list[Fault] | None = None,
 ) -> Asked:
     """Read a fit; raises InputError with every fault."""
@@ -128,6 +133,9 @@ def read_fit(
             continue
         nuisance.append(Free(*ends, "1", False, f"gain of {column}", min(max(1.0, ends[0]), ends[1])))
     faults += _setting_faults(tolerance, method)
+    length = shooting if shooting in (None, "auto") else read_duration(model, parameters or {}, shooting, faults)  # type: ignore[arg-type]
+    if shooting is not None and freed:
+        check_shooting(model, observed, fitted_offset=low < high, faults=faults)
     count = sum(len(each.at) for each in observed)
     if observed and count < len(freed) + len(nuisance):
         faults.append(
@@ -146,26 +154,35 @@ def read_fit(
         int(starts),  # type: ignore[call-overload]
         int(seed),  # type: ignore[call-overload]
         profile,  # type: ignore[arg-type]
+        length,
     )
 
 
 def _setting_faults(tolerance: float, method: str) -> list[Fault]:
-    from hertzwerk.runtime.run.request import Settings
-
     return Settings(1.0, None, tolerance, method).faults()
 
 
 def fitted(asked: Asked, progress: Callable[[float], object] | None = None) -> Fitted:
     """Return the fit that was asked for; raises InputError for what enters nothing measured."""
-    return concluded(asked, *searched(asked, progress))
+    if asked.shooting is None:
+        return concluded(asked, *searched(asked, progress))
+    length = None if isinstance(asked.shooting, str) else asked.shooting
+    found = shot(search_of(asked, None), length, asked.starts, asked.seed, progress or (lambda _: None))
+    return concluded(replace(asked, profile=False), *found)
 
 
 def searched(asked: Asked, progress: Callable[[float], object] | None = None) -> tuple[Search, Found]:
     """Return the search and its least squares; raises InputError for what enters nothing measured."""
+    search = search_of(asked, progress)
+    return search, search.best(asked.starts, asked.seed)
+
+
+def search_of(asked: Asked, progress: Callable[[float], object] | None) -> Search:
+    """Return the search that is asked for; raises InputError for what enters nothing measured."""
     forward = asked.forward()
     search = Search(forward, stated_noise(forward), progress)
     _refuse_idle(search, asked)
-    return search, search.best(asked.starts, asked.seed)
+    return search
 
 
 def stated_noise(forward: Forward) -> Array:
@@ -196,12 +213,15 @@ def _refuse_idle(search: Search, asked: Asked) -> None:
     )
 
 
-def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
-    """Return the fit with what the data tell of it, intervals, goodness and residuals."""
+def concluded(asked: Asked, search: Search, found: Found, linear: str = LINEAR) -> Fitted:
+    """Return the fit with what the data tell of it, intervals, goodness and residuals.
+
+    linear    how intervals are obtained that are not by profile
+    """
     share = float(np.mean(found.used))
     forward = search.forward
     known = identified(found.jacobian, forward.searched)
-    ends, warnings = intervals(search, found, known, asked.profile)
+    ends, warnings = intervals(search, found, known, asked.profile, linear)
     values = [
         FittedValue.of(free, free.outer(float(x)), interval)
         for free, x, interval in zip(forward.searched, found.x, ends, strict=True)
@@ -291,7 +311,7 @@ def _warnings(
     if share < 1:
         warnings.append(
             f"{1 - share:.0%} of the data lie beyond the horizon, where the run's own error exceeds a tenth of the noise: they are left out; "
-            "a smaller tolerance, or statistics of them"
+            "segments (shooting), a smaller tolerance, or statistics of them"
         )
     lost = int(np.sum(~np.isfinite(forward.at(found.x).predicted) & found.used))
     if lost:

@@ -33,10 +33,13 @@ class Interval:
     open_high: bool = False
 
 
-def intervals(search: Search, found: Found, known: Identified, profile: bool | str) -> tuple[list[Interval], list[str]]:
+def intervals(
+    search: Search, found: Found, known: Identified, profile: bool | str, linear: str
+) -> tuple[list[Interval], list[str]]:
     """Return the interval of everything free, in the order of x, and what to heed.
 
     profile    "auto": of what is badly told, at an end of its range, or in a combination that is not told; True: of all
+    linear     how those that are not by profile are obtained
     """
     from scipy.stats import norm, t  # slow to import
 
@@ -55,7 +58,7 @@ def intervals(search: Search, found: Found, known: Identified, profile: bool | s
         if (profile is True and quantity) or (profile == "auto" and bad and quantity):
             made.append(_profile(search, found, j, quantile**2, noise, warnings))
             continue
-        how = f"linear: curvature of the least squares at the best fit, {noise}"
+        how = f"{linear}, {noise}"
         if known.concerned(j) or not errors[j] > 0:
             how, ends = "none: it is in a combination that the data do not tell", (low, high)
         made.append(

@@ -7,7 +7,7 @@ still told by its parameters, and from window to window, as long as the run's ow
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -61,22 +61,29 @@ class Search:
         forward, sigma = self.forward, self._sigma0()
         windows = [w for w in WINDOWS if np.sum(forward.place <= w) >= FEW * len(self.low)] or [1.0]
         masks = [forward.place <= w * (1 + 1e-12) for w in windows]
-        places = self.starts(count, seed)
-        scores = []
+        found = self.followed(masks, count, seed)
+        for number, mask in enumerate(masks[1:], 2):
+            kept = _apart([each.x for each in found])
+            used = self.within(kept[0], mask, sigma)
+            if np.sum(used) <= np.sum(found[0].used):
+                break
+            found = self._leasts(kept, used)
+            self._progress(0.4 + 0.5 * number / len(masks))
+        return self.settled(self.least(found[0].x, found[0].used, sigma))
+
+    def followed(self, masks: Sequence[NDArray[np.bool_]], count: int, seed: int) -> list[Found]:
+        """Return the least squares over the first window from the best starts, the least first."""
+        places, scores = self.starts(count, seed), []
         for k, x in enumerate(places):
-            r = self.residuals(x, np.ones(len(sigma), dtype=bool), sigma)
+            r = self.residuals(x, np.ones(len(self.stated), dtype=bool), self._sigma0())
             scores.append(np.mean([math.log(np.mean(r[mask] ** 2) + 1e-300) for mask in masks]))
             self._progress(0.4 * (k + 1) / len(places))
         kept = [places[k] for k in np.argsort(scores)[:FOLLOWED]]
-        found: list[Found] = []
-        for number, mask in enumerate(masks):
-            used = self.within(kept[0], mask, sigma)
-            if number and np.sum(used) <= np.sum(found[0].used):
-                break
-            found = sorted((self.least(x, used, sigma, within=ROUGH) for x in kept), key=lambda each: each.cost)
-            kept = _apart([each.x for each in found])
-            self._progress(0.4 + 0.5 * (number + 1) / len(masks))
-        return self.settled(self.least(found[0].x, found[0].used, sigma))
+        return self._leasts(kept, self.within(kept[0], masks[0], self._sigma0()))
+
+    def _leasts(self, places: Sequence[Array], used: NDArray[np.bool_]) -> list[Found]:
+        found = [self.least(x, used, self._sigma0(), within=ROUGH) for x in places]
+        return sorted(found, key=lambda each: each.cost)
 
     def settled(self, found: Found) -> Found:
         """Return the least squares over the noise that the residuals have, where none is stated."""

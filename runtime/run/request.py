@@ -130,7 +130,8 @@ class Given:
     """Start and extent of a run.
 
     Bound parameters, q (nq,) and u (nu,) with loops closed, latches of contacts in progress, duration [s], scales stated by the scene, redundant
-    constraints, given initial states, the period [s] of everything that depends on time, limits of approach speeds [m/s], and warnings.
+    constraints, given initial states, the period [s] of everything that depends on time, limits of approach speeds [m/s], warnings, and the time
+    [s] at which it begins.
     """
 
     bound: Bound
@@ -144,6 +145,7 @@ class Given:
     period: float | None
     speed_limits: np.ndarray
     warnings: tuple[str, ...]
+    begin: float = 0.0
 
 
 def read(

@@ -48,7 +48,11 @@ class SingleRun:
     @property
     def begin(self) -> float:
         """Time [s] that the run begins at."""
-        return 0.0 if self.start is None else float(self.start.state[self.engine.integrator.layouts.state["t"]][0])
+        return (
+            self.given.begin
+            if self.start is None
+            else float(self.start.state[self.engine.integrator.layouts.state["t"]][0])
+        )
 
     def initial_count(self, counter: str) -> int:
         """Return the value of a counter at the start of the run."""
@@ -212,7 +216,7 @@ class SingleRun:
         """Return the state of the engine at the start of the motion."""
         begin = self.engine.begin.take()
         for place, values in zip(
-            begin.inputs, (0.0, self.given.q, self.given.u, self.given.latches, controls), strict=True
+            begin.inputs, (self.given.begin, self.given.q, self.given.u, self.given.latches, controls), strict=True
         ):
             place[:] = values
         state: np.ndarray = begin()[0][0].copy()

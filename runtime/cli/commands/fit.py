@@ -104,6 +104,11 @@ if TYPE_CHECKING:
     help="Whose intervals are by profile likelihood; auto: of what is badly told.",
 )
 @click.option(
+    "--shooting",
+    metavar="TIME|auto",
+    help='Length of segments, "2 ms": multiple shooting, for data beyond the horizon (default: one run each).',
+)
+@click.option(
     "--into", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-fit-NNN)."
 )
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
@@ -237,6 +242,7 @@ def _arguments(
     starts: int | None,
     seed: int | None,
     profile: str,
+    shooting: str | None,
 ) -> dict[str, Any]:
     """Return the arguments of a fit; malformed options are appended to `faults`."""
     from hertzwerk.runtime.fitting.experiment import Experiment
@@ -269,6 +275,7 @@ def _arguments(
         "method": method or METHOD,
         "starts": STARTS if starts is None else starts,
         "seed": seed or 0,
+        "shooting": shooting,
         "profile": {"auto": "auto", "all": True, "none": False}[profile],
     }
 

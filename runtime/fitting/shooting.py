@@ -1,0 +1,472 @@
+"""Multiple shooting: measured runs in segments, whose starts are free and must meet the ends before.
+
+Within a segment a motion is told by its start, however long the whole is in chaos. Segments are joined one by one, each
+begun where the one before it ends, and continuity is that of the runs' own error. A step of Gauss and Newton eliminates
+the starts from the last on by orthogonal factors of their blocks (condensing), which stays sound where products of
+transition matrices overflow; it is shortened by the natural monotonicity test (Bock, Bonner Math. Schriften 183, 1987).
+
+Noise model: what is measured has independent normal noise; the motion has none, but for the runs' own error, which is
+taken as a normal change at every joint of segments. Intervals follow from the factor that remains for the parameters.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.fitting.experiment import Observed
+from hertzwerk.runtime.fitting.forward import Forward, Point
+from hertzwerk.runtime.fitting.search import FEW, FINER, Found, Search
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run.continuation import parameters_of
+from hertzwerk.runtime.run.request import Settings
+from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
+from hertzwerk.runtime.simulation import Solution, solve
+from hertzwerk.runtime.start.start_values import split_values
+
+Array = NDArray[np.float64]
+
+GROWTH = 10.0  # of a change of the start within a segment that is chosen automatically, and halved so often:
+HALVED = 3
+WINDOW = 0.6, 1.15  # of a segment's length: where it may end, at the step farthest from contact
+CERTAIN = 10.0  # times the tolerance, of the scales: least error that is taken of a run
+TIMES = 3.0  # a run's error seen, by which it may miss
+STEPS, SHORTEST = 30, 1 / 200  # most steps, and the least part of one
+CONVERGED, STUCK = (
+    0.01,
+    0.2,
+)  # of the standard errors: step of x that is none, and the largest lost in the runs' own error
+ALIKE = 0.02  # of the ranges: starts that are one
+MET = 2.0  # mean square of all residuals below which no other start is followed
+JOINED = 4.0  # mean square of a new segment's residuals over the noise beyond which it is not joined
+
+
+@dataclass
+class _Piece:
+    """Segment of a measured run, from `begin` to `end` [s], with its rows of the data.
+
+    start    state (n,) that it begins with, None of the first: the scene's
+    allowed    misses (n,) of its end, one standard deviation
+    """
+
+    run: int
+    begin: float
+    end: float
+    rows: NDArray[np.intp]
+    start: Array | None
+    allowed: Array
+    known: dict[tuple[bytes, bytes, float], Solution | None] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class _Block:
+    """Linearised segment: residuals (m,) and end (n,), with derivatives by x and by its start."""
+
+    residual: Array
+    by_x: Array
+    by_start: Array
+    end: Array
+    end_by_x: Array
+    end_by_start: Array
+
+
+class Shot(Forward):
+    """Forward model in segments; `at` is that of the starts found, which are no function of x alone."""
+
+    def __init__(self, whole: Forward, length: float) -> None:
+        self.__dict__.update(vars(whole))
+        self.length, self.chains = length, [list[_Piece]() for _ in whole.observed]
+        self.names = [free.name for free in self.free]
+        self.of_start = [free.name in _states(self.observed[0].model) for free in self.free]
+
+    def at(self, x: Array, tolerance: float | None = None) -> Point:
+        """Return the segments' runs, in order, and what they predict."""
+        predicted, times = np.full((2, len(self.measured)), np.nan)
+        runs = []
+        for piece in self.pieces:
+            each, offset = self.observed[piece.run], self.offset(piece.run, x)
+            run = self.run_of(piece, x)
+            runs.append(run)
+            first = int(np.flatnonzero(self.run == piece.run)[0])
+            if run is not None:
+                predicted[piece.rows] = each.predicted(run, offset)[piece.rows - first]
+                times[piece.rows] = each.times(run, offset)[piece.rows - first]
+        return Point(tuple(runs), self.gains(x) * predicted, times)
+
+    @property
+    def pieces(self) -> list[_Piece]:
+        """All segments, run by run."""
+        return [piece for chain in self.chains for piece in chain]
+
+    def run_of(self, piece: _Piece, x: Array, tolerance: float | None = None) -> Solution | None:
+        """Return the run of a segment; None where it cannot be made or ends before its time."""
+        start, tol = piece.start, tolerance or self.tolerance
+        key = x.tobytes(), b"" if start is None else start.tobytes(), tol
+        if key not in piece.known:
+            while len(piece.known) >= 3:
+                piece.known.pop(next(iter(piece.known)))
+            piece.known[key] = self._solved(piece, x, tol)
+        return piece.known[key]
+
+    def _solved(self, piece: _Piece, x: Array, tolerance: float) -> Solution | None:
+        each = self.observed[piece.run]
+        values = {free.name: (free.outer(float(place)), free.unit) for free, place in zip(self.free, x, strict=False)}
+        parameters, initial = split_values(each.model, values)
+        self.runs_made += 1
+        try:
+            run = solve(
+                each.model,
+                Settings(piece.end, None, tolerance, self._method),
+                {**each.parameters, **parameters},
+                {**each.initial, **initial},
+                start=None if piece.start is None else (piece.begin, piece.start),
+            )
+        except InputError:
+            return None
+        if run.outcome.name == "interrupted":
+            raise KeyboardInterrupt
+        return run if run.t_end >= piece.end else None
+
+    def residual(self, piece: _Piece, x: Array, sigma: Array) -> tuple[Array, Array] | None:
+        """Return the residuals of a segment over the noise, and its end; None where it has none."""
+        each, run = self.observed[piece.run], self.run_of(piece, x)
+        if run is None:
+            return None
+        predicted = each.predicted(run, self.offset(piece.run, x))[piece.rows - self._first(piece)]
+        residual = (self.measured[piece.rows] - self.gains(x)[piece.rows] * predicted) / sigma[piece.rows]
+        end = np.array([run.final[name] for name in _states(each.model)])
+        return (residual, end) if np.isfinite(residual).all() and np.isfinite(end).all() else None
+
+    def _first(self, piece: _Piece) -> int:
+        """Return the first row of a segment's measured run."""
+        return int(np.flatnonzero(self.run == piece.run)[0])
+
+    def linear(self, piece: _Piece, x: Array, sigma: Array) -> _Block | None:
+        """Return a segment with its derivatives; None where it has none."""
+        each, run, offset = self.observed[piece.run], self.run_of(piece, x), self.offset(piece.run, x)
+        found = self.residual(piece, x, sigma)
+        if run is None or found is None:
+            return None
+        model = each.model
+        states, k, free = _states(model), len(x), len(self.free)
+        if piece.start is None:
+            of = run.sensitivities(*self.names)
+            changes = slice(free)
+        else:
+            given = [name for name, start in zip(self.names, self.of_start, strict=True) if not start]
+            begin = np.hstack([np.zeros((len(states), len(given))), np.eye(len(states))])
+            bound = model.bind(parameters_of(run, model))
+            of = Sensitivities(run.history, bound, {}, (*given, *states), compiled=run.compiled, begin=begin)
+            changes = slice(len(given))
+        if of.until < piece.end:
+            return None
+        local, gains = piece.rows - self._first(piece), self.gains(x)[piece.rows]
+        slopes = each.slopes(run, of, offset)[local] * gains[:, None]
+        at_end = np.array([of.along(np.array([piece.end]), name)[0] for name in states])
+        scales = np.array([one.slope(one.outer(place)) for one, place in zip(self.searched, x, strict=True)])
+        by_x, end_by_x = np.zeros((len(local), k)), np.zeros((len(states), k))
+        moving = np.flatnonzero([piece.start is None or not start for start in self.of_start])
+        by_x[:, moving], end_by_x[:, moving] = slopes[:, changes], at_end[:, changes]
+        predicted = each.predicted(run, offset)[local]
+        column = self._gain[piece.rows]
+        scaled = np.flatnonzero(column >= 0)
+        by_x[scaled, column[scaled]] = predicted[scaled]
+        rest = slice(changes.stop, None)
+        block = _Block(
+            found[0],
+            -by_x * scales / sigma[piece.rows, None],
+            -slopes[:, rest] / sigma[piece.rows, None],
+            found[1],
+            end_by_x * scales,
+            at_end[:, rest],
+        )
+        return block if all(np.isfinite(part).all() for part in vars(block).values()) else None
+
+
+def check_shooting(model: Model, observed: Sequence[Observed], *, fitted_offset: bool, faults: list[Fault]) -> None:
+    """Append to `faults` what forbids segments."""
+    where = "shooting"
+    for lacks, found in (
+        (bool(model.nl), "a scene with closed loops"),
+        (bool(model.quaternions), "a scene with quaternions"),
+        (bool(model.ne), "a scene whose effects have states"),
+        (bool(model.inputs), "a scene with inputs"),
+        (model.joints is not model, "absolute coordinates"),
+    ):
+        if lacks:
+            faults.append(Fault(where, found, "a tree, in joint coordinates, whose state is that of its joints"))
+    if any(each.by_impacts for each in observed):
+        faults.append(Fault(where, "data of impacts", "data over time", "numbered impacts belong to no segment"))
+    if fitted_offset:
+        faults.append(Fault(where, "beside a range of offsets", "an offset that is known"))
+
+
+def shot(
+    search: Search, length: float | None, starts: int, seed: int, progress: Callable[[float], object]
+) -> tuple[Search, Found, str]:
+    """Return the fit of all segments, the search that it ended in, and how its intervals are obtained.
+
+    length    of a segment [s]; None: chosen by the growth of changes
+    The best few starts are fitted to the data of the first segments alone; each is then followed until one meets all data.
+    """
+    whole, begin = search.forward, search.starts(0, seed)[0]
+    lengths = [_chosen(whole, begin) / 2**k for k in range(HALVED)] if length is None else [length]
+    times = np.concatenate([each.at + whole.offset(i, begin) for i, each in enumerate(whole.observed)])
+    enough = np.sort(times)[min(FEW * len(begin), len(times)) - 1]
+    ends = [float(np.max(times[whole.run == i])) for i in range(len(whole.observed))]
+    tried: list[tuple[tuple[bool, int, float], _Solver]] = []
+    for length in lengths:
+        candidates = search.followed([times <= max(length * WINDOW[1], float(enough))], starts, seed)
+        for found in (
+            one for k, one in enumerate(candidates) if not any(_alike(search, one, a) for a in candidates[:k])
+        ):
+            if tried and tried[-1][0][0]:
+                break
+            solver = _Solver(Shot(whole, length), search.estimated(found), found.x, search.low, search.high)
+            solver.join(ends, progress)
+            tried.append((solver.worth(), solver))
+    best = max(tried, key=lambda one: one[0])[1]
+    if not best.forward.pieces:
+        fault = Fault("shooting", "no run of a first segment", "ranges within which the scene runs", "narrower ranges")
+        raise InputError(f"fit of {whole.observed[0].model.name}", [fault])
+    searched = Search(best.forward, search.stated)
+    for _ in range(3 if np.any(np.isnan(search.stated)) else 0):  # noise follows residuals, and they the noise
+        best.sigma = searched.estimated(best.found())
+        best.settle()
+    how = (
+        f"linear: curvature of the least squares of multiple shooting over {len(best.forward.pieces)} segments, each "
+        f"beginning where the one before ends to {best.loosest():.1g} of the scales; no other noise of the motion"
+    )
+    return searched, best.found(), how
+
+
+def _alike(search: Search, one: Found, other: Found) -> bool:
+    return bool(np.max(np.abs(one.x - other.x) / (search.high - search.low)) < ALIKE)
+
+
+@dataclass
+class _Solver:
+    """Gauss-Newton over x and the starts of all segments."""
+
+    forward: Shot
+    sigma: Array
+    x: Array
+    low: Array
+    high: Array
+    converged: bool = True
+    scale: Array = field(default_factory=lambda: np.ones(0))
+    closed: set[int] = field(default_factory=set)
+
+    def join(self, ends: Sequence[float], progress: Callable[[float], object]) -> None:
+        """Join segments one by one, as long as they meet their data, until the ends [s] of the measured runs."""
+        chains = self.forward.chains
+        while True:
+            going = [
+                i for i, chain in enumerate(chains) if i not in self.closed and not (chain and chain[-1].end >= ends[i])
+            ]
+            if not going:
+                return
+            for i in going:
+                self._add(i, chains[i][-1].end if chains[i] else 0.0, ends[i])
+            self.settle()
+            self._drop()
+            progress(min(chain[-1].end / end if chain else 1.0 for chain, end in zip(chains, ends, strict=True)))
+
+    def worth(self) -> tuple[bool, int, float]:
+        """Return whether all data are met, their number, and less their mean square over the noise."""
+        if not self.forward.pieces:
+            return False, 0, -math.inf
+        found = self.found()
+        square = float(np.mean(found.residuals**2))
+        return bool(np.all(found.used) and square < MET and self.converged), int(np.sum(found.used)), -square
+
+    def _add(self, i: int, begin: float, end: float) -> None:
+        forward, length = self.forward, self.forward.length
+        chain, states = forward.chains[i], _states(forward.observed[i].model)
+        piece = _Piece(i, begin, begin, np.zeros(0, dtype=int), None, np.zeros(0))
+        if chain:
+            before = forward.run_of(chain[-1], self.x)
+            assert before is not None
+            piece.start = np.array([before.final[name] for name in states])
+        joint, times = math.nan, 0
+        while math.isnan(joint):  # surfaces may touch throughout: longer
+            times += 1
+            piece.end = min(begin + times * WINDOW[1] * length, end)
+            run = forward.run_of(piece, self.x)
+            piece.known.clear()
+            if run is None:
+                self.closed.add(i)
+                return
+            last = piece.end >= end
+            joint = end if last else _apart(run, begin + (times - 1 + WINDOW[0]) * length)
+        piece.end = joint
+        if not len(self.scale):
+            assert run is not None  # else it was closed
+            self.scale = np.array(run.scales.state[: len(states)])
+        at = forward.observed[i].at + forward.offset(i, self.x)
+        inside = (at >= begin) & ((at < piece.end) | (last & (at <= piece.end)))
+        piece.rows = np.flatnonzero(forward.run == i)[inside]
+        coarse, fine = forward.run_of(piece, self.x), forward.run_of(piece, self.x, forward.tolerance / FINER)
+        if coarse is None or fine is None:
+            self.closed.add(i)
+            return
+        miss = np.abs([coarse.final[name] - fine.final[name] for name in states])
+        piece.allowed = np.maximum(TIMES * miss, CERTAIN * forward.tolerance * self.scale)
+        chain.append(piece)
+
+    def _drop(self) -> None:
+        """Take back segments whose data are not met."""
+        for i, chain in enumerate(self.forward.chains):
+            if len(chain) > 1 and i not in self.closed and len(chain[-1].rows):
+                found = self.forward.residual(chain[-1], self.x, self.sigma)
+                if found is None or not np.mean(found[0] ** 2) < JOINED:
+                    chain.pop()
+                    self.closed.add(i)
+
+    def loosest(self) -> float:
+        """Return the largest miss that is allowed at a joint, of the scales."""
+        return float(np.max([piece.allowed / self.scale for piece in self.forward.pieces]))
+
+    def settle(self) -> None:
+        """Take steps, shortened where the next would not be shorter, until they are far below their errors."""
+        part = 1.0
+        for _ in range(STEPS):
+            blocks = self._blocks()
+            if blocks is None:
+                break
+            step, size = self._step(blocks)
+            if size < CONVERGED:
+                self.converged = True
+                return
+            part = min(1.0, 4 * part)
+            while part > SHORTEST and not self._moved(blocks, step, part):
+                part /= 2
+            if part <= SHORTEST:
+                self.converged = size < STUCK
+                return
+        self.converged = False
+
+    def _moved(self, blocks: Sequence[_Block], step: Array, part: float) -> bool:
+        """Take part of a step, unless the next one, by the same derivatives, would not be shorter."""
+        pieces = self.forward.pieces
+        x, starts = self.x, [piece.start for piece in pieces]
+        self.x = np.clip(x + part * step[0, : len(x)], self.low, self.high)
+        for piece, change in zip(pieces, step[1:], strict=True):
+            if piece.start is not None:
+                piece.start = piece.start + part * change[: len(self.scale)] * self.scale
+        found = [self.forward.residual(piece, self.x, self.sigma) for piece in pieces]
+        if all(one is not None for one in found):
+            later = [
+                replace(block, residual=one[0], end=one[1]) for block, one in zip(blocks, found, strict=True) if one
+            ]
+            if self._length(self._step(later)[0]) <= (1 - part / 4) * self._length(step):
+                return True
+        self.x = x
+        for piece, start in zip(pieces, starts, strict=True):
+            piece.start = start
+        return False
+
+    def _length(self, step: Array) -> float:
+        """Return the length of a step, x over the width of its range and starts over the scales."""
+        return float(np.linalg.norm(np.append(step[0, : len(self.x)] / (self.high - self.low), step[1:])))
+
+    def _blocks(self) -> list[_Block] | None:
+        found = [self.forward.linear(piece, self.x, self.sigma) for piece in self.forward.pieces]
+        return None if any(block is None for block in found) else [block for block in found if block is not None]
+
+    def _step(self, blocks: Sequence[_Block]) -> tuple[Array, float]:
+        """Return the changes of x (first row) and of all starts over scales; and that of x over its errors."""
+        factors, rows = self._condensed(blocks)
+        k, n = len(self.x), len(self.scale)
+        dx, *_ = np.linalg.lstsq(rows[:, :k], rows[:, k], rcond=1e-12)
+        size = float(np.linalg.norm(rows[:, :k] @ dx)) / math.sqrt(k)
+        step = np.zeros((1 + len(blocks), max(n, k)))
+        step[0, :k] = dx
+        for j, factor in enumerate(factors):
+            if factor is not None:
+                right = factor[:, -1] - factor[:, n : 2 * n] @ step[j, :n] * (j > 0 and factors[j - 1] is not None)
+                step[1 + j, :n] = np.linalg.solve(factor[:, :n], right - factor[:, 2 * n : -1] @ dx)
+        return step, size
+
+    def _condensed(self, blocks: Sequence[_Block]) -> tuple[list[Array | None], Array]:
+        """Return the factor of every start, (start, start before, x, right side), and rows (m, k + 1) of x."""
+        n, k = len(self.scale), len(self.x)
+        factors: list[Array | None] = []
+        rest = np.zeros((0, k + 1))
+        carry = np.zeros((0, n + k + 1))  # of (start, x, right side), from the segments after
+        pieces = self.forward.pieces
+        for j in reversed(range(len(pieces))):
+            piece, block = pieces[j], blocks[j]
+            if piece.start is None:
+                rest = np.vstack([rest, np.hstack([block.by_x, -block.residual[:, None]]), carry[:, n:]])
+                carry = np.zeros((0, n + k + 1))
+                factors.append(None)
+                continue
+            before, weights = blocks[j - 1], 1 / pieces[j - 1].allowed[:, None]
+            first = pieces[j - 1].start is None
+            to_before = np.zeros((n, n)) if first else before.end_by_start * self.scale
+            own = np.hstack([block.by_start * self.scale, block.by_x, -block.residual[:, None]])
+            inner = np.vstack([carry, own])
+            inner = np.hstack([inner[:, :n], np.zeros((len(inner), n)), inner[:, n:]])
+            miss = (before.end - piece.start)[:, None]
+            joint = weights * np.hstack([-np.diag(self.scale), to_before, before.end_by_x, -miss])
+            r: Array = np.asarray(np.linalg.qr(np.vstack([joint, inner]), mode="r"))
+            factors.append(r[:n])
+            carry = r[n:, n:]
+        return factors[::-1], rest
+
+    def found(self) -> Found:
+        """Return the place with residuals, and the factor of what all segments tell of x as their Jacobian."""
+        forward, k = self.forward, len(self.x)
+        used = np.zeros(len(forward.measured), dtype=bool)
+        used[np.concatenate([piece.rows for piece in forward.pieces])] = True
+        residual = ((forward.measured - forward.at(self.x).predicted) / self.sigma)[used]
+        blocks = self._blocks()
+        told = np.zeros((k, k))
+        if blocks is not None:
+            told = np.asarray(np.linalg.qr(self._condensed(blocks)[1], mode="r"))[:k, :k]
+        return Found(self.x, used, self.sigma, residual, told, self.converged and blocks is not None)
+
+
+def _states(model: Model) -> tuple[str, ...]:
+    return (*model.coordinates, *model.speeds)
+
+
+def _apart(run: Solution, earliest: float) -> float:
+    """Return the time [s] after another at which surfaces are farthest apart; nan where one touches."""
+    middles = (run.t[1:] + run.t[:-1]) / 2  # of steps: a flight may be one
+    later = middles[middles >= earliest]
+    if not len(later):
+        return math.nan
+    history = run.at(later)
+    gaps = np.min([history[f"{pair}.gap"] for pair in run.model.pairs], axis=0) if run.model.pairs else later
+    best = int(np.argmax(gaps))
+    return float(later[best]) if gaps[best] > 0 else math.nan
+
+
+def _chosen(forward: Forward, x: Array) -> float:
+    """Return the time [s] in which a change of the start grows by `GROWTH`, at most half of a run."""
+    lengths = []
+    for each, run in zip(forward.observed, forward.at(x).runs, strict=True):
+        if run is None:
+            continue
+        states = _states(each.model)
+        bound = each.model.bind(parameters_of(run, each.model))
+        of = Sensitivities(run.history, bound, {}, states, begin=np.eye(len(states)))
+        scale = run.scales.state[: len(states)]
+        t = run.t[run.t < of.until]
+        size = np.max(
+            [np.max(np.abs(of.along(t, name)) * scale / s, axis=1) for name, s in zip(states, scale, strict=True)],
+            axis=0,
+        )
+        grown = np.flatnonzero(size > GROWTH)
+        if len(grown):
+            rate = math.log(float(np.max(size))) / max(float(t[int(np.argmax(size))]), float(t[grown[0]]))
+            lengths.append(math.log(GROWTH) / rate)
+        lengths.append(float(np.max(each.at)) / 2)
+    return min(lengths)
