@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.faults import Fault as Fault, InputError as InputError
     from hertzwerk.runtime.comparing import Comparison as Comparison, compare as compare
+    from hertzwerk.runtime.design.correlated import Correlated as Correlated
     from hertzwerk.runtime.design.distributions import (
         LogNormal as LogNormal,
         Normal as Normal,

@@ -66,7 +66,7 @@ ROOMS = {
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
         "export": "accuracy derive/faults derive/html derive/units host integrate/events integrate/loop integrate/step integrate/tableaux model run "
         "report sensitivity simulation solution start tables",
-        "fitting": "derive/faults inputs loading measured model run sensitivity simulation solution start sweeps",
+        "fitting": "derive/faults design inputs loading measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
         "inputs": "derive/faults derive/units measured model run",

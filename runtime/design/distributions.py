@@ -15,6 +15,7 @@ from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.derive.units import UnitError, parse_unit
 from hertzwerk.runtime.model.binding import Value, read, read_state
 from hertzwerk.runtime.model.free_quantities import read_quantity
+from hertzwerk.runtime.sweeps.definition import as_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -30,6 +31,10 @@ class Distribution:
 
     places: ClassVar[tuple[str, ...]] = ()
     factors: ClassVar[tuple[str, ...]] = ()
+
+    def __str__(self) -> str:
+        texts = (as_text(getattr(self, part.name)) for part in fields(self))
+        return f"{type(self).__name__}({', '.join(texts)})"
 
     def fault(self, **si: float) -> str:
         """Return a phrase: values expected in place of these in SI; "" where they are right."""

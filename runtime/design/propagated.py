@@ -88,6 +88,7 @@ class Propagated:
     names    what is uncertain; run    at its means; samples    the rows, a sweep, of which the first `draws` are
     independent of each other
     notes    why something is missing: runs that did not finish, indices that could not be told
+    correlation    of normal scores, by the names of two that are correlated
     """
 
     scene: str
@@ -97,6 +98,7 @@ class Propagated:
     samples: Sweep
     draws: int
     notes: tuple[str, ...]
+    correlation: Mapping[str, float] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Uncertain:
         if name not in self.outputs:

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.runtime.design.correlated import Correlated, correlated_parts, covariance, read_correlation
 from hertzwerk.runtime.design.distributions import read_distributions
 from hertzwerk.runtime.design.propagated import Index, Propagated, Uncertain
 from hertzwerk.runtime.inputs.given import Input
@@ -47,11 +48,12 @@ LEAST, MOST = 8, 2**20
 
 def propagate(
     model: plain.Model | str | Path | Scene,
-    uncertain: Mapping[str, Distribution | str],
+    uncertain: Mapping[str, Distribution | str] | Correlated,
     outputs: Sequence[str] = (),
     *,
+    correlation: Mapping[str, float] | None = None,
     sample: int = 256,
-    indices: bool = True,
+    indices: bool | None = None,
     seed: int = 0,
     values: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
@@ -72,12 +74,14 @@ def propagate(
 ) -> Propagated:
     """Return how uncertain a run's numbers are, by derivatives and by samples, and what they owe it to.
 
-    uncertain   parameters and initial states with their distributions, independent of each other:
+    uncertain   parameters and initial states with their distributions, or those of a fit, `fit(...).distribution()`:
                 {"clearance": Normal("0.5 mm", "0.02 mm"), "restitution": TruncatedNormal(0.9, 0.05, 0, 1)}, or as text
                 "Normal(0.5 mm, 0.02 mm)"
     outputs     names as of `sweep`: "slider_pin.peak_force", "final.guide.travel", "main_bearing.reaction_x.rms"
+    correlation    of those that are not independent of each other, by their normal scores: {"clearance, restitution": -0.8}
     sample      number N of samples, a power of two; N (d + 2) runs with indices, of d uncertain names, else N
-    indices     Sobol indices of first order and total, by SciPy's estimators, with intervals by resampling
+    indices     Sobol indices of first order and total, by SciPy's estimators, with intervals by resampling; by default where all
+                are independent: the variance of what correlated quantities cause is no sum of their parts
     values      other values in place of the model's; functions    further outputs, which have no derivatives
 
     The other arguments are those of `sweep`; with `into` every run is stored, and the same call goes on. Spreads that
@@ -87,7 +91,19 @@ def propagate(
     known = quantities(model)
     faults: list[Fault] = []
     # 1. distributions
+    if isinstance(uncertain, Correlated):
+        if correlation is not None:
+            faults.append(Fault("correlation", "beside Correlated", "one of the two"))
+        correlation, uncertain = uncertain.correlation, uncertain.distributions
     drawn = read_distributions(model, uncertain, known, faults)
+    together = read_correlation(tuple(uncertain) if isinstance(uncertain, Mapping) else (), correlation, faults)
+    tied = [name for name, row in zip(drawn, together, strict=False) if np.count_nonzero(row) > 1]
+    if indices is True and tied:
+        found_tied = f"indices of {', '.join(tied)}, which are correlated"
+        faults.append(
+            Fault("indices", found_tied, "independent quantities", "indices=False: the samples tell the spread")
+        )
+    indices = not tied if indices is None else indices
     faults += _sample_faults(sample, indices)
     settings: dict[str, Any] = {
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
@@ -104,11 +120,12 @@ def propagate(
     run = simulate(model, **settings, parameters=parameters, initial=initial, inputs=inputs)
     derivatives, lacking = _derivatives(run, tuple(drawn), duration)
     # 3. samples
-    matrices = _matrices(list(drawn.values()), sample, seed, indices=indices)
+    matrices = _matrices(list(drawn.values()), together, sample, seed, indices=indices)
     columns = np.concatenate([*matrices], axis=1)
     over = {name: [(float(x), known[name] or "1") for x in row] for name, row in zip(drawn, columns, strict=True)}
     rows = sweep(model, over, zip=True, workers=workers, progress=progress, **asked)
     # 4. indices
+    spreads = covariance(list(drawn.values()), together)
     good = np.array([row.outcome in REACHED_END for row in rows])
     measured, found = Measured(run), {}
     for output in outputs_of(model, outputs, functions, {}, []):
@@ -116,7 +133,7 @@ def propagate(
         change, why = (
             _gradient(derivatives, name) if derivatives is not None else (np.full(len(drawn), math.nan), lacking)
         )
-        parts = np.abs(change) * [float(one.std()) for one in drawn.values()]
+        parts = np.abs(change) * np.sqrt(np.diag(spreads))
         spread = _Spread(np.where(good, rows[name], math.nan).reshape(-1, sample))
         first, total = spread.indices(tuple(drawn), seed) if indices else ({}, {})
         found[name] = Uncertain(
@@ -124,16 +141,22 @@ def propagate(
             unit=unit,
             nominal=output.of(measured)[0],
             derivatives=dict(zip(drawn, change.tolist(), strict=True)),
-            linear=float(np.hypot.reduce(parts)),
+            linear=float(np.sqrt(change @ spreads @ change)),
             parts=dict(zip(drawn, parts.tolist(), strict=True)),
             reason=why,
             first=first,
             total=total,
             **spread.moments(),
         )
+    named = {
+        f"{a}, {b}": float(together[i, j])
+        for i, a in enumerate(drawn)
+        for j, b in enumerate(drawn)
+        if i < j and together[i, j]
+    }
     notes = (*_of_run(run), *_missing(rows, good, indices=indices))
     draws = sample * (2 if indices else 1)
-    return Propagated(model.name, tuple(drawn), found, run, rows, draws, notes)
+    return Propagated(model.name, tuple(drawn), found, run, rows, draws, notes, named)
 
 
 def _sample_faults(sample: object, indices: object) -> list[Fault]:
@@ -180,14 +203,16 @@ def _gradient(derivatives: OutputDerivatives, name: str) -> tuple[np.ndarray, st
         return np.full(len(derivatives.of.names), math.nan), str(error)
 
 
-def _matrices(drawn: list[Any], sample: int, seed: int, *, indices: bool) -> Iterator[np.ndarray]:
+def _matrices(
+    drawn: list[Any], correlation: np.ndarray, sample: int, seed: int, *, indices: bool
+) -> Iterator[np.ndarray]:
     """Yield points (d, N): A, and for indices B, and A with each row of B in turn."""
     from scipy.stats import qmc
 
     d = len(drawn)
     points = qmc.Sobol(2 * d if indices else d, rng=seed).random(sample).T + INSIDE
     A, *others = (
-        np.array([one.ppf(part) for one, part in zip(drawn, half, strict=True)])
+        np.array([one.ppf(part) for one, part in zip(drawn, correlated_parts(half, correlation), strict=True)])
         for half in np.split(points, 2 if indices else 1)
     )
     yield A

@@ -5,10 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.design.correlated import Correlated
+from hertzwerk.runtime.design.distributions import Distribution, LogNormal, Normal, TruncatedNormal
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.model.free_quantities import Free
 
@@ -25,6 +29,7 @@ if TYPE_CHECKING:
 
 REJECTED = 0.05  # p-value below which noise alone does not explain the residuals
 CORRELATED = 0.5  # part of the residuals that are worth independent ones, below which intervals are too narrow
+FAR = 5.0  # deviations within which an end of the range cuts a distribution
 CLOSE = 0.95  # correlation of estimates that is told
 
 
@@ -118,6 +123,14 @@ class Fitted:
     def explained(self) -> bool | None:
         """Return whether the stated noise explains the residuals, at 5 %; None where none is stated."""
         return None if self.goodness is None else self.goodness.p_value >= REJECTED
+
+    def distribution(self) -> Correlated:
+        """Return how uncertain the quantities are, as `propagate` takes it.
+
+        Raises InputError where some are not told.
+        Normal on the scale of the search, by the curvature of the least squares; cut at an end of the range that was searched.
+        """
+        return joint(self.values, self.known, self.scene)
 
     @property
     def parameters(self) -> dict[str, tuple[float, str]]:
@@ -226,6 +239,7 @@ class Fitted:
             "goodness": self.goodness and asdict(self.goodness),
             "explained": self.explained,
             "criterion": self.criterion,
+            "distribution": None if self.untold else self.distribution().record(),
             "share": self.share,
             "signals": [_record(signal) for signal in self.signals],
             "runs_made": self.runs_made,
@@ -233,6 +247,36 @@ class Fitted:
             "verdict": self.verdict,
             "warnings": list(self.warnings),
         }
+
+
+def joint(values: Mapping[str, FittedValue], known: Identified, scene: str) -> Correlated:
+    """Return the distribution of fitted values; raises InputError where some are not told."""
+    names = [free.name for free in known.free]
+    lost = [name for name in values if known.concerned(names.index(name))]
+    if lost:
+        remedy = "measure what tells it, or fit without it"
+        faults = [Fault(name, "a quantity that the data do not tell", "those that they tell", remedy) for name in lost]
+        raise InputError(f"distribution of the fit of {scene}", faults)
+    deviations = np.sqrt(np.diag(known.covariance))
+    found: dict[str, Distribution | str] = {}
+    for name, value in values.items():
+        size = float(deviations[names.index(name)])
+        at, width = (value.value, value.unit), (size * value.scale, value.unit)
+        cut = (
+            value.inner(value.value) - FAR * size < value.bounds[0]
+            or value.inner(value.value) + FAR * size > value.bounds[1]
+        )
+        if value.log:
+            found[name] = LogNormal(at, math.exp(size))
+        elif cut:
+            found[name] = TruncatedNormal(at, width, (value.low, value.unit), (value.high, value.unit))
+        else:
+            found[name] = Normal(at, width)
+    pairs = combinations(values, 2)
+    correlation = {
+        f"{one}, {other}": float(known.correlation[names.index(one), names.index(other)]) for one, other in pairs
+    }
+    return Correlated(found, correlation)
 
 
 def _record(signal: FittedSignal) -> dict[str, Any]:

@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault, InputError, shown
-from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness
+from hertzwerk.runtime.design.correlated import Correlated
+from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness, joint
 from hertzwerk.runtime.fitting.identified import Identified, identified
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.model.binding import Value, read_state
@@ -77,6 +78,10 @@ class FittedMoments:
         """Return whether the stated deviations explain what differs; None where nothing is left over."""
         return None if self.goodness is None else self.goodness.p_value >= REJECTED
 
+    def distribution(self) -> Correlated:
+        """Return how uncertain the quantities are, as of a `Fit`."""
+        return joint(self.values, self.known, self.scene)
+
     @property
     def verdict(self) -> str:
         """Say whether the model explains the statistics, and whether they tell its parameters."""
@@ -113,6 +118,7 @@ class FittedMoments:
             "moments": [asdict(moment) for moment in self.moments],
             "singular_values": self.known.singular_values.tolist(),
             "correlation": self.known.correlation.tolist(),
+            "distribution": None if self.untold else self.distribution().record(),
             "untold": list(self.untold),
             "goodness": self.goodness and asdict(self.goodness),
             "explained": self.explained,

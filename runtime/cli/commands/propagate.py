@@ -11,7 +11,7 @@ import click
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.cli.designing import definition
-from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments
+from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, number
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, reports_bad_input
 
 
@@ -23,6 +23,18 @@ from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, report
     multiple=True,
     help='clearance="Normal(0.5 mm, 0.02 mm)", restitution="TruncatedNormal(0.9, 0.05, 0, 1)"; Uniform(low, high), '
     "Triangular(low, mode, high), LogNormal(median, factor).",
+)
+@click.option(
+    "--correlation",
+    metavar="NAME,NAME=NUMBER",
+    multiple=True,
+    help='Of two that are not independent, by normal scores: "clearance, restitution=-0.8".',
+)
+@click.option(
+    "--fitted",
+    metavar="FOLDER",
+    type=click.Path(path_type=Path),
+    help="In place of both the distribution of a fit, as `hertzwerk fit` wrote it there.",
 )
 @click.option(
     "--output",
@@ -57,11 +69,14 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
     from hertzwerk.runtime.host.folder import new_file_faults
 
     def own(faults: list[Fault]) -> dict[str, Any]:
+        stated = assignments("--uncertain", options["uncertain"], faults)
+        tied = {a: number(b) for a, b in assignments("--correlation", options["correlation"], faults).items()}
         return {
-            "uncertain": assignments("--uncertain", options["uncertain"], faults),
+            "uncertain": stated if options["fitted"] is None else _of_fit(options["fitted"], stated or tied, faults),
+            **({"correlation": tied} if tied else {}),
             "outputs": options["outputs"],
             **{name: options[name] for name in ("sample", "seed") if options[name] is not None},
-            "indices": not options["no_indices"],
+            **({"indices": False} if options["no_indices"] else {}),
         }
 
     wrong = [] if file is None else new_file_faults("--csv", file)
@@ -74,3 +89,18 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
         found.to_csv(file)
     click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False) if as_json else str(found))
     return OTHER_OUTCOME if found.notes else GOOD
+
+
+def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:
+    """Return the distribution that a fit wrote into a folder; bad input is appended to `faults`."""
+    from hertzwerk.runtime.design.correlated import Correlated
+
+    if beside:
+        faults.append(Fault("--fitted", "beside --uncertain or --correlation", "one of the two"))
+    try:
+        found = json.loads((folder / "fit.json").read_text(encoding="utf-8"))["distribution"]
+        return Correlated(**found)
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        expected = "a folder that `hertzwerk fit` wrote, of a fit whose data tell all its quantities"
+        faults.append(Fault("--fitted", f"{folder}: {type(error).__name__}: {error}", expected))
+    return {}

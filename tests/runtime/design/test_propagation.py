@@ -7,7 +7,19 @@ import pytest
 from scipy import stats
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import LogNormal, Normal, Triangular, TruncatedNormal, Uniform, load, propagate
+from hertzwerk.runtime import (
+    Correlated,
+    LogNormal,
+    Measurement,
+    Normal,
+    Triangular,
+    TruncatedNormal,
+    Uniform,
+    fit,
+    load,
+    propagate,
+)
+from hertzwerk.runtime.design.correlated import correlated_parts, covariance
 
 SHORT = {"tolerance": 1e-9, "workers": 1, "compiled": False}
 G = 9.81
@@ -142,3 +154,68 @@ def test_every_fault_is_told_at_once(ball):
         assert place in places
     with pytest.raises(InputError, match="distributions by name"):
         propagate(ball, {}, duration="1 s")
+
+
+def test_correlated_quantities_spread_together(ball):
+    """y = h - g t^2/2 of normal h and g: variances and twice their covariance; no indices, and it says so where asked."""
+    rho, of_height, of_gravity = 0.8, 0.03, 0.2 * 0.4**2 / 2
+    uncertain = {"vertical.travel": Normal("1 m", "3 cm"), "gravity": Normal("9.81 m/s^2", "0.2 m/s^2")}
+    how = {"sample": 128, "duration": "0.4 s", **SHORT}
+    (found,) = propagate(
+        ball, Correlated(uncertain, {"gravity, vertical.travel": rho}), ["final.vertical.travel"], **how
+    )
+    expected = math.sqrt(of_height**2 + of_gravity**2 - 2 * rho * of_height * of_gravity)
+    assert found.linear == pytest.approx(expected, rel=1e-9)
+    assert found.std == pytest.approx(expected, rel=0.05)
+    assert found.parts["vertical.travel"] == pytest.approx(of_height)
+    assert found.first == {}
+    with pytest.raises(InputError, match=r"indices of vertical\.travel, gravity, which are correlated"):
+        propagate(ball, uncertain, correlation={"gravity, vertical.travel": rho}, indices=True, **how)
+
+
+def test_covariance_of_lognormal_quantities_is_that_in_closed_form():
+    s, rho = (math.log(1.3), math.log(1.1)), -0.6
+    drawn = [stats.lognorm(s[0], scale=2.0), stats.lognorm(s[1], scale=3.0), stats.uniform(0, 1)]
+    scores = np.array([[1, rho, 0], [rho, 1, 0.5], [0, 0.5, 1]])
+    found = covariance(drawn, scores)
+    assert found[0, 1] == pytest.approx(drawn[0].mean() * drawn[1].mean() * math.expm1(rho * s[0] * s[1]), rel=1e-9)
+    assert found[2, 2] == pytest.approx(1 / 12)
+    assert found[0, 2] == 0
+    points = correlated_parts(((np.arange(3 * 4096).reshape(3, -1) + 0.5) * [[0.618], [0.414], [0.732]]) % 1, scores)
+    ranks = stats.spearmanr(points[0], points[1]).statistic
+    assert ranks == pytest.approx(6 / math.pi * math.asin(rho / 2), abs=0.05)  # of a Gaussian copula
+
+
+def test_bad_correlations_are_one_error(ball):
+    uncertain = {
+        "mass": "Normal(1 kg, 0.1 kg)",
+        "gravity": "Normal(9.8 m/s^2, 0.1 m/s^2)",
+        "restitution": "Uniform(0.5, 1)",
+    }
+    bad = {"mass, gravty": 0.5, "mass": 0.1, "mass, restitution": 2, "gravity, mass": -0.5, "mass, gravity": 0.5}
+    with pytest.raises(InputError) as raised:
+        propagate(ball, uncertain, correlation=bad, duration="0.1 s")
+    text = str(raised.value)
+    for part in ("did you mean gravity", "two names", "between -1 and 1", "each pair once"):
+        assert part in text
+    tied = {"mass, gravity": 0.9, "gravity, restitution": 0.9, "mass, restitution": -0.9}
+    with pytest.raises(InputError, match="positive definite"):
+        propagate(ball, uncertain, correlation=tied, duration="0.1 s")
+
+
+def test_a_fit_is_propagated_with_its_correlation(ball):
+    """Start and gravity of a fall, fitted: their covariance, carried to a later time, is that of the regression there."""
+    t, sigma, end = np.linspace(0.05, 0.4, 40), 1e-3, 0.42
+    heights = 1 - G * t**2 / 2 + np.random.default_rng(1).normal(0, sigma, len(t))
+    data = Measurement(t, {"y": heights}, {"y": "m"})
+    free = {"vertical.travel": "0.9..1.2 m", "gravity": "9..11 m/s^2"}
+    found = fit(ball, data, free=free, map={"y": "vertical.travel"}, noise={"y": (sigma, "m")}, starts=0)
+    design = np.column_stack([np.ones(40), -(t**2) / 2])
+    way = np.array([1, -(end**2) / 2])
+    expected = sigma * math.sqrt(way @ np.linalg.solve(design.T @ design, way))
+    joint = found.distribution()
+    assert joint.correlation["vertical.travel, gravity"] > 0.7
+    for given in (joint, Correlated(**joint.record())):
+        (later,) = propagate(ball, given, ["final.vertical.travel"], sample=32, duration=end, **SHORT)
+        assert later.linear == pytest.approx(expected, rel=1e-4)
+        assert later.std == pytest.approx(expected, rel=0.2)
