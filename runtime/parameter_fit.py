@@ -70,7 +70,7 @@ def fit(
     gain        ranges of a sensor's gain by column, {"height": "0.95..1.05"}: measured = gain times run
     tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are left out, and that is said
     starts, seed    Latin hypercube of starts beside the model's own values; the best are followed over windows that lengthen
-    shooting    length of segments, "5 ms", or "auto": multiple shooting, for data beyond the horizon. The motion
+    shooting    length of segments, "5 ms", halved where they fail, or "auto": multiple shooting, for data beyond the horizon. The motion
                 is taken to be without noise, each segment to begin where the one before ends, to within the runs' own error
     profile     intervals by profile likelihood: "auto" of what is badly told, True of all, False of none
 

@@ -31,8 +31,8 @@ from hertzwerk.runtime.start.start_values import split_values
 
 Array = NDArray[np.float64]
 
-GROWTH = 10.0  # of a change of the start within a segment that is chosen automatically, and halved so often:
-HALVED = 3
+GROWTH = 10.0  # of a change of the start within a segment that is chosen automatically
+HALVED = 3  # lengths that are tried, each half of the one before, until all data are met
 WINDOW = 0.6, 1.15  # of a segment's length: where it may end, at the step farthest from contact
 CERTAIN = 10.0  # times the tolerance, of the scales: least error that is taken of a run
 TIMES = 3.0  # a run's error seen, by which it may miss
@@ -211,11 +211,12 @@ def shot(
 ) -> tuple[Search, Found, str]:
     """Return the fit of all segments, the search that it ended in, and how its intervals are obtained.
 
-    length    of a segment [s]; None: chosen by the growth of changes
+    length    of a segment [s], halved where data are not met; None: chosen by the growth of changes
     The best few starts are fitted to the data of the first segments alone; each is then followed until one meets all data.
     """
     whole, begin = search.forward, search.starts(0, seed)[0]
-    lengths = [_chosen(whole, begin) / 2**k for k in range(HALVED)] if length is None else [length]
+    first = _chosen(whole, begin) if length is None else length
+    lengths = [first / 2**k for k in range(HALVED)]
     times = np.concatenate([each.at + whole.offset(i, begin) for i, each in enumerate(whole.observed)])
     enough = np.sort(times)[min(FEW * len(begin), len(times)) - 1]
     ends = [float(np.max(times[whole.run == i])) for i in range(len(whole.observed))]
