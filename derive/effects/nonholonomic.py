@@ -11,7 +11,17 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Kinematics, Moving, PairEffect, SpeedConstraint
+from hertzwerk.derive.algebra.vectors import apply
+from hertzwerk.derive.effects.effect import (
+    NOWHERE,
+    Declared,
+    Effect,
+    Kinematics,
+    Mark,
+    Moving,
+    PairEffect,
+    SpeedConstraint,
+)
 from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, Scalar
@@ -129,6 +139,10 @@ class KnifeEdge(Effect):
         position, _, _ = kin.point(self.point, f"{self.name}_edge")
         across = kin.tape.vector(kin.direction(self.point, self.across), f"{self.name}_across")
         yield SpeedConstraint("side_velocity", across, position, (self.point.body, self.on))
+
+    def landmarks(self, scene: Declared) -> Iterator[Mark]:
+        """Yield the point and the direction across."""
+        yield self.kind, "point", self.point, {"across": apply(self.point.axes, self.across.unit)}
 
     def element(self, kin: Kinematics) -> None:
         """No element: its constraint is in the equations of motion."""

@@ -184,6 +184,10 @@ TRIES: dict[str, dict[str, int]] = {
     "guide_next_to_locking": {"dopri5": 3, "dop853": 3, "rodas": 3, "esdirk": 3, "auto": 3},
     "guide_that_locks": {"dopri5": 0, "dop853": 0, "rodas": 0, "esdirk": 0, "auto": 0},
     "rocking_block": {"dopri5": 13191, "dop853": 7115, "rodas": 623, "esdirk": 461, "auto": 516},
+    "boxes_corner_over_corner": {"dopri5": 1721, "dop853": 845, "rodas": 237, "esdirk": 170, "auto": 240},
+    "table_slides_to_rest": {"dopri5": 1640, "dop853": 762},
+    "rolling_beyond_lift_off": {"dopri5": 85, "dop853": 19, "rodas": 126, "esdirk": 95, "auto": 19},
+    "knife_edge_at_no_speed": {"dopri5": 4, "dop853": 4, "rodas": 4, "esdirk": 4, "auto": 4},
     "settles_on_a_shaker": {"dopri5": 16580, "dop853": 5997, "rodas": 8986, "esdirk": 6488, "auto": 5997},
     "thrown_by_a_shaker": {"dopri5": 4950, "dop853": 1816, "rodas": 4732, "esdirk": 3291, "auto": 1816},
 }

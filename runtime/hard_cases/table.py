@@ -8,6 +8,7 @@ from hertzwerk.runtime.hard_cases.cases import (
     closed_loops,
     crank,
     edges,
+    feet,
     jamming,
     many,
     relays,
@@ -30,6 +31,7 @@ CASES: tuple[HardCase, ...] = (
     *relays.CASES,
     *jamming.CASES,
     *rocking.CASES,
+    *feet.CASES,
     *shaken.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

@@ -111,14 +111,14 @@ def _balance(model: Model) -> Callers:
     grips = grip_pairs(model)
     mu = ca.SX.sym("mu", len(grips))
     m = ca.vertcat(UNDAMPED * ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
-    force = model.function("applied")(t, q, u, c)[: model.nu]
+    force = model.function("applied")(t, q, u, c)[: model.nu, :]
     normal, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
     D, S, limit = ca.SX.zeros(model.nu, len(grips)), ca.SX.zeros(len(grips), model.nu), ca.SX.zeros(len(grips))
     contact: list[ca.SX] = []
     for j, pair in enumerate(model.pairs):
         touches = closed[j] > 0
         f, _, pressing, sliding, in_range_j, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
-        force += ca.if_else(touches, f[: model.nu], 0)
+        force += ca.if_else(touches, f[: model.nu, :], 0)
         contact.append(ca.if_else(touches, f, 0))
         normal[j], in_range[j] = ca.if_else(touches, pressing, 0), ca.if_else(touches, in_range_j, 1)
         slips = [i for i, own in enumerate(pairs_of(model)) if own == j]
@@ -130,14 +130,14 @@ def _balance(model: Model) -> Callers:
         own_bristles = [(i, row) for i, (row, own) in enumerate(bristles_of(model), model.ns) if own == j]
         for i, row in own_bristles:
             along = ca.jacobian(f, z[row])
-            D[:, i] = ca.if_else(touches, along[: model.nu], 0)
+            D[:, i] = ca.if_else(touches, along[: model.nu, :], 0)
             # of bristles that bend in two directions the force along each is its speed's direction too
-            S[i, :] = along[: model.nu].T if len(own_bristles) > 1 else ca.jacobian(sliding, u)
+            S[i, :] = along[: model.nu, :].T if len(own_bristles) > 1 else ca.jacobian(sliding, u)
             limit[i] = ca.if_else(touches, 1, 0)
     if model.has("loads"):  # by reactions and normal forces, which at rest are those of the accelerations' own solution
         whole = sum(contact, start=model.function("applied")(t, q, u, c))
         reactions = model.function("accelerations").call([t, q, u, whole, c])[1]
-        force += model.function("loads")(t, q, u, reactions, c)[: model.nu]
+        force += model.function("loads")(t, q, u, reactions, c)[: model.nu, :]
     loops, rate = model.function("constraints")(t, q, u, c) if model.nl else (ca.SX(0, 1), ca.SX(0, 1))
     gap, gap_rate = model.function("gaps")(t, q, u, c) if model.k else (ca.SX(0, 1), ca.SX(0, 1))
     G, W, moves = (

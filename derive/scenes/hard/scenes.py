@@ -2,7 +2,7 @@
 
 Free impacts (see `impact.impact_scene`), grazing contact, a ball on a vibrating table, rows of spheres, bodies of very
 different mass, a block on an incline, a falling chain, a rocking block, a relay that chatters, a track of arcs and
-lines.
+lines, boxes corner over corner, a table on four feet, a ball that rolls over another, a sleigh at rest.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from itertools import pairwise
 import sympy as sp
 
 from hertzwerk.derive.contact.pairs.box import BoxOnPlane
+from hertzwerk.derive.contact.pairs.boxes import BoxOnBox
 from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.contact.pairs.round import SphereOnSphere
 from hertzwerk.derive.declare.scales import Scales
@@ -27,12 +28,24 @@ from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.forces import JointForce
 from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.effects.loads.joint_friction import JointFriction
+from hertzwerk.derive.effects.nonholonomic import KnifeEdge, RollingWithoutSlip
 from hertzwerk.derive.effects.springs import JointDamper
 from hertzwerk.derive.effects.state_expression import speed_of
-from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
+from hertzwerk.derive.laws import (
+    coulomb,
+    exact,
+    flores,
+    hunt_crossley,
+    kelvin_voigt,
+    lugre,
+    power,
+    ristow,
+    smooth_coulomb,
+)
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
 from hertzwerk.derive.mechanism.joints.axial import Prismatic, Revolute
+from hertzwerk.derive.mechanism.joints.free import Free
 from hertzwerk.derive.mechanism.joints.planar import Planar
 from hertzwerk.derive.mechanism.joints.track import PointInTrack
 from hertzwerk.derive.mechanism.mechanism import Mechanism
@@ -362,6 +375,96 @@ def track_round() -> Scene:
     )
 
 
+def aligned_boxes() -> Scene:
+    """A rectangle dropped on an equal one, corner over corner to within rounding, on the floor."""
+    size, radius, stiffness = (
+        Parameter("size", "m", 0.1),
+        Parameter("radius", "mm", 1),
+        Parameter("stiffness", "N/m", 1e6),
+    )
+    drop, aside = Parameter("drop", "mm", 1), Parameter("aside", "m", 1e-15)
+    low, high = (Body(name, _MASS, _MASS * size**2 / 6) for name in ("low", "high"))
+    pairs = (
+        BoxOnPlane("floor", low.at(0, 0, 0), size, size, GROUND.at(0, 0, 0), Y),
+        BoxOnBox("stack", high.at(0, 0, 0), size, size, low.at(0, 0, 0), size, size, radius),
+    )
+    law, friction = (power(stiffness, 1), hunt_crossley(_RESTITUTION)), coulomb(_FRICTION, _STATIC)
+    return Scene(
+        Mechanism("aligned_boxes", tuple(Planar(f"{b.name}_move", GROUND, b, normal=Z) for b in (low, high)), pairs),
+        effects=(
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            *(Contact(name, *law) for name in ("floor", "stack")),
+            *(Friction(f"{name}_friction", name, friction) for name in ("floor", "stack")),
+            EnergyLedger(),
+        ),
+        start=Start(position={"low_move.y": size / 2, "high_move.y": 3 * size / 2 + drop, "high_move.x": aside}),
+        scales=Scales(length=radius, speed=Parameter("pace", "m/s", 0.1), arm=size),
+        summary="a box dropped on an equal one, corner over corner",
+    )
+
+
+def sliding_table() -> Scene:
+    """A flat box in space on four corners with set-valued friction in two directions, at the start's speed."""
+    width, height, stiffness = (
+        Parameter("width", "m", 0.2),
+        Parameter("height", "m", 0.05),
+        Parameter("stiffness", "N/m", 1e7),
+    )
+    gravity = Parameter("gravity", "m/s^2", 9.81)
+    table = Body.box("table", width, height, width, mass=_MASS)
+    floor = BoxOnPlane("floor", table.at(0, 0, 0), width, height, GROUND.at(0, 0, 0), Y, z=width)
+    return Scene(
+        Mechanism("sliding_table", (Free("move", GROUND, table),), (floor,)),
+        effects=(
+            Gravity("gravity", gravity, direction=Direction((Parameter("tangent", "1", 0), -1, 0))),
+            Contact("floor", power(stiffness, 1), hunt_crossley(_RESTITUTION)),
+            Friction("friction", "floor", coulomb(_FRICTION, _STATIC)),
+            EnergyLedger(),
+        ),
+        start=Start(
+            position={"move.y": height / 2 - _MASS * gravity / (4 * stiffness)},
+            speed={"move.x": _SPEED, "move.z": _SPEED},
+        ),
+        scales=Scales(length=Parameter("size", "mm", 1), speed=Parameter("pace", "m/s", 0.1), arm=width),
+        summary="a table that slides to rest on four feet",
+    )
+
+
+def ball_over_ball() -> Scene:
+    """A ball that rolls without slip over another, and stays on it beyond where it would part."""
+    big, lead = Parameter("hill_radius", "m", 1), Parameter("lead", "rad", 0.1)
+    ball = Body("ball", _MASS, 2 * _MASS * _RADIUS**2 / 5)
+    hill = SphereOnSphere("hill", ball.at(0, 0, 0), GROUND.at(0, 0, 0), _RADIUS, big)
+    return Scene(
+        Mechanism("ball_over_ball", (Planar("ride", GROUND, ball, normal=Z),), (hill,)),
+        effects=(
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            RollingWithoutSlip("rolls", "hill"),
+            EnergyLedger(),
+        ),
+        start=Start(position={"ride.x": (big + _RADIUS) * sp.sin(lead), "ride.y": (big + _RADIUS) * sp.cos(lead)}),
+        scales=Scales(length=_RADIUS, speed=_SPEED, arm=_RADIUS),
+        summary="a ball that rolls over another",
+    )
+
+
+def resting_sleigh() -> Scene:
+    """A sleigh on a knife edge at no speed, on a slope across which it may not move."""
+    arm = Parameter("arm", "m", 0.1)
+    sleigh = Body("sleigh", _MASS, _MASS * arm**2, centre=(arm, 0, 0))
+    return Scene(
+        Mechanism("resting_sleigh", (Planar("move", GROUND, sleigh, normal=Z),)),
+        effects=(
+            Gravity("slope", Parameter("pull", "m/s^2", 5), direction=-Y),
+            KnifeEdge("skate", sleigh.at(0, 0, 0), Y),
+            EnergyLedger(),
+        ),
+        start=Start(position={"move.angle": Parameter("heading", "rad", math.pi / 2)}),
+        scales=Scales(length=arm, speed=_SPEED, arm=arm),
+        summary="a sleigh on a knife edge that heads uphill, and turns over",
+    )
+
+
 def _depth(mass: sp.Expr) -> sp.Expr:
     """Penetration of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
@@ -388,6 +491,10 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "jamming_guide": jamming_guide,
     "track_round": track_round,
     "rocking_block": rocking_block,
+    "aligned_boxes": aligned_boxes,
+    "sliding_table": sliding_table,
+    "ball_over_ball": ball_over_ball,
+    "resting_sleigh": resting_sleigh,
     "row_of_5": lambda: row_of_spheres(5),
     "row_of_50": lambda: row_of_spheres(50),
     "touching_row_of_5": lambda: touching_row(5),

@@ -14,7 +14,7 @@ from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.pictures.draw import force_symbols, labels
 from hertzwerk.runtime.pictures.draw.paper import INK, Paper, shade
 from hertzwerk.runtime.pictures.draw.parts import Parts
-from hertzwerk.runtime.pictures.draw.places import GROUND, Array, Landmark, Places
+from hertzwerk.runtime.pictures.draw.places import GROUND, SOLIDS, Array, Landmark, Places
 from hertzwerk.runtime.pictures.draw.view import view_of
 from hertzwerk.runtime.pictures.plot_style import GREY, VERMILLION
 from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
@@ -164,7 +164,8 @@ class Drawing:
 
     def _names(self, paper: Paper, size: float) -> Iterator[labels.Label]:
         parts = self.parts
-        bodies = parts.places.bodies[1:]
+        seen = {mark.body for mark in parts.places.landmarks if mark.kind == "body" or mark.kind.startswith(SOLIDS)}
+        bodies = [body for body in parts.places.bodies[1:] if body in seen]
         if len(bodies) <= MANY:
             for body, text in _named(bodies).items():
                 yield labels.Label(text, parts.beside(paper, body, 0), shade(parts.colours[body]), size)

@@ -139,6 +139,20 @@ def _belt(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None
     paper.arrow(np.array([rim[1], rim[1] + ARROW * paper.point * along]), VERMILLION, 1.8)
 
 
+def _blade(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    """Draw a knife edge as a line along which its point may move: level where it is seen in space."""
+    across_it, out = parts.places.direction(marks[0], "across")[i], parts.view.towards
+    down = [parts.places.direction(mark, "axis")[i] for mark in parts.places.landmarks if mark.kind == "gravity"]
+    if parts.view.names is None and down:
+        out = down[0]
+    along = parts.view(np.cross(across_it, out))
+    length, at = float(np.linalg.norm(along)), parts.at(marks[0], i)
+    if length > THIN:
+        half = REACH * paper.point * along / length
+        paper.line(np.array([at - half, at + half]), VERMILLION, 2.4, 7.5)
+    paper.pin(at, 2.0, VERMILLION)
+
+
 def _mesh(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
     """Draw the pitch circles of wheels, and the line of a rack or rope."""
     style = (0, (9, 3, 1.5, 3))
@@ -168,6 +182,7 @@ _SYMBOLS: dict[str, Callable[[Parts, Paper, Sequence[Landmark], int], None]] = {
     "slide_drive": _slide_arrow,
     "slide_force": _slide_arrow,
     "slide_motor": _slide_arrow,
+    "knife_edge": _blade,
     "mesh": _mesh,
     "force": _force,
     "moment": _moment,

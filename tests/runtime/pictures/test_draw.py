@@ -16,6 +16,7 @@ from hertzwerk.derive import (  # fmt: skip
     ConstantSpeed,
     Contact,
     Gravity,
+    KnifeEdge,
     Mechanism,
     Parameter,
     Prismatic,
@@ -250,6 +251,23 @@ def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):
 
 
 # ---- command line ----------------------------------------------------------------------------------------------------
+
+
+def test_a_knife_edge_lies_along_its_motion_and_what_has_no_mass_no_shape_has_no_name():
+    arm = Parameter("arm", "m", 0.3)
+    sleigh, cart = Body("sleigh", Parameter("mass", "kg", 2), Parameter("inertia", "kg m^2", 0.1)), Body("cart", 0)
+    scene = Scene(
+        Mechanism("skating", (Prismatic("way", GROUND, cart, axis=X), Prismatic("up", cart, sleigh, axis=Y))),
+        (KnifeEdge("skate", sleigh.at(-arm, 0, 0), Y),),
+        Scales(arm, Parameter("pace", "m/s", 1), arm=arm),
+    )
+    figure = load(scene).draw()
+    words = [text.get_text() for text in figure.axes[0].texts]
+    assert "sleigh" in words
+    assert "cart" not in words
+    blades = [line for line in figure.axes[0].lines if line.get_linewidth() == 2.4]
+    assert len(blades) == 1
+    assert np.ptp(blades[0].get_ydata()) < 1e-9 < np.ptp(blades[0].get_xdata())
 
 
 def test_draw_writes_one_picture_and_never_over_another(tmp_path, monkeypatch):

@@ -14,6 +14,7 @@ from hertzwerk.derive import (  # fmt: skip
     Body,
     Contact,
     Drive,
+    EnergyLedger,
     Friction,
     Gravity,
     InputError,
@@ -236,3 +237,27 @@ def test_bad_input_is_named():
         equilibrium(load("pendulum"), at="soon")
     with pytest.raises(InputError, match="mass"):
         equilibrium(load("pendulum"), parameters={"mass": "1 m"})
+
+
+def test_what_only_drives_move_has_forces_without_a_freedom():
+    """A ball that is held half a millimetre deep in a floor: K d carries, and its drive takes what that is beside the weight."""
+    ball, r, deep = Body("ball", Parameter("m", "kg", 1)), Parameter("r", "mm", 10), Parameter("h", "mm", 9.5)
+    scene = Scene(
+        Mechanism(
+            "held_down",
+            (Prismatic("lift", GROUND, ball, axis=Y),),
+            (SphereOnPlane("floor", ball.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y),),
+        ),
+        (
+            Gravity("gravity", Parameter("g", "m/s^2", G), direction=-Y),
+            Contact("floor", power(Parameter("K", "N/m", 1e5), 1)),
+            Drive("press", "lift", position=deep),
+            EnergyLedger(),
+        ),
+        Scales(r, Parameter("pace", "m/s", 1)),
+    )
+    for coordinates in ("tree", "absolute"):
+        rest = equilibrium(load(scene.with_coordinates(coordinates)))
+        assert rest.outcome.name == "found"
+        assert rest.contacts == pytest.approx({"floor": 50})
+        assert rest.drives == pytest.approx({"press": G - 50})
