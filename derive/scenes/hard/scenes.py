@@ -404,7 +404,7 @@ def aligned_boxes() -> Scene:
 
 
 def sliding_table() -> Scene:
-    """A flat box in space on four corners with set-valued friction in two directions, at the start's speed."""
+    """A flat box that slides on four corners with set-valued friction in two directions."""
     width, height, stiffness = (
         Parameter("width", "m", 0.2),
         Parameter("height", "m", 0.05),
