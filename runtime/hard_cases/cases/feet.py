@@ -1,4 +1,4 @@
-"""Boxes corner over corner, feet sliding in two directions, rolling beyond lift-off, a still knife edge."""
+"""Boxes corner over corner, feet sliding two ways, rolling beyond lift-off, a still knife edge."""
 
 from __future__ import annotations
 
