@@ -1,4 +1,4 @@
-"""Subjects of `hertzwerk report`: folders of runs, sweeps and studies, saved runs, scenes."""
+"""Subjects of `hertzwerk report`: folders of runs, sweeps, studies and fits, saved runs, scenes."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ if TYPE_CHECKING:
 def page_of(place: Path, target: str, scene: str | None) -> str:
     """Return the page of what a path or name stands for; raises InputError."""
     if place.is_dir():
-        kinds = {"run.json": _of_run_folder, "study.json": _of_study, "definition.json": _of_sweep}
+        kinds = {"run.json": _of_run_folder, "study.json": _of_study, "fit.json": _of_fit, "definition.json": _of_sweep}
         for file, make in kinds.items():
             if (place / file).is_file():
                 if scene is not None and make is not _of_run_folder:
                     raise InputError("report", [Fault("--scene", scene, "none: only a run has one")])
                 return make(place, scene)
-        expected = "a folder that `hertzwerk run`, `sweep` or `study` wrote"
+        expected = "a folder that `hertzwerk run`, `sweep`, `study` or `fit` wrote"
         raise InputError("report", [Fault("RUN", f"{place}, a folder without {', '.join(kinds)}", expected)])
     if place.suffix == ".npz":
         return _of_run(place, {}, scene)
@@ -54,6 +54,20 @@ def _of_study(folder: Path, _: str | None) -> str:
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         found = f"{folder / 'study.json'}: {type(error).__name__}: {error}"
         raise InputError("report", [Fault("STUDY", found, "a record that `hertzwerk study` wrote")]) from error
+
+
+def _of_fit(folder: Path, _: str | None) -> str:
+    from hertzwerk.runtime.report.fit_report import fit_page
+
+    record, beside = _told(folder / "fit.json"), folder / "laws.json"
+    picture = folder / "fit.png"
+    try:
+        laws = _told(beside) if beside.is_file() else None
+        png = picture.read_bytes() if picture.is_file() else None
+        return fit_page(record, png, laws, _origin(record, str(record.get("command", "hertzwerk fit"))))
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        found = f"{folder / 'fit.json'}: {type(error).__name__}: {error}"
+        raise InputError("report", [Fault("FIT", found, "a record that `hertzwerk fit` wrote")]) from error
 
 
 def _of_sweep(folder: Path, _: str | None) -> str:

@@ -55,6 +55,14 @@ def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     assert value["interval"]["low"] < 0.9 < value["interval"]["high"] and content["command"].startswith("hertzwerk fit")
     assert len((tmp_path / "fitted" / "fit.csv").read_text().splitlines()) == 81
     assert matplotlib.image.imread(tmp_path / "fitted" / "fit.png").std() > 0.05
+    shown = CliRunner().invoke(main, ("report", "fitted"), catch_exceptions=False)
+    assert shown.exit_code == 0, shown.output
+    text = (tmp_path / "fitted" / "report.html").read_text()
+    for expected in ("explained", "p-value", "linear: curvature", "data:image/png", "Correlation"):
+        assert expected in text
+    (tmp_path / "fitted" / "fit.json").write_text('{"explained": true, "untold": []}')
+    broken = CliRunner().invoke(main, ("report", "fitted", "--overwrite"), catch_exceptions=False)
+    assert broken.exit_code == 2 and "a record that `hertzwerk fit` wrote" in " ".join(broken.output.split())
     again = hertzwerk(*both, *HOW, "--free", "restitution", "--into", "fitted")
     assert again.exit_code == 2 and "--into: found fitted, which has other content" in again.output
 
