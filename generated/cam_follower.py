@@ -276,13 +276,13 @@ def _nearest(curve, data, samples, given, point):
         side = -1 if hole else 1
         widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
         s, at_point, values = ca.SX.sym("s"), ca.SX.sym("point", 2), ca.SX.sym("given", given.numel())
-        found = s
-        for k in range(7):
+        found, last = s, 6 if tries > 1 else 5
+        for k in range(last + 1):
             here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
             x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
             px, py, square = at_point[0] - x, at_point[1] - y, dx**2 + dy**2
             slope = ca.fmax(square - px*ddx - py*ddy, square/1000)
-            if k < 6:
+            if k < last:
                 found = here + ca.fmin(ca.fmax((px*dx + py*dy)/slope, -widest), widest)
                 found = found if closed else ca.fmin(ca.fmax(found, start), end)
         speed = ca.sqrt(square)

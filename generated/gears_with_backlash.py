@@ -412,7 +412,9 @@ def _between(first, first_data, second, second_data, samples, other_samples, giv
             way = move*speeds[i]
             return 0 if closed else ca.logic_or(ca.logic_and(found[i] <= start, way < 0), ca.logic_and(found[i] >= end, way > 0))
 
-        for k in range(10):
+        one_hollow = rows[0][4] > 1 or rows[0][3] == rows[1][3] == 1
+        steps_taken = 6 if one_hollow else 9
+        for k in range(steps_taken + 1):
             points, ways, bends, speeds = [], [], [], []
             for i, (curve, ((start, end), closed, hole, *_)) in enumerate(zip(curves, rows, strict=True)):
                 if closed:
@@ -438,7 +440,7 @@ def _between(first, first_data, second, second_data, samples, other_samples, giv
             two = ends(1, last)
             move = ca.if_else(two, -beside/other, move)
             one = ends(0, move)
-            for i, (stands, way) in enumerate(((one, move), (two, last)) if k < 9 else ()):
+            for i, (stands, way) in enumerate(((one, move), (two, last)) if k < steps_taken else ()):
                 (start, end), closed = rows[i][:2]
                 found[i] = found[i] + ca.if_else(stands, 0, ca.fmin(ca.fmax(way/speeds[i], -steps[i]), steps[i]))
                 found[i] = found[i] if closed else ca.fmin(ca.fmax(found[i], start), end)
@@ -475,16 +477,12 @@ def _between(first, first_data, second, second_data, samples, other_samples, giv
             return ca.find(apart <= ca.mmin(apart))
 
         n, m, starts = x.numel(), to_x.numel(), []
-        if rows[0][4] > 1 or rows[0][3] == rows[1][3] == 1:  # one hollow: to and fro
+        if one_hollow:  # to and fro
             count = len(rows[0][5])
             for j in range(n//count):
                 here = slice(j*count, (j + 1)*count)
-                at_x, at_y = ca.sum1(x[here])/count, ca.sum1(y[here])/count
-                for _ in range(2):
-                    k = nearest(to_x, to_y, at_x, at_y)
-                    i = j*count + nearest(x[here], y[here], to_x[k], to_y[k])
-                    at_x, at_y = x[i], y[i]
-                starts.append(i)
+                k = nearest(to_x, to_y, ca.sum1(x[here])/count, ca.sum1(y[here])/count)
+                starts.append(j*count + nearest(x[here], y[here], to_x[k], to_y[k]))
         else:
             squares = (ca.repmat(x.T, m, 1) - ca.repmat(to_x, 1, n))**2 + (ca.repmat(y.T, m, 1) - ca.repmat(to_y, 1, n))**2
             d = ca.vertcat(*map(ca.mmin, ca.horzsplit(squares)))

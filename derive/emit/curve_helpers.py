@@ -55,13 +55,13 @@ CURVE_HELPERS = {
         side = -1 if hole else 1
         widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
         s, at_point, values = ca.SX.sym("s"), ca.SX.sym("point", 2), ca.SX.sym("given", given.numel())
-        found = s
-        for k in range(7):
+        found, last = s, 6 if tries > 1 else 5
+        for k in range(last + 1):
             here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
             x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
             px, py, square = at_point[0] - x, at_point[1] - y, dx**2 + dy**2
             slope = ca.fmax(square - px*ddx - py*ddy, square/1000)
-            if k < 6:
+            if k < last:
                 found = here + ca.fmin(ca.fmax((px*dx + py*dy)/slope, -widest), widest)
                 found = found if closed else ca.fmin(ca.fmax(found, start), end)
         speed = ca.sqrt(square)
@@ -149,7 +149,9 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
             way = move*speeds[i]
             return 0 if closed else ca.logic_or(ca.logic_and(found[i] <= start, way < 0), ca.logic_and(found[i] >= end, way > 0))
 
-        for k in range(10):
+        one_hollow = rows[0][4] > 1 or rows[0][3] == rows[1][3] == 1
+        steps_taken = 6 if one_hollow else 9
+        for k in range(steps_taken + 1):
             points, ways, bends, speeds = [], [], [], []
             for i, (curve, ((start, end), closed, hole, *_)) in enumerate(zip(curves, rows, strict=True)):
                 if closed:
@@ -175,7 +177,7 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
             two = ends(1, last)
             move = ca.if_else(two, -beside/other, move)
             one = ends(0, move)
-            for i, (stands, way) in enumerate(((one, move), (two, last)) if k < 9 else ()):
+            for i, (stands, way) in enumerate(((one, move), (two, last)) if k < steps_taken else ()):
                 (start, end), closed = rows[i][:2]
                 found[i] = found[i] + ca.if_else(stands, 0, ca.fmin(ca.fmax(way/speeds[i], -steps[i]), steps[i]))
                 found[i] = found[i] if closed else ca.fmin(ca.fmax(found[i], start), end)
@@ -212,16 +214,12 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
             return ca.find(apart <= ca.mmin(apart))
 
         n, m, starts = x.numel(), to_x.numel(), []
-        if rows[0][4] > 1 or rows[0][3] == rows[1][3] == 1:  # one hollow: to and fro
+        if one_hollow:  # to and fro
             count = len(rows[0][5])
             for j in range(n//count):
                 here = slice(j*count, (j + 1)*count)
-                at_x, at_y = ca.sum1(x[here])/count, ca.sum1(y[here])/count
-                for _ in range(2):
-                    k = nearest(to_x, to_y, at_x, at_y)
-                    i = j*count + nearest(x[here], y[here], to_x[k], to_y[k])
-                    at_x, at_y = x[i], y[i]
-                starts.append(i)
+                k = nearest(to_x, to_y, ca.sum1(x[here])/count, ca.sum1(y[here])/count)
+                starts.append(j*count + nearest(x[here], y[here], to_x[k], to_y[k]))
         else:
             squares = (ca.repmat(x.T, m, 1) - ca.repmat(to_x, 1, n))**2 + (ca.repmat(y.T, m, 1) - ca.repmat(to_y, 1, n))**2
             d = ca.vertcat(*map(ca.mmin, ca.horzsplit(squares)))

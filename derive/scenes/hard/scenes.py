@@ -14,6 +14,7 @@ from itertools import pairwise
 
 import sympy as sp
 
+from hertzwerk.derive.contact.pairs.between_curves import CurveOnCurve
 from hertzwerk.derive.contact.pairs.box import BoxOnPlane
 from hertzwerk.derive.contact.pairs.boxes import BoxOnBox
 from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
@@ -465,6 +466,29 @@ def resting_sleigh() -> Scene:
     )
 
 
+def faceted_bench() -> Scene:
+    """A round slider at 10 m/s over a bench of twenty lines in line, each a tenth of a millisecond long."""
+    piece, radius, pace = Parameter("piece", "mm", 1), Parameter("radius", "mm", 5), Parameter("pace", "m/s", 10)
+    mass, gravity, stiffness = _MASS, Parameter("gravity", "m/s^2", 9.81), Parameter("bench_stiffness", "N/m", 1e8)
+    top = [Line((k * piece, 0)) for k in range(19, -1, -1)]
+    bench = Outline(
+        "bench", (0, -radius), [Line((20 * piece, -radius)), Line((20 * piece, 0)), *top, Line((0, -radius))]
+    )
+    disc = Outline("disc", (radius, 0), [Arc((0, radius), (0, 0)), Arc((0, -radius), (0, 0)), Arc((radius, 0), (0, 0))])
+    slider = Body("slider", mass, mass * radius**2 / 2)
+    height = radius - mass * gravity / stiffness
+    return Scene(
+        Mechanism(
+            "faceted_bench", (Planar("plane", GROUND, slider),),
+            (CurveOnCurve("bench", disc, slider.at(0, 0, 0), bench, GROUND.at(0, 0, 0)),),
+        ),
+        effects=(Gravity("gravity", gravity, direction=-Y), Contact("bench", power(stiffness, 1)), EnergyLedger()),
+        start=Start(position={"plane.x": 2 * piece, "plane.y": height}, speed={"plane.x": pace}),
+        scales=Scales(length=Parameter("size", "mm", 0.1), speed=Parameter("small", "m/s", 0.1), arm=radius),
+        summary="a round slider over a bench of many lines",
+    )  # fmt: skip
+
+
 def _depth(mass: sp.Expr) -> sp.Expr:
     """Penetration of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
@@ -490,6 +514,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "chattering_relay": chattering_relay,
     "jamming_guide": jamming_guide,
     "track_round": track_round,
+    "faceted_bench": faceted_bench,
     "rocking_block": rocking_block,
     "aligned_boxes": aligned_boxes,
     "sliding_table": sliding_table,

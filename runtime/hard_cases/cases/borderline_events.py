@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.hard_cases.case import HardCase, Source, at, contacts, final, impact, on_grid
+from hertzwerk.runtime.hard_cases.case import METHODS, HardCase, Source, at, contacts, final, impact, on_grid
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
@@ -33,6 +33,19 @@ def _graze(name: str, gap: float, hard: str, count: int) -> HardCase:
 
 
 CASES = (
+    HardCase(
+        name="bench_of_many_lines",
+        theme="events",
+        hard="a slider's contact leaves fifteen lines and gains the next at 10 m/s, several in a step, and the seams of its own arcs",
+        source=Source("faceted_bench", hard=True),
+        duration=1.5e-3,
+        tolerance=1e-9,
+        methods=METHODS,
+        known=(
+            final("plane.x", 0.017, 1e-12, "nothing brakes it", "m"),
+            final("plane.y_speed", 0.0, 1e-9, "its weight is carried by any line", "m/s"),
+        ),
+    ),
     _graze("graze_above", 1e-12, "turns back 1e-12 m above the floor: no contact", 0),
     _graze("graze_below", -1e-12, "turns back 1e-12 m below the floor: a contact of 1 us", 1),
     HardCase(
