@@ -62,7 +62,7 @@ _OUTCOMES = {
     OUTSIDE_LAW_RANGE: (
         "outside_law_range",
         "at t = {t:.9g} s a contact law was left where it is not defined: {where}",
-        "choose a law that is defined at such a penetration, or check load and stiffness",
+        "choose a law, or of boxes a rounding, that reaches as deep; or check load and stiffness",
     ),
     FRICTION_LOCKS: (
         "friction_locks",

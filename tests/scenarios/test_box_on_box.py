@@ -186,7 +186,7 @@ def test_momentum_and_energy_stay_and_swapped_boxes_move_alike(oblique):
 def test_every_method_finds_the_same_motion(oblique, method, coordinates):
     position, speed = at(A__x=0.03, A__y=h + 12e-3, A__angle=0.2), {"A.y": -1.0, "A.x": -0.3, "B.angle": 2.0}
     scene = pair(position=position, speed=speed, coordinates=coordinates)
-    accuracy = 1e-5 if method == "rosenbrock" else 1e-6
+    accuracy = 1e-6
     run = simulate(load(scene), duration="30 ms", accuracy=accuracy, method=method)
     exact = simulate(load(oblique[0]), duration="30 ms", accuracy=1e-9).final
     assert run.outcome.finished
