@@ -27,7 +27,7 @@ DOCUMENTS = (
 )
 TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in DOCUMENTS}
 # Commands and options that take many seconds, each with tests of its own or a step of .ci/run
-LONG = {"accuracy", "animate", "effects", "hardcases", "study", "validate", "--check", "--restitution"}
+LONG = {"accuracy", "animate", "effects", "export", "hardcases", "study", "validate", "--check", "--restitution"}
 
 
 def blocks(name, *languages):

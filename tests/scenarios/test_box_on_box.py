@@ -295,7 +295,7 @@ def test_a_plank_across_a_plank_rests_on_four_crossings():
     assert carry == pytest.approx(expected, rel=2e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_tower_of_two_in_space_carries_both(coordinates):
     """Set down off the middle both ways: two corners and two crossings between them, four corners below."""

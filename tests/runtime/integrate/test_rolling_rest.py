@@ -26,7 +26,7 @@ from hertzwerk.runtime import equilibrium, load, simulate
 
 pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
 
-REFERENCES = (pytest.param(method, marks=pytest.mark.slow) for method in ("cvodes", "idas"))
+REFERENCES = (pytest.param("cvodes", marks=pytest.mark.slow), pytest.param("idas", marks=pytest.mark.exhaustive))
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto", *REFERENCES)
 ARM, PATCH, MU = 3e-4, 1e-4, 0.2  # m, m, 1
 DRILL = 3 * math.pi / 16 * MU * PATCH  # m, of Hertz's pressure
