@@ -10,6 +10,7 @@ from hertzwerk.runtime.fitting.fitted import Fitted
 from hertzwerk.runtime.fitting.fitting import fitted, read_fit
 from hertzwerk.runtime.fitting.law_ranking import Ranking, ranked
 from hertzwerk.runtime.fitting.law_variants import law_variants, read_laws
+from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries
 from hertzwerk.runtime.fitting.moment_fit import FittedMoments, fitted_moments, read_moment_fit
 from hertzwerk.runtime.measured.asked import Between
 from hertzwerk.runtime.model.binding import Value
@@ -122,9 +123,10 @@ def fit_laws(
 
 def fit_moments(
     model: Model,
-    moments: Mapping[str, str | tuple[Value, Value]],
+    moments: Mapping[str, str | tuple[Value, Value] | None],
     *,
     free: Mapping[str, Freed] | Sequence[str],
+    series: MeasuredSeries | None = None,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
     **how: Any,
@@ -132,10 +134,15 @@ def fit_moments(
     """Fit parameters to statistics of runs longer than their horizon, by simulated moments.
 
     moments    measured values and their standard deviations by the name of an output of `sweep`:
-               {"slider_pin.impact_rate": ("412 1/s", "5 1/s"), "slider_pin.dissipated_power": "3.1 +- 0.1 W"}
+               {"slider_pin.impact_rate": ("412 1/s", "5 1/s"), "slider_pin.dissipated_power": "3.1 +- 0.1 W"}; None of those that
+               are computed from a measured series: {"acceleration.rms": None}, COLUMN.KIND, with mean, rms, norm8, norm32, largest
+               (mean of the largest values in the drives' period), excursions (their rate, as `compare` counts them)
+    series     the measured columns, MeasuredSeries("long.csv", map={"acceleration": "guide.acceleration"}, bandwidth="5 kHz"): runs are
+               seen through the same instrument at the same spacing, and one function takes the statistics of both, with the
+               covariance of means of blocks longer than the motion is correlated. Runs last as long unless told
     free       as of `fit`; how: further arguments of `sweep`, duration="100 rev", values, workers
 
     Derivatives are those of a quadratic regression over runs at points of a Latin hypercube, the scatter of the runs' own statistics its covariance;
     the box of the points closes in on the best, at most twice. Raises InputError with every fault.
     """
-    return fitted_moments(read_moment_fit(model, moments, free, how, seed), progress)
+    return fitted_moments(read_moment_fit(model, moments, free, how, seed, series=series), progress)

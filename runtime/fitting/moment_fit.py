@@ -20,6 +20,8 @@ from hertzwerk.runtime.design.correlated import Correlated
 from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness, joint
 from hertzwerk.runtime.fitting.identified import Identified, identified
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
+from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries, SeriesMoments, columns, read_series
+from hertzwerk.runtime.measured.series_moments import QUANTILE
 from hertzwerk.runtime.model.binding import Value, read_state
 from hertzwerk.runtime.model.free_quantities import Free, read_free
 from hertzwerk.runtime.model.model import Model
@@ -34,7 +36,6 @@ ROUNDS = 3  # most boxes
 AROUND = 4.0  # standard errors of a quantity that the next box holds, to each side
 SMALLEST = 0.1  # of the box before
 TOLERANCE = 1e-6  # local, of the runs
-QUANTILE = 1.96  # half the width of a 95 % interval over the standard deviation
 FAR = 3.0  # deviations of the run at the best fit from the regression that are told
 
 
@@ -136,16 +137,40 @@ class AskedMoments:
     free: tuple[Free, ...]
     moments: tuple[Moment, ...]
     half_widths: tuple[str, ...]  # names of the columns with half the width of a run's own 95 % interval, empty without
+    series: SeriesMoments | None  # the last of the moments, which have no value stated
     how: Mapping[str, Any]
     seed: int
 
+    @property
+    def covariance(self) -> Array:
+        """Covariance (m, m) of the measured values: stated ones are independent, those of one series are not."""
+        found = np.diag([moment.deviation**2 for moment in self.moments])
+        if self.series is not None:
+            among = len(self.series.names)
+            found[-among:, -among:] = self.series.measured.covariance
+        return found
+
+    @property
+    def correlation(self) -> Array:
+        """Correlation (m, m) of the measured values."""
+        deviations = np.array([moment.deviation for moment in self.moments])
+        found: Array = self.covariance / np.outer(deviations, deviations)
+        return found
+
 
 def read_moment_fit(
-    model: Model, moments: object, free: object, how: Mapping[str, Any], seed: int, before: Sequence[Fault] = ()
+    model: Model,
+    moments: object,
+    free: object,
+    how: Mapping[str, Any],
+    seed: int,
+    before: Sequence[Fault] = (),
+    series: MeasuredSeries | None = None,
 ) -> AskedMoments:
     """Read a fit of moments; raises InputError with every fault but those that a sweep finds.
 
-    moments    by name of a sweep's output, each (value, standard deviation), or text "412 +- 5 1/s"
+    moments    by name of a sweep's output, each (value, standard deviation), or text "412 +- 5 1/s"; None for COLUMN.KIND
+               of the measured series
     how        further arguments of `sweep`
     """
     faults = list(before)
@@ -161,6 +186,10 @@ def read_moment_fit(
             )
         )
         moments = {}
+    computed = read_series(
+        model, [name for name, given in moments.items() if given is None], series, how.get("values"), faults
+    )
+    moments = {name: given for name, given in moments.items() if given is not None}
     wrong = len(faults)
     outputs = chosen(model, list(moments), faults)
     for output, (name, given) in zip(outputs, moments.items(), strict=False) if len(faults) == wrong else ():
@@ -175,11 +204,18 @@ def read_moment_fit(
             faults.append(Fault(name, shown(given), "a positive standard deviation"))
         found.append(Moment(name, unit, read[0][0], read[1][0]))
         half_widths.append(next(iter(list(output.columns)[1:]), ""))
+    if computed is not None:
+        for name, unit, value, deviation in zip(
+            computed.names, computed.units, computed.measured.values, computed.measured.deviations, strict=True
+        ):
+            found.append(Moment(name, unit, float(value), float(deviation)))
     if found and len(found) < len(freed):
         faults.append(Fault("moments", f"{len(found)} statistics", f"at least {len(freed)}, as many as are free"))
     if faults:
         raise InputError(f"fit of {model.name}", faults)
-    return AskedMoments(model, freed, tuple(found), tuple(half_widths), how, seed)
+    if computed is not None:
+        how = {"duration": computed.duration, **how}
+    return AskedMoments(model, freed, tuple(found), tuple(half_widths), computed, how, seed)
 
 
 def _pair(given: object) -> tuple[Value, Value] | None:
@@ -214,7 +250,9 @@ def fitted_moments(asked: AskedMoments, progress: Callable[[float], object] | No
                 f"at least {features + 2}",
             )
             raise InputError(f"fit of {asked.model.name}", [fault])
-        surface = _Surface(places[inside], numbers[inside], np.mean(noise[inside], axis=0), box)
+        known = np.sum(np.isfinite(noise[inside]), axis=0)  # a run may be too short to tell its own
+        own_noise = np.nansum(noise[inside], axis=0) / np.maximum(known, 1)
+        surface = _Surface(places[inside], numbers[inside], own_noise, asked.correlation, box)
         best, covariance, jacobian = _least(asked, surface)
         errors = np.sqrt(np.diag(np.linalg.pinv(jacobian.T @ np.linalg.solve(covariance, jacobian))))
         half = np.clip(AROUND * errors, SMALLEST * np.ptp(box, axis=1) / 2, np.ptp(box, axis=1) / 2)
@@ -237,31 +275,39 @@ def _runs(
     asked: AskedMoments, over: Mapping[str, Any], progress: Callable[[float], object] | None, **points: Any
 ) -> tuple[Array, Array, Array]:
     """Return places (n, k) of finished runs, their statistics (n, moments), and variances of these."""
-    names = [moment.name for moment in asked.moments]
+    stated = [moment.name for moment in asked.moments[: len(asked.half_widths)]]
     how = {"tolerance": TOLERANCE, **asked.how}
-    table = sweep(asked.model, over, outputs=names, progress=progress, **points, **how)
+    functions = asked.series.functions() if asked.series is not None else {}
+    table = sweep(asked.model, over, outputs=stated, functions=functions, progress=progress, **points, **how)
     if table.interrupted:
         raise KeyboardInterrupt
     x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in asked.free])
+    own = [columns(name) for name in asked.series.names] if asked.series is not None else []
+    names = [*stated, *(name for name, _ in own)]
     y = np.column_stack([np.asarray(table[name], dtype=float) for name in names])
-    half = np.column_stack([np.asarray(table[n], dtype=float) if n else np.zeros(len(x)) for n in asked.half_widths])
+    half = [np.asarray(table[n], dtype=float) / QUANTILE if n else np.zeros(len(x)) for n in asked.half_widths]
+    noise = np.column_stack([*half, *(np.asarray(table[n], dtype=float) for _, n in own)])
     there = np.all(np.isfinite(y), axis=1) & np.array([row["outcome"] == "finished" for row in table])
-    return x[there], y[there], np.nan_to_num(half[there] / QUANTILE) ** 2
+    return x[there], y[there], noise[there] ** 2
 
 
 class _Surface:
     """Quadratic regression of statistics (n, moments) over places (n, k) in a box.
 
-    noise    variances (moments,) of one run's statistics by its own account: what scatters more is no quadratic function
+    noise    variances (moments,) of one run's statistics by its own account: what scatters more is no quadratic function,
+             what scatters less is an error that all runs share, as those pushed by the same random input do,
+             with the correlation (moments, moments) of the measured values
     """
 
-    def __init__(self, places: Array, numbers: Array, noise: Array, box: Array) -> None:
+    def __init__(self, places: Array, numbers: Array, noise: Array, correlation: Array, box: Array) -> None:
         self.middle, self.half = np.mean(box, axis=1), np.ptp(box, axis=1) / 2
         design = np.array([self._features(x) for x in places])
         self.coefficients, *_ = np.linalg.lstsq(design, numbers, rcond=None)
         left = numbers - design @ self.coefficients
         self.scatter: Array = left.T @ left / (len(places) - design.shape[1])
-        self.misfit = np.diag(np.maximum(np.diag(self.scatter) - noise, 0.0))
+        more = np.diag(self.scatter) - noise
+        shared = np.sqrt(np.maximum(-more, 0.0))
+        self.misfit = np.diag(np.maximum(more, 0.0)) + np.outer(shared, shared) * correlation
         self._inverse = np.linalg.pinv(design.T @ design)
         self.box = box
 
@@ -294,7 +340,7 @@ def _least(asked: AskedMoments, surface: _Surface) -> tuple[Array, Array, Array]
     from scipy.optimize import least_squares  # slow to import
 
     measured = np.array([moment.value for moment in asked.moments])
-    stated = np.diag([moment.deviation**2 for moment in asked.moments])
+    stated = asked.covariance
     low, high = surface.box.T
     best = surface.middle
     for _ in range(3):  # the covariance is that at the best
@@ -362,7 +408,7 @@ def _checked(asked: AskedMoments, surface: _Surface, values: Mapping[str, Fitted
     if not len(x):
         return ["the run at the best fit does not finish with these statistics"]
     at = surface.at(x[0])
-    sizes = np.sqrt(np.diag(surface.covariance(x[0])) + noise[0] + np.diag(surface.scatter))
+    sizes = np.sqrt(np.diag(surface.covariance(x[0])) + np.nan_to_num(noise[0]) + np.diag(surface.scatter))
     return [
         f"{moment.name}: a run at the best fit has {found:.5g}, the regression {said:.5g}: the range is too wide for a quadratic function"
         for moment, found, said, size in zip(asked.moments, y[0], at, sizes, strict=True)

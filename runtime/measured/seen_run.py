@@ -44,9 +44,15 @@ class SeenRun:
             raise InputError("bandwidth", [Fault("bandwidth", found, f"at most {MOST:.3g}", "a shorter run")])
         edges = run.t[0] + self.spacing * np.arange(count + 1)
         self.t: Array = (edges[:-1] + edges[1:]) / 2
-        self.values = self._means(edges)
-        if instrument is not None and count > 3 * (2 * instrument.order + 1):
-            self.values = instrument.filtered(self.values, self.spacing)
+        self._edges: Array = edges
+
+    @cached_property
+    def values(self) -> Array:
+        """Means over the cells behind the instrument, shape (m, names)."""
+        means, instrument = self._means(self._edges), self._instrument
+        if instrument is not None and len(means) > 3 * (2 * instrument.order + 1):
+            return instrument.filtered(means, self.spacing)
+        return means
 
     def at(self, times: Array) -> Array:
         """Return what is seen at times [s] from `start` to `end`, shape (n, names)."""

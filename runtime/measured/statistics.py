@@ -69,11 +69,16 @@ def statistics_of(times: Array, measured: Array, run: Array, unit: str, interval
     places = ((times - times[0]) / interval * (1 + 1e-12)).astype(int)
     whole = int((times[-1] - times[0] + float(np.median(np.diff(times)))) / interval * (1 + 1e-9))
     kept = places < whole if whole else np.ones(len(times), dtype=bool)
-    middle = float(np.median(measured[kept]))
-    level = float(np.quantile(np.abs(measured[kept] - middle), LEVEL))
+    middle, level = excursion_level(measured[kept])
     found = [dict(_statistics(times[kept], signal[kept], places[kept], middle, level)) for signal in (measured, run)]
     units = {"excursions": "1/s"}
     return tuple(Statistic(name, units.get(name, unit), value, found[1][name]) for name, value in found[0].items())
+
+
+def excursion_level(measured: Array) -> tuple[float, float]:
+    """Return the median of samples (n,), and how far from it an excursion begins."""
+    middle = float(np.median(measured))
+    return middle, float(np.quantile(np.abs(measured - middle), LEVEL))
 
 
 def _statistics(times: Array, x: Array, places: Array, middle: float, level: float) -> Iterator[tuple[str, Estimated]]:
@@ -95,7 +100,7 @@ def _statistics(times: Array, x: Array, places: Array, middle: float, level: flo
         low, high = (None, None) if half is None else map(float, np.quantile(x, np.clip((q - half, q + half), 0, 1)))
         yield f"{q:.0%} quantile", Estimated(value, low, high, reason)
     spacing = float(np.median(np.diff(times)))
-    rate, half, reason = mean_of(_begins(np.abs(x - middle), level), counts * spacing)
+    rate, half, reason = mean_of(begins(np.abs(x - middle), level), counts * spacing)
     yield "excursions", _around(rate, half, reason)
 
 
@@ -103,7 +108,7 @@ def _around(value: float, half: float | None, reason: str) -> Estimated:
     return Estimated(value, reason=reason) if half is None else Estimated(value, value - half, value + half)
 
 
-def _begins(sizes: Array, level: float) -> Array:
+def begins(sizes: Array, level: float) -> Array:
     """Return 1 where a size rises above a level for the first time since it was below half of it, else 0."""
     state = np.where(sizes >= level, 1, np.where(sizes < level / 2, 0, -1))
     known = np.flatnonzero(state >= 0)

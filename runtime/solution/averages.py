@@ -156,7 +156,7 @@ def averages_by_name(
     Those OF_IMPACTS need the impacts of the run alone, the others sums. Raises InputError.
     """
     faults: list[Fault] = []
-    asked, skipped = (_seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
+    asked, skipped = (seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
     if skip == 0:
         skipped = 0.0
     span = run.end - run.start
@@ -172,7 +172,8 @@ def averages_by_name(
     return dict(_averages(run, dt, count, partial(run.findings.sums, asked), first, shows_largest=shows_largest))
 
 
-def _seconds(name: str, value: str | float | None, faults: list[Fault]) -> float | None:
+def seconds(name: str, value: str | float | None, faults: list[Fault]) -> float | None:
+    """Return a time [s] that was asked for; None where none was, or it is bad, and appended to `faults`."""
     expected = 'a positive time, such as "12 ms" or a number of seconds'
     if value is None or (name == "skip" and value == 0):
         return None

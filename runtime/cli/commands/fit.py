@@ -83,10 +83,19 @@ if TYPE_CHECKING:
 @click.option(
     "--moment",
     "moments",
-    metavar="NAME=VALUE +- SIZE",
+    metavar="NAME[=VALUE +- SIZE]",
     multiple=True,
-    help="In place of files statistics of a run beyond its horizon, with their standard deviations: "
-    'slider_pin.impact_rate="412 +- 5 1/s", names as of `hertzwerk sweep --output`.',
+    help="Statistics of a run beyond its horizon, with their standard deviations: "
+    'slider_pin.impact_rate="412 +- 5 1/s", names as of `hertzwerk sweep --output`. Without a value it is computed from '
+    "a column of --measured: acceleration.rms; also .mean, .norm8, .norm32, .largest, .excursions.",
+)
+@click.option(
+    "--bandwidth",
+    metavar="FREQUENCY",
+    help='Of the instrument that --moment is computed behind, "5 kHz": a causal Butterworth low-pass of order 4.',
+)
+@click.option(
+    "--skip", metavar="TIME", help="Transient that --moment leaves out of series and runs (default: a tenth of each)."
 )
 @VARIATION
 @DURATION
@@ -132,6 +141,8 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
         if moments or not options["measured"]:
             found, ranking = _of_moments(varied, moments, faults, progress, **options), None
         else:
+            of_series = {"--bandwidth": options.pop("bandwidth"), "--skip": options.pop("skip")}
+            faults += [Fault(option, "without --moment", "one beside it") for option, text in of_series.items() if text]
             found, ranking = _fitted(varied, faults, progress, **options)
     result = found if ranking is None else ranking
     code = conclude(
@@ -185,22 +196,42 @@ def _of_moments(
     tolerance: str | None,
     method: str | None,
     seed: int | None,
+    measured: Sequence[str],
+    columns: Sequence[str],
+    noise: Sequence[str],
+    bandwidth: str | None,
+    skip: str | None,
     **others: Any,
 ) -> FittedMoments:
     """Return the fit of statistics; raises InputError with every fault."""
+    from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries
     from hertzwerk.runtime.fitting.moment_fit import fitted_moments, read_moment_fit
 
     if not moments:
         faults.append(
             Fault("--measured", "none, and no --moment", "measured data: --measured FILE, or --moment NAME=VALUE")
         )
-    data = {"--measured": "measured", "--map": "columns", "--noise": "noise", "--gain": "gain", "--laws": "among"}
-    beside = [option for option, name in data.items() if others[name]]
+    computed = [text for text in moments if "=" not in text]
+    of_series = {"--measured": measured, "--map": columns, "--noise": noise, "--bandwidth": bandwidth, "--skip": skip}
+    of_histories = {"--at": "made_at", "--gain": "gain", "--laws": "among", "--shooting": "shooting"}
+    beside = [option for option, name in of_histories.items() if others[name]]
+    beside += [option for option, given in of_series.items() if given and not computed]
     faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
-    values, given, stated = (
+    if len(measured) > 1:
+        faults.append(Fault("--measured", f"{len(measured)} files beside --moment", "one series"))
+    twice = sorted({name for name in computed if computed.count(name) > 1})
+    faults += [Fault("--moment", f"{name} twice", "each once") for name in twice]
+    values, given, stated, mapped, noisy = (
         assignments(option, texts, faults)
-        for option, texts in (("--set", varied.settings), ("--input", varied.inputs), ("--moment", moments))
+        for option, texts in (
+            ("--set", varied.settings),
+            ("--input", varied.inputs),
+            ("--moment", [text for text in moments if "=" in text]),
+            ("--map", columns),
+            ("--noise", noise),
+        )
     )
+    series = MeasuredSeries(measured[0], mapped or None, noisy, bandwidth, skip=skip) if measured and computed else None
     progress.stage("building")
     model = varied.model(faults)
     how = {
@@ -211,7 +242,8 @@ def _of_moments(
         "method": method,
     }
     chosen = {name: value for name, value in how.items() if value}
-    asked = read_moment_fit(model, stated, _ranges(free, faults), chosen, seed or 0, faults)
+    wanted = {**stated, **dict.fromkeys(computed)}
+    asked = read_moment_fit(model, wanted, _ranges(free, faults), chosen, seed or 0, faults, series)
     progress.stage("fitting")
     return fitted_moments(asked, progress)
 

@@ -1,0 +1,129 @@
+"""Statistics of sampled histories and their covariance, of measured series and of runs alike.
+
+Each is a function of a mean over intervals. Its deviation is that of `averages.estimate`, batch means over blocks long
+enough that neighbours are uncorrelated; correlations between statistics are those of the means of common blocks.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.measured.statistics import begins, excursion_level
+from hertzwerk.runtime.solution.averages import Estimate, estimate
+from hertzwerk.runtime.solution.samples import NORMS
+
+Array = NDArray[np.float64]
+
+ORDERS = {"rms": 2, **NORMS}  # of means of powers
+KINDS = ("mean", *ORDERS, "largest", "excursions")
+QUANTILE = 1.96  # half the width of a 95 % interval over the standard deviation
+FEWEST = 8  # samples in an interval
+
+
+@dataclass(frozen=True)
+class SeriesMoment:
+    """Statistic of one signal.
+
+    kind     mean, rms, norm8, norm32: over time; largest: mean of the largest values in an interval; excursions: their
+             rate, which begin `level` from the `middle` and end below half of that, as `compare` counts them
+    signal   place of the signal among the samples
+    """
+
+    kind: str
+    signal: int
+    middle: float = math.nan
+    level: float = math.nan
+
+    @classmethod
+    def of(cls, kind: str, signal: int, samples: Array) -> SeriesMoment:
+        """Return the statistic with the level of excursions that measured samples (n,) have."""
+        return cls(kind, signal, *excursion_level(samples[np.isfinite(samples)]))
+
+    def parts(self, x: Array, places: NDArray[np.intp], spacing: float) -> tuple[Array, Array]:
+        """Return sums and weights (intervals,) whose ratio the statistic is a function of; nan are left out."""
+        there, count = np.isfinite(x), int(places[-1]) + 1
+        passed = np.bincount(places, minlength=count) * spacing
+        x, places = x[there], places[there]
+        weights = np.bincount(places, minlength=count).astype(float)
+        if self.kind == "largest":
+            sums = np.full(count, -np.inf)
+            np.maximum.at(sums, places, x)
+            weights = (weights > 0).astype(float)
+        elif self.kind == "excursions":
+            sums = np.bincount(places, begins(np.abs(x - self.middle), self.level), count)
+            weights = np.where(weights > 0, passed, 0.0)  # time passes where samples are missing
+        else:
+            sums = np.bincount(places, x if self.kind == "mean" else np.abs(x) ** ORDERS[self.kind], count)
+        return np.where(weights > 0, sums, 0.0), weights
+
+    def value(self, mean: float) -> tuple[float, float]:
+        """Return the statistic of a mean, and its derivative by that."""
+        if self.kind not in ORDERS or mean <= 0:
+            return mean, 1.0
+        order = ORDERS[self.kind]
+        return mean ** (1 / order), mean ** (1 / order - 1) / order
+
+
+@dataclass(frozen=True)
+class SeriesStatistics:
+    """Statistics (m,) of a series and their covariance (m, m), in SI.
+
+    reasons    why a deviation is missing, by statistic; its covariance is nan
+    blocks     fewest blocks that a deviation comes from
+    """
+
+    values: Array
+    covariance: Array
+    reasons: tuple[str, ...]
+    blocks: int
+
+    @property
+    def deviations(self) -> Array:
+        """Standard deviations (m,)."""
+        return np.sqrt(np.diag(self.covariance))
+
+
+def series_statistics(
+    times: Array, samples: Array, moments: Sequence[SeriesMoment], interval: float
+) -> SeriesStatistics:
+    """Return statistics of samples (n, signals), nan where missing, at times (n,) in intervals [s]."""
+    spacing = float(np.median(np.diff(times)))
+    places = ((times - times[0]) / interval * (1 + 1e-12)).astype(np.intp)
+    whole = max(int((times[-1] - times[0] + spacing) / interval * (1 + 1e-9)), 1)
+    kept = places < whole
+    parts = [moment.parts(samples[kept, moment.signal], places[kept], spacing) for moment in moments]
+    there = np.all([weights > 0 for _, weights in parts], axis=0)
+    parts = [(sums[there], weights[there]) for sums, weights in parts]
+    found = [estimate(*each) for each in parts]
+    values, slopes = np.array(
+        [moment.value(each.mean) for moment, each in zip(moments, found, strict=True)], dtype=float
+    ).T
+    half = np.array([math.nan if each.half_width is None else each.half_width for each in found])
+    deviations = slopes * half / QUANTILE
+    covariance = np.outer(deviations, deviations) * _correlation(parts, found)
+    return SeriesStatistics(
+        values, covariance, tuple(each.reason for each in found), min(each.blocks for each in found)
+    )
+
+
+def _correlation(parts: Sequence[tuple[Array, Array]], found: Sequence[Estimate]) -> Array:
+    """Return the correlations of the means of blocks, as long as the longest that any statistic needs."""
+    size = max(each.intervals for each in found)
+    n = len(parts[0][0]) // size
+    if n < 2:
+        return np.eye(len(parts))
+    means = []
+    for (sums, weights), each in zip(parts, found, strict=True):
+        above, below = (x[len(x) - n * size :].reshape(n, size).sum(axis=1) for x in (sums, weights))
+        left = (above - each.mean * below) / below.mean()
+        left -= left.mean()
+        norm = float(np.linalg.norm(left))
+        means.append(left / norm if norm > 0 else left)
+    correlation: Array = np.array(means) @ np.array(means).T
+    np.fill_diagonal(correlation, 1.0)
+    return correlation

@@ -1,0 +1,69 @@
+"""Statistics of series and their covariance: against closed forms of an autoregressive series, and many seeds."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.signal import lfilter
+
+from hertzwerk.runtime.measured import series_moments
+from hertzwerk.runtime.measured.series_moments import SeriesMoment, series_statistics
+from hertzwerk.runtime.solution.averages import Estimate
+
+MEMORY, STEP, COUNT = 0.95, 1e-3, 24_000  # of x[k] = MEMORY x[k-1] + noise of variance 1
+
+
+def series(seed):
+    """Return times, and two signals: an autoregressive one about 2, and the same with noise of its own."""
+    rng = np.random.default_rng(seed)
+    x = 2 + lfilter([1], [1, -MEMORY], rng.normal(size=COUNT + 1000))[1000:]
+    return STEP * np.arange(COUNT), np.column_stack([x, x + rng.normal(size=COUNT)])
+
+
+def covered(kind, true):
+    """Return how many of 100 intervals of 95 % hold the truth."""
+    held = 0
+    for seed in range(100):
+        times, samples = series(seed)
+        found = series_statistics(times, samples, [SeriesMoment.of(kind, 0, samples[:, 0])], 0.01)
+        held += abs(found.values[0] - true) <= 1.96 * found.deviations[0]
+    return held
+
+
+@pytest.mark.parametrize(("kind", "true"), [("mean", 2.0), ("rms", math.sqrt(4 + 1 / (1 - MEMORY**2)))])
+def test_intervals_hold_the_truth_and_without_autocorrelation_they_do_not(kind, true, monkeypatch):
+    assert 88 <= covered(kind, true) <= 100
+
+    def independent(values, weights):
+        mean, n = values.sum() / weights.sum(), len(values)
+        left = (values - mean * weights) / weights.mean()
+        return Estimate(float(mean), 1.96 * float(np.std(left)) / math.sqrt(n), n, 1)
+
+    monkeypatch.setattr(series_moments, "estimate", independent)
+    assert covered(kind, true) < 80
+
+
+def test_covariance_is_that_of_means_over_blocks():
+    """Deviation of the mean: 1 / ((1 - phi) sqrt n); of the second signal's, with its own noise; their covariance the first's."""
+    found = [
+        series_statistics(t, x, [SeriesMoment.of("mean", 0, x[:, 0]), SeriesMoment.of("mean", 1, x[:, 1])], 0.01)
+        for t, x in map(series, range(40))
+    ]
+    covariance = np.mean([each.covariance for each in found], axis=0)
+    of_first = 1 / ((1 - MEMORY) ** 2 * COUNT)
+    expected = np.array([[of_first, of_first], [of_first, of_first + 1 / COUNT]])
+    assert np.all((covariance / expected > 0.9) & (covariance / expected < 1.45))  # Student's t of 8 blocks: 1.45
+    assert np.cov(np.array([each.values for each in found]).T) == pytest.approx(expected, rel=0.6)
+    correlations = [each.covariance[0, 1] / np.prod(each.deviations) for each in found]
+    assert np.mean(correlations) == pytest.approx(1 / math.sqrt(1 + (1 - MEMORY) ** 2), abs=0.01)
+
+
+def test_statistics_of_a_wave_are_its_closed_forms():
+    """Of a sine of amplitude 3: rms, norm8, largest in a period; missing samples change nothing; a rate is of what exceeds a level."""
+    times = 1e-3 * np.arange(20_000)
+    x = 3 * np.sin(2 * np.pi * times)
+    x[::7] = np.nan
+    kinds = ["mean", "rms", "norm8", "largest", "excursions"]
+    found = series_statistics(times, x[:, None], [SeriesMoment.of(kind, 0, x) for kind in kinds], 1.0)
+    assert found.values == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3, 2], abs=0.12)
+    assert found.values[:4] == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3], abs=2e-3)
