@@ -23,6 +23,12 @@ from hertzwerk.derive.motion.loops import Constraint
 Columns = Mapping[str, Vector]
 """Partial velocities by row."""
 
+_GROUPS = {
+    "m": "given_lengths",
+    "1": "given_angles",
+    "m/s": "given_speeds",
+}  # by unit: one alone may vanish at a position
+
 
 class GivenMotion:
     """Expressions of a description on a tape; links of kind `given`, one a body, move by them."""
@@ -174,7 +180,7 @@ class GivenMotion:
             shares, rest = self._linear(condition.rate, f"{name}_by")
             found.append(
                 Constraint(
-                    condition.name, condition.unit, condition.name,
+                    condition.name, condition.unit, _GROUPS[condition.unit],
                     self.tape.let(self.of(condition.value), f"{name}_left"),
                     self.tape.let(self._total(shares, rest), f"{name}_rate"),
                     self._drift(shares, rest, f"{name}_bias"),

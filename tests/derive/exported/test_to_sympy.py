@@ -9,7 +9,14 @@ from derived import Derived
 
 from hertzwerk.derive import EnergyLedger, InputError, Parameter, Scales, Start, from_sympy, to_sympy
 from hertzwerk.derive.exported.python_file import python_file
-from hertzwerk.derive.scenes import cam_follower, double_pendulum, slider_crank, slider_crank_dc_motor, tippe_top
+from hertzwerk.derive.scenes import (
+    cam_follower,
+    double_pendulum,
+    flyball_governor,
+    slider_crank,
+    slider_crank_dc_motor,
+    tippe_top,
+)
 from hertzwerk.runtime import load, simulate
 
 SIZE = Parameter("size_of_scene", "m", 0.1)
@@ -82,3 +89,21 @@ def test_a_run_of_what_came_back_is_the_scenes_own():
 def test_what_sympy_has_no_word_for_is_told(scene, found):
     with pytest.raises(InputError, match=found):
         to_sympy(scene)
+
+
+@pytest.mark.parametrize("speed", ["0 rad/s", pytest.param("160 rpm", marks=pytest.mark.exhaustive)])
+def test_redundant_loops_come_back_also_where_a_constraint_vanishes(speed):
+    """In the plane of its spindle at rest the governor has two constraints whose rows are zero."""
+    native = load(scene := flyball_governor.scene)
+    module, found = imported(scene), to_sympy(scene)
+    still = dict.fromkeys(module.specified, sp.S.Zero)
+    model = load(
+        from_sympy(module, units=module.units, values=module.values, specified=still, name="back").scene(scales=SCALES)
+    )
+    run = simulate(native, duration="0.1 s", accuracy=1e-8, initial={"spindle.speed": speed})
+    names = {name: f"{found.names[name].func}.{name.split('.')[1]}" for name in native.coordinates}
+    start = {names[name]: f"{float(run[name][0])!r} {native.units[name]}" for name in names}
+    back = simulate(model, duration="0.1 s", accuracy=1e-8, initial={**start, "spindle_angle.speed": speed})
+    assert back.outcome.finished
+    for name, other in names.items():
+        assert back.final[other] == pytest.approx(run.final[name], abs=1e-8)

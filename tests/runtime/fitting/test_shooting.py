@@ -94,7 +94,7 @@ RANGES = {"restitution": (0.6, 1), "clearance": "0.3..0.7 mm"}
 SEEN = {"map": {"x": "guide.travel"}, "noise": {"x": "0.02 mm"}, "profile": False}
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_rattling_pin_beyond_the_reach_of_one_run():
     """32 impacts in chaos: one run ends in another valley, and is rejected; segments find the truth."""
     model = load("slider_crank_frictionless")

@@ -115,6 +115,7 @@ def test_it_sets_off_where_the_limit_surface_is_reached(ratio):
     assert abs(math.hypot(force, 1.5 * moment) - 1) > 1e-3
 
 
+@pytest.mark.exhaustive
 def test_statics_hold_it_within_the_limit_surface():
     force, moment = shares(0.6)
     for share, found in ((0.999, "found"), (1.001, "no_equilibrium")):
