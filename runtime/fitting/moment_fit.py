@@ -239,7 +239,7 @@ def fitted_moments(asked: AskedMoments, progress: Callable[[float], object] | No
     for number in range(ROUNDS):
         told = None if progress is None else (lambda part, done=number: progress((done + part) / ROUNDS))
         tried = PER_FEATURE * features
-        x, y, own = _runs(asked, _spread(asked.free, box), told, sample=tried, seed=asked.seed + number)
+        x, y, own, why = _runs(asked, _spread(asked.free, box), told, sample=tried, seed=asked.seed + number)
         places, numbers, noise = np.vstack([places, x]), np.vstack([numbers, y]), np.vstack([noise, own])
         made += tried
         inside = np.all((places >= box[:, 0]) & (places <= box[:, 1]), axis=1)
@@ -248,6 +248,7 @@ def fitted_moments(asked: AskedMoments, progress: Callable[[float], object] | No
                 "free",
                 f"{int(np.sum(inside))} of {tried} runs that finish with these statistics",
                 f"at least {features + 2}",
+                why,
             )
             raise InputError(f"fit of {asked.model.name}", [fault])
         known = np.sum(np.isfinite(noise[inside]), axis=0)  # a run may be too short to tell its own
@@ -273,8 +274,8 @@ def _spread(free: Sequence[Free], box: Array) -> dict[str, str]:
 
 def _runs(
     asked: AskedMoments, over: Mapping[str, Any], progress: Callable[[float], object] | None, **points: Any
-) -> tuple[Array, Array, Array]:
-    """Return places (n, k) of finished runs, their statistics (n, moments), and variances of these."""
+) -> tuple[Array, Array, Array, str]:
+    """Return places (n, k) of finished runs, statistics (n, moments), their variances, why one is lost."""
     stated = [moment.name for moment in asked.moments[: len(asked.half_widths)]]
     how = {"tolerance": TOLERANCE, **asked.how}
     functions = asked.series.functions() if asked.series is not None else {}
@@ -288,7 +289,9 @@ def _runs(
     half = [np.asarray(table[n], dtype=float) / QUANTILE if n else np.zeros(len(x)) for n in asked.half_widths]
     noise = np.column_stack([*half, *(np.asarray(table[n], dtype=float) for _, n in own)])
     there = np.all(np.isfinite(y), axis=1) & np.array([row["outcome"] == "finished" for row in table])
-    return x[there], y[there], noise[there] ** 2
+    lost = next((row for row, stays in zip(table, there, strict=True) if not stays), None)
+    why = "" if lost is None else f"{lost['outcome']}: {lost['message']}" if lost["message"] else str(lost["outcome"])
+    return x[there], y[there], noise[there] ** 2, why
 
 
 class _Surface:
@@ -404,7 +407,7 @@ def _concluded(
 def _checked(asked: AskedMoments, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:
     """Return in what a run at the best fit is not as the regression says."""
     over = {value.name: [(value.value, value.unit)] for value in values.values()}
-    x, y, noise = _runs(asked, over, None)
+    x, y, noise, _ = _runs(asked, over, None)
     if not len(x):
         return ["the run at the best fit does not finish with these statistics"]
     at = surface.at(x[0])

@@ -214,7 +214,9 @@ def _of_moments(
     computed = [text for text in moments if "=" not in text]
     of_series = {"--measured": measured, "--map": columns, "--noise": noise, "--bandwidth": bandwidth, "--skip": skip}
     of_histories = {"--at": "made_at", "--gain": "gain", "--laws": "among", "--shooting": "shooting"}
+    of_histories_alone = {"--offset": ("offset", "0 s"), "--starts": ("starts", None), "--profile": ("profile", "auto")}
     beside = [option for option, name in of_histories.items() if others[name]]
+    beside += [option for option, (name, default) in of_histories_alone.items() if others[name] != default]
     beside += [option for option, given in of_series.items() if given and not computed]
     faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
     if len(measured) > 1:

@@ -111,8 +111,10 @@ def test_laws_and_statistics(hertzwerk, data, tmp_path):
     neither = hertzwerk("--free", "restitution")
     assert neither.exit_code == 2 and "--measured: found none, and no --moment" in neither.output
     beside = hertzwerk(
-        "--measured", "one.csv", "--moment", "floor.impulse=8.86 +- 0.1 N", "--free", "drop_height=0.7..1.5 m"
-    )
+        "--measured", "one.csv", "--moment", "floor.impulse=8.86 +- 0.1 N", "--free", "drop_height=0.7..1.5 m",
+        "--offset", "1 ms", "--starts", "3", "--profile", "none",
+    )  # fmt: skip
+    assert "--offset, --starts, --profile, --measured: found beside --moment" in beside.output
     assert (
         beside.exit_code == 2
         and "--measured: found beside --moment" in beside.output
