@@ -251,7 +251,7 @@ def test_deeper_than_the_rounding_the_run_ends_and_says_where():
 # -- motion in space ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_crossed_bars_hit_edge_on_edge_as_rigid_ones():
     """Two square bars on their edges, crossed, off both middles: J = 2 v/(2/m + (x^2 + z^2)/I) on each; energy and momentum stay."""
     x, z, v = 0.06, 0.04, 0.5
