@@ -7,7 +7,7 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
-__all__ = ["NoText", "Where"]
+__all__ = ["NoText", "Where", "with_pieces"]
 
 
 class NoText(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
@@ -57,3 +57,10 @@ class Where(NoText):
         if condition == sympy.true:
             return a
         return b if condition == sympy.false else Where(condition, a, b)
+
+
+def with_pieces(expression: Any) -> Any:
+    """Write branches as SymPy's Piecewise: for texts, never to be differentiated."""
+    if not expression.has(Where):
+        return expression
+    return expression.replace(Where, lambda condition, a, b: sympy.Piecewise((a, condition), (b, True)))

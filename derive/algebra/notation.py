@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.str import StrPrinter
 
-from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.functions import with_pieces
 
 __all__ = ["latex_name", "latex_of", "text_of", "tidy"]
 
@@ -70,7 +70,7 @@ def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
         names = {_EULER: r"\mathrm{e}", **given}
         printer = _Running({"symbol_names": names, "fold_frac_powers": True, "fold_func_brackets": True})
         return str(printer.doprint(tidy(expression).xreplace({sp.E: _EULER})))
-    shown = tidy(expression).replace(Where, lambda c, a, b: sp.Piecewise((a, c), (b, True)))
+    shown = with_pieces(tidy(expression))
     names = {symbol: latex_name(symbol) for symbol in shown.free_symbols} | {_EULER: r"\mathrm{e}"}
     return str(_Latex({"symbol_names": names}).doprint(shown.xreplace({sp.E: _EULER})))
 

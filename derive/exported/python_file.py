@@ -10,7 +10,8 @@ from typing import Any
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
-from hertzwerk.derive.exported.to_sympy import TIME, SymPyEquations, choices
+from hertzwerk.derive.algebra.functions import with_pieces
+from hertzwerk.derive.exported.to_sympy import TIME, SymPyEquations
 
 TAKEN = {"sp", "dynamicsymbols", "t", "q", "u", "kinematics", "mass_matrix", "forcing", "holonomic_constraints",
          "nonholonomic_constraints", "specified", "units", "values", "names"}  # fmt: skip
@@ -91,7 +92,7 @@ def _lines(found: SymPyEquations, name: str, values: Mapping[Any, float], units:
     yield ""
 
     def of(value: Any) -> str:
-        return str(text(choices(sp.sympify(value))))
+        return str(text(with_pieces(sp.sympify(value))))
 
     for symbol, expression in program.steps:
         if symbol not in variables:

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
-from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.functions import Where, with_pieces
 from hertzwerk.derive.algebra.vectors import scale
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.faults import Fault, InputError
@@ -24,7 +24,7 @@ from hertzwerk.derive.motion.absolute import absolute
 from hertzwerk.derive.motion.constraints import ON_SPEED
 from hertzwerk.derive.program.program import symbols_in
 
-TIME = dynamicsymbols._t
+TIME = dynamicsymbols._t  # SymPy's own symbol of time
 KNOWN = (sp.Add, sp.Mul, sp.Pow, sp.sin, sp.cos, sp.tan, sp.atan, sp.atan2, sp.asin, sp.acos, sp.exp, sp.log, sp.Abs,
          sp.tanh, sp.sinh, sp.cosh, sp.sign, sp.Max, sp.Min, sp.Piecewise, Where)  # fmt: skip
 
@@ -174,12 +174,12 @@ class _Export:
                 faults.append(
                     Fault(f"expression {symbol}", strange, "functions that SymPy has", "Tables and curves have none.")
                 )
-            instead[symbol] = choices(expression).xreplace(instead)
+            instead[symbol] = with_pieces(expression).xreplace(instead)
         if faults:
             raise InputError(f"scene {self.scene.name} to SymPy", faults)
 
         def written(value: Any) -> Any:
-            return choices(sp.sympify(value)).xreplace(instead)
+            return with_pieces(sp.sympify(value)).xreplace(instead)
 
         r = program.results
         q, u = [instead[s] for s in kin.q], [instead[s] for s in kin.u]
@@ -211,10 +211,3 @@ def _strange(expression: Any) -> str | None:
         if node.args and not (isinstance(node, KNOWN) or node.is_Relational or node.is_Boolean):
             return f"{type(node).__name__}"
     return None
-
-
-def choices(expression: Any) -> Any:
-    """The expression with branches as SymPy writes them."""
-    if not expression.has(Where):
-        return expression
-    return expression.replace(Where, lambda condition, a, b: sp.Piecewise((a, condition), (b, True)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from base64 import b64encode
 from collections.abc import Iterable
 from typing import TypeAlias
 
@@ -27,6 +28,12 @@ def tag(name: str, /, *content: Content, **attributes: str | float | None) -> Ma
     given = ((key.removesuffix("_").replace("_", "-"), value) for key, value in attributes.items())
     opened = "".join([name, *(f' {key}="{_escaped(str(value))}"' for key, value in given if value is not None)])
     return Markup(f"<{opened}>" if name in EMPTY else f"<{opened}>{joined(content)}</{name}>")
+
+
+def embedded(png: bytes, label: str) -> Markup:
+    """Return a picture that the page itself holds, no wider than its place; `label` tells what it shows."""
+    source = f"data:image/png;base64,{b64encode(png).decode()}"
+    return tag("img", src=source, alt=label, style="max-width:100%")
 
 
 def joined(parts: Iterable[Content], between: str = "") -> Markup:

@@ -28,13 +28,14 @@ from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.dimension.walker import dimension_of
 from hertzwerk.derive.effects.effect import Effect
 from hertzwerk.derive.effects.state_expression import Varying
+from hertzwerk.derive.exported.to_sympy import TIME
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.identifiers import name_faults
 from hertzwerk.derive.imported.audit import unit_faults
 from hertzwerk.derive.imported.description import Condition, Description, Equations, Linear, Placed
 from hertzwerk.derive.imported.given_mechanism import Given
 from hertzwerk.derive.imported.loads import Loads, ledger_faults
-from hertzwerk.derive.imported.reading import TIME, Reading, frames_of, mass_centre, points_of, reading_of
+from hertzwerk.derive.imported.reading import Reading, frames_of, mass_centre, points_of, reading_of
 from hertzwerk.derive.imported.translation import Naming, atoms_of, name_of
 from hertzwerk.derive.mechanism.bodies import Body, Point, Slot
 from hertzwerk.derive.mechanism.pair import Pair

@@ -13,12 +13,11 @@ from types import ModuleType
 from typing import Any
 
 import sympy as sp
-from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Particle, System, dynamicsymbols
+from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Particle, System
 
-from hertzwerk.derive.exported.to_sympy import SymPyEquations
+from hertzwerk.derive.exported.to_sympy import TIME, SymPyEquations
 from hertzwerk.derive.faults import Fault, InputError, shown
 
-TIME = dynamicsymbols._t  # SymPy's own symbol of time
 KINDS = "a KanesMethod, a LagrangesMethod or a System of sympy.physics.mechanics, or equations by to_sympy"
 
 

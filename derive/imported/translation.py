@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -11,9 +12,10 @@ from sympy.core.function import AppliedUndef
 
 from hertzwerk.derive.dimension.dimension import ONE, Dimension
 from hertzwerk.derive.effects.state_expression import T, coordinate_of, speed_of, states_in
+from hertzwerk.derive.exported.to_sympy import TIME
 from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.derive.identifiers import name_faults
-from hertzwerk.derive.imported.reading import TIME, Reading
+from hertzwerk.derive.imported.reading import Reading
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Port
 from hertzwerk.derive.mechanism.parameter import Parameter, is_number
 from hertzwerk.derive.units import UnitError, parse_unit
@@ -114,7 +116,7 @@ class Naming:
         others = [a for a in atoms_of(self.expressions) if a not in q and a not in speeds]
         parameters: dict[str, Parameter] = {}
         instead: dict[Any, Any] = {TIME: T}
-        for name, count in _counted(map(name_of, [*q, *speeds, *others])).items():
+        for name, count in Counter(map(name_of, [*q, *speeds, *others])).items():
             if count > 1:
                 self.faults.append(Fault(f"symbol {name}", f"{count} symbols of this name", "names that are unique"))
         moving: dict[Any, Any] = {}
@@ -251,10 +253,3 @@ class Naming:
                     self.unused.append(
                         Fault(f"{what}, {name}", "no such symbol in the model", "a symbol that it depends on")
                     )
-
-
-def _counted(names: Iterator[str] | Iterable[str]) -> dict[str, int]:
-    found: dict[str, int] = {}
-    for name in names:
-        found[name] = found.get(name, 0) + 1
-    return found

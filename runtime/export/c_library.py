@@ -28,6 +28,7 @@ from hertzwerk.runtime.start.assembly import CLOSED, ITERATIONS, RANK
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.export.export_request import Asked
+    from hertzwerk.runtime.model.model import Model
 
 TEMPLATES = resources.files(__package__) / "c"
 STATUSES = (
@@ -189,12 +190,11 @@ def _constants(found: Contents, work: Mapping[str, int]) -> str:
     return "\n".join(["", *lines])
 
 
-def _limits(model: object) -> list[tuple[str, float, float, int]]:
+def _limits(model: Model) -> list[tuple[str, float, float, int]]:
     """Return (parameter, lower, upper, which are open) of the limits within which a model is defined."""
-    rows = model.module.LIMITS  # type: ignore[attr-defined]
     return [
         (name, -np.inf if low is None else low, np.inf if high is None else high, left + 2 * right)
-        for name, kind, low, high, left, right, _ in rows
+        for name, kind, low, high, left, right, _ in model.module.LIMITS
         if kind == "defined"
     ]
 

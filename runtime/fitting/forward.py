@@ -102,21 +102,23 @@ class Forward:
         return found
 
     def _made(self, x: Array, tolerance: float) -> Point:
-        units = {free.name: (free.outer(float(place)), free.unit) for free, place in zip(self.free, x, strict=False)}
         runs, predicted, times = [], [], []
         for i, each in enumerate(self.observed):
-            run = self._run(each, units, tolerance, self.offset(i, x))
+            run = self._run(each, x, tolerance)
             runs.append(run)
             empty = np.full(len(each.at), np.nan)
             predicted.append(empty if run is None else each.predicted(run, self.offset(i, x)))
             times.append(empty if run is None else each.times(run, self.offset(i, x)))
         return Point(tuple(runs), self.gains(x) * np.concatenate(predicted), np.concatenate(times))
 
-    def _run(
-        self, each: Observed, units: dict[str, tuple[float, str]], tolerance: float, offset: float
-    ) -> Solution | None:
-        values: dict[str, Value] = dict(units)
+    def given(self, each: Observed, x: Array) -> tuple[dict[str, Value], dict[str, Value]]:
+        """Return parameters and initial states of a measured run at a place."""
+        values = {free.name: (free.outer(float(place)), free.unit) for free, place in zip(self.free, x, strict=False)}
         parameters, initial = split_values(each.model, values)
+        return {**each.parameters, **parameters}, {**each.initial, **initial}
+
+    def _run(self, each: Observed, x: Array, tolerance: float) -> Solution | None:
+        parameters, initial = self.given(each, x)
         self.runs_made += 1
         try:
             run = simulate(
@@ -124,8 +126,8 @@ class Forward:
                 duration=each.duration,
                 tolerance=tolerance,
                 method=self._method,
-                parameters={**each.parameters, **parameters},
-                initial={**each.initial, **initial},
+                parameters=parameters,
+                initial=initial,
                 max_events=each.max_events,
             )
         except InputError:  # a start or a constant that these values together do not have

@@ -27,7 +27,6 @@ from hertzwerk.runtime.run.continuation import parameters_of
 from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
 from hertzwerk.runtime.simulation import Solution, solve
-from hertzwerk.runtime.start.start_values import split_values
 
 Array = NDArray[np.float64]
 
@@ -92,10 +91,10 @@ class Shot(Forward):
             each, offset = self.observed[piece.run], self.offset(piece.run, x)
             run = self.run_of(piece, x)
             runs.append(run)
-            first = int(np.flatnonzero(self.run == piece.run)[0])
             if run is not None:
-                predicted[piece.rows] = each.predicted(run, offset)[piece.rows - first]
-                times[piece.rows] = each.times(run, offset)[piece.rows - first]
+                local = piece.rows - self._first(piece)
+                predicted[piece.rows] = each.predicted(run, offset)[local]
+                times[piece.rows] = each.times(run, offset)[local]
         return Point(tuple(runs), self.gains(x) * predicted, times)
 
     @property
@@ -115,15 +114,14 @@ class Shot(Forward):
 
     def _solved(self, piece: _Piece, x: Array, tolerance: float) -> Solution | None:
         each = self.observed[piece.run]
-        values = {free.name: (free.outer(float(place)), free.unit) for free, place in zip(self.free, x, strict=False)}
-        parameters, initial = split_values(each.model, values)
+        parameters, initial = self.given(each, x)
         self.runs_made += 1
         try:
             run = solve(
                 each.model,
                 Settings(piece.end, None, tolerance, self._method),
-                {**each.parameters, **parameters},
-                {**each.initial, **initial},
+                parameters,
+                initial,
                 start=None if piece.start is None else (piece.begin, piece.start),
             )
         except InputError:

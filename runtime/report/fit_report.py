@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from hertzwerk.derive.html.markup import Markup, joined, tag
+from hertzwerk.derive.html.markup import Markup, embedded, joined, tag
 from hertzwerk.runtime.report.html_page import Origin, Section, bullets, facts, page, paragraphs, verdict
 from hertzwerk.runtime.report.html_table import Cell, number_text, table
 
@@ -33,7 +32,8 @@ def fit_page(record: Record, picture: bytes | None, laws: Record | None, origin:
     good = False if known is False or not told else known
     top = joined([verdict(words[known], good, str(record["verdict"])), facts(counted)])
     warnings = [str(text) for text in record["warnings"]]
-    shown = [_picture(picture)] if picture is not None else []
+    label = "Measured data over the best fit, and the residuals"
+    shown = [tag("figure", embedded(picture, label))] if picture is not None else []
     residuals = [_signals(record["signals"])] if "signals" in record else [_moments(record["moments"])]
     sections = [
         Section("Values", _values({**record["values"], **record.get("nuisance", {})})),
@@ -123,11 +123,3 @@ def _laws(laws: Record) -> Markup:
         rows.append([str(law["name"]), float(law["difference"]), float(law["weight"]), held, p, values])
     heads = ("law", "AICc less the best", "weight", "held-out log-density", "p-value", "fitted")
     return joined([paragraphs([str(laws["verdict"])]), table([(head, "") for head in heads], rows)])
-
-
-def _picture(png: bytes) -> Markup:
-    source = f"data:image/png;base64,{base64.b64encode(png).decode()}"
-    return tag(
-        "figure",
-        tag("img", src=source, alt="Measured data over the best fit, and the residuals", style="max-width:100%"),
-    )

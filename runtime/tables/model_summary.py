@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import io
-from base64 import b64encode
 from typing import TYPE_CHECKING
 
-from hertzwerk.derive.html.markup import Markup, joined, tag
+from hertzwerk.derive.html.markup import Markup, embedded, joined
 from hertzwerk.derive.html.plain_table import heading, titled
 
 if TYPE_CHECKING:
@@ -19,12 +18,11 @@ def of_model(model: Model, picture: Figure) -> Markup:
     """Return a model with the picture of its start."""
     image = io.BytesIO()
     picture.savefig(image, format="png", dpi=80)
-    source = f"data:image/png;base64,{b64encode(image.getvalue()).decode()}"
     sizes = f"{model.nq} coordinates, {model.k} contact pair{'s' if model.k != 1 else ''}, {len(model.units)} states"
     parameters = [(name, f"{p.default:.6g}", p.unit, p.meaning) for name, p in model.parameters.items()]
     return joined([
         heading(model.name, model.module.SUMMARY, f" ({sizes}; every history: model.histories)", good=True),
-        tag("img", src=source, alt=f"The mechanism {model.name} at its start", style="max-width:100%"),
+        embedded(image.getvalue(), f"The mechanism {model.name} at its start"),
         titled("Effects", ("effect", "kind", "what it is"), model.module.EFFECTS),
         titled("Parameters", ("parameter", "value", "unit", "meaning"), parameters),
     ])  # fmt: skip
