@@ -108,12 +108,13 @@ class Kinematics:
         self.drive_states: list[DriveState] = []
         motion: dict[str, tuple[tuple[Any, ...], tuple[Row, ...]]] = {}
         for freedom, q, u, a in zip(free, inputs, speeds, seconds, strict=True):
-            rates = (
-                u if freedom.kind != "ball" else _quaternion_rates(q, [tape.let(w / 2, f"half_{w.name}") for w in u])
-            )
-            self.rates.extend(rates if q else ())
-            for symbol, rate in (*zip(q, rates, strict=False), *zip(u, a, strict=True)):
-                tape.set_rate(symbol, rate)
+            if freedom.kind != "given":  # whose rates its description gives
+                rates = self._quaternion_rates(q, u) if freedom.kind == "ball" else u
+                self.rates.extend(rates)
+                for symbol, rate in zip(q, rates, strict=True):
+                    tape.set_rate(symbol, rate)
+            for speed, acceleration in zip(u, a, strict=True):
+                tape.set_rate(speed, acceleration)
             of_rows = zip(freedom.forces, u, a, strict=True)
             motion[freedom.key] = tuple(q), tuple(Row(*port, speed, rate, True) for port, speed, rate in of_rows)
         for freedom in scene.mechanism.freedoms:
@@ -135,6 +136,16 @@ class Kinematics:
         self.turned = cache(self._turned_about)
         self.given = scene.mechanism.given_motion(self)
         """Motion given by expressions, see `imported`; None where links have their own."""
+
+    def _quaternion_rates(self, q: Sequence[Any], rate: Sequence[Any]) -> tuple[Any, ...]:
+        """Quaternion rates q' = q (0, w/2), with w in the rotated axes."""
+        (q0, q1, q2, q3), (x, y, z) = q, (self.tape.let(w / 2, f"half_{w.name}") for w in rate)
+        return (
+            -q1 * x - q2 * y - q3 * z,
+            q0 * x + q2 * z - q3 * y,
+            q0 * y + q3 * x - q1 * z,
+            q0 * z + q1 * y - q2 * x,
+        )
 
     def _driven(self, freedom: Freedom, scene: Scene, group: str) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
         """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives.
@@ -469,14 +480,3 @@ def acceleration_of(speed: Port) -> Port:
     """Port of a speed's rate: `<joint>.speed` -> `<joint>.acceleration`."""
     joint, name = speed.name.rsplit(".", 1)
     return Port(f"{joint}.{name.replace('speed', 'acceleration')}", f"{speed.unit}^2")
-
-
-def _quaternion_rates(q: Sequence[Any], half: Sequence[Any]) -> tuple[Any, ...]:
-    """Quaternion rates q' = q (0, w/2), with w/2 in the rotated axes."""
-    (q0, q1, q2, q3), (x, y, z) = q, half
-    return (
-        -q1 * x - q2 * y - q3 * z,
-        q0 * x + q2 * z - q3 * y,
-        q0 * y + q3 * x - q1 * z,
-        q0 * z + q1 * y - q2 * x,
-    )
