@@ -312,6 +312,7 @@ def test_derive_imports_sympy_and_nothing_of_the_other_side():
 
 def test_derive_imports_pydantic_only_where_a_file_is_read():
     assert {file.name for file in sources("derive") if any(reaches(m, "pydantic") for m in modules(file))} == {
+        "form.py",
         "lawtable.py",
         "urdf_elements.py",
     }
@@ -322,10 +323,13 @@ def test_derive_imports_pydantic_only_where_a_file_is_read():
 HTML = [str(file.relative_to(ROOT / "derive")) for file in sources("derive/html")]
 
 
-@pytest.mark.parametrize("name", ["units.py", "faults.py", "identifiers.py", "files/tomlfile.py", *HTML])
-def test_what_both_sides_share_imports_only_the_standard_library(name):
+SHARED = ["units.py", "faults.py", "identifiers.py", "files/tomlfile.py", "files/form.py", *HTML]
+
+
+@pytest.mark.parametrize("name", SHARED)
+def test_what_both_sides_share_imports_the_standard_library_and_pydantic(name):
     for module in modules(ROOT / "derive" / name):
-        own = reaches(module, "hertzwerk.derive.faults", "hertzwerk.derive.html")
+        own = reaches(module, "hertzwerk.derive.faults", "hertzwerk.derive.html", "pydantic")
         assert module.split(".")[0] in sys.stdlib_module_names or own, module
 
 
@@ -344,6 +348,7 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
         "hertzwerk.derive.units",
         "hertzwerk.derive.faults",
         "hertzwerk.derive.identifiers",
+        "hertzwerk.derive.files.form",
         "hertzwerk.derive.files.tomlfile",
         "hertzwerk.derive.html",
     )

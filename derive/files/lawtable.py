@@ -6,9 +6,9 @@ takes a good part of a second.
 
 from __future__ import annotations
 
-import difflib
 import re
 import sys
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
@@ -17,7 +17,6 @@ from pydantic import (
     ConfigDict,
     Field,
     PlainValidator,
-    TypeAdapter,
     ValidationError,
     model_validator,
 )
@@ -25,6 +24,7 @@ from pydantic import (
 from hertzwerk.derive.dimension.expression import Expression, TextError
 from hertzwerk.derive.dimension.reader import read
 from hertzwerk.derive.faults import Fault, shown
+from hertzwerk.derive.files.form import MisfitError, form_faults
 from hertzwerk.derive.identifiers import name_faults
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import FORMS, GRADES
@@ -33,14 +33,6 @@ from hertzwerk.derive.units import parse_unit
 __all__ = ["LawTable", "SymbolTable", "validated"]
 
 _NOT_IN_LAWS = ("diff", "integrate", "matrix", "@", "transpose", "inv", "det", "trace", "and", "or", "not", "==", "!=")
-
-
-class _WrongError(ValueError):
-    """An invalid value: found, expected, and remedy."""
-
-    def __init__(self, found: str, expected: str, remedy: str = "") -> None:
-        super().__init__(found)
-        self.found, self.expected, self.remedy = found, expected, remedy
 
 
 # --- texts and numbers ------------------------------------------------------------------------------------------------
@@ -54,7 +46,7 @@ def _printable(text: str) -> str:
 
 def _source(text: str) -> str:
     if not _printable(text).strip():
-        raise _WrongError("none", "where the law comes from")
+        raise MisfitError("where the law comes from", found="none")
     return text
 
 
@@ -62,7 +54,7 @@ def _name(name: str) -> str:
     if not name.isascii() or any(name_faults("", name)):
         raise ValueError
     if name in LAWS:
-        raise _WrongError(f"{name!r}, the name of a built-in law", "a name of its own")
+        raise MisfitError("a name of its own", found=f"{name!r}, the name of a built-in law")
     return name
 
 
@@ -101,7 +93,15 @@ def _forms(given: Any) -> tuple[str, ...]:
 
 
 def _expression(text: Any) -> Expression:
-    """Parse an expression of a law; raises TextError."""
+    """Parse an expression of a law."""
+    try:
+        return _scalar(text)
+    except TextError as error:
+        raise MisfitError(error.expected, error.remedy, error.found, f"character {error.position}") from error
+
+
+def _scalar(text: Any) -> Expression:
+    """Parse a scalar expression without what laws do not have; raises TextError."""
     expression = read(repr(text) if isinstance(text, (int, float)) and not isinstance(text, bool) else text)
     for node in expression.root.walk():
         written = expression.quote(node)[:40]
@@ -188,7 +188,7 @@ class LawTable(_Table):
     def _fit(self) -> Self:
         if (self.verdict == "outside_si") != bool(self.fitted_in):
             found = f"verdict {self.verdict} and fitted_in {self.fitted_in!r}"
-            raise _WrongError(found, "the units of the fit, fitted_in, with verdict outside_si alone")
+            raise MisfitError("the units of the fit, fitted_in, with verdict outside_si alone", found=found)
         return self
 
 
@@ -218,7 +218,7 @@ class _Damping(LawTable):
     def _one_force(self) -> Self:
         if (self.factor is None) == (self.term is None):
             found = "no factor or term" if self.factor is None else "factor and term"
-            raise _WrongError(found, "the factor or the term")
+            raise MisfitError("the factor or the term", found=found)
         return self
 
 
@@ -236,54 +236,16 @@ class _Film(LawTable):
 
 
 _KINDS: dict[str, type[LawTable]] = {"stiffness": _Stiffness, "damping": _Damping, "friction": _Friction, "film": _Film}
-_INSIDE: dict[Any, type[_Table]] = {"symbols": SymbolTable, "definitions": DefinitionTable, "ranges": RangeTable}
-_ADAPTER: TypeAdapter[LawTable] = TypeAdapter(
-    Annotated[_Stiffness | _Damping | _Friction | _Film, Field(discriminator="kind")]
-)
 
 
-def validated(where: str, table: Any) -> tuple[LawTable | None, list[Fault]]:
+def validated(where: str, table: Mapping[str, Any]) -> tuple[LawTable | None, list[Fault]]:
     """Validated table of one law, or None and all its faults."""
+    kind = table.get("kind")
+    model = _KINDS.get(kind) if isinstance(kind, str) else None
+    if model is None:
+        found = "none" if kind is None else shown(kind, 60)
+        return None, [Fault(f"{where}, kind", found, f"one of {', '.join(_KINDS)}")]
     try:
-        return _ADAPTER.validate_python(table), []
+        return model.model_validate(table), []
     except ValidationError as error:
-        return None, [_fault(where, row) for row in error.errors(include_url=False)]
-
-
-def _fault(where: str, row: Any) -> Fault:
-    """Convert one error of pydantic to a fault."""
-    kind, *path = row["loc"] or ("",)
-    if kind == "":
-        found = (
-            "none" if row["type"] == "union_tag_not_found" else shown(row.get("ctx", {}).get("tag", row["input"]), 60)
-        )
-        return Fault(f"{where}, kind", found, f"one of {', '.join(_KINDS)}")
-    inner = next((_INSIDE[key] for key in path[:1] if key in _INSIDE and len(path) == 3), None)
-    model = inner or _KINDS[kind]
-    key = path[-1] if path else ""
-    place = f"{where}, {'.'.join(map(str, path))}" if path else where
-    if row["type"] == "extra_forbidden":
-        place = f"{where}, {'.'.join(map(str, path[:-1]))}" if path[1:] else where
-        return Fault(
-            place, f"the key {key!r}", f"one of {', '.join(sorted(model.model_fields))}", _remedy(str(key), model)
-        )
-    cause = row.get("ctx", {}).get("error")
-    if isinstance(cause, TextError):
-        return Fault(f"{place}, character {cause.position}", cause.found, cause.expected, cause.remedy)
-    if isinstance(cause, _WrongError):
-        return Fault(place, cause.found, cause.expected, cause.remedy)
-    field = model.model_fields.get(str(key)) if len(path) != 2 else None
-    found = "none" if row["type"] == "missing" else shown(row["input"], 60)
-    literal = str(row.get("ctx", {}).get("expected", "")).replace("'", "").replace(" or ", ", ")
-    described = (field.description if field is not None else None) or (f"one of {literal}" if literal else "")
-    return Fault(
-        place, found, described or f"a table with {', '.join(_INSIDE[path[0]].model_fields)}", str(cause or "")
-    )
-
-
-def _remedy(key: str, model: type[BaseModel]) -> str:
-    if model not in _KINDS.values():
-        return model.__doc__ or ""
-    elsewhere = [kind for kind, other in _KINDS.items() if key in other.model_fields]
-    close = difflib.get_close_matches(key, sorted(model.model_fields), n=1)
-    return f"it belongs to a {elsewhere[0]} law" if elsewhere else f"did you mean {close[0]}?" if close else ""
+        return None, form_faults(error, model, where, {f"{name} law": other for name, other in _KINDS.items()})

@@ -7,14 +7,15 @@ good part of a second. Source of the format: the ROS wiki, urdf/XML/link and urd
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 from xml.etree.ElementTree import Element
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
-from hertzwerk.derive.faults import Fault, shown
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.files.form import form_faults
 
+Name = Annotated[str, Field(description="a name")]
 Number = Annotated[float, Field(allow_inf_nan=False, description="a finite number")]
 Size = Annotated[float, Field(allow_inf_nan=False, gt=0, description="a positive number")]
 Mass = Annotated[float, Field(allow_inf_nan=False, ge=0, description="a mass of at least 0 kg")]
@@ -34,7 +35,7 @@ class _Element(BaseModel):
 class Named(_Element):
     """Reference to a link."""
 
-    link: str
+    link: Name
 
 
 class Origin(_Element):
@@ -106,7 +107,7 @@ class Collision(_Element):
 class Link(_Element):
     """A rigid body."""
 
-    name: str
+    name: Name
     inertial: Inertial | None = None
     collision: tuple[Collision, ...] = ()
 
@@ -136,7 +137,7 @@ class Dynamics(_Element):
 class Mimic(_Element):
     """Joint whose value another follows: multiplier * value + offset."""
 
-    joint: str
+    joint: Name
     multiplier: Number = 1
     offset: Number = 0
 
@@ -144,7 +145,7 @@ class Mimic(_Element):
 class Joint(_Element):
     """A joint from its parent's frame; the child's frame is that of the joint."""
 
-    name: str
+    name: Name
     type: Literal["revolute", "continuous", "prismatic", "fixed", "floating", "planar"]
     parent: Named
     child: Named
@@ -176,7 +177,7 @@ def elements_of(root: Element) -> tuple[list[Link], list[Joint], list[Fault], Co
         try:
             found[child.tag].append(model.model_validate(_record(child)))
         except ValidationError as error:
-            faults.extend(_faults(where, model, error))
+            faults.extend(form_faults(error, model, where))
     return found["link"], found["joint"], faults, left
 
 
@@ -189,23 +190,3 @@ def _record(element: Element) -> dict[str, Any]:
         elif isinstance(child.tag, str):
             record[child.tag] = _record(child)
     return record
-
-
-def _faults(where: str, model: type[BaseModel], error: ValidationError) -> Iterator[Fault]:
-    """Convert the errors of one element to faults."""
-    for row in error.errors(include_url=False):
-        path = [str(part) for part in row["loc"] if not isinstance(part, int)]
-        expected = row.get("ctx", {}).get("expected") or _description(model, path) or "an element"
-        found = "none" if row["type"] == "missing" else shown(row["input"], 60)
-        yield Fault(f"{where}, {' '.join(path)}" if path else where, found, str(expected).replace("'", ""))
-
-
-def _description(model: type[BaseModel], path: list[str]) -> str | None:
-    """Description of what stands at a path of a model."""
-    inner: Any = model
-    for key in path[:-1]:
-        annotation = inner.model_fields[key].annotation
-        options = [annotation, *getattr(annotation, "__args__", ())]
-        inner = next(option for option in options if isinstance(option, type) and issubclass(option, BaseModel))
-    field = inner.model_fields.get(path[-1]) if path else None
-    return None if field is None else field.description or f"<{path[-1]}>, or the attribute {path[-1]}"

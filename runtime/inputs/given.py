@@ -35,6 +35,7 @@ Duration: TypeAlias = str | float | None
 AnyModel = TypeVar("AnyModel", bound=Model)
 COLUMN = re.compile(r"(?P<file>.+\.[A-Za-z]+):(?P<column>[^:]+)(?::(?P<between>\w+))?")
 FILE = re.compile(r".+\.csv", re.IGNORECASE)
+INPUTS = 'values of inputs by name, such as torque = "bench.csv:load"'
 FORMS = 'a value such as "0.5 N m", "FILE.csv:column", Samples(times, values, units), a Table or a function of the time'
 
 

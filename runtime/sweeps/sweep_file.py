@@ -13,12 +13,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.files.form import form_faults
 from hertzwerk.derive.files.tomlfile import read_toml
 from hertzwerk.runtime.inputs.choices import located_choices
-from hertzwerk.runtime.inputs.given import located
+from hertzwerk.runtime.inputs.given import INPUTS, located
 from hertzwerk.runtime.model.build import is_file, located_laws
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD
 from hertzwerk.runtime.sweeps.parameter_sweep import sweep
@@ -31,16 +32,18 @@ class SweepFile(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
-    target: str
-    over: dict[str, Quantity | list[Quantity] | dict[str, Quantity]]
+    target: str = Field(description="the name of a scene, or its file")
+    over: dict[str, Quantity | list[Quantity] | dict[str, Quantity]] = Field(
+        description='values by name, such as clearance = "0.05..0.5 mm:10" or restitution = [0.5, 0.7]'
+    )
     zip: bool = False
     sample: int | None = None
     sampler: str = "latin"
     seed: int = 0
-    values: dict[str, Quantity] = {}
-    inputs: dict[str, Quantity] = {}
+    values: dict[str, Quantity] = Field({}, description='values by name, such as radius = "20 mm"')
+    inputs: dict[str, Quantity] = Field({}, description=INPUTS)
     without: list[str] = []
-    laws: dict[str, str] = {}
+    laws: dict[str, str] = Field({}, description='laws by the names of effects, such as floor = "flores"')
     coordinates: str | None = None
     outputs: list[str] = []
     section: str | None = None
@@ -48,7 +51,7 @@ class SweepFile(BaseModel):
     grid: str | int | None = None
     histories: list[str] = []
     continued: str | None = None
-    duration: Quantity
+    duration: Quantity = Field(description='a time or revolutions, such as "24 ms" or "200 rev"')
     accuracy: float | None = None
     tolerance: float | None = None
     method: str = METHOD
@@ -66,10 +69,9 @@ def read_sweep(path: Path) -> dict[str, Any]:
     try:
         found = SweepFile.model_validate(content)
     except ValidationError as error:
-        # of a union every member has its say about one place
-        rows = {_place(row["loc"]): row for row in error.errors(include_url=False)}
-        faults = [_fault(place, row) for place, row in rows.items()]
-        raise InputError(str(path), [*faults, *_meaning_faults(path, content, set(rows))]) from error
+        faults = form_faults(error, SweepFile)
+        faulty = {fault.where for fault in faults}
+        raise InputError(str(path), [*faults, *_meaning_faults(path, content, faulty)]) from error
     return _from(path, dict(found))
 
 
@@ -89,39 +91,18 @@ def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:
 def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> list[Fault]:
     """Return the faults that `sweep` finds in the entries whose form is right."""
     right: dict[str, Any] = {}
+    heads = {place.partition(".")[0] for place in faulty}
     for key, value in content.items():
-        if key in SweepFile.model_fields and key not in faulty:
-            table = isinstance(value, dict)
-            right[key] = {name: x for name, x in value.items() if f"{key}.{name}" not in faulty} if table else value
+        if isinstance(value, dict) and key not in faulty:
+            right[key] = {name: x for name, x in value.items() if f"{key}.{name}" not in faulty}
+        elif key not in heads:
+            right[key] = value
     if "target" not in right:
         return []
     nobody = {"workers": 0}  # a fault: nothing is computed
     try:
         sweep(**_from(path, {"over": {}, **right, **nobody}))
     except InputError as error:
-        known = {*nobody, *(place.partition(".")[0] for place in faulty)}
+        known = {*nobody, *heads}
         return [fault for fault in error.faults if fault.where not in known]
     raise AssertionError("a sweep without workers was computed")
-
-
-EXPECTED = {
-    "over": 'values by name, such as clearance = "0.05..0.5 mm:10" or restitution = [0.5, 0.7]',
-    "values": 'values by name, such as radius = "20 mm"',
-    "inputs": 'values of inputs by name, such as torque = "bench.csv:load"',
-    "laws": 'laws by the names of effects, such as floor = "flores"',
-    "target": "the name of a scene, or its file",
-    "duration": 'a time or revolutions, such as "24 ms" or "200 rev"',
-}
-
-
-def _place(path: tuple[Any, ...]) -> str:
-    """Return the key at fault, with the name within a table; the rest is of pydantic's own."""
-    return ".".join(map(str, path[: 2 if path[0] in ("over", "values", "inputs", "laws") else 1]))
-
-
-def _fault(place: str, row: Any) -> Fault:
-    head, _, rest = place.partition(".")
-    if row["type"] == "extra_forbidden" and not rest:
-        return unknown("key", place, SweepFile.model_fields)
-    found = "none" if row["type"] == "missing" else shown(row["input"])
-    return Fault(place, found, EXPECTED.get(head, row["msg"].removeprefix("Input should be ")))

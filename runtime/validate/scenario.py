@@ -24,10 +24,11 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.derive.files.form import MisfitError, form_faults
 from hertzwerk.derive.files.tomlfile import read_toml
-from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit, rate_remedy
-from hertzwerk.runtime.inputs.given import given_inputs, located
+from hertzwerk.derive.units import parse_quantity, parse_unit, rate_remedy
+from hertzwerk.runtime.inputs.given import INPUTS, given_inputs, located
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model.build import is_file
@@ -45,44 +46,19 @@ def si(text: str) -> float:
     return value * unit.factor
 
 
-class UnfitError(ValueError):
-    """An entry that is not as `expected`, with a remedy."""
-
-    def __init__(self, expected: str, remedy: str = "") -> None:
-        super().__init__(expected)
-        self.expected, self.remedy = expected, remedy
-
-
-EXPECTED = {  # of keys, wherever they stand
-    "scene": "the name of a scene, or its file",
-    "duration": 'a positive time or revolutions, such as "24 ms" or "200 rev"',
-    "accuracy": "a number in 1e-12..1e-1",
-    "parameters": 'text with a unit, such as clearance = "0.2 mm"',
-    "initial": 'text with a unit, such as "guide.travel" = "0.17 m"',
-    "inputs": 'values of inputs by name, such as torque = "bench.csv:load"',
-    "outcome": "finished, beyond_horizon or accuracy_unreachable",
-    "checks": "tables [[checks]] of quantity, source, and expected with tolerance, or at_most",
-    "quantity": 'what is measured, such as "impacts.0.speed"',
-    "expected": 'text with a unit, such as "0.3 m/s"',
-    "at_most": 'text with a unit, such as "0.3 m/s"',
-    "tolerance": "a number above zero, relative to what is expected",
-    "source": "text that says where the number comes from",
-}
+QUANTITY = 'text with a unit, such as "0.3 m/s"'
+DURATION = 'a positive time or revolutions, such as "24 ms" or "200 rev"'
 
 
 def _quantity_text(text: str) -> str:
-    try:
-        finite = math.isfinite(si(text))
-    except UnitError as error:
-        raise UnfitError('a number with its unit, such as "0.2 mm"', str(error)) from error
-    if not finite:
-        raise UnfitError("a finite number with its unit")
+    if not math.isfinite(si(text)):
+        raise MisfitError("a finite number with its unit")
     return text
 
 
 def _method(name: str) -> str:
     if name not in METHODS:
-        raise UnfitError(f"one of {', '.join(METHODS)}")
+        raise MisfitError(f"one of {', '.join(METHODS)}")
     return name
 
 
@@ -95,7 +71,7 @@ def _measurable(text: str) -> str:
         or (head in FOUND_IN_HISTORIES and rest)
     )
     if not known:
-        raise UnfitError(
+        raise MisfitError(
             f"impacts (their number), impacts.N.FIELD with N from 0 and FIELD one of {', '.join(IMPACT_FIELDS)}; final.NAME, "
             "max.NAME, min.NAME or largest.NAME (of either sign) of a state or a contact force; energy_residual"
         )
@@ -106,11 +82,11 @@ def _duration_text(text: str) -> str:
     value, unit = parse_quantity(_quantity_text(text))
     turns = unit.dimensionless and unit.angle == 1
     if not value > 0 or not (turns or unit.exponents == parse_quantity("1 s")[1].exponents):
-        raise UnfitError(EXPECTED["duration"])
+        raise MisfitError(DURATION)
     return text
 
 
-QuantityText = Annotated[str, AfterValidator(_quantity_text)]
+QuantityText = Annotated[str, AfterValidator(_quantity_text), Field(description=QUANTITY)]
 
 
 class _Record(BaseModel):
@@ -120,35 +96,43 @@ class _Record(BaseModel):
 class Check(_Record):
     """Check of one number: `expected` within the relative `tolerance`, or not above `at_most`."""
 
-    quantity: Annotated[str, AfterValidator(_measurable)]
+    quantity: Annotated[
+        str, AfterValidator(_measurable), Field(description='what is measured, such as "impacts.0.speed"')
+    ]
     expected: QuantityText | None = None
-    tolerance: Annotated[float, Field(gt=0)] | None = None
+    tolerance: Annotated[float, Field(gt=0, description="a number above zero, relative to what is expected")] | None = (
+        None
+    )
     at_most: QuantityText | None = None
-    source: Annotated[str, Field(min_length=1)]
+    source: Annotated[str, Field(min_length=1, description="text that says where the number comes from")]
 
     @model_validator(mode="after")
     def _one_form(self) -> Self:
         within = self.expected is not None and self.tolerance is not None and self.at_most is None
         below = self.at_most is not None and self.expected is None and self.tolerance is None
         if not (within or below):
-            raise UnfitError("either expected and tolerance, or at_most")
+            raise MisfitError("either expected and tolerance, or at_most")
         if self.expected is not None and si(self.expected) == 0:
-            raise UnfitError("at_most for an expected zero", "the tolerance is relative")
+            raise MisfitError("at_most for an expected zero", "the tolerance is relative")
         return self
 
 
 class Scenario(_Record):
     """Scene with parameters, initial state, duration, accuracy, expected outcome and checks."""
 
-    scene: str
-    duration: Annotated[str, AfterValidator(_duration_text)]
-    accuracy: Annotated[float, Field(ge=1e-12, le=1e-1)] = 1e-6
+    scene: Annotated[str, Field(description="the name of a scene, or its file")]
+    duration: Annotated[str, AfterValidator(_duration_text), Field(description=DURATION)]
+    accuracy: Annotated[float, Field(ge=1e-12, le=1e-1, description="a number in 1e-12..1e-1")] = 1e-6
     method: Annotated[str, AfterValidator(_method)] = METHOD
-    parameters: dict[str, QuantityText] = {}
-    initial: dict[str, QuantityText] = {}
-    inputs: dict[str, str] = {}
+    parameters: dict[str, QuantityText] = Field({}, description="quantities by name")
+    initial: dict[str, QuantityText] = Field({}, description="quantities by name")
+    inputs: dict[str, str] = Field({}, description=INPUTS)
     outcome: Literal["finished", "beyond_horizon", "accuracy_unreachable"] = "finished"  # that must come out
-    checks: tuple[Check, ...] = Field(default=(), strict=False)
+    checks: tuple[Check, ...] = Field(
+        (),
+        strict=False,
+        description="tables [[checks]] of quantity, source, and expected with tolerance, or at_most",
+    )
 
 
 def load_scenario(target: str | Path) -> Scenario:
@@ -180,28 +164,12 @@ def _validated(subject: str, content: dict[str, Any], *, meant: bool = False) ->
     try:
         found = Scenario.model_validate(content)
     except ValidationError as error:
-        faults = [_fault(row) for row in error.errors(include_url=False)]
+        faults = form_faults(error, Scenario)
     if meant:
         faults += _meaning_faults(content, {fault.where for fault in faults})
     if faults:
         raise InputError(subject, faults)
     return found
-
-
-def _fault(row: Any) -> Fault:
-    """Return an error of pydantic as a fault."""
-    path = row["loc"]
-    where = ".".join(map(str, path)) or "scenario"
-    if row["type"] == "extra_forbidden":
-        known = Check.model_fields if path[0] == "checks" else Scenario.model_fields
-        return replace(unknown("key", str(path[-1]), known), where=where)
-    if row["type"] == "missing":
-        return Fault(where, "nothing", EXPECTED[path[-1]], f"add a line {path[-1]} = ...")
-    cause = row.get("ctx", {}).get("error")
-    if isinstance(cause, UnfitError):
-        return Fault(where, shown(row["input"]), cause.expected, cause.remedy)
-    key = next((part for part in reversed(path) if part in EXPECTED), "")
-    return Fault(where, shown(row["input"]), EXPECTED.get(key, row["msg"].removeprefix("Input should be ")))
 
 
 def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:

@@ -258,8 +258,8 @@ FAULTS = [  # text, parts of the message
     ("[[law]\n", ["TOML"]),
     ("[[law]]\nkind = 'spring'", ["'spring'", "stiffness, damping, friction, film"]),
     (FOAM.replace("kind", "kinds"), ["kind", "none"]),
-    (FOAM.replace("force =", "forse ="), ["the key 'forse'", "did you mean force?", "the force"]),
-    (FOAM.replace('reach = "h"', 'factor = "h"'), ["the key 'factor'", "damping law"]),
+    (FOAM.replace("force =", "forse ="), ["law foam, forse: found no key", "did you mean force or form?", "the force"]),
+    (FOAM.replace('reach = "h"', 'factor = "h"'), ["law foam, factor: found no key", "belongs to a damping law"]),
     (FOAM + FOAM, ["a second law foam"]),
     (FOAM.replace('"foam"', '"hertz_point"'), ["the name of a built-in law"]),
     (FOAM.replace('"foam"', '"my foam"'), ["'my foam'", "letters, digits and _"]),
@@ -272,9 +272,9 @@ FAULTS = [  # text, parts of the message
     (FOAM.replace("[1, 3]", "[3, 1]"), ["a lower bound below"]),
     (FOAM.replace("5 cm", "5 s"), ["a quantity in mm"]),
     (FOAM.replace("default = 20", "default = '20 mm'"), ["a finite number"]),
-    (FOAM.replace("default = 20", "defualt = 20"), ["'defualt'"]),
+    (FOAM.replace("default = 20", "defualt = 20"), ["symbols.h.defualt: found no key", "did you mean default?"]),
     (FOAM.replace("ranges.dR", "ranges.q"), ["ranges.q"]),
-    (FOAM.replace("defined =", "allowed ="), ["'allowed'", "outside is an error"]),
+    (FOAM.replace("defined =", "allowed ="), ["ranges.dR.allowed: found no key", "one of defined, recommended"]),
     (FOAM.replace("symbols.h =", "symbols.d ="), ["which the contact supplies", "name h"]),
     (FOAM.replace("symbols.h =", "symbols.exp ="), ["which expressions use themselves"]),
     (FOAM.replace("K*d**n*exp(d/h)", "K*d^n"), ["force, character 4", "a power is written d**n"]),
@@ -355,7 +355,7 @@ def test_all_faults_of_the_tables_come_at_once(file):
         laws_from(file(text + FRICTION.replace("mu*N", "my*N")))
     places = {fault.where for fault in raised.value.faults}
     assert places == {
-        "law foam, title", "law foam", "law foam, symbols.h.unit", "law foam, symbols.n.limits", "law foam, symbols.h.default",
+        "law foam, title", "law foam, grad", "law foam, symbols.h.unit", "law foam, symbols.n.limits", "law foam, symbols.h.default",
         "law my_coulomb, force",
     }  # fmt: skip
     assert all(fault.found and fault.expected for fault in raised.value.faults)

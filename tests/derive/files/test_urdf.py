@@ -219,13 +219,13 @@ def test_every_fault_of_elements_is_told_at_once(tmp_path):
         + joint("j", "hinge", "a", "b", '<axis xyz="0 1"/>') + '<joint name="k" type="fixed"><child link="a"/></joint></robot>',
     )  # fmt: skip
     for part in (
-        "link a, inertial mass value: found 'heavy'; expected a mass of at least 0 kg",
-        "link a, inertial inertia iyy: found 'nan'; expected a finite number",
-        "link a, collision geometry sphere radius: found '-1'; expected a positive number",
-        "link 2, name: found none",
+        "link a, inertial.mass.value: found 'heavy'; expected a mass of at least 0 kg",
+        "link a, inertial.inertia.iyy: found 'nan'; expected a finite number",
+        "link a, collision.0.geometry.sphere.radius: found '-1'; expected a positive number",
+        "link 2, name: found none; expected a name",
         "joint j, type: found 'hinge'; expected revolute, continuous, prismatic, fixed, floating or planar",
-        "joint j, axis xyz: found none; expected three numbers",
-        "joint k, parent: found none",
+        "joint j, axis.xyz: found none; expected three numbers",
+        "joint k, parent: found none; expected reference to a link",
     ):
         assert part in told, told
 

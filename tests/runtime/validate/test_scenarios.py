@@ -201,7 +201,7 @@ expected = "1"
         *("duration", "accuracy", "parametres", "parameters.speed", "mas", "mass", "checks.2.source"),
         *("checks.0.final.target_path.sped", "checks.1.impacts.0.speed"),
     }
-    assert str(told["duration"]).startswith("duration: found nothing; expected a positive time or revolutions")
+    assert str(told["duration"]).startswith("duration: found none; expected a positive time or revolutions")
     assert "did you mean parameters?" in told["parametres"].remedy
     assert told["accuracy"].expected == "a number in 1e-12..1e-1"
     assert "such as target_path.speed" in told["checks.0.final.target_path.sped"].expected
