@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
-PEAK = 1e-3  # of a step: last move of a root, whose own error is then about 1e-5, and that of the value its square
+PEAK = 2e-4  # of a step: last move of a root, over which the value is followed by its rate, to about 1e-9
 TRIES = (4, 8)  # most iterations, nested: groups of them, and iterations of a group
 KINDS = (("force", "force_rate", +1), ("gap", "gap_rate", -1))  # sign * part peaks: normal force and penetration
 
@@ -62,9 +62,10 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
 
     (controls, state, upper, asked) -> values at the row, at the next, and at the crest, -inf where there is none.
     `asked` (2 k) is the sign of one value among the normal forces and gaps of all pairs; of a gap the value is the
-    penetration. A crest is where the rate of the value falls through zero in the step between the rows: by regula
-    falsi in the form of Anderson and Bjorck, BIT 13 (1973) 253. It is flat: its value is right to rounding when its
-    time is about right: it is found to PEAK of the step.
+    penetration. A crest is where the rate of the value falls through zero in the step between the rows: first that of
+    the cubic through values and rates of both, then by inverse quadratic interpolation, or halving where that is not
+    safe (Chandrupatla, Adv. Eng. Softw. 28 (1997) 145). It is flat: where the next root is within PEAK of the step,
+    the value there follows from value and rate here.
     """
     vectors = integrator.layouts
     sizes = {"controls": vectors.controls.size, "state": vectors.state.size, "asked": len(KINDS) * model.k}
@@ -97,17 +98,17 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
     at_high = ca.MX.sym("at_high")
     as_taken = ca.Function("as_taken", [at_high, *given], [at_high])
     end_of_step = ca.Function.if_else("end_of_step", ca.Function("whole", [at_high, *given], [at(h)[0]]), as_taken)
-    search = ca.MX.sym("search", 7)
-    root, judge = _regula_falsi()
-    rate_there, value_there = at(root(search))
+    search = ca.MX.sym("search", 8)
+    rate_there, value_there = at(search[6])
     found = ca.MX.sym("found")
-    once = ca.Function("once", [search, found, *given], [judge(search, rate_there, h), value_there])
+    after, gain = _narrowed()(search, rate_there, h)
+    once = ca.Function("once", [search, found, *given], [after, value_there + gain])
     kept = ca.Function("kept", [search, found, *given], [search, found])
     for tries in TRIES:
         searched, best = search, found
         goes_on = ca.Function.if_else("goes_on", once, kept)
         for _ in range(tries):
-            searched, best = goes_on(searched[6], searched, best, *given)
+            searched, best = goes_on(searched[7], searched, best, *given)
         once = ca.Function("tried", [search, found, *given], [searched, best])
     upper = ca.MX.sym("upper", vectors.state.size)
     h, changed, at_low, at_high, values = ends(controls, state, upper, asked)
@@ -116,28 +117,39 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
         at_low == 0, ca.fabs(at_high), at_low
     )  # a force begins with no slope, or none that is known, and rises
     within = ca.logic_and(at_low > 0, at_high < 0)
-    _, best = once(ca.vertcat(0, h, at_low, at_high, -h, 0, within), -math.inf, controls, state, asked, h)
+    guess = h * _crest_of_cubic()(*ca.vertsplit(values), h * at_low, h * at_high)
+    _, best = once(ca.vertcat(0, h, h, at_low, at_high, at_high, guess, within), -math.inf, controls, state, asked, h)
     return Rowwise(ca.Function("crest", [controls, state, upper, asked], [ca.vertcat(values, best)]), constant=0)
 
 
-def _regula_falsi() -> tuple[Any, Any]:
-    """Return the functions search -> root, and (search, value at it, h) -> search after it.
+def _crest_of_cubic() -> Any:
+    """Return the function (values and slopes at 0 and 1) -> place between them where the cubic through them peaks."""
+    start, end, rising, falling = (ca.SX.sym(name) for name in ("start", "end", "rising", "falling"))
+    square, cube = 3 * (end - start) - 2 * rising - falling, 2 * (start - end) + rising + falling
+    place = rising / (ca.sqrt(ca.fmax(square * square - 3 * cube * rising, 0)) - square)
+    sound = ca.logic_and(place > 0, place < 1)
+    return ca.Function("place", [start, end, rising, falling], [ca.if_else(sound, place, rising / (rising - falling))])
 
-    A search is low, high, values at both, the root before, whether the value rose there, whether it goes on.
+
+def _narrowed() -> Any:
+    """Return the function (search, rate at its root, h) -> search after it, and what the value gains up to its root.
+
+    A search is the ends of a bracket, the later one first, a third place, the rates at these three, a root between the
+    ends, and whether it goes on.
     """
-    search, value, h = (ca.SX.sym(name, size) for name, size in (("search", 7), ("value", 1), ("h", 1)))
-    low, high, at_low, at_high, before, rose, _ = ca.vertsplit(search)
-    root = low + (high - low) * at_low / (at_low - at_high)
-    above = value > 0
-    rises = ca.if_else(above, 1, -1)
-    weight = 1 - value / ca.if_else(above, at_low, at_high)
-    weight = ca.if_else(rises != rose, 1, ca.if_else(weight > 0, weight, 0.5))
-    after = (
-        *(ca.if_else(above, root, low), ca.if_else(above, high, root)),
-        *(ca.if_else(above, value, at_low * weight), ca.if_else(above, at_high * weight, value)),
-        *(root, rises, (ca.fabs(root - before) > PEAK * h) * (value != 0)),
-    )
-    return ca.Function("root", [search], [root]), ca.Function("judge", [search, value, h], [ca.vertcat(*after)])
+    search, value, h = (ca.SX.sym(name, size) for name, size in (("search", 8), ("value", 1), ("h", 1)))
+    near, far, _, at_near, at_far, _, root, _ = ca.vertsplit(search)
+    same = value * at_near > 0
+    third, at_third = ca.if_else(same, near, far), ca.if_else(same, at_near, at_far)
+    far, at_far = ca.if_else(same, far, near), ca.if_else(same, at_far, at_near)
+    place, height = (root - far) / (third - far), (value - at_far) / (at_third - at_far)
+    safe = ca.logic_and(height**2 < place, (1 - height) ** 2 < 1 - place)
+    part = value / (at_far - value) * at_third / (at_far - at_third)
+    part += (third - root) / (far - root) * value / (at_third - value) * at_far / (at_third - at_far)
+    move = (far - root) * ca.if_else(safe, part, 0.5)
+    goes_on = (ca.fabs(move) > PEAK * h) * (value != 0)
+    after = ca.vertcat(root, far, third, value, at_far, at_third, root + move, goes_on)
+    return ca.Function("narrowed", [search, value, h], [after, ca.if_else(value == 0, 0, value * move / 2)])
 
 
 def penetrations(model: Model, at: dict[str, Any], mode: Any, c: Any) -> Any:
