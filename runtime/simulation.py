@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LadderResult
+from hertzwerk.runtime.host.stages import Stages, in_stages
 from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.integrate.step.layout import FINISHED
 from hertzwerk.runtime.loading import Model
@@ -137,6 +138,22 @@ def solve(
     start    time [s] and state, q and u (nq + nu,) of a tree without contact, to begin with in place of the scene's start
     The solution raises LookupError where more is asked for.
     """
+    stages = solving(model, settings, parameters, initial, inputs, needs=needs, start=start, progress=progress)
+    return in_stages([stages])[0]
+
+
+def solving(
+    model: plain.Model,
+    settings: Settings,
+    parameters: Mapping[str, Value],
+    initial: Mapping[str, Value],
+    inputs: Mapping[str, Input] | None = None,
+    *,
+    needs: Needs = Needs.STEPS,
+    start: tuple[float, np.ndarray] | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Stages[Solution]:
+    """Run a model as `solve` does, in stages: up to its start, the run, its solution."""
     began = time.perf_counter()
     # 2. bound, 3. start
     model, faults = given_inputs(model, inputs, settings.duration, parameters)
@@ -146,16 +163,19 @@ def solve(
         given = replace(given, begin=begin, q=state[: model.nq], u=state[model.nq :], latches=0 * given.latches)
     # 4. run
     run = set_up(model, settings, given, needs=needs)
-    tolerance = settings.tolerance
+    tolerance, asked = settings.tolerance, settings.accuracy or ACCURACY
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
+    yield
     if tolerance is not None:
-        found = _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
-        return found.with_sensitivities(*settings.sensitivities)
-    asked = settings.accuracy or ACCURACY
-    ladder_result = run_to_accuracy(run, scales, times, asked, progress)
-    # 5. solution
-    found = _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
+        trace = run.trace(tolerance, scales, times, progress=progress)
+        yield
+        # 5. solution
+        found = _solution_of(run, trace, scales, build_s)
+    else:
+        ladder_result = run_to_accuracy(run, scales, times, asked, progress)
+        yield
+        found = _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
     return found.with_sensitivities(*settings.sensitivities)
 
 

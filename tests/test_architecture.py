@@ -91,7 +91,7 @@ ROOMS = {
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
         "sensitivity": "accuracy derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
-        "simulation": "accuracy derive/faults inputs integrate/step loading model pictures pictures/draw "
+        "simulation": "accuracy derive/faults host inputs integrate/step loading model pictures pictures/draw "
         "pictures/motion report run sensitivity solution tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",

@@ -199,7 +199,8 @@ def _do(packed: bytes, task: Task) -> tuple[Row, bool]:
         job = _opened(packed)
         job.stop = _Cancelled()
         try:
-            return job.do(task), job.compiled
+            (row,) = job.do(task)
+            return row, job.compiled
         except KeyboardInterrupt as interrupt:  # of a task that was cancelled; itself it would end the worker
             raise Reschedule from interrupt
 

@@ -52,7 +52,7 @@ class Processes:
         if self.workers > 1:
             yield from every_row(job, tasks, partial(self._together, job))
         else:
-            yield from ([job.do(task)] for task in tasks)
+            yield from (job.do(task) for task in tasks)
 
     def _together(self, job: Job, waiting: deque[Task], suspects: list[Task]) -> Iterator[list[Row]]:
         with _pool:
@@ -143,7 +143,7 @@ def _do(tasks: list[Task]) -> tuple[list[Row], float]:
 def _timed(job: Job, tasks: list[Task]) -> tuple[list[Row], float]:
     """Do tasks; return their rows and the time of the processor that they took [s]."""
     began = time.thread_time()
-    return [job.do(task) for task in tasks], time.thread_time() - began
+    return job.do(*tasks), time.thread_time() - began
 
 
 def cores() -> int:

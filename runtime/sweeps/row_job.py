@@ -12,13 +12,14 @@ from typing import Any, Protocol, TypeAlias
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.host.stages import Stages, in_stages
 from hertzwerk.runtime.inputs.choices import NO_CHOICES, Choices, numbers_of
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError
-from hertzwerk.runtime.simulation import Solution, solve
+from hertzwerk.runtime.simulation import Solution, solving
 from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
@@ -87,10 +88,16 @@ class Job:
         self.compiled = prepare(self.model, settings.method, settings.compiled, self.foreseen, self.needs)
         self.settings = replace(settings, compiled=self.compiled)
 
-    def do(self, task: Task) -> Row:
-        """Run a row; raises KeyboardInterrupt where it was stopped."""
+    def do(self, *tasks: Task) -> list[Row]:
+        """Run rows, all of them in stages; raises KeyboardInterrupt where they were stopped."""
+        return in_stages([self._doing(task) for task in tasks])
+
+    def _doing(self, task: Task) -> Stages[Row]:
+        """Run a row in the stages of its run, then find its outputs."""
         try:
-            return self._row(task, *self._solve(task, self.settings, progress=self._poll))
+            solution, times = yield from self._solving(task, self.settings, progress=self._poll)
+            yield
+            return self._row(task, solution, times)
         except Exception as error:  # a row says so: hours of other runs are not lost for it
             return self._without_run(task, error)
 
@@ -110,7 +117,8 @@ class Job:
             task = left[0]
             try:
                 wall_time = min(PROBE, self.settings.wall_time or PROBE)
-                solution, times = self._solve(task, replace(self.settings, compiled=False, wall_time=wall_time))
+                settings = replace(self.settings, compiled=False, wall_time=wall_time)
+                ((solution, times),) = in_stages([self._solving(task, settings)])
             except Exception as error:  # as in `do`
                 left.popleft()
                 yield self._without_run(task, error)
@@ -126,10 +134,10 @@ class Job:
                 yield self._row(task, solution, times)
             return
 
-    def _solve(
+    def _solving(
         self, task: Task, settings: Settings, progress: Callable[[float], object] | None = None
-    ) -> tuple[Solution, Times | None]:
-        """Simulate a row; return its run, and the times of its arrays.
+    ) -> Stages[tuple[Solution, Times | None]]:
+        """Simulate a row in stages; return its run, and the times of its arrays.
 
         Raises InputError, and KeyboardInterrupt where the run was stopped.
         """
@@ -139,7 +147,7 @@ class Job:
         if times is not None and Needs.STEPS not in self.needs and len(times.all):
             settings = replace(settings, output=times.all)
         settings = replace(settings, sensitivities=derived_by(self.outputs))
-        solution = solve(model, settings, parameters, initial, needs=self.needs, progress=progress)
+        solution = yield from solving(model, settings, parameters, initial, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
         return solution, times

@@ -17,7 +17,7 @@ from handmade import point
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, simulate_many
-from hertzwerk.runtime.simulation import solve
+from hertzwerk.runtime.simulation import solving
 
 HEIGHTS = [f"{1.5 - 0.1 * i:.1f} m" for i in range(7)]
 SETTINGS = {"duration": "3 s", "tolerance": 1e-8}
@@ -122,11 +122,13 @@ def test_an_output_that_exits_is_a_row(ball):
 @pytest.mark.parametrize("workers", [1, 2])
 def test_an_error_of_ours_is_a_row_and_takes_no_other_with_it(ball, workers, monkeypatch):
     def fails(model, settings, parameters, initial, **options):
+        stages = solving(model, settings, parameters, initial, **options)
+        yield next(stages)
         if parameters.get("drop_height") == "2 m":
             raise ArithmeticError("seeded")
-        return solve(model, settings, parameters, initial, **options)
+        return (yield from stages)
 
-    monkeypatch.setattr("hertzwerk.runtime.sweeps.row_job.solve", fails)
+    monkeypatch.setattr("hertzwerk.runtime.sweeps.row_job.solving", fails)
     sets = [{"drop_height": "2 m"}, {}, {"drop_height": "2 m"}, {}]
     sweep = simulate_many(ball, sets, duration="1 s", tolerance=1e-6, workers=workers)
     assert list(sweep["outcome"]) == ["failed", "finished"] * 2

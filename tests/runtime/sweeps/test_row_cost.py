@@ -26,7 +26,7 @@ def calls(model, monkeypatch, duration, outputs=()):
         Settings(duration, None, 1e-6, compiled=False),
         chosen(model, outputs, []) if outputs else finals(model),
     )
-    assert job.do((0, {"clearance": "0.3 mm"})).outcome == "finished"
+    assert job.do((0, {"clearance": "0.3 mm"}))[0].outcome == "finished"
     counted, evaluate = Counter(), Caller.__call__
 
     def call(self):
@@ -35,7 +35,7 @@ def calls(model, monkeypatch, duration, outputs=()):
 
     with monkeypatch.context() as patch:
         patch.setattr(Caller, "__call__", call)
-        assert job.do((1, {"clearance": "0.31 mm"})).outcome == "finished"
+        assert job.do((1, {"clearance": "0.31 mm"}))[0].outcome == "finished"
     return counted
 
 
@@ -61,14 +61,14 @@ def test_no_attempt_is_passed_on_for_final_states(model, monkeypatch):
         keep(self, rows)
 
     monkeypatch.setattr(recorder.Recorder, "keep", keeping)
-    row = Job(model, Settings("24 ms", None, 1e-6, compiled=False), finals(model)).do((0, {"clearance": "0.3 mm"}))
+    (row,) = Job(model, Settings("24 ms", None, 1e-6, compiled=False), finals(model)).do((0, {"clearance": "0.3 mm"}))
     assert row.outcome == "finished"
     assert passed == [2]  # the first and the last state
 
 
 def test_what_the_loop_finds_is_bitwise_what_a_run_with_its_steps_has(model):
     given = {"clearance": "0.3 mm"}
-    row = Job(
+    (row,) = Job(
         model,
         Settings("24 ms", None, 1e-6, compiled=False),
         chosen(model, ["energy_residual", "final.guide.travel", "final.slider_pin_friction.dissipated"], []),
@@ -87,9 +87,9 @@ def test_a_long_row_followed_in_blocks_has_the_outputs_of_one_block(model, monke
     """Its time is counted from its start, not from that of its last block."""
     outputs = ["slider_pin.impact_rate", "slider_pin.mean_peak_force", "slider_pin.mean_largest_force"]
     job = Job(model, Settings("48 ms", None, 1e-4, compiled=False), chosen(model, outputs, []))
-    whole = job.do((0, {}))
+    (whole,) = job.do((0, {}))
     monkeypatch.setattr("hertzwerk.runtime.run.single_run.BLOCK", 50_000)
-    row = job.do((0, {}))
+    (row,) = job.do((0, {}))
     assert (row.outcome, row.message) == ("finished", "")
     assert row.outputs == pytest.approx(whole.outputs, rel=1e-12, nan_ok=True)
     assert row.outputs["slider_pin.impact_rate"] > 0
