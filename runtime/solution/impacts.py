@@ -123,7 +123,7 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
 
 
 def _crest_of_cubic() -> Any:
-    """Return the function (values and slopes at 0 and 1) -> place between them where the cubic through them peaks."""
+    """Return the function (values and slopes at 0 and 1) -> place where their cubic peaks."""
     start, end, rising, falling = (ca.SX.sym(name) for name in ("start", "end", "rising", "falling"))
     square, cube = 3 * (end - start) - 2 * rising - falling, 2 * (start - end) + rising + falling
     place = rising / (ca.sqrt(ca.fmax(square * square - 3 * cube * rising, 0)) - square)
@@ -132,10 +132,10 @@ def _crest_of_cubic() -> Any:
 
 
 def _narrowed() -> Any:
-    """Return the function (search, rate at its root, h) -> search after it, and what the value gains up to its root.
+    """Return the function (search, rate at its root, h) -> search after it, gain of the value.
 
-    A search is the ends of a bracket, the later one first, a third place, the rates at these three, a root between the
-    ends, and whether it goes on.
+    That is what the value gains from this root to the next. A search is the ends of a bracket, the later one first, a
+    third place, the rates at these three, a root between the ends, and whether it goes on.
     """
     search, value, h = (ca.SX.sym(name, size) for name, size in (("search", 8), ("value", 1), ("h", 1)))
     near, far, _, at_near, at_far, _, root, _ = ca.vertsplit(search)
