@@ -106,6 +106,7 @@ if TYPE_CHECKING:  # the list of public names
         PointDamper as PointDamper,
         PointSpring as PointSpring,
     )
+    from hertzwerk.derive.effects.tracking import CountedAngle as CountedAngle
     from hertzwerk.derive.exported.to_sympy import to_sympy as to_sympy
     from hertzwerk.derive.faults import Fault as Fault, InputError as InputError
     from hertzwerk.derive.files.audit_files import audit_catalogue as audit_catalogue, audit_path as audit_path

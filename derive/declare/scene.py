@@ -21,10 +21,11 @@ from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.drives import AnyDrive
 from hertzwerk.derive.effects.effect import Effect, PairEffect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
-from hertzwerk.derive.effects.junctions import Junctions
 from hertzwerk.derive.effects.loads.resistances import PairResistance
 from hertzwerk.derive.effects.state_expression import Input, inputs_in
+from hertzwerk.derive.effects.tracking import Junctions, uncounted_angles
 from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.derive.identifiers import repeated
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.laws.law_call import bound_law, split_call, split_laws
@@ -75,6 +76,13 @@ class Scene:
         if isinstance(self.name, str) and not self.name:
             object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
         faults = faults_of(self)
+        if faults:
+            raise InputError(f"scene {self.name}", faults)
+        counts = tuple(uncounted_angles(self.mechanism, self.effects, self))
+        if counts:
+            object.__setattr__(self, "effects", (*self.effects, *counts))
+            self.__dict__.pop("states", None)
+            faults = tuple(repeated("effect", [effect.name for effect in self.effects]))
         if faults:
             raise InputError(f"scene {self.name}", faults)
 
@@ -228,7 +236,7 @@ class Scene:
 
     @cached_property
     def uncounted(self) -> tuple[str, ...]:
-        """Keys of angles known up to whole turns alone."""
+        """Keys of speeds without a coordinate."""
         return self.mechanism.uncounted
 
     @cached_property

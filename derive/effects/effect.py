@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Matrix, Vector, apply
-from hertzwerk.derive.effects.state_expression import COORDINATE, REACTION, SPEED, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, REACTION, SPEED, states_in, uncounted_fault
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
@@ -116,8 +116,12 @@ class Declared(Protocol):
         """Freedoms with one coordinate by their keys."""
 
     @property
+    def start(self) -> Any:
+        """Start: coordinates and speeds at t = 0."""
+
+    @property
     def uncounted(self) -> Sequence[str]:
-        """Keys of angles that are known up to whole turns alone."""
+        """Keys of speeds without a coordinate."""
 
     @property
     def states(self) -> Mapping[str, State]:
@@ -233,7 +237,7 @@ class Effect:
     """Base class of effects; a kind has a `name`, unique in its scene, and a `kind`.
 
     takes       fields that hold a law -> the kind of law they take
-    asks        COORDINATE or SPEED of its joints; angles of loop-closing joints in space have no coordinate
+    asks        COORDINATE or SPEED of its joints; whole turns of loop-closing joints in space are counted where it is COORDINATE
     enters      function of a module that has its generalised forces: APPLIED, CONTACT, or NOWHERE for effects without
     quantities  words after its name -> letter, subscript, meaning of a quantity, for readers; `sought`: those shown by name
     unchecked   whether an inconsistent law may run
@@ -483,13 +487,6 @@ def joint_faults(
     expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
     way_out = "The first joint to reach a body has the coordinates: declare this one before the others."
     yield Fault(where, f"joint {key!r}{why}", expected, way_out if closing else "")
-
-
-def uncounted_fault(where: str, key: str) -> Fault:
-    """Fault of an angle that the bodies tell up to whole turns alone."""
-    found = f"the angle of {key}, which closes a loop in space and is known up to whole turns alone"
-    remedy = "The first joint to reach a body has the coordinates: declare this one before the others."
-    return Fault(where, found, "its speed, or the coordinate of a joint that carries its body", remedy)
 
 
 def state_faults(effect: Effect, element: Element, scene: Declared) -> Iterator[Fault]:

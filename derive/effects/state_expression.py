@@ -60,7 +60,7 @@ class Scope(Protocol):
 
     @property
     def uncounted(self) -> Sequence[str]:
-        """Keys of angles that are known up to whole turns alone."""
+        """Keys of speeds without a coordinate."""
 
     @property
     def carrying(self) -> Sequence[str]:
@@ -279,13 +279,7 @@ def expression_faults(
             strange.append(Fault(where, f"joint {symbol.joint!r}", expected))
             yield strange[-1]
         elif symbol.what == COORDINATE and symbol.joint in scene.uncounted:
-            strange.append(
-                Fault(
-                    where,
-                    f"the angle of {symbol.joint}, which closes a loop in space and is known up to whole turns alone",
-                    "its speed",
-                )
-            )
+            strange.append(uncounted_fault(where, symbol.joint))
             yield strange[-1]
         elif symbol.what == REACTION and symbol.joint not in scene.carrying:
             expected = one_of(scene.carrying, "a joint that carries its body along two directions or more")
@@ -314,6 +308,11 @@ def expression_faults(
                     else fault.expected, fault.repair or fault.reason)  # fmt: skip
         return
     yield from smoothness_faults(slot, value)
+
+
+def uncounted_fault(where: str, key: str) -> Fault:
+    """Fault of the coordinate of a speed that has none."""
+    return Fault(where, f"the coordinate of {key}, a speed that is the rate of none", "its speed")
 
 
 def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:

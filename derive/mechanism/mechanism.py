@@ -87,10 +87,22 @@ class Mechanism:
         ruled = (joint for joint in self.closures if not joint.unruled())
         return tuple(freedom for joint in ruled for freedom in joint.freedoms if joint.measures(freedom))
 
-    @cached_property
+    @property
     def uncounted(self) -> tuple[str, ...]:
-        """Keys of angles of closing joints in space, known up to whole turns alone."""
-        return tuple(freedom.key for freedom in self.told if freedom.kind == "turn") if self.plane is None else ()
+        """Keys of speeds without a coordinate: none of joints."""
+        return ()
+
+    @cached_property
+    def wrapped(self) -> tuple[str, ...]:
+        """Keys of angles of closing joints in space, which the bodies tell up to whole turns."""
+        joints = (joint for joint in self.closures if self.plane is None and not joint.unruled())
+        turns = (
+            freedom
+            for joint in joints
+            for freedom in joint.freedoms
+            if freedom.kind == "turn" and joint.measures(freedom)
+        )
+        return tuple(freedom.key for freedom in turns)
 
     def given_motion(self, kinematics: Any) -> Any:
         """Motion that is given by expressions, on the tape of a kinematics; None where it is that of joints."""

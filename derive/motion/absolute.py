@@ -17,6 +17,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.vectors import Vector, apply, transpose
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.state_expression import COORDINATE, SPEED, states_in
+from hertzwerk.derive.effects.tracking import uncounted_angles
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, GROUND, Body, Frame, Point, Slot, Triple
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
@@ -71,11 +72,6 @@ class Absolute(Scene):
         """Freedoms of the joints with one coordinate, which effects name."""
         return self.declared.scalars
 
-    @cached_property
-    def uncounted(self) -> tuple[str, ...]:
-        """None: refused where the scene was made."""
-        return ()
-
     def follows_drives(self, body: Frame) -> bool:
         """Whether drives alone move a body, as declared."""
         return self.declared.follows_drives(body)
@@ -120,6 +116,7 @@ def absolute(scene: Scene) -> Absolute:
         raise InputError(f"scene {scene.name} in absolute coordinates", dict.fromkeys(faults))
     given = {entry.name: getattr(scene, entry.name) for entry in fields(Scene)}
     given["mechanism"] = replace(mechanism, joints=(*carried, *closing))
+    given["effects"] = (*scene.effects, *uncounted_angles(given["mechanism"], scene.effects, scene))
     return Absolute(**given, declared=scene)
 
 
@@ -227,15 +224,8 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
     closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.joints for freedom in joint.freedoms}
     remedy = "Keep the joints' coordinates: coordinates='tree'."
     for effect in scene.effects:
-        symbols = [
-            symbol
-            for slot in effect.slots(scene)
-            for symbol in states_in(slot.value)
-            if symbol.what in (COORDINATE, SPEED)
-        ]
-        asked = [(symbol.joint, symbol.what == COORDINATE) for symbol in symbols]
-        asked += [(key, effect.asks == COORDINATE) for key in effect.joints]
-        for key, coordinate in asked:
+        symbols = (symbol for slot in effect.slots(scene) for symbol in states_in(slot.value))
+        for key in [*(symbol.joint for symbol in symbols if symbol.what in (COORDINATE, SPEED)), *effect.joints]:
             if key in kept:
                 continue
             joint, freedom = closing[key]
@@ -248,9 +238,6 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
                     "a freedom that shows in where its bodies are: a joint's only turn, a slide square to its others",
                     remedy,
                 )
-            elif coordinate and freedom.kind == "turn" and scene.mechanism.plane is None:
-                yield Fault(where, f"the angle of {key}, which in space is known up to whole turns alone", "its speed, or a mechanism that is plane",
-                            remedy)  # fmt: skip
 
 
 # -- from the joints' coordinates --------------------------------------------------------------------------------------
@@ -278,9 +265,11 @@ def placed(scene: Absolute, joints: Kinematics, bodies: Kinematics) -> tuple[lis
             if freedom.key not in scene.driven:
                 q.extend(links[freedom.key].coordinates)
                 u.extend(row.speed for row in links[freedom.key].rows)
+    counted = {state: key for key, state in bodies.counted.items()}
     integrated = {state.port: state.symbol for state in joints.drive_states}
     q.extend(integrated[state.port] for state in bodies.drive_states)
-    q.extend(joints.effect_states.values())
+    q.extend(joints.effect_states[name] if name in joints.effect_states else joints.coordinate(counted[state])
+             for name, state in bodies.effect_states.items())  # fmt: skip
     return q, u
 
 

@@ -46,6 +46,7 @@ from hertzwerk.derive.effects.state_expression import (
     inputs_in,
     states_in,
 )
+from hertzwerk.derive.effects.tracking import CountedAngle
 from hertzwerk.derive.faults import InputError, unknown
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Frame, Point
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Port
@@ -122,6 +123,11 @@ class Kinematics:
                 motion[freedom.key] = self._driven(freedom, scene, groups[0])
         self.prescribed = {freedom.key: self._driven(freedom, scene, groups[0]) for freedom in scene.prescribed}
         self.effect_states = {name: self._input(Port(name, s.unit), groups[0]) for name, s in scene.states.items()}
+        self.counted = {
+            effect.joint: self.effect_states[f"{effect.name}.angle"]
+            for effect in scene.all(CountedAngle)
+            if effect.counts(scene)
+        }
         self.states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items() if q and rows}
         self._motions = motion
         self.tree = Tree(tape, scene.mechanism, motion, scene.held)

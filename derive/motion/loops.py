@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, scale, sub
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, apply, cross, dot, is_zero, scale, sub
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
 from hertzwerk.derive.mechanism.curve import SolidCurve
@@ -71,8 +71,8 @@ def closing_constraints(kinematics: Kinematics) -> Iterator[Constraint]:
 class Measured:
     """Coordinate of a freedom, with its rate.
 
-    The coordinate is None for an angle in space, which is known up to whole turns alone. The acceleration is `column`
-    . a + `bias`, and `column` holds the generalised forces of a unit force on it.
+    The coordinate is None for an angle in space whose whole turns nothing counts (`CountedAngle`). The acceleration is
+    `column` . a + `bias`, and `column` holds the generalised forces of a unit force on it.
     """
 
     value: Any
@@ -212,26 +212,74 @@ class Closure:
             travel = self._off(self.joint.carried(axis, self.joint.turns_before(freedom)), label)
             return Measured(travel.value, travel.rate, travel.bias, travel.column)
         (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
-        about = self.kin.direction(self.joint.child, axis)
+        about, moving = self._about(freedom)
         turning = self.tape.vector(sub(w, v), f"{self.joint.name}_turning")
+        rate = self._let(dot(turning, about), f"{label}_rate")
         return Measured(
-            self._angle(axis, label),
-            self._let(dot(turning, about), f"{label}_rate"),
-            self._let(dot(sub(alpha, beta), about) + dot(turning, cross(w, about)), f"{label}_bias"),
+            self._angle(freedom, rate),
+            rate,
+            self._let(dot(sub(alpha, beta), about) + dot(turning, moving), f"{label}_bias"),
             _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_{label}")),
         )
 
-    def _angle(self, axis: Direction, label: str) -> Any:
-        """Angle of the child against the parent about an axis normal to the plane of motion; None in space.
+    def _about(self, freedom: Freedom) -> tuple[Vector, Vector]:
+        """Vector along which the relative angular velocity is the rate of a turn, and the vector's rate.
 
-        It counts whole turns.
+        Of a single turn it is the axis; of two it is perpendicular to the other's axis.
         """
-        k = self.kin.mechanism.plane
-        if k is None:
+        w, v = (motion.angular_velocity for motion in self.motions)
+        if len(self.joint.turning) == 1:
+            about = self.kin.direction(self.joint.child, _axis_of(freedom))
+            return about, cross(w, about)
+        first, second = self._both()
+        a, b = self.kin.direction(self.joint.parent, first), self.kin.direction(self.joint.child, second)
+        pairs = [(a, cross(v, a)), (b, cross(w, b))]
+        (own, own_rate), (other, other_rate) = pairs if freedom.axis == first else reversed(pairs)
+        cosine = dot(first.unit, second.unit)
+        size = 1 / (1 - cosine**2)
+        return scale(size, sub(own, scale(cosine, other))), scale(size, sub(own_rate, scale(cosine, other_rate)))
+
+    def _both(self) -> tuple[Direction, Direction]:
+        """Axes of two turns, the first fixed in the parent, the second in the child."""
+        first, second = (axis for axis in self.joint.turning if axis is not None)
+        return first, second
+
+    def _components(self, freedom: Freedom) -> tuple[Any, Any]:
+        """Cosine and sine of the angle of a turn, by directions fixed in child and parent."""
+        axis, (child, parent) = _axis_of(freedom), (self.joint.child, self.joint.parent)
+        if len(self.joint.turning) == 1:
+            (first, _), _ = across(axis)
+            second = Direction(cross(axis.unit, first.unit))
+            arm = self.kin.direction(child, first)
+            cosine, sine = (dot(arm, self.kin.direction(parent, direction)) for direction in (first, second))
+            return cosine, sine
+        one, two = self._both()
+        level = dot(one.unit, two.unit)
+        size, normal = 1 / (1 - level**2), cross(one.unit, two.unit)
+        if freedom.axis == one:  # the second axis, about the first, in the parent
+            arm, ways = self.kin.direction(child, two), (sub(two.unit, scale(level, one.unit)), normal)
+            axes = self.kin.axes_of(parent)
+        else:  # the first axis, about the second, in the child
+            arm, ways = self.kin.direction(parent, one), (sub(one.unit, scale(level, two.unit)), normal)
+            axes = self.kin.axes_of(child)
+        cosine, sine = (size * dot(arm, apply(axes, way)) for way in ways)
+        return cosine, sine
+
+    def _angle(self, freedom: Freedom, rate: Any) -> Any:
+        """Angle of the child against the parent of a turn; None in space where nothing counts its whole turns."""
+        k, axis, label = self.kin.mechanism.plane, _axis_of(freedom), freedom.label
+        if k is not None:
+            one, two = (self.kin.turned(body, k) for body in self.bodies)
+            turned = one + self.joint.child.turned_about(k) - two - self.joint.parent.turned_about(k)
+            return self._let(axis.unit[k] * turned, label)
+        near = self.kin.counted.get(freedom.key)
+        if near is None:
             return None
-        one, two = (self.kin.turned(body, k) for body in self.bodies)
-        turned = one + self.joint.child.turned_about(k) - two - self.joint.parent.turned_about(k)
-        return self._let(axis.unit[k] * turned, label)
+        cosine, sine = self._components(freedom)
+        x, y = self._let(sp.cos(near), f"{label}_near_cosine"), self._let(sp.sin(near), f"{label}_near_sine")
+        angle = self._let(near + sp.atan2(sine * x - cosine * y, cosine * x + sine * y), label)
+        self.tape.set_rate(angle, rate)
+        return angle
 
     def driven(self, freedom: Freedom) -> Constraint:
         """Constraint of a driven freedom; for an angle in space the sine of the error vanishes."""
@@ -239,11 +287,7 @@ class Closure:
         found, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
         label = freedom.label
         if found.value is None:
-            axis = _axis_of(freedom)
-            (first, _), _ = across(axis)
-            second = Direction(cross(axis.unit, first.unit))
-            child = self.kin.direction(joint.child, first)
-            cosine, sine = (dot(child, self.kin.direction(joint.parent, direction)) for direction in (first, second))
+            cosine, sine = self._components(freedom)
             error = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
                 sp.sin(wanted), f"{label}_sine"
             )

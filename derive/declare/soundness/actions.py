@@ -50,6 +50,9 @@ def start_faults(scene: Scene) -> Iterator[Fault]:
         of_joints = [freedom.key for freedom in scene.free if freedom.kind != "ball" and getattr(freedom, ports)]
         full = [port.name for freedom in scene.free for port in getattr(freedom, ports)]
         short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
+        if given == "near":  # whole turns are counted from there
+            of_joints += scene.mechanism.wrapped
+            full += [scene.scalars[key].coordinates[0].name for key in scene.mechanism.wrapped]
         for name in getattr(scene.start, given):
             if name not in (*of_joints, *full):
                 closing = name.split(".")[0] in [joint.name for joint in scene.mechanism.closures]

@@ -237,12 +237,13 @@ class Joint:
     def measures(self, freedom: Freedom) -> bool:
         """Whether a freedom's coordinate follows from the positions of the bodies.
 
-        It does for the only turn, and for a slide perpendicular to all others.
+        It does for the only turn, for two about axes that are not parallel, and for a slide perpendicular to all others.
         """
         if freedom.axis is None or not self.constraints():
             return False
         if freedom.kind == "turn":
-            return len(self.turning) == 1
+            axes = [axis for axis in self.turning if axis is not None]
+            return len(self.turning) == 1 or (len(axes) == len(self.turning) == 2 and not parallel(*axes))
         slides = list(self.sliding)
         slides.remove(own := (freedom.axis, self.turns_before(freedom)))
         return all(before == own[1] and perpendicular(axis, own[0]) for axis, before in slides)
