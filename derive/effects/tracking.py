@@ -1,4 +1,4 @@
-"""Effects that follow where a motion is and act on nothing: pieces of a track passed, whole turns of an angle.
+"""Effects without forces that follow a motion: pieces of a track passed, whole turns of an angle.
 
 A scene adds them where they are needed.
 """
@@ -56,11 +56,11 @@ class Junctions(Effect):
 
 @dataclass(frozen=True)
 class CountedAngle(JointEffect):
-    """Whole turns of an angle whose joint closes a loop in space, where the bodies tell the angle up to these.
+    """Count of the whole turns of an angle whose joint closes a loop in space.
 
-    The state `<name>.angle` integrates the angle's rate; the angle is the one of those that the bodies tell that is nearest to it,
-    so that no error of the state enters it. An event sets the state anew where it is a quarter turn off, as at the start
-    it may be. The start is near 0, or `Start(near={joint: angle})`.
+    The bodies tell such an angle up to whole turns. The state `<name>.near` integrates the angle's rate. Of the angles
+    that the bodies allow, the one nearest to it counts, so that no error of the state enters. An event sets the state
+    anew where it is a quarter turn off, as it may be at the start. The start is near 0, or `Start(near={joint: angle})`.
 
     A scene counts by itself the angles that its effects ask for. Declared, it makes the angle a history in
     absolute coordinates too, where every joint closes a loop.
@@ -98,19 +98,19 @@ class CountedAngle(JointEffect):
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the angle integrated; its errors steer no step."""
         if self.counts(scene):
-            yield State("angle", "rad", scene.start.coordinates(scene.scalars[self.joint])[0], size=sp.S.One)
+            yield State("near", "rad", scene.start.coordinates(scene.scalars[self.joint])[0], size=sp.S.One)
 
     def element(self, kin: Kinematics) -> Element | None:
         """Rate of the state, and the event that sets it."""
         if not self.counts(kin.scene):
             return None
         angle, rate = kin.coordinate(self.joint), kin.speed(self.joint)
-        margin = sp.cos(angle - kin.state(f"{self.name}.angle"))
-        return Element(rates={"angle": rate}, events=(Event("set", margin, sp.S.One, {"angle": angle}),))
+        margin = sp.cos(angle - kin.state(f"{self.name}.near"))
+        return Element(rates={"near": rate}, events=(Event("set", margin, sp.S.One, {"near": angle}),))
 
 
 def uncounted_angles(mechanism: Mechanism, effects: Iterable[Effect], scene: Declared) -> Iterator[CountedAngle]:
-    """Yield a count for each angle of a mechanism that effects of a sound scene, or its start, ask for and none of them counts."""
+    """Yield a count for each angle that effects of a sound scene, or its start, ask for and none counts."""
     asked = list(scene.start.near)
     for effect in effects:
         slots = (slot for slot in effect.slots(scene))

@@ -124,7 +124,7 @@ class Kinematics:
         self.prescribed = {freedom.key: self._driven(freedom, scene, groups[0]) for freedom in scene.prescribed}
         self.effect_states = {name: self._input(Port(name, s.unit), groups[0]) for name, s in scene.states.items()}
         self.counted = {
-            effect.joint: self.effect_states[f"{effect.name}.angle"]
+            effect.joint: self.effect_states[f"{effect.name}.near"]
             for effect in scene.all(CountedAngle)
             if effect.counts(scene)
         }

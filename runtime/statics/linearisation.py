@@ -2,7 +2,7 @@
 
 A small deviation of the state keeps the loops closed, its quaternions of unit norm, and what sticks at rest: it is
 T x with T a basis of the kernel of all these conditions, which the linear motion does not leave. What drives
-integrate, and what only counts energy, deviates not at all. x are deviations of some of the states, so that x' = A x
+integrate, and what only counts energy or whole turns, deviates not at all. x are deviations of some of the states, so that x' = A x
 holds too where constraints turn with the motion, and T with them; A is then another for other states.
 """
 
@@ -108,7 +108,10 @@ def _conditions(
         rows.append(np.zeros((1, ny)))
         rows[-1][0, i : i + 4] = q[i : i + 4]
     moves = moves.reshape(nq, nu)
-    still = [i for i in range(nq) if not np.any(moves[i])]  # what drives integrate
+    counts = [f"{name}.near" for name, kind, _ in model.module.EFFECTS if kind == "counted_angle"]
+    still = [
+        i for i, name in enumerate(model.coordinates) if not np.any(moves[i]) or name in counts
+    ]  # what drives integrate, what only counts
     idle = [nq + nu + i for i in range(model.nz) if not np.any(J[:, nq + nu + i])]  # what counts energy
     rows.append(np.eye(ny)[[*still, *idle]])
     at_rest, stuck = not np.any(u), sticking(model, m)

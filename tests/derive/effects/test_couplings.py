@@ -1,5 +1,7 @@
 """Faults of couplings, each with its way out; units proven; scenes that cannot have one; what readers see."""
 
+from dataclasses import dataclass
+
 import pytest
 import sympy as sp
 
@@ -10,6 +12,7 @@ from hertzwerk.derive import (
     Coupling,
     Cylindrical,
     InputError,
+    Joint,
     JointForce,
     Mechanism,
     Parameter,
@@ -19,7 +22,6 @@ from hertzwerk.derive import (
     Scene,
     Spherical,
     T,
-    Universal,
     Where,
     X,
     Y,
@@ -103,27 +105,31 @@ def test_a_joint_that_closes_a_loop_without_a_coordinate_is_refused_by_name():
         scene(Coupling("mesh", "closing", "wheel", 1), joints=(*PARTS, closing))
 
 
-def test_an_angle_in_space_is_refused_in_absolute_coordinates():
-    """There it is known up to whole turns alone; "auto" then keeps the joints' coordinates."""
+def test_angles_in_space_are_counted_in_absolute_coordinates():
     triple = (J, J, J)
     bevel = Body("bevel", m, triple), Body("crown", m, triple)
     joints = Revolute("crown", GROUND, bevel[1], axis=Y), Revolute("bevel", GROUND, bevel[0], axis=X)
     screw = Cylindrical("press", GROUND.at(0, r, 0), Body("nut", m, triple), axis=X)
     turned = scene(Coupling("mesh", "bevel", "crown", number), joints=(*joints, screw))
-    with pytest.raises(InputError) as caught:
-        derive(turned.with_coordinates("absolute"))
-    assert {fault.where for fault in caught.value.faults} == {"effect mesh"}
-    assert any(
-        "angle of bevel" in fault.found and "coordinates='tree'" in fault.remedy for fault in caught.value.faults
-    )
-    assert "cannot be had: effect mesh" in derive(turned.with_coordinates("auto")).note
+    assert not turned.states
+    module = derive(turned.with_coordinates("absolute"))
+    assert [row[0] for row in module.tables["EFFECTS"] if row[1] == "counted_angle"] == ["crown_count", "bevel_count"]
+
+
+@dataclass(frozen=True, init=False)
+class Wrist(Joint):
+    """Three turns, of which no rule tells the angles."""
+
+    @property
+    def freedoms(self):
+        return self.turn(X, "a"), self.turn(Y, "b"), self.turn(Z, "c")
 
 
 def test_a_freedom_that_cannot_be_measured_is_refused_in_absolute_coordinates():
     hub, cup = (Body(name, m, (J, J, J)) for name in ("hub", "cup"))
-    joints = Revolute("wheel", GROUND, hub, axis=Z), Universal("cross", hub.at(r, 0, 0), cup, first=X, second=Y)
-    with pytest.raises(InputError, match=r"cross\.angle_1, of a universal joint"):
-        derive(scene(Coupling("mesh", "cross.angle_1", "cross.angle_2", 1), joints=joints).with_coordinates("absolute"))
+    joints = Revolute("wheel", GROUND, hub, axis=Z), Wrist("wrist", hub.at(r, 0, 0), cup)
+    with pytest.raises(InputError, match=r"wrist\.a, of a wrist joint"):
+        derive(scene(Coupling("mesh", "wrist.a", "wrist.b", 1), joints=joints).with_coordinates("absolute"))
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
