@@ -3,14 +3,15 @@
 X = (S, M) are the changes (n, P) of the state (ny) and of the memory (nm). A link is one step, X -> X', or a linear map,
 X -> E X + G: the jump at an event, or a step whose variational equation is solved apart (`transitions`).
 
-Over a step S' = f_y S + f_m M + f_c dc is solved by the step's own explicit method, at its own stages. So each step is the
-exact derivative of the map that the run took, and its estimate of error is the method's. Hairer, Norsett, Wanner,
-Solving Ordinary Differential Equations I, II.6 and I.14 (internal differentiation; Bock 1981).
+Over a step S' = f_y S + f_m M + f_c dc is solved with the state, from where the run was, by a method of the kind that it
+took: `dopri5`, else `dop853`; behind implicit steps `esdirk`, at whose stages systems with their own Jacobian are solved for
+all columns. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.6 and I.14 (internal differentiation;
+Bock 1981).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -20,8 +21,11 @@ import numpy as np
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.integrate.step.classes import IN_FLIGHT, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.implicit import linearised, solves
+from hertzwerk.runtime.integrate.step.linear import solver_of_calls
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
-from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dop853
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dop853, dopri5
+from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, esdirk54
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -40,9 +44,14 @@ COARSE, LEAST = (
     1e5,
     1e-6,
 )  # of tolerances, or of one: a step's estimated error, of a derivative, beyond which it is too coarse
-BESIDE, ROUGH = 0.9, 1e3  # steps so uneven begin or end at a surface, where an error may be so many times its estimate
+BESIDE, ROUGH = (
+    0.9,
+    1e3,
+)  # steps so uneven begin or end at a surface, where an error may be so many times dop853's estimate
+SURE = 0.1  # the same of dopri5: its estimate here is of order 3
 NOISE = 1e-9  # of a state's scale over a parameter: derivatives so small are none
 SHORT = 6000  # instructions up to which a step is written out: longer ones compile fast only by calls of their stages
+SMALL = 1000  # instructions of rates up to which their Jacobians are tried: of more these take long to build
 IDLE = 0  # kind of a link that does nothing; those of steps follow, the last one is linear
 
 
@@ -51,7 +60,7 @@ class Link:
     """Function of a link of any kind.
 
     function    (kind, X (n, P), row, map (n, n + P), controls, dc (nc, P)) -> X', squares (2, P)
-    linear      the kind of linear maps; below it the classes of steps
+    linear      the kind of linear maps; below it the classes of steps by each method
     """
 
     function: Any
@@ -59,9 +68,15 @@ class Link:
 
 
 @per_model
-def link(_: Model, integrator: Integrator, count: int) -> Link:
-    """Return the link of an integrator's steps with this many columns."""
-    steps = [_step(integrator, contacts, count) for contacts in contact_classes(integrator.model)]
+def link(_: Model, integrator: Integrator, methods: tuple[int, ...], count: int) -> Link:
+    """Return the link of an integrator's steps by these of its methods with this many columns."""
+    steps = [
+        _explicit(integrator, table, contacts, count)
+        if isinstance(table, RungeKutta)
+        else _implicit(integrator, contacts, count)
+        for table in (integrator.tables[method] for method in methods)
+        for contacts in contact_classes(integrator.model)
+    ]
     given = _arguments(integrator, count)
     x, linear = given[0], given[2]
     n = x.size1()
@@ -69,6 +84,11 @@ def link(_: Model, integrator: Integrator, count: int) -> Link:
     idle = ca.Function("idle", given, [x, still])
     mapped = ca.Function("mapped", given, [ca.mtimes(linear[:, :n], x) + linear[:, n:], still])
     return Link(ca.Function.conditional("link", [idle, *steps], mapped), 1 + len(steps))
+
+
+def methods_of(history: History) -> tuple[int, ...]:
+    """Return the numbers of the methods that a run's steps took."""
+    return tuple(int(method) for method in np.unique(history.part("method")[:-1]))
 
 
 def _arguments(integrator: Integrator, count: int) -> list[Any]:
@@ -80,48 +100,139 @@ def _arguments(integrator: Integrator, count: int) -> list[Any]:
     return [ca.MX.sym(name, *shape) for name, shape in zip(names, shapes, strict=True)]
 
 
-def _step(integrator: Integrator, contacts: Contacts, count: int) -> Any:
-    """Build the function of one step with these contacts."""
-    layouts, model, table = integrator.layouts, integrator.model, dop853()
+@dataclass(frozen=True)
+class _Begin:
+    """A link's arguments, and what a step from there is taken of.
+
+    h, even: as in `links_after`; start: parts of the row; run: numbers of the run; c: constants of the step; S, M, dc: changes
+    """
+
+    given: Sequence[Any]
+    h: Any
+    even: Any
+    start: Mapping[str, Any]
+    run: Mapping[str, Any]
+    c: Any
+    S: Any
+    M: Any
+    dc: Any
+
+    def within(self, node: float) -> tuple[Any, Any]:
+        """Return the time at a node of a step, and its rate by s."""
+        even, h = self.even, self.h
+        return self.start["t"] + h * (even * node + (1 - even) * node**2), h * (even + 2 * (1 - even) * node)
+
+    @property
+    def weights(self) -> Any:
+        """Weights (1, ny) of squares, in the states' scales."""
+        return (1 / self.run["scale"]).T ** 2
+
+    def squares(self, error: Any, end: Any) -> Any:
+        """Return squares (2, P) of errors, given as such, and of changes at the end."""
+        return ca.vertcat(error, ca.mtimes(self.weights, end**2))
+
+
+def _begin(integrator: Integrator, count: int) -> _Begin:
+    layouts = integrator.layouts
     x, row, _, controls, dc = given = _arguments(integrator, count)
     sizes = [1, 1, *(layouts.state.sizes[part] for part in PARTS)]
     h, even, *parts = ca.vertsplit(row, [0, *np.cumsum(sizes).tolist()])
     start = dict(zip(PARTS, parts, strict=True))
     run = layouts.within(layouts.controls.split(controls), {**start, "stop": 0})
-    c, t, ny = relax_redundant(model)(start, run)["c"], start["t"], start["y"].numel()
-    stage, begin = _stage(model, contacts, count), ca.horzcat(start["y"], x[:ny, :])
+    c, ny = relax_redundant(integrator.model)(start, run)["c"], start["y"].numel()
+    return _Begin(given, h, even, start, run, c, x[:ny, :], x[ny:, :], dc)
+
+
+def _combined(weights: Sequence[float], slopes: list[Any]) -> Any:
+    terms = [weight * slope for weight, slope in zip(weights, slopes, strict=False) if weight]
+    return sum(terms[1:], terms[0])
+
+
+def _explicit(integrator: Integrator, taken: RungeKutta, contacts: Contacts, count: int) -> Any:
+    """Build the function of an explicit step with these contacts."""
+    at, table = _begin(integrator, count), dopri5() if taken == dopri5() else dop853()
+    start, stage = at.start, _stage(integrator.model, contacts, count)
+    begin = ca.horzcat(start["y"], at.S)
     slopes: list[Any] = []
-
-    def combined(weights: Sequence[float]) -> Any:
-        terms = [weight * slope for weight, slope in zip(weights, slopes, strict=False) if weight]
-        return sum(terms[1:], terms[0])
-
     for weights, node in zip(table.A, table.c, strict=True):
-        time, pace = t + h * (even * node + (1 - even) * node**2), h * (even + 2 * (1 - even) * node)
-        at = begin + combined(weights) if slopes else begin
-        slopes.append(stage(time, at, start["mode"], start["m"], c, x[ny:, :], dc, pace))
-    end = begin + combined(table.b)
-    weights = (1 / run["scale"]).T ** 2
-    first, second = (ca.mtimes(weights, combined(estimate.weights)[:, 1:] ** 2) for estimate in table.errors)
-    error = first * first / (first + 0.01 * second + 1e-300)  # the square of that in `explicit`
-    squares = ca.vertcat(error, ca.mtimes(weights, end[:, 1:] ** 2))  # in the states' scales
-    step = ca.Function("step", given, [ca.vertcat(end[:, 1:], x[ny:, :]), squares])
+        time, pace = at.within(node)
+        state = begin + _combined(weights, slopes) if slopes else begin
+        slopes.append(stage(time, state, start["mode"], start["m"], at.c, at.M, at.dc, pace))
+    end = begin + _combined(table.b, slopes)
+    first, *second = (
+        # the slope at the end is taken to be that of the last stage, which is there too
+        ca.mtimes(at.weights, _combined((*estimate.weights[:-2], sum(estimate.weights[-2:])), slopes)[:, 1:] ** 2)
+        for estimate in table.errors
+    )
+    error = first * first / (first + 0.01 * second[0] + 1e-300) if second else first  # the square of that in `explicit`
+    step = ca.Function("step", at.given, [ca.vertcat(end[:, 1:], at.M), at.squares(error, end[:, 1:])])
     return step.expand() if len(table.b) * stage.n_instructions() <= SHORT else step
+
+
+def _implicit(integrator: Integrator, contacts: Contacts, count: int) -> Any:
+    """Build the function of an implicit step with these contacts.
+
+    The states at its stages are found by simplified Newton iterations, changes there by elimination.
+    """
+    at, table, model = _begin(integrator, count), esdirk54(), integrator.model
+    rates, linear, change = flow(model, contacts).rates, linearised(model, contacts), _changes(model, contacts, count)
+    t, y, *given = (at.start[part] for part in PARTS[:4])
+    given.append(at.c)
+    time, pace = at.within(table.c[0])
+    J = linear(t, y, *given)[0]
+    slopes, changes = [pace * rates(t, y, *given)], [pace * change(t, y, *given, at.S, at.M, at.dc)]
+    solved: Any = 1
+    last: Any = 0  # largest square of the last changes by Newton's method, in tolerances
+    for row, node, predictor in zip(table.A[1:], table.c[1:], table.predictors[1:], strict=True):
+        time, pace = at.within(node)
+        step = table.gamma * pace
+        solve = solver_of_calls(J, step, model.nq)
+        known = y + _combined(row[:-1], slopes)
+        w = table.gamma * _combined(predictor, slopes)
+        for _ in range(ITERATIONS):
+            by = solve(step * rates(time, known + w, *given) - w)
+            w += by
+        last = ca.fmax(last, ca.mmax((by / (at.run["tolerance"] * at.run["scale"])) ** 2))
+        state, S = known + w, at.S + _combined(row[:-1], changes)
+        own, sources = linear(time, state, *given)[0], step * change(time, state, *given, S, at.M, at.dc)
+        found = ca.horzcat(*map(solver_of_calls(own, step, model.nq), ca.horzsplit(sources)))
+        solved *= solves(own, step, found, sources)
+        slopes.append(w / table.gamma)
+        changes.append(found / table.gamma)
+    end = S + found
+    error = ca.mtimes(at.weights, _combined(table.error.weights, changes) ** 2)
+    results = [ca.vertcat(end, at.M), at.squares(ca.if_else(ca.logic_and(solved, last <= 1), error, np.inf), end)]
+    return ca.Function("implicit_step", at.given, results)
 
 
 @per_model
 def _stage(model: Model, contacts: Contacts, count: int) -> Any:
     """Build the function (t, (y, S), mode, m, c, M, dc, pace) -> rates of (y, S), by the pace."""
-    t, y, mode, m, c = given = model.symbols("t y mode m c")
-    fixed = model.npieces if model.inputs else 0  # inputs are given, and do not change
-    S, M, dc = (ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m), ("dc", c)))
-    of_constants = ca.vertcat(dc[: model.nc - fixed, :], ca.SX(fixed, count))
-    rates = flow(model, contacts).rates(*given)
-    changes = ca.jtimes(rates, ca.vertcat(y, m, c), ca.vertcat(S, M, of_constants))
-    made = ca.Function("of_columns", [*given, S, M, dc], [ca.densify(ca.horzcat(rates, changes))])
+    t, y, mode, m, c = model.symbols("t y mode m c")
+    made = _changes(model, contacts, count)
+    S, M, dc = made.sx_in()[5:]
     both, pace = ca.SX.sym("both", y.numel(), 1 + count), ca.SX.sym("pace")
-    (slopes,) = made.call([t, both[:, 0], mode, m, c, both[:, 1:], M, dc])
+    y, S = both[:, 0], both[:, 1:]
+    slopes = ca.horzcat(flow(model, contacts).rates(t, y, mode, m, c), made(t, y, mode, m, c, S, M, dc))
     return ca.Function("slopes", [t, both, mode, m, c, M, dc, pace], [ca.cse(pace * slopes)])
+
+
+@per_model
+def _changes(model: Model, contacts: Contacts, count: int) -> Any:
+    """Build the function (t, y, mode, m, c, S, M, dc) -> rates of S: of two ways the shorter.
+
+    Forward along the columns costs each of them some times the rates; by Jacobians it is little but their nonzeros.
+    """
+    _, y, _, m, c = given = model.symbols("t y mode m c")
+    fixed = model.npieces if model.inputs else 0  # inputs are given, and do not change
+    S, M, dc = columns = [ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m), ("dc", c))]
+    of_constants = ca.vertcat(dc[: model.nc - fixed, :], ca.SX(fixed, count))
+    rates, by, along = flow(model, contacts).rates(*given), ca.vertcat(y, m, c), ca.vertcat(S, M, of_constants)
+    ways = [ca.jtimes(rates, by, along)]
+    if count > 1 and flow(model, contacts).rates.n_instructions() <= SMALL:
+        ways.append(ca.mtimes(ca.jacobian(rates, by), along))
+    found = [ca.Function("changes", [*given, *columns], [ca.cse(ca.densify(way))]) for way in ways]
+    return min(found, key=lambda function: function.n_instructions())
 
 
 def _chain(link: Link) -> Any:
@@ -153,9 +264,9 @@ def along(maps: np.ndarray, before: np.ndarray) -> np.ndarray:
 
 
 @per_model
-def code(model: Model, integrator: Integrator, count: int) -> Code:
+def code(model: Model, integrator: Integrator, methods: tuple[int, ...], count: int) -> Code:
     """Return the chain's function, to be called as it is or compiled."""
-    return Code(_chain(link(model, integrator, count)))
+    return Code(_chain(link(model, integrator, methods, count)))
 
 
 @dataclass(frozen=True)
@@ -189,7 +300,7 @@ def chained(
 
     jumps (j, n, n + P)    maps at the events
     events (j,)            rows that follow them
-    solve                  returns the maps over steps after rows: of those that are not the graph's, or too coarse
+    solve                  returns the maps over steps after rows that are too coarse
     switched (rows,)       whether a row follows an event
     renew                  takes rows (l,) and the changes (l, P, n) at them, at most WIDTH columns, and returns those to
                            go on with (P, n), after at most so many links
@@ -203,12 +314,13 @@ def chained(
     leads[step[events - 1]] = np.arange(len(events))
     number = np.full(len(row), -1)  # of each link's map
     number[step[events - 1] + 1] = np.arange(len(events))
-    implicit = np.flatnonzero(~by_graph(history)[:-1])
-    number[step[implicit]] = len(jumps) + np.arange(len(implicit))
-    maps = np.concatenate([jumps, solve(implicit)]) if len(implicit) else jumps
-    table = links_after(history, row - 1, np.diff(history.t)[row - 1], switched)
-    even = table[:, [_COLUMNS.index("even")]]
-    rough = np.where(np.abs(even - 1) > BESIDE, ROUGH, 1.0)
+    last = np.append(row[1:] != row[:-1], True)  # to its row
+    stepping = number < 0
+    steps = np.concatenate([[0], np.cumsum(stepping)])  # before each link
+    maps = jumps
+    table = links_after(history, slice(0, rows - 1), np.diff(history.t), switched)
+    uneven = np.abs(table[:, _COLUMNS.index("even")] - 1) > BESIDE
+    rough = _roughness(history, uneven)[row - 1, None]
     after, before = np.empty((rows, count, n)), np.empty((len(events), count, n))
     after[0] = begin.T
     bound = max(COARSE * history.controls[history.engine.layouts.controls["tolerance"]][0], LEAST)
@@ -219,10 +331,11 @@ def chained(
         size = NOISE / directions.sizes[some]
         room = min(most or call.room, call.room)
         for start in range(0, len(row), room):
-            links = slice(start, start + room)
+            links = slice(start, min(start + room, len(row)))
+            taken = table[steps[links.start] : steps[links.stop]]
             for _ in range(PASSES):
                 by_map = np.flatnonzero(number[links] >= 0)
-                x, errors, sizes = call(table[links], by_map, maps[number[links][by_map]][:, :, columns])
+                x, errors, sizes = call(taken, stepping[links], by_map, maps[number[links][by_map]][:, :, columns])
                 larger = np.maximum(size, np.fmax.reduce(sizes))
                 coarse = ~(errors * rough[links] <= bound * larger).all(axis=1) & (number[links] < 0)
                 coarse &= np.cumsum(~np.isfinite(sizes).all(axis=1)) <= 1  # after it there are no numbers
@@ -231,7 +344,9 @@ def chained(
                 again = start + np.flatnonzero(coarse)
                 number[again] = len(maps) + np.arange(len(again))
                 maps = np.concatenate([maps, solve(row[again] - 1)])
-            after[row[links], some] = x
+            here = row[links][last[links]]
+            if len(here):
+                after[here[0] : here[-1] + 1, some] = x if len(here) == len(x) else x[last[links]]
             leading = np.flatnonzero(leads[links] >= 0)
             before[leads[links][leading], some] = x[leading]
             size = size if renew else larger
@@ -240,10 +355,18 @@ def chained(
     return Changes(after.swapaxes(1, 2), before.swapaxes(1, 2), number[step] >= 0)
 
 
+def _roughness(history: History, uneven: np.ndarray) -> np.ndarray:
+    """Return how many times its estimate the error over each step (rows - 1,) may be."""
+    methods, tables = history.part("method")[:-1, 0].astype(int), history.engine.tables
+    own = np.array([table == dopri5() for table in tables])[methods]
+    eighth = np.array([isinstance(table, RungeKutta) for table in tables])[methods] & ~own
+    return np.where(own, SURE, np.where(eighth & uneven, ROUGH, 1.0))
+
+
 _COLUMNS = ("kind", "h", "even")
 
 
-def links_after(history: History, index: np.ndarray, h: np.ndarray, switched: np.ndarray) -> np.ndarray:
+def links_after(history: History, index: np.ndarray | slice, h: np.ndarray, switched: np.ndarray) -> np.ndarray:
     """Return kind and row of the links over times h (n,) [s] after the rows `index` (n,).
 
     switched (rows,): whether a row follows an event
@@ -252,13 +375,16 @@ def links_after(history: History, index: np.ndarray, h: np.ndarray, switched: np
     function from the nearer event: forces like d^1.5 are smooth functions of s up to the surface. In flight it is 1.
     """
     layout, t = history.engine.layouts.state, history.t
-    kinds, *parts = (history.rows[:, layout[part]][index] for part in ("class", *PARTS))
+    kinds, method, *parts = (history.rows[:, layout[part]][index] for part in ("class", "method", *PARTS))
+    touching, methods = kinds[:, 0] > IN_FLIGHT, methods_of(history)
+    if len(methods) > 1:
+        kinds = kinds + len(contact_classes(history.model)) * np.searchsorted(methods, method) * (kinds > IDLE)
     events = t[switched]
     place = np.searchsorted(events, t[index], side="right")
     before, after = t[index] - events[place - 1], np.append(events, np.inf)[place] - t[index]
     first, last = np.where(before < after - h, (before, before + h), (after, after - h))
     root, other = np.sqrt(first), np.sqrt(np.maximum(last, 0))
-    curved = (kinds[:, 0] > IN_FLIGHT) & np.isfinite(first) & (root + other > 0)
+    curved = touching & np.isfinite(first) & (root + other > 0)
     even = np.where(curved, 2 * root / np.where(curved, root + other, 1), 1)
     return np.column_stack([kinds, h, even, *parts])
 
@@ -268,8 +394,8 @@ class _Call:
 
     def __init__(self, history: History, begin: np.ndarray, dc: np.ndarray, *, compiled: bool) -> None:
         (n, count), self.room = begin.shape, SIZES[0] * SIZES[1]
-        chain = code(history.model, history.engine, count)
-        self._linear = link(history.model, history.engine, count).linear
+        made = history.model, history.engine, methods_of(history), count
+        chain, self._linear = code(*made), link(*made).linear
         self._callers = chain.compile() if compiled else chain.machine
         self._call = self._callers.take()
         self._begin, self._rows, maps, controls, changes = self._call.inputs
@@ -277,13 +403,15 @@ class _Call:
         controls[:], changes[:] = history.controls, dc.T
         self.go_on(begin.T)
 
-    def __call__(self, table: np.ndarray, by_map: np.ndarray, maps: np.ndarray) -> tuple[np.ndarray, ...]:
+    def __call__(
+        self, table: np.ndarray, stepping: np.ndarray, by_map: np.ndarray, maps: np.ndarray
+    ) -> tuple[np.ndarray, ...]:
         """Return changes (links, P, n), estimated errors and sizes (links, P) after links.
 
-        They are as in `links_after`, some of them maps (l, n, n + P).
+        table: of those over steps (`stepping`), as `links_after` has them; by_map: those that are maps (l, n, n + P)
         """
-        count = len(table)
-        self._rows[:count], self._rows[count:, 0] = table, IDLE
+        count = len(stepping)
+        self._rows[:count][stepping], self._rows[count:, 0] = table, IDLE
         self._rows[by_map, 0], self._maps[by_map] = self._linear, maps.swapaxes(1, 2)
         x, squares = (values.reshape(self.room, self._begin.shape[0], -1)[:count] for values in self._call())
         return x, *np.sqrt(squares).transpose(2, 0, 1)
@@ -295,13 +423,6 @@ class _Call:
     def end(self) -> None:
         """End the calls."""
         self._callers.give_back(self._call)
-
-
-def by_graph(history: History) -> np.ndarray:
-    """Return whether the step after each row (rows,) is the graph's: where the run took an explicit one."""
-    explicit = [isinstance(table, RungeKutta) for table in history.engine.tables]
-    found: np.ndarray = np.array(explicit)[history.part("method")[:, 0].astype(int)]
-    return found
 
 
 def later(
@@ -317,18 +438,18 @@ def later(
         some = slice(first, first + WIDTH)
         columns = before[:, :, some].swapaxes(1, 2)
         constant = np.concatenate([history.controls, dc[:, some].T.ravel()])
-        one = _rowwise(history.model, history.engine, columns.shape[1])
+        one = _rowwise(history.model, history.engine, methods_of(history), columns.shape[1])
         (x,) = one(constant, columns.reshape(len(index), -1), rows)
         found[:, :, some] = x.reshape(columns.shape).swapaxes(1, 2)
     return found
 
 
 @per_model
-def _rowwise(model: Model, integrator: Integrator, count: int) -> Rowwise:
+def _rowwise(model: Model, integrator: Integrator, methods: tuple[int, ...], count: int) -> Rowwise:
     x, row, linear, controls, dc = _arguments(integrator, count)
     row = ca.MX.sym("row", 1 + row.numel())  # its kind first
     both, column = ca.MX.sym("both", controls.numel() + dc.numel()), ca.MX.sym("x", x.numel())
     c, changes = ca.vertsplit(both, [0, controls.numel(), both.numel()])
     given = [ca.reshape(column, *x.shape), row[1:], ca.MX.zeros(*linear.shape), c, ca.reshape(changes, *dc.shape)]
-    after, _ = link(model, integrator, count).function.call([row[0], *given])
+    after, _ = link(model, integrator, methods, count).function.call([row[0], *given])
     return Rowwise(ca.Function("later", [both, column, row], [ca.vec(after)]), constant=0)

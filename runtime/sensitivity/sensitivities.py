@@ -1,8 +1,8 @@
 """Sensitivities of a run: first derivatives of its histories and impacts, through every event.
 
 1. directions   changes of parameters and starts, and of the constants           sensitivity/tangent, sensitivity/start_changes
-2. steps        the variational equations by each step's own method              sensitivity/chain
-                by collocation where that is implicit, or too coarse             sensitivity/transitions
+2. steps        the variational equations by a method of each step's kind        sensitivity/chain
+                by collocation where that is too coarse                          sensitivity/transitions
 3. events       the jump where modes change                                      sensitivity/saltation
                 one after the other                                              sensitivity/followed
 4. histories    by the chain rule from states, memory and directions             sensitivity/readout

@@ -275,11 +275,11 @@ def _rosenbrock(
         r = table.gamma * (known + gamma * h * h * dt if gamma else known)
         first = r if first is None else first
         U.append(solve(r))
-    solved = _solves(J, h * table.gamma, U[0], first)
+    solved = solves(J, h * table.gamma, U[0], first)
     return y + _sum(table.m, U), None, _sum(table.error.weights, U), solved
 
 
-def _solves(J: Any, step: Any, x: Any, r: Any) -> Any:
+def solves(J: Any, step: Any, x: Any, r: Any) -> Any:
     """Return 1 if x solves (I - step J) x = r up to rounding.
 
     The residual of every row is small beside the row's own terms, whatever its unit.
