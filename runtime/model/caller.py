@@ -68,18 +68,18 @@ class Callers:
 
 
 class Rowwise:
-    """CasADi function of columns, applied to tables row by row; one argument is the same for all rows.
+    """CasADi function of columns, applied to tables row by row; one argument may be the same for all rows.
 
     It is mapped over blocks of fixed sizes, once, so that a call builds nothing and computes no surplus rows.
 
     functions  of those blocks, the largest first
     """
 
-    def __init__(self, function: Any, constant: int) -> None:
+    def __init__(self, function: Any, constant: int | None) -> None:
         self._constant = constant
         self._widths = [function.size1_out(i) for i in range(function.n_out())]
-        name = function.name()
-        self.functions = [function.map(f"{name}_{rows}", "serial", rows, [constant], []) for rows in BLOCKS]
+        name, same = function.name(), [] if constant is None else [constant]
+        self.functions = [function.map(f"{name}_{rows}", "serial", rows, same, []) for rows in BLOCKS]
         self.use(self.functions)
 
     @property
@@ -91,8 +91,9 @@ class Rowwise:
         """Call these functions in place of `functions`: the same, compiled."""
         self._blocks = [(rows, Callers(function)) for rows, function in zip(BLOCKS, functions, strict=True)]
 
-    def __call__(self, constant: np.ndarray, *tables: np.ndarray) -> list[np.ndarray]:
-        """Return results (rows, size) for the other arguments' tables (rows, size), in the function's order."""
+    def __call__(self, *given: np.ndarray) -> list[np.ndarray]:
+        """Return results (rows, size) for tables (rows, size) of arguments, after the constant one."""
+        constant, tables = (None, given) if self._constant is None else (given[0], given[1:])
         count, first = len(tables[0]), 0
         results = [np.empty((count, size)) for size in self._widths]
         for rows, callers in self._blocks:
@@ -100,7 +101,8 @@ class Rowwise:
                 continue
             caller = callers.take()
             inputs = list(caller.inputs)
-            inputs.pop(self._constant)[:] = constant
+            if self._constant is not None:
+                inputs.pop(self._constant)[:] = constant
             while count - first >= rows:
                 self._block(caller, inputs, tables, results, slice(first, first + rows))
                 first += rows

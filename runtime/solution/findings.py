@@ -19,7 +19,7 @@ from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
 from hertzwerk.runtime.solution.history import part_of_step
 from hertzwerk.runtime.solution.impacts import crest
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
-from hertzwerk.runtime.solution.watch import Watch
+from hertzwerk.runtime.solution.watch import Watch, impacts_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.attempt import Integrator
@@ -152,6 +152,18 @@ class Findings:
         for observer in (self._watch, self._choices, self._summing):
             if observer is not None:
                 observer.take(block, fresh)
+
+    @staticmethod
+    def find_impacts(runs: Sequence[Findings]) -> None:
+        """Find the impacts of runs that were followed for them, of all at once: of short ones each costs less."""
+        alike: dict[int, list[tuple[Findings, Watch]]] = {}
+        for run in runs:
+            watch = run._watch
+            if watch is not None and watch.waiting and not run._later:
+                alike.setdefault(id(watch.view.engine), []).append((run, watch))
+        for some in alike.values():
+            for (run, _), found in zip(some, impacts_of([watch for _, watch in some]), strict=True):
+                run.impacts = found
 
     def _needed(self, need: Needs) -> None:
         """Raise LookupError if something is asked for that was not found."""

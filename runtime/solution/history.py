@@ -263,20 +263,27 @@ class History:
         return later
 
     def by_method(
-        self, function: Callable[[Model, Integrator, int], Rowwise], rows: np.ndarray, *tables: np.ndarray
+        self,
+        function: Callable[[Model, Integrator, int], Rowwise],
+        rows: np.ndarray,
+        *tables: np.ndarray,
+        controls: np.ndarray | None = None,
     ) -> np.ndarray:
         """Return results (n, size) of a function of rows (n, ns), each by that row's method.
 
         function    returns (controls, state, *tables) -> result for a method
+        controls    of each row (n, size), for rows of several runs; else those of this one
         """
         methods = rows[:, self.columns("method")][:, 0]
         if (methods == methods[:1]).all():
-            return function(self.model, self.engine, int(methods[0]))(self.controls, rows, *tables)[0]
+            given = self.controls if controls is None else controls
+            return function(self.model, self.engine, int(methods[0]))(given, rows, *tables)[0]
         order, parts = np.argsort(methods, kind="stable"), []
         for method in np.unique(methods):
             here = methods == method
             evaluate = function(self.model, self.engine, int(method))
-            parts += evaluate(self.controls, rows[here], *(table[here] for table in tables))
+            given = self.controls if controls is None else controls[here]
+            parts += evaluate(given, rows[here], *(table[here] for table in tables))
         joined = np.concatenate(parts)
         found = np.empty_like(joined)
         found[order] = joined

@@ -38,11 +38,12 @@ class Impact:
     peak_penetration: float
 
 
-def peaks(history: History, pairs: np.ndarray, tops: np.ndarray) -> np.ndarray:
+def peaks(history: History, controls: np.ndarray, pairs: np.ndarray, tops: np.ndarray) -> np.ndarray:
     """Return the peak normal forces [N] and penetrations [m] of contacts of pairs (n,), shape (n, 2).
 
     The largest in the rows, or within the steps beside it.
 
+    controls    of the run of each (n, size); history: of any of these runs
     tops    by KINDS the row of the largest value, between its neighbours (n, kinds, 3, ns)
     """
     count, kinds, _, ns = tops.shape
@@ -50,7 +51,9 @@ def peaks(history: History, pairs: np.ndarray, tops: np.ndarray) -> np.ndarray:
     for kind, (_, _, sign) in enumerate(KINDS):
         asked[np.arange(count), kind, :, pairs + kind * history.model.k] = sign
     sides = (tops[:, :, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3)))
-    found = history.by_method(crest, *sides, asked.reshape(-1, asked.shape[-1])).reshape(count, kinds, 2, 3)
+    found = history.by_method(
+        crest, *sides, asked.reshape(-1, asked.shape[-1]), controls=np.repeat(controls, kinds * 2, axis=0)
+    ).reshape(count, kinds, 2, 3)
     at_top, within = found[:, :, 0, 1], found[:, :, :, 2]
     largest: np.ndarray = np.maximum(at_top, within.max(axis=2))
     return largest
@@ -119,7 +122,7 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
     within = ca.logic_and(at_low > 0, at_high < 0)
     guess = h * _crest_of_cubic()(*ca.vertsplit(values), h * at_low, h * at_high)
     _, best = once(ca.vertcat(0, h, h, at_low, at_high, at_high, guess, within), -math.inf, controls, state, asked, h)
-    return Rowwise(ca.Function("crest", [controls, state, upper, asked], [ca.vertcat(values, best)]), constant=0)
+    return Rowwise(ca.Function("crest", [controls, state, upper, asked], [ca.vertcat(values, best)]), constant=None)
 
 
 def _crest_of_cubic() -> Any:

@@ -1,9 +1,11 @@
-"""Contacts of a run, found block by block among its steps."""
+"""Contacts of runs, found block by block among their steps, of several short runs at once."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -14,9 +16,12 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
-TOGETHER = 256  # contacts whose peaks are found at once
-PIECE = 2**14  # rows followed at once: what is found of them is held no longer
+TOGETHER = 256  # contacts of a run whose peaks are found at once
+PIECE = 2**14  # rows of a run followed at once: what is found of them is held no longer
 BESIDE = np.array([-1, 0, 1])
+
+Piece: TypeAlias = tuple["History", slice]
+"""Block of a run, and the rows of it that are to be followed."""
 
 
 class Contact(NamedTuple):
@@ -37,124 +42,181 @@ class Contact(NamedTuple):
 
 
 class Watch:
-    """Observer of every contact of a run; keeps only rows beside their tops.
+    """Observer of every contact of a run; keeps rows beside their tops, and the block to be followed.
 
     A contact begins at a row in contact and ends at the next in flight; between them it may be released and touch
     again.
     """
 
     def __init__(self, model: Model) -> None:
-        self._model = model
-        self._view: History
-        self._open: dict[int, Contact] = {}  # that are not over, by pair
-        self._ended: list[Contact] = []  # whose peaks are not known yet
-        self._impacts: list[Impact] = []
+        self.model = model
+        self.view: History  # of the last row
+        self.open: dict[int, Contact] = {}  # that are not over, by pair
+        self.ended: list[Contact] = []  # whose peaks are not known yet
+        self.known: list[Impact] = []
+        self.waiting: list[Piece] = []  # pieces that are not followed yet
+
+    def __getstate__(self) -> dict[str, Any]:
+        follow([self])  # a pickle needs no block
+        return vars(self)
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
-        self._view = block.of(block.rows[-1:].copy())
-        for contact in self._open.values():
+        follow([self])
+        self.view = block.of(block.rows[-1:].copy())
+        for contact in self.open.values():
             _, top, after = contact.tops.swapaxes(0, 1)
             after[(top == after).all(axis=1)] = block.rows[fresh]  # that was not there yet
-        for first in range(fresh, len(block.rows), PIECE):
-            for j in range(self._model.k):
-                ended, still = _contacts(block, j, slice(first, first + PIECE), self._open.pop(j, None))
-                self._ended += ended
-                if still is not None:
-                    self._open[j] = still
-            if len(self._ended) >= TOGETHER:
-                self._impacts += self._impacts_of(self._ended)
-                self._ended = []
+        count = len(block.rows)
+        self.waiting = [(block, slice(i, min(i + PIECE, count))) for i in range(fresh, count, PIECE)]
 
     def impacts(self) -> tuple[Impact, ...]:
         """Return every contact in the order of onset, open ones included.
 
         Peaks are found within the steps, to the accuracy of the run.
         """
-        place = self._model.pairs.index
-        found = [*self._impacts, *self._impacts_of([*self._ended, *self._open.values()])]
-        return tuple(sorted(found, key=lambda impact: (impact.t, place(impact.contact))))
+        (found,) = impacts_of([self])
+        return found
 
-    def _impacts_of(self, contacts: list[Contact]) -> list[Impact]:
-        """Return contacts with their peaks."""
-        if not contacts:
-            return []
-        found = peaks(
-            self._view, np.array([each.pair for each in contacts]), np.stack([each.tops for each in contacts])
-        )
-        return [
-            Impact(self._model.pairs[j], t, speed, force, None if math.isnan(left) else left - t, penetration)
-            for (j, t, speed, left, *_), (force, penetration) in zip(contacts, found.tolist(), strict=True)
+
+def impacts_of(watches: Sequence[Watch]) -> list[tuple[Impact, ...]]:
+    """Return the contacts of each of several runs of a model, see `Watch.impacts`, found of all at once."""
+    follow(watches)
+    last = _with_peaks([(watch, [*watch.ended, *watch.open.values()]) for watch in watches])
+    place = watches[0].model.pairs.index
+    return [
+        tuple(sorted([*watch.known, *found], key=lambda impact: (impact.t, place(impact.contact))))
+        for watch, found in zip(watches, last, strict=True)
+    ]
+
+
+def follow(watches: Sequence[Watch]) -> None:
+    """Follow the contacts of runs of a model through the blocks that wait."""
+    while left := [watch for watch in watches if watch.waiting]:
+        pieces = [watch.waiting.pop(0) for watch in left]
+        for j in range(left[0].model.k):
+            _follow(left, pieces, j)
+        many = [(watch, watch.ended) for watch in left if len(watch.ended) >= TOGETHER]
+        for (watch, _), found in zip(many, _with_peaks(many), strict=True):
+            watch.known += found
+            watch.ended = []
+
+
+def _with_peaks(found: Sequence[tuple[Watch, Sequence[Contact]]]) -> list[list[Impact]]:
+    """Return the contacts of every run with their peaks."""
+    contacts = [contact for _, some in found for contact in some]
+    if not contacts:
+        return [[] for _ in found]
+    controls = np.repeat([watch.view.controls for watch, _ in found], [len(some) for _, some in found], axis=0)
+    pairs, tops = np.array([each.pair for each in contacts]), np.stack([each.tops for each in contacts])
+    values = iter(peaks(found[0][0].view, controls, pairs, tops).tolist())
+    names = found[0][0].model.pairs
+    return [
+        [
+            Impact(names[j], t, speed, force, None if math.isnan(left) else left - t, penetration)
+            for (j, t, speed, left, *_), (force, penetration) in zip(some, values, strict=False)  # the next so many
         ]
+        for _, some in found
+    ]
 
 
-def _contacts(block: History, j: int, rows: slice, begun: Contact | None) -> tuple[list[Contact], Contact | None]:
-    """Return the contacts of pair j that end in some rows, and the one that is open after them.
+def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
+    """Follow the contacts of pair j of several runs, each through its next rows.
 
-    begun    the one that is open before them
+    They are joined, the rows of one run after those of another; no contact goes on from run to run.
     """
-    modes, t = block.part("mode")[rows, j], block.t[rows]
-    is_open = goes_on(modes, begun is not None)
-    within = np.flatnonzero(is_open)
-    if not len(within) and begun is None:
-        return [], None
-    touching = np.concatenate([[begun is not None and math.isnan(begun.left)], modes == CONTACT])
-    leaves = np.flatnonzero(touching[:-1] & ~touching[1:])
-    times = np.append(t[leaves], math.nan if begun is None else begun.left)  # the last: before these rows
+    begun = [watch.open.pop(j, None) for watch in watches]
+    stops = np.cumsum([rows.stop - rows.start for _, rows in pieces])
+    starts = np.append(0, stops[:-1])
+    modes, t = _joined(pieces, "mode", j), _joined(pieces, "t", 0)
+    touching, is_open = modes == CONTACT, goes_on(modes, [each is not None for each in begun], starts)
+    touched = _before(touching, starts, [each is not None and math.isnan(each.left) for each in begun])
+    for watch, contact, start in zip(watches, begun, starts.tolist(), strict=True):
+        if contact is not None and not is_open[start]:
+            watch.ended.append(contact._replace(left=float(t[start])) if touched[start] else contact)
+    begins = np.flatnonzero(is_open & ~_before(is_open, starts, False))  # or goes on from the rows before
+    if not len(begins):
+        return
+    final = np.zeros(len(t), dtype=bool)  # of a run
+    final[stops - 1] = True
+    ends = np.flatnonzero(is_open & (final | ~np.append(is_open[1:], False)))  # the last row of each
+    run = np.searchsorted(stops, begins, side="right")
+    goes = final[ends]
+    leaves = np.append(np.flatnonzero(touched & ~touching), -1)  # the last: before these rows
+    latest = leaves[np.searchsorted(leaves[:-1], ends + ~goes, side="right") - 1]
+    before = np.array([math.nan if each is None else each.left for each in begun])[run]
+    lefts = np.where(latest >= starts[run], t[latest], before)
+    lefts[goes & touching[ends]] = math.nan
+    joins = (begins == starts[run]) & np.array([each is not None for each in begun])[run]
+    speeds = np.maximum(-_joined(pieces, "gap_rate", j)[begins], 0.0)
+    largest, places = _largest(pieces, j, np.flatnonzero(is_open), ends + 1 - begins)
+    shifts = (np.array([rows.start for _, rows in pieces]) - starts)[run][:, None]
+    onsets = np.where(joins[:, None], 0, begins[:, None] + shifts)  # or before
+    tops = _beside(pieces, run, places + shifts, onsets)
+    columns = run.tolist(), t[begins].tolist(), speeds.tolist(), lefts.tolist(), largest, tops
+    for i, *values, joined, still in zip(*columns, joins.tolist(), goes.tolist(), strict=True):
+        contact, earlier = Contact(j, *values), begun[i]
+        if joined and earlier is not None:
+            contact = _continued(earlier, contact)
+        if still:
+            watches[i].open[j] = contact
+        else:
+            watches[i].ended.append(contact)
 
-    def left(end: Any) -> Any:
-        """Return when the surfaces left each other last, up to these rows."""
-        return times[np.searchsorted(leaves, end, side="right") - 1]
 
-    found: list[Contact] = []
-    if begun is not None and not is_open[0]:
-        found, begun = [begun._replace(left=float(left(0)))], None
-    if len(within):
-        starts = np.flatnonzero(within[1:] - within[:-1] > 1) + 1  # of all but the first, among the rows within
-        begins, ends = within[np.append(0, starts)], within[np.append(starts, 0) - 1] + 1
-        lefts = left(ends)
-        if touching[-1]:
-            lefts[-1] = math.nan
-        onsets = rows.start + begins
-        speeds = np.maximum(-block.part("gap_rate")[onsets, j], 0.0)
-        if begun is not None:
-            onsets[0] = 0  # or before
-        tops = _tops(block, j, rows.start + within, np.append(0, starts), onsets)
-        columns = (t[begins].tolist(), speeds.tolist(), lefts.tolist())
-        contacts = [Contact(j, *each) for each in zip(*columns, *tops, strict=True)]
-        if begun is not None:
-            contacts[0] = _continued(begun, contacts[0])
-        found += contacts
-    return (found[:-1], found[-1]) if is_open[-1] else (found, None)
+def goes_on(modes: np.ndarray, before: bool | Sequence[bool], starts: int | np.ndarray = 0) -> np.ndarray:
+    """Return whether a contact goes on at rows of these modes (n,): it may be released and touch again.
 
-
-def goes_on(modes: np.ndarray, before: bool) -> np.ndarray:
-    """Return whether a contact goes on at rows of these modes (n,): it may be released and touch again."""
+    before    whether it is open before the rows of each run, which begin at `starts`
+    """
     found: np.ndarray = modes == CONTACT
     released = modes == RELEASED
     if released.any():
         latest = np.maximum.accumulate(np.where(released, -1, np.arange(len(modes))))
-        found = np.where(latest < 0, before, found[latest])
+        lengths = np.diff(np.append(starts, len(modes)))
+        found = np.where(latest < np.repeat(starts, lengths), np.repeat(before, lengths), found[latest])
     return found
 
 
-def _tops(
-    block: History, j: int, within: np.ndarray, starts: np.ndarray, onsets: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest values in n contacts of pair j (n, kinds), and their rows (n, kinds, 3, ns).
+def _before(values: np.ndarray, starts: np.ndarray, first: bool | Sequence[bool]) -> np.ndarray:
+    """Return the values (n,) of the rows before, of runs that begin at `starts` after these first ones."""
+    found = np.append(False, values[:-1])
+    found[starts] = first
+    return found
 
-    within, starts, onsets    rows in contact, where among them each contact starts, and the first row of each
+
+def _joined(pieces: Sequence[Piece], part: str, column: int) -> np.ndarray:
+    """Return a column of a part of all pieces (n,)."""
+    return np.concatenate([block.part(part)[rows, column] for block, rows in pieces])
+
+
+def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the largest values in n contacts of pair j, and the rows where they are, each (n, kinds).
+
+    within    rows in contact, of one contact after another, so many each
     """
+    starts = np.cumsum(lengths) - lengths
     largest, places = np.empty((len(starts), len(KINDS))), np.empty((len(starts), len(KINDS)), dtype=int)
-    lengths = np.append(starts[1:], len(within)) - starts
     for kind, (part, _, sign) in enumerate(KINDS):
-        values = sign * block.part(part)[within, j]
+        values = sign * _joined(pieces, part, j)[within]
         values[np.isnan(values)] = math.inf  # what is no number counts as the largest
         largest[:, kind] = np.maximum.reduceat(values, starts)
         hits = np.flatnonzero(values == np.repeat(largest[:, kind], lengths))
         places[:, kind] = within[hits[np.searchsorted(hits, starts)]]
-    beside = np.clip(places[:, :, None] + BESIDE, onsets[:, None, None], len(block.rows) - 1)
-    return largest, block.rows[beside]
+    return largest, places
+
+
+def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets: np.ndarray) -> np.ndarray:
+    """Return the rows at places (n, kinds) in the blocks of runs (n,), and beside them, (n, kinds, 3, ns).
+
+    None is before the onset (n, 1) of its contact.
+    """
+    ends = np.array([len(block.rows) - 1 for block, _ in pieces])[run]
+    beside = np.clip(places[:, :, None] + BESIDE, onsets[:, :, None], ends[:, None, None])
+    bounds = np.searchsorted(run, np.arange(len(pieces) + 1))
+    return np.concatenate([
+        block.rows[beside[first:stop]] for (block, _), (first, stop) in zip(pieces, pairwise(bounds), strict=True)
+    ])  # fmt: skip
 
 
 def _continued(begun: Contact, later: Contact) -> Contact:

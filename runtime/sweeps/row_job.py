@@ -20,7 +20,7 @@ from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError
 from hertzwerk.runtime.simulation import Solution, solving
-from hertzwerk.runtime.solution.findings import Needs
+from hertzwerk.runtime.solution.findings import Findings, Needs
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, Times
@@ -90,15 +90,27 @@ class Job:
 
     def do(self, *tasks: Task) -> list[Row]:
         """Run rows, all of them in stages; raises KeyboardInterrupt where they were stopped."""
-        return in_stages([self._doing(task) for task in tasks])
-
-    def _doing(self, task: Task) -> Stages[Row]:
-        """Run a row in the stages of its run, then find its outputs."""
+        made = in_stages([self._running(task) for task in tasks])
+        runs = [run[0].findings for run in made if not isinstance(run, Row)]
         try:
-            solution, times = yield from self._solving(task, self.settings, progress=self._poll)
-            yield
-            return self._row(task, solution, times)
+            Findings.find_impacts(runs)
+        except Exception:  # of any of them: each alone says so
+            if len(runs) > 1:
+                return [row for task in tasks for row in self.do(task)]
+        return [self._made(task, run) for task, run in zip(tasks, made, strict=True)]
+
+    def _running(self, task: Task) -> Stages[tuple[Solution, Times | None] | Row]:
+        """Run a row in stages; return its run and the times of its arrays, or the row where there is no run."""
+        try:
+            return (yield from self._solving(task, self.settings, progress=self._poll))
         except Exception as error:  # a row says so: hours of other runs are not lost for it
+            return self._without_run(task, error)
+
+    def _made(self, task: Task, run: tuple[Solution, Times | None] | Row) -> Row:
+        """Return the row of a run, or the one that is there in its place."""
+        try:
+            return run if isinstance(run, Row) else self._row(task, *run)
+        except Exception as error:  # as above
             return self._without_run(task, error)
 
     def lost(self, task: Task) -> Row:

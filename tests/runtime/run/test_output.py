@@ -234,7 +234,7 @@ def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
 
     def interrupted(self, block, fresh):
         take(self, block, fresh)
-        if sum(map(len, self._watch._ended)) > 2 and not sent:
+        if sum(map(len, self._watch.ended)) > 2 and not sent:
             sent.append(True)
             os.kill(os.getpid(), signal.SIGINT)
 

@@ -8,6 +8,8 @@ import pytest
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.simulation import solving
+from hertzwerk.runtime.solution.findings import Findings
+from hertzwerk.runtime.solution.impacts import peaks
 from hertzwerk.runtime.sweeps.row_job import Job
 from hertzwerk.runtime.sweeps.row_outputs import chosen, own
 
@@ -51,6 +53,50 @@ def test_rows_done_together_are_those_done_alone_and_the_runs_themselves(job):
         run = simulate(job.model, duration="6 ms", tolerance=1e-6, parameters=dict(row.given), compiled=False)
         found = (len(run.impacts), max(impact.peak_force for impact in run.impacts), run.energy_residual)
         assert tuple(row.outputs[name] for name in ("impacts", "peak_force", "energy_residual")) == found
+
+
+def test_contacts_are_followed_in_pieces_of_any_size_for_all_rows_at_once(job, monkeypatch):
+    expected = [plain(row) for row in job.do(*TASKS)]
+    monkeypatch.setattr("hertzwerk.runtime.solution.watch.PIECE", 7)
+    monkeypatch.setattr("hertzwerk.runtime.solution.watch.TOGETHER", 2)
+    many = replace(job, outputs=job.outputs[: len(ASKED)])
+    found = [plain(row) for row in many.do(*TASKS)]
+    assert [row.outputs["peak_force"] for row in found if row.outputs] == [
+        row.outputs["peak_force"] for row in expected if row.outputs
+    ]
+
+
+def test_peaks_of_all_rows_are_one_call_with_the_numbers_of_each(job, monkeypatch):
+    alike = replace(job, outputs=job.outputs[: len(ASKED)])
+    calls = []
+
+    def counted(history, controls, *tables):
+        calls.append(len(controls))
+        return peaks(history, controls, *tables)
+
+    monkeypatch.setattr("hertzwerk.runtime.solution.watch.peaks", counted)
+    expected = [plain(row) for row in alike.do(*TASKS)]
+    assert len(calls) == 1 < calls[0]
+
+    def seeded(history, controls, *tables):
+        return peaks(history, 0 * controls + controls[0], *tables)  # of the first row for all
+
+    monkeypatch.setattr("hertzwerk.runtime.solution.watch.peaks", seeded)
+    assert [plain(row) for row in alike.do(*TASKS)] != expected
+
+
+def test_what_fails_for_all_rows_at_once_is_found_for_each_alone(job, monkeypatch):
+    alike, find = replace(job, outputs=job.outputs[: len(ASKED)]), Findings.find_impacts
+    expected = [plain(row) for row in alike.do(*TASKS)]
+
+    def fails(runs):
+        if len(runs) > 1:
+            runs[0]._watch.waiting.clear()  # it was under way
+            raise MemoryError
+        find(runs)
+
+    monkeypatch.setattr(Findings, "find_impacts", staticmethod(fails))
+    assert [plain(row) for row in alike.do(*TASKS)] == expected
 
 
 @pytest.mark.parametrize("stage", [0, 1, 2])
