@@ -11,8 +11,10 @@ from collections.abc import Iterator
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
+from statements import statements
 
 ROOT = Path(__file__).parents[1]
 SIDES = ("derive", "runtime")
@@ -122,6 +124,7 @@ def arrows() -> dict[str, set[str]]:
     }
 
 
+CALLS = ("import_module", "__import__")
 RINGS = {  # arrows that still close a ring: to be cut, never to grow
 }
 
@@ -139,31 +142,42 @@ def absolute(node: ast.ImportFrom, file: Path) -> str:
     return ".".join([*base, *([node.module] if node.module else [])])
 
 
-@cache
-def tree_of(file: Path) -> ast.Module:
-    return ast.parse(file.read_text(encoding="utf-8"))
+class Import(NamedTuple):
+    """A module that a file imports, by a statement or a call."""
+
+    node: ast.AST
+    module: str
+    typing: bool  # under TYPE_CHECKING
+    at_import: bool  # of the file, by a statement of its own
 
 
 @cache
-def imports(file: Path) -> tuple[tuple[ast.AST, str], ...]:
+def imports(file: Path) -> tuple[Import, ...]:
     """Every module that a file imports, wherever in it; `from a import b` counts as a.b too, for b may be a module."""
-    return tuple(found_imports(file))
+    text = file.read_text(encoding="utf-8")
+    tree = ast.parse(text)  # not kept: collecting garbage among the trees of all files takes longer than reading them
+    nodes = (ast.walk if any(name in text for name in CALLS) else statements)(tree)
+    typing, first = {id(node) for node in for_type_checkers(tree)}, {id(node) for node in tree.body}
+    found = ((node, module) for node in nodes for module in imported(node, file))
+    return tuple(Import(node, module, id(node) in typing, id(node) in first) for node, module in found)
 
 
-def found_imports(file: Path) -> Iterator[tuple[ast.AST, str]]:
-    for node in ast.walk(tree_of(file)):
-        if isinstance(node, ast.Import):
-            yield from ((node, alias.name) for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            module = absolute(node, file)
-            yield node, module
-            yield from ((node, f"{module}.{alias.name}") for alias in node.names)
-        elif (
-            isinstance(node, ast.Call)
-            and node.args
-            and getattr(node.func, "attr", getattr(node.func, "id", "")) in {"import_module", "__import__"}
-        ):
-            yield node, literal_start(node.args[0])
+def imported(node: ast.AST, file: Path) -> Iterator[str]:
+    if isinstance(node, ast.Import):
+        yield from (alias.name for alias in node.names)
+    elif isinstance(node, ast.ImportFrom):
+        module = absolute(node, file)
+        yield module
+        yield from (f"{module}.{alias.name}" for alias in node.names)
+    elif isinstance(node, ast.Call) and node.args and getattr(node.func, "attr", getattr(node.func, "id", "")) in CALLS:
+        yield literal_start(node.args[0])
+
+
+def for_type_checkers(tree: ast.Module) -> Iterator[ast.AST]:
+    """Statements under TYPE_CHECKING."""
+    for block in statements(tree):
+        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING":
+            yield from (node for statement in block.body for node in statements(statement))
 
 
 def literal_start(node: ast.expr) -> str:
@@ -176,7 +190,7 @@ def literal_start(node: ast.expr) -> str:
 
 
 def modules(file: Path) -> Iterator[str]:
-    return (module for _, module in imports(file))
+    return (found.module for found in imports(file))
 
 
 def reaches(module: str, *targets: str) -> bool:
@@ -222,9 +236,9 @@ def file_graph() -> dict[Path, set[Path]]:
     found: dict[Path, set[Path]] = {}
     for file in files():
         named: dict[int, list[Path]] = {}
-        for node, module in imports(file):
-            if (other := file_named(module)) is not None:
-                named.setdefault(id(node), []).append(other)
+        for each in imports(file):
+            if (other := file_named(each.module)) is not None:
+                named.setdefault(id(each.node), []).append(other)
         # of `from a import b` the last name found is the nearest: a.b where b is a module, else a
         path = file.relative_to(ROOT)
         found[path] = {other for others in named.values() for other in (others[1:] or others)} - {path}
@@ -353,22 +367,14 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
         "hertzwerk.derive.html",
     )
     for file in sources("runtime"):
-        tree = tree_of(file)
-        typing_only = {
-            id(node)
-            for block in ast.walk(tree)
-            if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
-            for node in ast.walk(block)
-        }
-        at_import = {id(node) for node in tree.body}
-        for node in ast.walk(tree):
+        for node, _, typing, at_import in imports(file):
             module = node.module or "" if isinstance(node, ast.ImportFrom) else ""
-            if reaches(module, "hertzwerk.derive") and not reaches(module, *shared) and id(node) not in typing_only:
+            if reaches(module, "hertzwerk.derive") and not reaches(module, *shared) and not typing:
                 names = {alias.name for alias in node.names}
                 if module == "hertzwerk.derive" and names <= {"units", "faults", "identifiers", "html"}:
                     continue
                 assert file.name == "build.py", f"{file} imports {module}"
-                assert id(node) not in at_import, f"{file} imports {module} when it is imported"
+                assert not at_import, f"{file} imports {module} when it is imported"
 
 
 COMMANDS = [
@@ -429,14 +435,7 @@ def test_heavy_libraries_have_one_importer(libraries, home):
 
 def runs(file: Path) -> set[str]:
     """Modules that a file imports when it runs: without those under TYPE_CHECKING."""
-    tree = tree_of(file)
-    typing_only = {
-        ast.unparse(node)
-        for block in ast.walk(tree)
-        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
-        for node in block.body
-    }
-    return {module for node, module in imports(file) if ast.unparse(node) not in typing_only}
+    return {found.module for found in imports(file) if not found.typing}
 
 
 def test_no_test_imports_another():

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+from statements import statements
 
 ROOT = Path(__file__).parent.parent
 LONGEST = 100
@@ -14,7 +15,7 @@ RIDDLE = re.compile(r"(What|Of|Whose|Who)\b")
 def faults(text):
     """Summaries of a module's text that are too long or begin like a riddle, as 'line: summary'."""
     found = []
-    for node in ast.walk(ast.parse(text)):
+    for node in statements(ast.parse(text)):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
             summary = (ast.get_docstring(node) or "").partition("\n")[0]
             if len(summary) > LONGEST or RIDDLE.match(summary):

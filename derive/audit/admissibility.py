@@ -58,6 +58,9 @@ class Trial:
     max_penetration: Any
     stiffness: Trial | None = None
 
+    def __hash__(self) -> int:
+        return hash((self.law, frozenset(self.values.items()), self.max_penetration, self.stiffness))
+
     def at(self, state: Mapping[Any, Any]) -> str:
         """Describe a point: the state, then the parameters."""
         shown = [*state.items(), *((q, self.values[q]) for q in self.law.parameters if q in self.values)]

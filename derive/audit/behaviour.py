@@ -69,7 +69,7 @@ def scene_faults(scene: Scene) -> Iterator[Fault]:
             for bound in effect.laws:
                 trial = _in_scene(bound, geometry, elastic)
                 if trial is not None:
-                    yield from faults_of(trial)
+                    yield from _trial_faults(trial)
                     elastic = trial if isinstance(bound.law, StiffnessLaw) else elastic
 
 
@@ -78,6 +78,12 @@ def refuse_misbehaving(scene: Scene) -> None:
     faults = tuple(dict.fromkeys(scene_faults(scene)))
     if faults:
         raise InputError(f"scene {scene.name}", faults)
+
+
+@lru_cache(maxsize=256)
+def _trial_faults(trial: Trial) -> tuple[Fault, ...]:
+    """Faults of a law with values; pairs that are alike, and scenes, ask for the same ones."""
+    return tuple(faults_of(trial))
 
 
 # -- numbers for a law -------------------------------------------------------------------------------------------------

@@ -312,16 +312,23 @@ class Scene:
         """Resistances to rolling and drilling at a pair, in declared order."""
         return [effect for effect in self.all(PairResistance) if effect.pair == pair_name]
 
-    def geometry(self, pair_name: str) -> dict[str, Any]:
+    def geometry(self, pair_name: str) -> Mapping[str, Any]:
         """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""
-        pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
-        if pair is None:
-            return {}
+        if pair_name not in self._geometries:
+            pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
+            self._geometries[pair_name] = {} if pair is None else self._geometry(pair)
+        return self._geometries[pair_name]
+
+    @cached_property
+    def _geometries(self) -> dict[str, Mapping[str, Any]]:
+        return {}
+
+    def _geometry(self, pair: Pair) -> dict[str, Any]:
         bodies = [place.body for place in pair.places if isinstance(place.body, Body)]
         given = [*pair.slots(), *(slot for body in bodies for slot in body.slots())]
         if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
             return {}  # a fault reported by the scene
-        own = next((e.effective_mass for e in self.all(Contact) if e.pair == pair_name), None)
+        own = next((e.effective_mass for e in self.all(Contact) if e.pair == pair.name), None)
         masses = [body.mass for body in bodies]
         both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None
         mass = both if own is None else own
@@ -332,6 +339,10 @@ class Scene:
 
         Geometry that a pair has for its laws alone is included only if a law depends on it.
         """
+        return iter(self._used)
+
+    @cached_property
+    def _used(self) -> tuple[Slot, ...]:
         asked = {
             f"{pair}.{quantity.name}"
             for effect in self.effects
@@ -339,7 +350,7 @@ class Scene:
             for bound in effect.laws
             for quantity in bound.law.geometry()
         }
-        return (slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
+        return tuple(slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
 
     def declarations(self) -> Iterator[Slot]:
         """Yield every quantity of the scene, in declared order."""

@@ -9,6 +9,8 @@ from hertzwerk.derive.emit.box_helpers import BOX_HELPERS
 from hertzwerk.derive.emit.chain_helpers import CHAIN_HELPERS
 from hertzwerk.derive.emit.curve_helpers import CURVE_HELPERS
 
+_NAMES = re.compile(r"(?<!def )\b_\w+")  # but of what is defined there
+
 HELPERS = {
     "_lambert_w_lower": '''def _lambert_w_lower(x):
     """Lower branch of Lambert's W on [-1/e, 0): series at the branch point or at 0, then three steps of 4th order; -1 below.
@@ -65,16 +67,10 @@ _SPLINES = {}''',
 
 def helpers_in(texts: Iterable[str]) -> list[str]:
     """Texts of the helpers that some texts call, and of those that these call."""
-    wanted, last = list(texts), -1
-    while len(wanted) > last:
-        last = len(wanted)
-        wanted += [
-            text
-            for name, text in HELPERS.items()
-            if text not in wanted and any(_calls(other, name) for other in wanted)
-        ]
-    return [text for text in HELPERS.values() if text in wanted]
-
-
-def _calls(text: str, name: str) -> bool:
-    return re.search(rf"(?<!def )(?<!\w){name}\b", text) is not None
+    wanted: set[str] = set()
+    pending = [*texts]
+    while pending:
+        called = HELPERS.keys() & _NAMES.findall(pending.pop())
+        pending += [HELPERS[name] for name in called - wanted]
+        wanted |= called
+    return [text for name, text in HELPERS.items() if name in wanted]
