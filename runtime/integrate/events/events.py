@@ -17,6 +17,7 @@ from hertzwerk.runtime.integrate.events.jumps import falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
 from hertzwerk.runtime.integrate.step.rounding import gap_rounding, time_rounding
 from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, margin_tolerances, margins, margins_positive
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -129,6 +130,7 @@ def ends_with_force(model: Model) -> Any:
     return ca.DM([float(rule == "force") for rule in releases])
 
 
+@per_model
 def polynomials(model: Model, layouts: Layouts) -> Any:
     """Build the function (state, controls, next) -> gap polynomials over a step and their suspicions.
 
@@ -162,6 +164,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     return ca.Function("polynomials", arguments, outputs)
 
 
+@per_model
 def endings(model: Model, layouts: Layouts) -> Any:
     """Build the function (state, controls, next) -> cubics of the force, opening speed and margins.
 

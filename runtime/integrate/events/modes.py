@@ -33,6 +33,7 @@ from hertzwerk.runtime.integrate.step.set_valued_friction import (
     slip_tolerances,
     undecided_and_breaking,
 )
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.explicit import Flow
@@ -73,6 +74,7 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
     return latched, floored
 
 
+@per_model
 def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (before, after, controls) -> state `after` with its mode changes carried out.
 

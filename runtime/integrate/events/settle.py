@@ -47,6 +47,7 @@ from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, turned, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tableaux.methods import Table
@@ -154,6 +155,7 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     return ca.Function("aim", asked, ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)]))
 
 
+@per_model
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (state, controls, next, verdict, delta) -> (next, verdict) delta [s] later."""
     arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict")

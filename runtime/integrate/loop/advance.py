@@ -21,6 +21,7 @@ from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.classes import Contacts
@@ -36,6 +37,7 @@ def pairs_by_polynomial(model: Model, contacts: Contacts) -> list[int]:
     return list(range(model.k)) if contacts is BY_MODE or model.k == 1 else list(contacts)
 
 
+@per_model
 def no_event_of_any_pair(model: Model, vectors: Layouts) -> Any:
     """Build the function (state, controls, next) -> 1 if no pair can have an event in the step."""
     given, (old, run, end) = vectors.symbols("state controls next")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -20,9 +20,9 @@ from hertzwerk.runtime.integrate.step.singular import explicit_near
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dopri5
 from hertzwerk.runtime.integrate.tableaux.methods import Table
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.integrate.step.explicit import Flow
     from hertzwerk.runtime.model.model import Model
 
 
@@ -78,7 +78,7 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     """Build an attempt that steps by some (`taken`) of a method's tables."""
     vectors, right = layouts(model), flow(model)
     # called with MX, so that one branch of each is evaluated; SX would evaluate all
-    ends = [after for table in taken for after in _completions(model, vectors, table, right)]
+    ends = [after for table in taken for after in _completions(model, table)]
     state, controls, end, verdict = ends[0].mx_in()
     method = state[vectors.state["method"]]
     plain = _unchanged(ends[0])
@@ -103,17 +103,17 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     )
 
 
-def _completions(model: Model, vectors: Layouts, table: Table, right: Flow) -> Iterator[Any]:
-    """Yield the functions that complete a step that is NEAR, SPECIAL, REJECTED."""
-    special = settle(model, vectors, table, right)
-    given = special.mx_in()
-    if model.k > 1:
+@per_model
+def _completions(model: Model, table: Table) -> tuple[Any, Any, Any]:
+    """Return the functions that complete a step that is NEAR, SPECIAL, REJECTED."""
+    vectors = layouts(model)
+    special = settle(model, vectors, table, flow(model))
+    near = special
+    if model.k > 1:  # one pair is always asked
+        given = special.mx_in()
         judge = ca.Function.if_else("judge", _unchanged(special), special)
-        yield ca.Function("asked", given, [judge(no_event_of_any_pair(model, vectors)(*given[:3]), *given)])
-    else:
-        yield special  # one pair is always asked
-    yield special
-    yield reject(vectors, table)
+        near = ca.Function("asked", given, [judge(no_event_of_any_pair(model, vectors)(*given[:3]), *given)])
+    return near, special, reject(vectors, table)
 
 
 def _unchanged(like: Any) -> Any:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Layout:
     """Names and sizes of the consecutive parts of a vector."""
 

@@ -170,6 +170,7 @@ def test_energy_changes_by_the_power_of_the_other_forces(name, derived):
         assert energy_balance(derived(name), t, q, u, rows(tree, force), work) < 1e-12
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", TREES)
 def test_poses_equal_products_of_rotations(name, derived):
     assert deviation_of_poses(TREES[name], derived(name)) < 1e-13

@@ -181,6 +181,7 @@ def test_bodies_are_placed_where_the_joints_put_them(pair):
     assert np.max(np.abs(rate)) < 1e-12
 
 
+@pytest.mark.by_turns(2)
 def test_motion_energy_and_drives_are_the_same(pair):
     """Accelerations of the bodies: the rates of their speeds as the joints have them, by derivatives of `placed`."""
     tree, absolute = pair

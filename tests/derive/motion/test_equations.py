@@ -126,6 +126,7 @@ def test_random_trees_equal_kanes_method(seed):
     assert deviation(tree, derived) < 1e-10
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("parameter", ["m1", "J1z", "s1x", "b1y", "a2z", "w0", "g"])
 def test_one_number_changed_by_a_thousandth_is_noticed(parameter):
     tree = TREES["driven root, spatial"]
@@ -135,6 +136,7 @@ def test_one_number_changed_by_a_thousandth_is_noticed(parameter):
     assert deviation(tree, Derived(text=right.text, values=wrong), 1) > 1e-7
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", ["planar, branches", "spatial, branches", "driven root, spatial"])
 def test_without_a_ledger_the_same_accelerations_and_no_reactions(name):
     tree = TREES[name]
@@ -297,7 +299,7 @@ TOUCHING = {
 }  # fmt: skip
 
 
-@pytest.mark.by_turns(3)
+@pytest.mark.by_turns(5)
 @pytest.mark.parametrize("friction", [False, True], ids=["frictionless", "friction"])
 @pytest.mark.parametrize("name", TOUCHING)
 def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction):
@@ -324,6 +326,7 @@ def test_gap_is_minus_the_penetration_to_first_order_and_its_rates_are_its_deriv
         assert gap[0] < 0 < depth
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", ["pin in bush, spatial", "sphere on sphere, spatial", "sphere on plane, spatial"])
 def test_an_open_pair_does_nothing(name):
     case = TOUCHING[name]

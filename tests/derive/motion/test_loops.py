@@ -121,6 +121,7 @@ def test_accelerations_multipliers_and_reactions_solve_the_saddle_point_system(n
     assert reactions == pytest.approx(wanted, rel=1e-7, abs=1e-7)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize(("name", "kind"), CASES)
 def test_constraints_their_rates_and_the_projection(name, kind):
     case = closed(name, kind)

@@ -89,6 +89,7 @@ def inertia_of(name, turn):
     return 2e-3 + moved[name]
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 @pytest.mark.parametrize("make", [whitworth, yoke, slider_crank], ids=lambda make: make.__name__)
 def test_a_free_crank_turns_as_its_reduced_inertia_lets_it(make, coordinates):
@@ -110,6 +111,7 @@ def test_a_driven_slot_block_moves_as_its_geometry_says():
     assert np.unwrap(swing(10 * run.t)[0]) == pytest.approx(run["swing.angle"], abs=1e-10)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_no_mass_is_the_limit_of_a_small_one(coordinates):
     def end(mass):

@@ -40,7 +40,7 @@ from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.solution.scales import of_parameters
 from hertzwerk.runtime.solution.solution import Solution
 
-pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 REFERENCES = ("cvodes", "idas")

@@ -15,7 +15,7 @@ from hertzwerk.runtime.integrate.step import explicit, implicit
 from reference import closed_forms
 from reference.slider_crank import SliderCrank, reference
 
-pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
 METHODS = {"dopri5": 1e-12, "dop853": 1e-11}  # the tolerance that gives 1e-9 over an impact
 DROP = 4.42944692

@@ -42,7 +42,7 @@ from hertzwerk.runtime.run.engine import engine_for
 from hertzwerk.runtime.solution.scales import of_parameters
 from reference import closed_forms
 
-pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
 IMPLICIT = ("rodas", "esdirk")
 STATIC = (9.81 / 2.4e10) ** (2 / 3)  # m, penetration of the bouncing ball at rest

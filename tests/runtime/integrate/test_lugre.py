@@ -16,7 +16,7 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised
 
-pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
 MU_K, MU_S, V_S, S_0, S_1 = 0.2, 0.3, 0.05, 1e5, 20.0
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")

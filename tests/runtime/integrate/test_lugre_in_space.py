@@ -40,7 +40,7 @@ from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised
 from hertzwerk.runtime.solution.scales import of_parameters
 
-pytestmark = pytest.mark.by_turns(4)  # methods and coordinates that run the same code
+pytestmark = pytest.mark.by_turns(6)  # methods and coordinates that run the same code
 
 MU_K, MU_S, V_S, S_0, S_1 = 0.2, 0.3, 0.05, 1e4, 20.0
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")

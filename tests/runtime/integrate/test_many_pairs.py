@@ -22,7 +22,7 @@ from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.model import Model
 from reference import closed_forms, scenes
 
-pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
 APART, CLOSE = "1 mm", "0.1 um"  # gaps between neighbours; an impact is about 10 um deep
 
