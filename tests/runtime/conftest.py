@@ -1,4 +1,4 @@
-"""Settings of the tests of integration."""
+"""Settings of the tests of runs."""
 
 import pytest
 
