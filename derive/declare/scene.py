@@ -312,7 +312,7 @@ class Scene:
         """Resistances to rolling and drilling at a pair, in declared order."""
         return [effect for effect in self.all(PairResistance) if effect.pair == pair_name]
 
-    def geometry(self, pair_name: str) -> Mapping[str, Any]:
+    def geometry(self, pair_name: str) -> dict[str, Any]:
         """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""
         if pair_name not in self._geometries:
             pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
@@ -320,7 +320,7 @@ class Scene:
         return self._geometries[pair_name]
 
     @cached_property
-    def _geometries(self) -> dict[str, Mapping[str, Any]]:
+    def _geometries(self) -> dict[str, dict[str, Any]]:
         return {}
 
     def _geometry(self, pair: Pair) -> dict[str, Any]:
