@@ -8,7 +8,6 @@ Numerical Algorithms, 2nd ed. (2002), section 3.3.
 
 from __future__ import annotations
 
-from itertools import accumulate, pairwise
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -82,17 +81,14 @@ def _result(operation: int, arguments: list[tuple[Any, Any]]) -> tuple[Any, Any]
 def _call(called: Any, arguments: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
     """Return the values of a function that is called, and the bounds of their errors.
 
-    Such a function finds the nearest point of a curve. It is taken to be as exact
+    Such a function finds the nearest point of a curve, or looks up a table. It is taken to be as exact
     as its results and arguments rounded once.
     """
-    sizes = [0, *accumulate(called.nnz_in(i) for i in range(called.n_in()))]
     values, known = (ca.vertcat(*(pair[part] for pair in arguments)) for part in (0, 1))
-    given = [values[a:b] for a, b in pairwise(sizes)]
-    results = ca.vertcat(*called.call(given))
+    own = [ca.SX.sym(f"x{i}", called.sparsity_in(i)) for i in range(called.n_in())]
+    x, y = ca.vertcat(*(part.nz[:] for part in own)), ca.vertcat(*(part.nz[:] for part in called.call(own)))
+    # CasADi embeds the derivative as a call too: that of a table looks its interval up, which no expression can
+    results, slopes = ca.Function("call", [x], [y, ca.jacobian(y, x)])(values)
     moved = known + EPS * ca.fabs(values) * (known > 0)
-    slopes = called.jacobian()(*given, *called.call(given))
-    blocks = slopes if isinstance(slopes, tuple) else (slopes,)
-    error = EPS * ca.fabs(results)
-    for block, (a, b) in zip(blocks, pairwise(sizes), strict=True):
-        error = error + ca.fabs(block) @ moved[a:b]
+    error = EPS * ca.fabs(results) + ca.fabs(slopes) @ moved
     return [(results[j], error[j]) for j in range(results.numel())]
