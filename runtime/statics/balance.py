@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 RANK = 1e-9  # singular value over the largest below which it counts as zero
+STILL = 1e-9  # rate at rest over its terms that counts as zero
+FOLLOWED = 4  # iterations for states of effects, whose rates are linear as a rule
 UNDAMPED = 1e12  # m/s, approach speed at which damping laws vanish: at rest nothing approaches
 
 
@@ -34,8 +36,8 @@ class Balance:
     """Forces and directions at a position, by the speeds' freedoms; n grips.
 
     force (nu), loops (nl) and their directions G (nl, nu); D (nu, n) by mu, S (n, nu) of sliding, limit (n) of mu;
-    stiffness K (nu, nu), minus the derivative of F + G^T lambda + D mu; moves (nq, nu) of the coordinates; gap (k) and
-    its directions W (k, nu), normal force (k) [N], in_range (k).
+    stiffness K (nu, nu), minus the derivative of F + G^T lambda + D mu; moves (nq, nu) of the coordinates, states of
+    effects as they follow; gap (k) and its directions W (k, nu), normal force (k) [N], in_range (k).
     """
 
     force: Array
@@ -55,9 +57,46 @@ class Balance:
 def balance(model: Model, bound: Bound, t: float, q: Array, closed: Array, multipliers: Array, mu: Array) -> Balance:
     """Evaluate the balance at q (nq,), with closed pairs (k,) [0 or 1], multipliers (nl,) and mu (n,)."""
     nu, nq, nl, k, n = model.nu, model.nq, model.nl, model.k, len(grip_pairs(model))
-    shapes = ((nu,), (nl,), (nl, nu), (nu, n), (n, nu), (n,), (nu, nu), (nq, nu), (k,), (k, nu), (k,), (k,))
+    shapes = ((nu,), (nl,), (nl, nu), (nu, n), (n, nu), (n,), (nu, nq), (nq, nu), (k,), (k, nu), (k,), (k,))
     found = _balance(model)(t, q, closed, multipliers, mu, bound.c)
-    return Balance(*(np.asarray(x).reshape(shape) for x, shape in zip(found, shapes, strict=True)))
+    force, loops, G, D, S, limit, slopes, moves, *contacts = (
+        np.asarray(x).reshape(shape) for x, shape in zip(found, shapes, strict=True)
+    )
+    own = list(followers(model))
+    if own:
+        _, change = drift(model, bound, t, q)
+        others = [row for row in range(nq) if row not in own]
+        moves[own] = np.linalg.lstsq(change[np.ix_(own, own)], -change[np.ix_(own, others)] @ moves[others])[0]
+    gap, W, normal, in_range = contacts
+    return Balance(force, loops, G, D, S, limit, -slopes @ moves, moves, gap, W, normal, in_range)
+
+
+def drift(model: Model, bound: Bound, t: float, q: Array) -> tuple[Array, Array]:
+    """Return the rates (nq,) of the coordinates where all speeds are zero, and their derivatives (nq, nq) by q."""
+    rates, change = _drift(model)(t, q, bound.c)
+    return np.asarray(rates).reshape(model.nq), np.asarray(change).reshape(model.nq, model.nq)
+
+
+def drifting(model: Model, bound: Bound, t: float, q: Array) -> dict[str, float]:
+    """Return the rate of every state that goes on changing where all speeds are zero, as a controller's integral.
+
+    What only counts, as the time to a sample, is none of them: no force depends on it.
+    """
+    rates, change = drift(model, bound, t, q)
+    moving = np.abs(rates) > STILL * (np.abs(change) @ np.abs(q))
+    return {model.coordinates[i]: float(rates[i]) for i in felt(model) if moving[i]}
+
+
+def followed(model: Model, bound: Bound, t: float, q: Array) -> Array:
+    """Return q (nq,) with states of effects where they come to rest, as a motor's current, by Newton's method."""
+    own, found = list(followers(model)), q.copy()
+    for _ in range(FOLLOWED if own else 0):
+        rates, change = drift(model, bound, t, found)
+        step = np.linalg.lstsq(change[np.ix_(own, own)], -rates[own])[0]
+        if not np.all(np.isfinite(step)):
+            break
+        found[own] += step
+    return found
 
 
 def grip_pairs(model: Model) -> tuple[int, ...]:
@@ -105,6 +144,39 @@ def bristles_of(model: Model) -> Sequence[tuple[int, int]]:
 
 
 @per_model
+def followers(model: Model) -> tuple[int, ...]:
+    """Return the states, among the coordinates, whose rates at rest depend on states: they come to rest themselves."""
+    _, (_, change) = _rates_at_rest(model)
+    return tuple(sorted(set(change.sparsity().get_triplet()[0])))
+
+
+@per_model
+def felt(model: Model) -> tuple[int, ...]:
+    """Return the coordinates, states among them, on which forces or rates at rest depend."""
+    (t, q, c), (_, change) = _rates_at_rest(model)
+    u, reactions = model.symbols("u reactions")
+    forces = [model.function("applied")(t, q, u, c)]
+    if model.has("loads"):
+        forces.append(model.function("loads")(t, q, u, reactions, c))
+    found = ca.vertcat(ca.jacobian(ca.vertcat(*forces), q), change)
+    return tuple(sorted(set(found.sparsity().get_triplet()[1])))
+
+
+@per_model
+def _drift(model: Model) -> Callers:
+    """Build the function (t, q, c) -> rates (nq) at rest, and their derivatives (nq, nq)."""
+    arguments, results = _rates_at_rest(model)
+    return Callers(ca.Function("drift", arguments, [ca.densify(x) for x in results]))
+
+
+def _rates_at_rest(model: Model) -> tuple[list[ca.SX], list[ca.SX]]:
+    """Return the symbols t, q, c, and by them the rates (nq) at rest and their derivatives (nq, nq)."""
+    t, q, c = model.symbols("t q c")
+    rates = model.function("coordinate_rates")(t, q, ca.SX.zeros(model.nu), c)
+    return [t, q, c], [rates, ca.jacobian(rates, q)]
+
+
+@per_model
 def _balance(model: Model) -> Callers:
     """Build the function (t, q, closed, multipliers, mu, c) -> fields of `Balance`."""
     t, q, u, closed, multipliers, c, z = model.symbols("t q u mode multipliers c z")
@@ -146,7 +218,7 @@ def _balance(model: Model) -> Callers:
         ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u),
     )
     total = force + ca.mtimes(G.T, multipliers) + ca.mtimes(D, mu)
-    results = [force, loops, G, D, S, limit, -ca.mtimes(ca.jacobian(total, q), moves), moves, gap, W, normal, in_range]
+    results = [force, loops, G, D, S, limit, ca.jacobian(total, q), moves, gap, W, normal, in_range]
     at_rest = ca.substitute(results, [u, z], [ca.SX.zeros(model.nu), ca.SX.zeros(model.nz)])
     arguments = [t, q, closed, multipliers, mu, c]
     return Callers(ca.Function("balance", arguments, [ca.densify(x) for x in ca.cse(at_rest)]))

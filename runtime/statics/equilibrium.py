@@ -23,6 +23,7 @@ from hertzwerk.runtime.statics.balance import (
     UNDAMPED,
     Array,
     along_of,
+    drifting,
     grip_names,
     grip_pairs,
     kernel,
@@ -233,7 +234,7 @@ def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, res
         q=rest.q,
         memory=memory_of(model, rest.mu),
         closed=rest.closed,
-        outcome=_outcome(model, rest, indifferent),
+        outcome=_outcome(model, rest, indifferent, drifting(model, bound, t, rest.q)),
         stable=rest.found and least >= 0,
         contacts={pair: float(at.normal[j]) for j, pair in enumerate(model.pairs)},
         penetrations={model.pairs[j]: float(-at.gap[j]) for j in touching},
@@ -250,11 +251,16 @@ def _shown(value: float, unit: str) -> str:
     return f"{value:.9g}" if unit == "1" else f"{value:.9g} {unit}"
 
 
-def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...]) -> Outcome:
+def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: Mapping[str, float]) -> Outcome:
     if rest.found and indifferent:
         return Outcome("not_unique", f"at rest, with {', '.join(indifferent)} indifferent", "state them in `initial`")
     if rest.found:
         return Outcome("found", "at rest", "")
+    if drifting:
+        units = model.units
+        told = ", ".join(f"{name} by {rate:.3g} ({units[name]})/s" for name, rate in drifting.items())
+        remedy = "what keeps a speed has no position of rest: `modes(run, at=...)` is about its motion"
+        return Outcome("no_equilibrium", f"where nothing moves states go on changing: {told}", remedy)
     loose = [
         f"{name} by {abs(part):.2g}"
         for name, part in zip(model.speeds, rest.unbalanced, strict=True)

@@ -19,6 +19,9 @@ from hertzwerk.runtime.statics.balance import (
     Array,
     Balance,
     balance,
+    drifting,
+    followed,
+    followers,
     gauge_of,
     grip_names,
     grip_pairs,
@@ -96,7 +99,8 @@ class Search:
     def relaxed(self, q: Array) -> Rest:
         """Return the place of rest that a strongly damped motion from a position leads to."""
         rest = self._polished(self.start(q), within=SETTLED)
-        if rest.found:
+        follow = {self.model.coordinates[i] for i in followers(self.model)}
+        if rest.found or drifting(self.model, self.bound, self.t, q).keys() - follow:  # no position stops the latter
             return rest
         rest = self.start(q)
         pull = float(np.max(np.abs(rest.balance.force * self.scale), initial=0.0)) or 1.0
@@ -148,7 +152,7 @@ class Search:
         return rest
 
     def _balanced(self, rest: Rest) -> bool:
-        """Return whether forces balance, loops are closed, grips hold and every law is in its range."""
+        """Return whether forces balance, states stay, loops are closed, grips hold and every law is in its range."""
         at = rest.balance
         reach = max(
             float(np.max(np.abs(at.G), initial=0.0)) * max(1.0, float(np.max(np.abs(rest.q), initial=0.0))), 1e-9
@@ -158,6 +162,7 @@ class Search:
             and np.all(np.abs(at.loops) <= CLOSED * reach)
             and np.all(sizes_of(self.model, rest.mu) <= limits(self.model, self.bound, at) * (1 + HOLDS))
             and np.all(at.in_range > 0.5)
+            and not drifting(self.model, self.bound, self.t, rest.q)
         )
 
     def _iterate(self, rest: Rest, drag: Array, total: Array) -> tuple[Rest, Array] | None:
@@ -222,6 +227,7 @@ class Search:
 
     def _at(self, q: Array, multipliers: Array, mu: Array, sticks: Flags) -> Rest:
         model, still = self.model, np.zeros(self.model.nu)
+        q = followed(model, self.bound, self.t, q)
         gap = model.evaluate("gaps", self.t, q, still, self.bound.c)[0] if model.k else still[:0]
         closed = (gap < 0).astype(float)
         at = balance(model, self.bound, self.t, q, closed, multipliers, mu)

@@ -63,7 +63,8 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
                     f"body {body.name}",
                     "inertia 0",
                     "a positive inertia about the joint's axis, because the body rotates",
-                    "Body(name, mass, inertia) about the mass centre, or a joint beside it.",
+                    "Body(name, mass, inertia) about the mass centre; or, if another joint keeps it from turning, "
+                    "that joint before this one: then it carries the body.",
                 )
 
 

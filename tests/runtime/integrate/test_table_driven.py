@@ -33,7 +33,11 @@ GRAVITY, HEIGHT, RISING = 9.81, 0.1, 0.5
 @pytest.fixture(scope="module")
 def lifted():
     """A ball that falls on a platform, which a table lifts at a constant speed."""
-    radius, ball, platform = Parameter("radius", "mm", 20), Body("ball", Parameter("m", "kg", 0.1)), Body("platform", Parameter("mp", "kg", 1))
+    radius, ball, platform = (
+        Parameter("radius", "mm", 20),
+        Body("ball", Parameter("m", "kg", 0.1)),
+        Body("platform", Parameter("mp", "kg", 1)),
+    )
     lift = Table("lift", (0, 1, 2), (0, RISING, 2 * RISING), ("s", "m"))
     guides = Prismatic("fall", GROUND, ball, axis=Y), Prismatic("guide", GROUND, platform, axis=Y)
     floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, platform.at(0, 0, 0), normal=Y)

@@ -13,21 +13,26 @@ from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
+    DCMotor,
     Drive,
     EnergyLedger,
     Friction,
     Gravity,
     InputError,
     JointForce,
+    JointSpring,
     Mechanism,
     Parameter,
     Prismatic,
+    Revolute,
     Scales,
     Scene,
+    SpeedController,
     SphereOnPlane,
     Start,
     X,
     Y,
+    Z,
 )
 from hertzwerk.derive.laws import coulomb, lugre, power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
@@ -261,3 +266,56 @@ def test_what_only_drives_move_has_forces_without_a_freedom():
         assert rest.outcome.name == "found"
         assert rest.contacts == pytest.approx({"floor": 50})
         assert rest.drives == pytest.approx({"press": G - 50})
+
+
+def motor(volts, *effects):
+    """A DC motor on a shaft, and effects on it."""
+    shaft = Mechanism(
+        "motor", (Revolute("main", GROUND, Body("rotor", Parameter("m", "kg", 1), Parameter("J", "kg m^2", 0.01)), Z),)
+    )
+    ohms, henry, constant = Parameter("ohms", "ohm", 0.5), Parameter("L", "mH", 2), Parameter("k", "N m/A", 0.1)
+    size, pace = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1)
+    winding = DCMotor("motor", "main", volts, ohms, henry, constant)
+    return load(Scene(shaft, (winding, *effects, EnergyLedger()), Scales(size, pace, size)))
+
+
+def test_a_motor_s_current_comes_to_rest_where_its_winding_takes_the_voltage():
+    """Moving-coil meter: i = V/R, and the spring turns by k i/k_t."""
+    meter = motor(Parameter("volts", "V", 2), JointSpring("spring", "main", Parameter("k_t", "N m/rad", 0.8)))
+    for nearest in (False, True):
+        rest = equilibrium(meter, nearest=nearest)
+        assert rest.outcome.name == "found" and rest.stable
+        assert rest["motor.current"][0] == pytest.approx(4) and rest["main.angle"][0] == pytest.approx(0.5)
+    run = simulate(meter, duration="0.2 s", tolerance=1e-9, initial=rest)
+    assert np.ptp(run["main.angle"]) < 1e-9
+
+
+def test_what_keeps_a_speed_has_no_rest():
+    control = SpeedController(
+        "control",
+        "main",
+        Parameter("w", "rad/s", 5),
+        Parameter("Kp", "V s/rad", 0.5),
+        Parameter("Ki", "V/rad", 5),
+        unit="V",
+    )
+    rest = equilibrium(motor(control.command, control, JointForce("load", "main", Parameter("M", "N m", -0.5))))
+    assert rest.outcome.name == "no_equilibrium"
+    assert "control.error by 5 (rad)/s" in rest.outcome.message and "modes(run" in rest.outcome.remedy
+
+
+def test_a_state_that_only_counts_does_not_keep_a_mechanism_from_rest():
+    """A sampled controller's time to the next sample goes on; its command is held."""
+    gains = Parameter("Kp", "N m s/rad", 0.5), Parameter("Ki", "N m/rad", 5)
+    control = SpeedController(
+        "control", "main", Parameter("w", "rad/s", 5), *gains, unit="N m", period=Parameter("Ts", "ms", 1)
+    )
+    rest = equilibrium(
+        motor(
+            Parameter("volts", "V", 2),
+            control,
+            JointForce("drive", "main", control.command),
+            JointSpring("spring", "main", Parameter("k_t", "N m/rad", 0.8)),
+        )
+    )
+    assert rest.outcome.name == "found" and rest["main.angle"][0] == pytest.approx(0.5)
