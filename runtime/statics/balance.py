@@ -72,13 +72,13 @@ def balance(model: Model, bound: Bound, t: float, q: Array, closed: Array, multi
 
 
 def drift(model: Model, bound: Bound, t: float, q: Array) -> tuple[Array, Array]:
-    """Return the rates (nq,) of the coordinates where all speeds are zero, and their derivatives (nq, nq) by q."""
+    """Return the rates (nq,) of the coordinates at rest, and their derivatives (nq, nq) by q."""
     rates, change = _drift(model)(t, q, bound.c)
     return np.asarray(rates).reshape(model.nq), np.asarray(change).reshape(model.nq, model.nq)
 
 
 def drifting(model: Model, bound: Bound, t: float, q: Array) -> dict[str, float]:
-    """Return the rate of every state that goes on changing where all speeds are zero, as a controller's integral.
+    """Return the rate of every state that goes on changing at rest, as a controller's integral.
 
     What only counts, as the time to a sample, is none of them: no force depends on it.
     """
@@ -88,7 +88,7 @@ def drifting(model: Model, bound: Bound, t: float, q: Array) -> dict[str, float]
 
 
 def followed(model: Model, bound: Bound, t: float, q: Array) -> Array:
-    """Return q (nq,) with states of effects where they come to rest, as a motor's current, by Newton's method."""
+    """Return q (nq,) with states of effects at rest, as a motor's current, by Newton's method."""
     own, found = list(followers(model)), q.copy()
     for _ in range(FOLLOWED if own else 0):
         rates, change = drift(model, bound, t, found)
@@ -145,7 +145,7 @@ def bristles_of(model: Model) -> Sequence[tuple[int, int]]:
 
 @per_model
 def followers(model: Model) -> tuple[int, ...]:
-    """Return the states, among the coordinates, whose rates at rest depend on states: they come to rest themselves."""
+    """Return the states, by coordinate, whose rates at rest depend on states: they come to rest."""
     _, (_, change) = _rates_at_rest(model)
     return tuple(sorted(set(change.sparsity().get_triplet()[0])))
 

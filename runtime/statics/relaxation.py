@@ -152,7 +152,7 @@ class Search:
         return rest
 
     def _balanced(self, rest: Rest) -> bool:
-        """Return whether forces balance, states stay, loops are closed, grips hold and every law is in its range."""
+        """Return whether forces balance, states stay, loops close, grips hold, laws are in range."""
         at = rest.balance
         reach = max(
             float(np.max(np.abs(at.G), initial=0.0)) * max(1.0, float(np.max(np.abs(rest.q), initial=0.0))), 1e-9
