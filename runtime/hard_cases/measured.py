@@ -191,4 +191,10 @@ TRIES: dict[str, dict[str, int]] = {
     "knife_edge_at_no_speed": {"dopri5": 4, "dop853": 4, "rodas": 4, "esdirk": 4, "auto": 4},
     "settles_on_a_shaker": {"dopri5": 16580, "dop853": 5997, "rodas": 8986, "esdirk": 6488, "auto": 5997},
     "thrown_by_a_shaker": {"dopri5": 4950, "dop853": 1816, "rodas": 4732, "esdirk": 3291, "auto": 1816},
+    "gear_beside_a_parallelogram": {"dopri5": 6, "dop853": 6, "rodas": 6, "esdirk": 6, "auto": 6},
+    "two_equal_gear_pairs": {"dopri5": 335, "dop853": 49, "rodas": 231, "esdirk": 237, "auto": 49},
+    "gear_against_a_parallelogram": {"dopri5": 87, "dop853": 76, "rodas": 69, "esdirk": 85, "auto": 76},
+    "load_turns_on_the_cone": {"dopri5": 17, "dop853": 17, "rodas": 17, "esdirk": 17, "auto": 17},
+    "load_turns_beyond_the_cone": {"dopri5": 2464, "dop853": 1911, "rodas": 4758, "esdirk": 3058, "auto": 3110},
+    "bounces_with_resistances": {"dopri5": 981, "dop853": 407, "rodas": 772, "esdirk": 624, "auto": 276},
 }

@@ -6,10 +6,12 @@ from hertzwerk.runtime.hard_cases.case import HardCase
 from hertzwerk.runtime.hard_cases.cases import (
     borderline_events,
     closed_loops,
+    couplings,
     crank,
     edges,
     feet,
     jamming,
+    limits_of_friction,
     many,
     relays,
     rest,
@@ -33,5 +35,7 @@ CASES: tuple[HardCase, ...] = (
     *rocking.CASES,
     *feet.CASES,
     *shaken.CASES,
+    *couplings.CASES,
+    *limits_of_friction.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

@@ -2,7 +2,7 @@
 
 Free impacts (see `impact.impact_scene`), grazing contact, a ball on a vibrating table, rows of spheres, bodies of very
 different mass, a block on an incline, a falling chain, a rocking block, a relay that chatters, a track of arcs and
-lines, boxes corner over corner, a table on four feet, a ball that rolls over another, a sleigh at rest.
+lines, boxes corner over corner, a table on four feet, a ball that rolls over another, a sleigh at rest; and those of the files beside.
 """
 
 from __future__ import annotations
@@ -52,6 +52,8 @@ from hertzwerk.derive.mechanism.joints.track import PointInTrack
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.outline import Arc, Line, Outline
 from hertzwerk.derive.mechanism.parameter import Parameter
+from hertzwerk.derive.scenes.hard.couplings import COUPLED
+from hertzwerk.derive.scenes.hard.limits_of_friction import AT_LIMITS
 from hertzwerk.derive.sheets.impact import impact_scene
 
 _MASS = Parameter("mass", "kg", 1)
@@ -528,6 +530,8 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "falling_chain_of_3": lambda: falling_chain(3),
     "falling_chain_of_8": lambda: falling_chain(8),
     "unlike_masses": unlike_masses,
+    **COUPLED,
+    **AT_LIMITS,
     "incline_coulomb": lambda: incline(coulomb(_FRICTION, _STATIC)),
     "incline_lugre": lambda: incline(_BRISTLES),
     "incline_smooth_coulomb": lambda: incline(smooth_coulomb(_FRICTION, _LAYER)),

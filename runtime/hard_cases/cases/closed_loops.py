@@ -12,7 +12,7 @@ TURNED = -31.750597186986102  # rad, of two windows after 10 s
 ROUND = 10 * (0.08 + 0.03 * np.pi) / 2  # s, of a bead ten times round its track
 
 
-def _closed(within: float) -> Known:
+def closed(within: float) -> Known:
     """Expect closed loops over the accepted steps."""
 
     def opening(run: Solution) -> float:
@@ -33,7 +33,7 @@ CASES = (
         known=(
             final("foot_0.angle", TURNED, 1e-6, "one pendulum, by elliptic functions", "rad"),
             final("foot_2.angle", TURNED, 1e-6, "the same for every post", "rad"),
-            _closed(1e-12),
+            closed(1e-12),
         ),
     ),
     HardCase(
@@ -44,7 +44,7 @@ CASES = (
         duration=10.0,
         tolerance=1e-9,
         methods=METHODS,
-        known=(_closed(1e-9),),
+        known=(closed(1e-9),),
     ),
     HardCase(
         name="track_of_arcs_and_lines",
@@ -58,7 +58,7 @@ CASES = (
             final("plane.x", 0.02, 1e-7, "once round after the perimeter over the speed", "m"),
             final("plane.x_speed", 2.0, 1e-7, "no work is done on it", "m/s"),
             final("track.force_track", 0.0, 1e-4, "nothing bends its way on a line", "N"),
-            _closed(1e-11),
+            closed(1e-11),
         ),
     ),
     HardCase(

@@ -1,0 +1,86 @@
+"""Sticking at the edge of the cone of friction, and resistances through repeated impacts."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hertzwerk.runtime.hard_cases.case import HardCase, Known, Source, final, largest
+from hertzwerk.runtime.solution.solution import Solution
+
+MU, G, RATE, BEYOND = 0.5, 9.81, 20.0, 1.05
+CIRCLE = MU * G * math.sqrt(BEYOND**2 - 1) / RATE  # m/s
+HELD = "friction holds all up to mu N, whichever way"
+INERTIA, DRILLING, ROLLING, SPIN, ROLL = 0.4 * 0.02**2, 2e-3, 1e-3, 40.0, 21.0  # per mass
+
+
+def _spin_left(run: Solution) -> float:
+    """Return how far angular speeds are off what the normal force has left of them [rad/s]."""
+    pressed = run["flight.y_speed"] - run["flight.y_speed"][0] + G * run.t
+    spin, roll = (np.maximum(start - arm / INERTIA * pressed, 0) for start, arm in ((SPIN, DRILLING), (ROLL, ROLLING)))
+    found = np.sqrt(sum(run[f"flight.angular_speed_{axis}"] ** 2 for axis in "xyz"))
+    return float(np.abs(np.hypot(spin, roll) - found).max())
+
+
+CASES = (
+    HardCase(
+        name="load_turns_on_the_cone",
+        theme="friction",
+        hard="a load of exactly mu N turns three times round the cone: to within rounding it is held, and may not creep",
+        source=Source("turning_load", hard=True),
+        duration=1.0,
+        tolerance=1e-8,
+        known=(
+            final("x.travel", 0.0, 1e-12, HELD),
+            final("z.travel", 0.0, 1e-12, HELD),
+            largest("floor.slip", 0.0, 0.0, HELD, "1"),
+            Known(
+                "force held",
+                lambda run: float(np.abs(run["floor.friction_force"]).max()),
+                MU * G,
+                1e-12,
+                "N",
+                "all of mu N",
+            ),
+        ),
+    ),
+    HardCase(
+        name="load_turns_beyond_the_cone",
+        theme="friction",
+        hard="a load 5 % beyond mu N lets go at a speed of zero, where the direction of friction turns at once, and ends on a circle",
+        source=Source("turning_load", hard=True),
+        duration=6.0,
+        tolerance=1e-8,
+        parameters={"share": BEYOND},
+        known=(
+            Known(
+                "final speed",
+                lambda run: math.hypot(run["x.speed"][-1], run["z.speed"][-1]),
+                CIRCLE,
+                1e-7 * CIRCLE,
+                "m/s",
+                "on a circle m v w and mu N are the load's components",
+            ),
+        ),
+    ),
+    HardCase(
+        name="bounces_with_resistances",
+        theme="friction",
+        hard="a spinning ball bounces to rest: resistances to spin and rolling end, and hold, in one of six impacts each",
+        source=Source("spun_ball", hard=True),
+        duration=1.5,
+        tolerance=1e-8,
+        known=(
+            Known(
+                "angular speed",
+                _spin_left,
+                0.0,
+                1e-9,
+                "rad/s",
+                "what the impulse of the normal force, m v + m g t, leaves of it",
+            ),
+            *(final(f"flight.angular_speed_{axis}", 0.0, 1e-12, "held", "rad/s") for axis in "xyz"),
+        ),
+    ),
+)
