@@ -6,12 +6,11 @@ from hertzwerk.runtime.hard_cases.case import HardCase
 from hertzwerk.runtime.hard_cases.cases import (
     borderline_events,
     closed_loops,
-    couplings,
     crank,
+    edge_of_friction,
     edges,
     feet,
     jamming,
-    limits_of_friction,
     many,
     relays,
     rest,
@@ -35,7 +34,6 @@ CASES: tuple[HardCase, ...] = (
     *rocking.CASES,
     *feet.CASES,
     *shaken.CASES,
-    *couplings.CASES,
-    *limits_of_friction.CASES,
+    *edge_of_friction.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from hertzwerk.derive import Coupling, InputError, Parameter
-from hertzwerk.derive.scenes.hard.couplings import geared_parallelogram
+from hertzwerk.derive.scenes.hard.coupled_shafts import geared_parallelogram
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.hard_cases import runner
 from hertzwerk.runtime.hard_cases.invariants import measure

@@ -52,8 +52,8 @@ from hertzwerk.derive.mechanism.joints.track import PointInTrack
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.outline import Arc, Line, Outline
 from hertzwerk.derive.mechanism.parameter import Parameter
-from hertzwerk.derive.scenes.hard.couplings import COUPLED
-from hertzwerk.derive.scenes.hard.limits_of_friction import AT_LIMITS
+from hertzwerk.derive.scenes.hard.cone_and_resistances import AT_LIMITS
+from hertzwerk.derive.scenes.hard.coupled_shafts import COUPLED
 from hertzwerk.derive.sheets.impact import impact_scene
 
 _MASS = Parameter("mass", "kg", 1)

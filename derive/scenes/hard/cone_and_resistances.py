@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive import Where
 from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.declare.scales import Scales
 from hertzwerk.derive.declare.scene import Scene
