@@ -28,7 +28,7 @@ SETTLED = 1e-9  # largest relative residual of a solved reaction
 MEAN_OF = 8  # most entries an error is averaged over: many bodies without error must not hide the two that collide
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Flow:
     """CasADi functions of (t, y, mode (k), m, c): the right-hand side and the quantities of a step's end.
 
