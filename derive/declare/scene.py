@@ -23,7 +23,7 @@ from hertzwerk.derive.effects.effect import Effect, PairEffect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.loads.resistances import PairResistance
 from hertzwerk.derive.effects.state_expression import Input, inputs_in
-from hertzwerk.derive.effects.tracking import Junctions, uncounted_angles
+from hertzwerk.derive.effects.tracking import AddedCount, Junctions, uncounted_angles
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.identifiers import repeated
 from hertzwerk.derive.laws.catalogue import LAWS
@@ -67,8 +67,9 @@ class Scene:
     coordinates: Literal["tree", "absolute", "auto"] = "tree"
 
     def __post_init__(self) -> None:
-        if isinstance(self.effects, list):
-            object.__setattr__(self, "effects", tuple(self.effects))
+        if isinstance(self.effects, list | tuple):
+            declared = (effect for effect in self.effects if not isinstance(effect, AddedCount))
+            object.__setattr__(self, "effects", tuple(declared))
         if isinstance(self.effects, tuple) and isinstance(self.mechanism, Mechanism) and self.mechanism.parts:
             object.__setattr__(self, "effects", tuple(self._at_parts()))
         if isinstance(self.effects, tuple) and isinstance(self.mechanism, Mechanism):

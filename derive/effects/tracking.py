@@ -109,7 +109,11 @@ class CountedAngle(JointEffect):
         return Element(rates={"near": rate}, events=(Event("set", margin, sp.S.One, {"near": angle}),))
 
 
-def uncounted_angles(mechanism: Mechanism, effects: Iterable[Effect], scene: Declared) -> Iterator[CountedAngle]:
+class AddedCount(CountedAngle):
+    """Count that a scene has added by itself; a variation of the scene adds those that it needs."""
+
+
+def uncounted_angles(mechanism: Mechanism, effects: Iterable[Effect], scene: Declared) -> Iterator[AddedCount]:
     """Yield a count for each angle that effects of a sound scene, or its start, ask for and none counts."""
     asked = list(scene.start.near)
     for effect in effects:
@@ -119,4 +123,4 @@ def uncounted_angles(mechanism: Mechanism, effects: Iterable[Effect], scene: Dec
     counted = [effect.joint for effect in effects if isinstance(effect, CountedAngle)]
     for key in mechanism.wrapped:
         if key not in counted and (key in asked or scene.scalars[key].coordinates[0].name in asked):
-            yield CountedAngle(f"{key.replace('.', '_')}_count", key)
+            yield AddedCount(f"{key.replace('.', '_')}_count", key)

@@ -269,3 +269,5 @@ def test_a_scene_without_such_an_angle_counts_nothing():
     ).states
     assert list(cardan(SPRING).states) == ["out_count.near"]
     assert list(cardan(near={"out": p("turned", "rad", 1)}).states) == ["out_count.near"]  # asked for by the start
+    assert not cardan(SPRING).without("spring").states  # what nothing asks for any more
+    assert list(cardan(SPRING).without("out_count").states) == ["out_count.near"]
