@@ -6,7 +6,7 @@ Effects that are not declared do not exist downstream.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, Literal, TypeVar
 
@@ -82,7 +82,8 @@ class Scene:
         counts = tuple(uncounted_angles(self.mechanism, self.effects, self))
         if counts:
             object.__setattr__(self, "effects", (*self.effects, *counts))
-            self.__dict__.pop("states", None)
+            for found in self.__dict__.keys() - {entry.name for entry in fields(self)}:
+                del self.__dict__[found]  # while there were no counts
             faults = tuple(repeated("effect", [effect.name for effect in self.effects]))
         if faults:
             raise InputError(f"scene {self.name}", faults)
