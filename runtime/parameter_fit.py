@@ -35,6 +35,16 @@ class Fit(Fitted):
         return plot_fit.figure(self)
 
 
+class MomentFit(FittedMoments):
+    """Fit of parameters to statistics, as `fit_moments` returns it, with its picture."""
+
+    def plot(self) -> Figure:
+        """Draw fitted statistics beside measured ones, and the objective along each quantity."""
+        from hertzwerk.runtime.pictures.studies import plot_moments
+
+        return plot_moments.figure(self)
+
+
 def fit(
     model: Model,
     data: Data | Experiment | Sequence[Data | Experiment],
@@ -126,23 +136,27 @@ def fit_moments(
     moments: Mapping[str, str | tuple[Value, Value] | None],
     *,
     free: Mapping[str, Freed] | Sequence[str],
-    series: MeasuredSeries | None = None,
+    series: MeasuredSeries | Sequence[MeasuredSeries] = (),
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
     **how: Any,
-) -> FittedMoments:
+) -> MomentFit:
     """Fit parameters to statistics of runs longer than their horizon, by simulated moments.
 
     moments    measured values and their standard deviations by the name of an output of `sweep`:
                {"slider_pin.impact_rate": ("412 1/s", "5 1/s"), "slider_pin.dissipated_power": "3.1 +- 0.1 W"}; None of those that
                are computed from a measured series: {"acceleration.rms": None}, COLUMN.KIND, with mean, rms, norm8, norm32, largest
-               (mean of the largest values in the drives' period), excursions (their rate, as `compare` counts them)
-    series     the measured columns, MeasuredSeries("long.csv", map={"acceleration": "guide.acceleration"}, bandwidth="5 kHz"): runs are
-               seen through the same instrument at the same spacing, and one function takes the statistics of both, with the
-               covariance of means of blocks longer than the motion is correlated. Runs last as long unless told
+               (mean of the largest values in the drives' period), excursions (their rate, as `compare` counts them); of
+               measured impacts, {"t.rate": None, "speed.rms": None}, their rate and means over them
+    series     the measured columns, of one series or several,
+               MeasuredSeries("long.csv", map={"acceleration": "guide.acceleration"}, bandwidth="5 kHz"), with the values that
+               each was measured at: runs are seen through the same instrument at the same spacing, and one function takes the
+               statistics of both, with the covariance of means of blocks longer than the motion is correlated. Series are
+               independent of each other. Runs last as long as the longest unless told
     free       as of `fit`; how: further arguments of `sweep`, duration="100 rev", values, workers
 
     Derivatives are those of a quadratic regression over runs at points of a Latin hypercube, the scatter of the runs' own statistics its covariance;
     the box of the points closes in on the best, at most twice. Raises InputError with every fault.
     """
-    return fitted_moments(read_moment_fit(model, moments, free, how, seed, series=series), progress)
+    several = (series,) if isinstance(series, MeasuredSeries) else series
+    return MomentFit(**vars(fitted_moments(read_moment_fit(model, moments, free, how, seed, series=several), progress)))

@@ -63,12 +63,12 @@ ROOMS = {
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
-        "design": "derive/declare derive/dimension derive/faults derive/files derive/units host inputs loading model pictures/sweeps run sensitivity "
-        "simulation solution start sweeps",
+        "design": "derive/declare derive/dimension derive/faults derive/files derive/html derive/units host inputs loading model "
+        "pictures/sweeps run sensitivity simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
         "export": "accuracy derive/faults derive/html derive/units host integrate/events integrate/loop integrate/step integrate/tableaux model run "
         "report sensitivity simulation solution start tables",
-        "fitting": "derive/faults design inputs loading measured model run sensitivity simulation solution start sweeps",
+        "fitting": "derive/faults derive/html design inputs loading measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
         "inputs": "derive/faults derive/units measured model run",

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import Variation, assignments, number
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.design.minimum import Minimum
+    from hertzwerk.runtime.design.propagated import Propagated
 
 
 def definition(
@@ -75,3 +79,17 @@ def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> 
         else:
             found[text[:place].strip()] = text[place:]
     return found
+
+
+def keep(found: Propagated | Minimum, folder: Path, name: str) -> list[str]:
+    """Write the record and the picture of a result into a folder; return what could not be made."""
+    from hertzwerk.runtime.cli.run_folder import json_text
+    from hertzwerk.runtime.cli.target import command_line
+    from hertzwerk.runtime.host.folder import failures_of
+    from hertzwerk.runtime.host.versions import versions
+    from hertzwerk.runtime.solution.solution import write
+
+    content = {**found.record(), "command": command_line(), "versions": versions()}
+    folder.mkdir(parents=True, exist_ok=True)
+    write(folder / f"{name}.json", (json_text(content) + "\n").encode(), overwrite=True)
+    return failures_of(f"{name}.png", lambda: found.plot().savefig(folder / f"{name}.png"))

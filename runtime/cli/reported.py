@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,13 +21,20 @@ if TYPE_CHECKING:
 def page_of(place: Path, target: str, scene: str | None) -> str:
     """Return the page of what a path or name stands for; raises InputError."""
     if place.is_dir():
-        kinds = {"run.json": _of_run_folder, "study.json": _of_study, "fit.json": _of_fit, "definition.json": _of_sweep}
+        kinds: dict[str, Callable[[Path, str | None], str]] = {
+            "run.json": _of_run_folder,
+            "study.json": _of_study,
+            "fit.json": _of_fit,
+            "propagation.json": partial(_of_design, "propagation", "propagate"),
+            "minimum.json": partial(_of_design, "minimum", "minimise"),
+            "definition.json": _of_sweep,
+        }
         for file, make in kinds.items():
             if (place / file).is_file():
                 if scene is not None and make is not _of_run_folder:
                     raise InputError("report", [Fault("--scene", scene, "none: only a run has one")])
                 return make(place, scene)
-        expected = "a folder that `hertzwerk run`, `sweep`, `study` or `fit` wrote"
+        expected = "a folder that `hertzwerk run`, `sweep`, `study`, `fit`, `propagate` or `minimise` wrote"
         raise InputError("report", [Fault("RUN", f"{place}, a folder without {', '.join(kinds)}", expected)])
     if place.suffix == ".npz":
         return _of_run(place, {}, scene)
@@ -68,6 +76,19 @@ def _of_fit(folder: Path, _: str | None) -> str:
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         found = f"{folder / 'fit.json'}: {type(error).__name__}: {error}"
         raise InputError("report", [Fault("FIT", found, "a record that `hertzwerk fit` wrote")]) from error
+
+
+def _of_design(name: str, command: str, folder: Path, _: str | None) -> str:
+    from hertzwerk.runtime.report.design_report import minimum_page, propagation_page
+
+    record, picture = _told(folder / f"{name}.json"), folder / f"{name}.png"
+    try:
+        png = picture.read_bytes() if picture.is_file() else None
+        origin = _origin(record, str(record.get("command", f"hertzwerk {command}")))
+        return (minimum_page if name == "minimum" else propagation_page)(record, png, origin)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        found = f"{folder / name}.json: {type(error).__name__}: {error}"
+        raise InputError("report", [Fault("RUN", found, f"a record that `hertzwerk {command}` wrote")]) from error
 
 
 def _of_sweep(folder: Path, _: str | None) -> str:
@@ -113,7 +134,7 @@ def _of_run(states: Path, told: Mapping[str, Any], scene: str | None) -> str:
     request = told.get("request") or {}
     model = _declared(run, request, scene)
     origin = _origin(told, str(request.get("command") or call_of(run)))
-    return run_page(run, model=model, origin=origin, whole=str(states))
+    return run_page(run, model=model, origin=origin, whole=str(states), sensitivities=told.get("sensitivities"))
 
 
 def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> Model | None:

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.averages import Average
     from hertzwerk.runtime.solution.solution import Solution
 
-IMPACT_NUMBERS = ("t", "speed", "peak_force", "peak_penetration")
 CSV_LIMIT = 50e6  # bytes: larger files are written only on request
 
 
@@ -32,7 +31,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
 
     averages: include them.
     """
-    statistics, error = solution.statistics, solution.error
+    statistics, error, found = solution.statistics, solution.error, _derivatives(solution)
     return {
         "scene": solution.model.name,
         "outcome": solution.outcome.name,
@@ -60,7 +59,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
         "warnings": list(solution.warnings),
         "advice": list(solution.advice),
         **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
-        **_derived(solution),
+        **({"sensitivities": found.record(solution.states, solution.t_end)} if found is not None else {}),
     }
 
 
@@ -68,25 +67,6 @@ def _derivatives(solution: Solution) -> Sensitivities | None:
     """Return the derivatives that a run was asked for."""
     found: Sensitivities | None = getattr(solution, "derivatives", None)
     return found
-
-
-def _derived(solution: Solution) -> dict[str, Any]:
-    """Return the derivatives of final states and impacts by what the run was asked for, in SI."""
-    found = _derivatives(solution)
-    if found is None:
-        return {}
-    end = np.array([solution.t_end])
-    return {
-        "sensitivities": {
-            name: {
-                "final": {state: float(found.at(end, state, name)[0]) for state in solution.states},
-                "impacts": {what: found.impacts(what, name).tolist() for what in IMPACT_NUMBERS},
-                "until": found.until,
-                "reason": found.reason,
-            }
-            for name in found.names
-        }
-    }
 
 
 def record(solution: Solution) -> dict[str, Any]:

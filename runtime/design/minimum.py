@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hertzwerk.derive.html.markup import joined, tag
+from hertzwerk.derive.html.plain_table import heading, table
+
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from hertzwerk.runtime.model.ranges import Range
     from hertzwerk.runtime.simulation import Solution
     from hertzwerk.runtime.solution.outcome import Outcome
@@ -99,6 +104,28 @@ class Minimum:
         if not self.outcome.finished:
             lines.append(f"{self.outcome.message}; {self.outcome.remedy}")
         return "\n".join([*lines, *(f"note: {text}" for text in self.notes)])
+
+    def _repr_html_(self) -> str:
+        unit = f" {self.unit}" if self.unit else ""
+        told = f": {self.objective_text} = {self.objective:.6g}{unit}, from {self.begun:.6g}{unit}, {len(self.trials)} runs"
+        rows = [
+            (name, f"{value:.6g} {text}", "at the end of its range" if name in self.at_end else "")
+            for name, (value, text) in self.values.items()
+        ]
+        rows += [
+            (held.text, f"{held.value:.6g} {held.unit}", "holds it back" if held.active else "is kept")
+            for held in self.constraints
+        ]
+        notes = (tag("p", text) for text in (self.outcome.remedy, *self.notes) if text)
+        head = heading(self.scene, self.outcome.name, told, good=self.outcome.finished)
+        return joined([head, table(("quantity or constraint", "value", ""), rows), *notes])
+
+    def plot(self) -> Figure:
+        """Draw the objective and the values of all runs, one after the other."""
+        from hertzwerk.runtime.pictures.sweeps.plot_minimum import figure
+
+        unit_of = {name: unit for name, (_, unit) in self.values.items()}
+        return figure(f"{self.scene}: {self.objective_text}", self.unit, unit_of, self.trials, self.objective)
 
     def record(self) -> dict[str, Any]:
         """Return everything but the run as plain data."""

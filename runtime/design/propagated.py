@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.html.markup import joined, tag
+from hertzwerk.derive.html.plain_table import heading, table
 from hertzwerk.runtime.solution.solution import write
 
 if TYPE_CHECKING:
@@ -131,6 +133,24 @@ class Propagated:
                 for name in one.first
             ]
         return "\n".join([*lines, *(f"warning: {text}" for text in self.warnings)])
+
+    def _repr_html_(self) -> str:
+        missing = bool(self.notes)
+        told = f": {len(self.samples):,} runs over {', '.join(self.names)}"
+        head = heading(self.scene, "runs or indices missing" if missing else "propagated", told, good=not missing)
+        rows = (
+            (
+                f"{one.name} [{one.unit}]" if one.unit else one.name,
+                f"{one.nominal:.6g}",
+                f"{one.linear:.3g}" if math.isfinite(one.linear) else one.reason,
+                f"{one.std:.3g} ± {one.std_error:.2g}",
+                f"{one.low:.6g} to {one.high:.6g}",
+                ", ".join(f"{name} {index.value:.2f}" for name, index in one.total.items()),
+            )
+            for one in self
+        )
+        header = ("output", "at the means", "std by derivatives", "std of samples", "95 % within", "total indices")
+        return joined([head, table(header, rows), *(tag("p", text) for text in self.warnings)])
 
     def record(self) -> dict[str, Any]:
         """Return everything but the runs as plain data, nan as None."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -87,6 +87,15 @@ class Observed:
         """Number of contacts after which no more are needed."""
         counted = self.by_impacts and all(c.history.startswith(IMPACTS) for c in self.channels)
         return int(np.max(self.at)) + 1 if counted else MAX_EVENTS
+
+    def cut(self, kept: NDArray[np.bool_]) -> Observed:
+        """Return the measured run with the data (n,) that are kept, of a run that lasts as much less."""
+        at, place = self.at[kept], self.place[kept]
+        less = float(np.max(self.at) - np.max(at))
+        return replace(
+            self, duration=self.duration - less, column=self.column[kept], at=at, measured=self.measured[kept],
+            place=place / np.max(place),
+        )  # fmt: skip
 
     def times(self, run: Solution, offset: float) -> Array:
         """Return the run times [s] of the data (n,); inf for impacts that the run does not have."""
@@ -224,10 +233,10 @@ def _observed(
     parameters, initial = {**common["parameters"], **parameters}, {**common["initial"], **initial}
     twice = [name for name in free if name in parameters or name in initial]
     faults += [Fault(name, "a value, and it is free", "one of the two") for name in twice]
-    table = _read_table(experiment.data, map, faults)
+    table = read_table(experiment.data, map, faults)
     by_impacts = isinstance(table, MeasuredImpacts)
     units = impact_units(model) if by_impacts else units_of(model, None)
-    mapped = _mapped(table, map, by_impacts)
+    mapped = mapped_columns(table, map, by_impacts)
     sizes = {name: size for name, size in noise.items() if table is None or mapped is None or name in mapped}
     if table is not None and mapped is None:
         sizes = {name: size for name, size in sizes.items() if name in table.columns}
@@ -261,9 +270,10 @@ def _observed(
     )
 
 
-def _read_table(
+def read_table(
     data: object, map: Mapping[str, str] | None, faults: list[Fault]
 ) -> Measurement | MeasuredImpacts | None:
+    """Return measured data, read where a file of them is named; None with bad input appended to `faults`."""
     if isinstance(data, Measurement | MeasuredImpacts):
         return data
     if not isinstance(data, str | Path):
@@ -278,7 +288,7 @@ def _read_table(
         return None
 
 
-def _mapped(table: Columns | None, map: Mapping[str, str] | None, by_impacts: bool) -> dict[str, str] | None:
+def mapped_columns(table: Columns | None, map: Mapping[str, str] | None, by_impacts: bool) -> dict[str, str] | None:
     """Return the columns of a table beside what they are compared with; None for equal names."""
     if map is not None:
         return {c: h for c, h in map.items() if (IMPACTS in f".{h}") == by_impacts}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.html.markup import joined, tag
+from hertzwerk.derive.html.plain_table import heading, table
 from hertzwerk.runtime.design.correlated import Correlated
 from hertzwerk.runtime.design.distributions import Distribution, LogNormal, Normal, TruncatedNormal
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
@@ -195,6 +197,9 @@ class Fitted:
     def __str__(self) -> str:
         return "\n".join(f"{label}: {text}" for label, text in self.lines())
 
+    def _repr_html_(self) -> str:
+        return notebook(self.scene, self.explained, self.verdict, self.values, self.untold, self.warnings)
+
     def csv(self) -> str:
         """Return every datum as CSV, with what is predicted, the residual, and whether it was used."""
         rows = ["run,column,unit,time [s] or number,measured,predicted,residual,used"]
@@ -247,6 +252,17 @@ class Fitted:
             "verdict": self.verdict,
             "warnings": list(self.warnings),
         }
+
+
+def notebook(
+    scene: str, explained: bool | None, verdict: str, values: Mapping[str, FittedValue], *notes: Sequence[str]
+) -> str:
+    """Return a fit as HTML for a notebook: verdict, values with their intervals, what is to be heeded."""
+    word = {True: "explained", False: "rejected", None: "not judged"}[explained]
+    head = heading(scene, word, f": {verdict}", good=explained is not False)
+    rows = ((name, str(value), value.interval.how) for name, value in values.items())
+    told = (tag("p", text) for texts in notes for text in texts)
+    return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *told])
 
 
 def joint(values: Mapping[str, FittedValue], known: Identified, scene: str) -> Correlated:

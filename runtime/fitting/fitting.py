@@ -168,7 +168,7 @@ def fitted(asked: Asked, progress: Callable[[float], object] | None = None) -> F
         return concluded(asked, *searched(asked, progress))
     length = None if isinstance(asked.shooting, str) else asked.shooting
     found = shot(search_of(asked, None), length, asked.starts, asked.seed, progress or (lambda _: None))
-    return concluded(replace(asked, profile=False), *found)
+    return concluded(replace(asked, profile=asked.profile is not False), *found)  # curved in chaos: by profile
 
 
 def searched(asked: Asked, progress: Callable[[float], object] | None = None) -> tuple[Search, Found]:

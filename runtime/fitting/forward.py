@@ -53,7 +53,7 @@ class Forward:
     ) -> None:
         self.observed, self.free, self.nuisance = tuple(observed), tuple(free), tuple(nuisance)
         self.tolerance, self._method, self._stopped = tolerance, method, stopped
-        self._offsets = tuple(offsets)
+        self._offsets, self._gains = tuple(offsets), gains
         self.measured = np.concatenate([each.measured for each in observed])
         self.place = np.concatenate([each.place for each in observed])
         self.columns = [(i, k) for i, each in enumerate(observed) for k in range(len(each.channels))]
@@ -70,6 +70,14 @@ class Forward:
         self._derived: tuple[bytes, Array] = b"", np.zeros((0, 0))
         self.runs_made = 0
         self.without_exact: set[str] = set()  # reasons why some derivatives are differences
+
+    def cut(self, kept: NDArray[np.bool_]) -> Forward:
+        """Return the forward model of the data (n,) that are kept, with runs as long as those; some of every run."""
+        observed = [each.cut(kept[self.run == i]) for i, each in enumerate(self.observed)]
+        return Forward(
+            observed, self.free, self.nuisance, self._offsets, self._gains,
+            tolerance=self.tolerance, method=self._method, stopped=self._stopped,
+        )  # fmt: skip
 
     @property
     def searched(self) -> tuple[Free, ...]:

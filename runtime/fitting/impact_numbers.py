@@ -18,7 +18,7 @@ from hertzwerk.runtime.solution.history import units_of
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
-    from hertzwerk.runtime.simulation import Solution
+    from hertzwerk.runtime.solution.solution import Solution
 
 Array = NDArray[np.float64]
 

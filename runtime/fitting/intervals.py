@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 LEVEL = 0.95
 NEAR = 1e-6  # of a range: an estimate so close to an end is at it
 BAD = 0.25  # of the scale of the search: standard deviations above are no matter of curvature alone
+FIRST = 0.1  # of the scale of the search: farthest that the end of a profile is sought at first
+SAME = 0.01  # of an interval: how well its ends by a profile are known
 EVALUATIONS = 12  # most points of a profile on one side
 
 
@@ -54,12 +56,14 @@ def intervals(
         half = quantile * float(errors[j])
         ends = x - half, x + half
         bad = known.concerned(j) or errors[j] > BAD or ends[0] < low or ends[1] > high or not errors[j] > 0
-        quantity = j < len(search.forward.free)
+        quantity = j < len(search.forward.free) and not search.refused
         if (profile is True and quantity) or (profile == "auto" and bad and quantity):
-            made.append(_profile(search, found, j, quantile**2, noise, warnings))
+            made.append(_profile(search, found, j, half, quantile**2, noise, warnings))
             continue
         how = f"{linear}, {noise}"
-        if known.concerned(j) or not errors[j] > 0:
+        if search.refused:
+            how, ends = f"none: {search.refused}", (low, high)
+        elif known.concerned(j) or not errors[j] > 0:
             how, ends = "none: it is in a combination that the data do not tell", (low, high)
         made.append(
             Interval(
@@ -73,19 +77,35 @@ def intervals(
     return made, warnings
 
 
-def _profile(search: Search, found: Found, j: int, rise: float, noise: str, warnings: list[str]) -> Interval:
-    """Return where the least squares, all else fitted anew, rise by the quantile of chi-squared."""
+def _profile(
+    search: Search, found: Found, j: int, half: float, rise: float, noise: str, warnings: list[str]
+) -> Interval:
+    """Return where the least squares, all else fitted anew, rise by the quantile of chi-squared.
+
+    half    width by curvature, to either side: where the end is sought first
+    """
     free = search.forward.searched[j]
     ends, is_open = [], []
     for bound in (float(search.low[j]), float(search.high[j])):
-        place, opened = _end(search, found, j, bound, rise, warnings)
+        try:
+            place, opened = _end(search, found, j, bound, half, rise, warnings)
+        except _LostError:
+            how = "none: the least squares, all else fitted anew, could not be followed to its ends"
+            low, high = sorted((free.outer(float(search.low[j])), free.outer(float(search.high[j]))))
+            return Interval(low, high, how, open_low=True, open_high=True)
         ends.append(free.outer(place))
         is_open.append(opened)
     how = f"profile likelihood: the least squares, all else fitted anew, rise by {rise:.3g}, {noise}"
     return Interval(min(ends), max(ends), how, is_open[0], is_open[1])
 
 
-def _end(search: Search, found: Found, j: int, bound: float, rise: float, warnings: list[str]) -> tuple[float, bool]:
+class _LostError(ArithmeticError):
+    """Least squares with a quantity held that were not found."""
+
+
+def _end(
+    search: Search, found: Found, j: int, bound: float, half: float, rise: float, warnings: list[str]
+) -> tuple[float, bool]:
     from scipy.optimize import brentq  # slow to import
 
     x = float(found.x[j])
@@ -98,16 +118,20 @@ def _end(search: Search, found: Found, j: int, bound: float, rise: float, warnin
         start = warm[nearest].copy()
         start[j] = place
         least = search.least(start, found.used, found.sigma, fixed=j)
+        if not math.isfinite(least.cost) or (search.followed_only and not least.converged):
+            raise _LostError
         warm[place] = least.x
         if least.cost < found.cost - 0.01 * rise:
             name = search.forward.searched[j].name
             warnings.append(f"a better fit than the best was met on the profile of {name}: more starts")
         return math.sqrt(max(least.cost - found.cost, 0.0)) - math.sqrt(rise)
 
-    near, step = x, 0.1
+    near, step = x, min(half, FIRST) if half > 0 else FIRST
     while True:
         far = bound if step >= abs(bound - x) else x + math.copysign(step, bound - x)
         above = excess(far)
+        if abs(above) <= SAME * math.sqrt(rise):
+            return far, False
         if above > 0:
             break
         if far == bound:
@@ -116,7 +140,7 @@ def _end(search: Search, found: Found, j: int, bound: float, rise: float, warnin
     below = -math.sqrt(rise) if near == x else excess(near)
     if below >= 0:
         return near, False
-    tolerance = 1e-3 * abs(far - x)
+    tolerance = SAME * abs(far - x)
     place = brentq(
         lambda p: -math.sqrt(rise) if p == x else excess(p), near, far, xtol=tolerance, maxiter=EVALUATIONS, disp=False
     )

@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hertzwerk.derive.html.markup import joined
+from hertzwerk.derive.html.plain_table import heading, table
 from hertzwerk.runtime.fitting.fitted import Fitted
 from hertzwerk.runtime.fitting.fitting import Asked, concluded, criterion_of, searched, stated_noise
 from hertzwerk.runtime.fitting.search import Found, Search
@@ -68,6 +70,20 @@ class Ranking:
         if best.fitted.explained is False:
             return f"{text}; but the best is itself rejected at 5 % by the stated noise: none of these laws explains the data"
         return text
+
+    def _repr_html_(self) -> str:
+        found = "not told apart" if self.alike else "told apart"
+        head = heading(self.best.fitted.scene, found, f": {self.verdict}", good=not self.alike)
+        rows = (
+            (
+                law.name,
+                f"{law.difference:.4g}",
+                f"{law.weight:.3g}",
+                ", ".join(f"{n} = {v}" for n, v in law.fitted.values.items()),
+            )
+            for law in self.laws
+        )
+        return joined([head, table(("law", "AICc less the best", "weight", "fitted"), rows)])
 
     def lines(self) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences."""

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.design.correlated import Correlated
-from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness, joint
+from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness, joint, notebook
 from hertzwerk.runtime.fitting.identified import Identified, identified
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries, SeriesMoments, columns, read_series
@@ -36,6 +36,7 @@ ROUNDS = 3  # most boxes
 AROUND = 4.0  # standard errors of a quantity that the next box holds, to each side
 SMALLEST = 0.1  # of the box before
 TOLERANCE = 1e-6  # local, of the runs
+PLACES = 61  # of a profile, over the box
 FAR = 3.0  # deviations of the run at the best fit from the regression that are told
 
 
@@ -58,6 +59,14 @@ class Moment:
 
 
 @dataclass(frozen=True)
+class Profile:
+    """Objective along a quantity less its least (n,), all else fitted anew at each place (n,) [SI]."""
+
+    places: Array
+    rises: Array
+
+
+@dataclass(frozen=True)
 class FittedMoments:
     """Fit of parameters to statistics of long runs; as `Fitted` otherwise."""
 
@@ -68,6 +77,7 @@ class FittedMoments:
     untold: tuple[str, ...]
     goodness: Goodness | None
     runs_made: int
+    profiles: Mapping[str, Profile]
     warnings: tuple[str, ...]
 
     def __getitem__(self, name: str) -> FittedValue:
@@ -110,6 +120,9 @@ class FittedMoments:
     def __str__(self) -> str:
         return "\n".join(f"{label}: {text}" for label, text in self.lines())
 
+    def _repr_html_(self) -> str:
+        return notebook(self.scene, self.explained, self.verdict, self.values, self.untold, self.warnings)
+
     def record(self) -> dict[str, Any]:
         """Return everything as plain numbers, in SI."""
         return {
@@ -125,6 +138,7 @@ class FittedMoments:
             "explained": self.explained,
             "verdict": self.verdict,
             "runs_made": self.runs_made,
+            "profiles": {name: {k: v.tolist() for k, v in vars(one).items()} for name, one in self.profiles.items()},
             "warnings": list(self.warnings),
         }
 
@@ -137,18 +151,30 @@ class AskedMoments:
     free: tuple[Free, ...]
     moments: tuple[Moment, ...]
     half_widths: tuple[str, ...]  # names of the columns with half the width of a run's own 95 % interval, empty without
-    series: SeriesMoments | None  # the last of the moments, which have no value stated
+    series: tuple[SeriesMoments, ...]  # of the last of the moments, which have no value stated
     how: Mapping[str, Any]
     seed: int
 
     @property
     def covariance(self) -> Array:
         """Covariance (m, m) of the measured values: stated ones are independent, those of one series are not."""
-        found = np.diag([moment.deviation**2 for moment in self.moments])
-        if self.series is not None:
-            among = len(self.series.names)
-            found[-among:, -among:] = self.series.measured.covariance
+        found, end = np.diag([moment.deviation**2 for moment in self.moments]), len(self.half_widths)
+        for one in self.series:
+            among = slice(end, end := end + len(one.names))
+            found[among, among] = one.measured.covariance
         return found
+
+    @property
+    def sweeps(self) -> list[tuple[Mapping[str, Value], list[SeriesMoments]]]:
+        """Values that runs are made at, with the series that each tells; the fit's own first, where moments are stated."""
+        plain = self.how.get("values") or {}
+        made_at = [plain] if self.half_widths else []
+        made_at += [
+            one.values
+            for k, one in enumerate(self.series)
+            if one.values not in [*made_at, *(each.values for each in self.series[:k])]
+        ]
+        return [(values, [one for one in self.series if one.values == values]) for values in made_at]
 
     @property
     def correlation(self) -> Array:
@@ -165,12 +191,12 @@ def read_moment_fit(
     how: Mapping[str, Any],
     seed: int,
     before: Sequence[Fault] = (),
-    series: MeasuredSeries | None = None,
+    series: Sequence[MeasuredSeries] = (),
 ) -> AskedMoments:
     """Read a fit of moments; raises InputError with every fault but those that a sweep finds.
 
     moments    by name of a sweep's output, each (value, standard deviation), or text "412 +- 5 1/s"; None for COLUMN.KIND
-               of the measured series
+               of the measured series, each with values of its own that it was made at
     how        further arguments of `sweep`
     """
     faults = list(before)
@@ -204,17 +230,15 @@ def read_moment_fit(
             faults.append(Fault(name, shown(given), "a positive standard deviation"))
         found.append(Moment(name, unit, read[0][0], read[1][0]))
         half_widths.append(next(iter(list(output.columns)[1:]), ""))
-    if computed is not None:
-        for name, unit, value, deviation in zip(
-            computed.names, computed.units, computed.measured.values, computed.measured.deviations, strict=True
-        ):
-            found.append(Moment(name, unit, float(value), float(deviation)))
+    for one in computed:
+        told = zip(one.names, one.units, one.measured.values, one.measured.deviations, strict=True)
+        found += [Moment(name, unit, float(value), float(deviation)) for name, unit, value, deviation in told]
     if found and len(found) < len(freed):
         faults.append(Fault("moments", f"{len(found)} statistics", f"at least {len(freed)}, as many as are free"))
     if faults:
         raise InputError(f"fit of {model.name}", faults)
-    if computed is not None:
-        how = {"duration": computed.duration, **how}
+    if computed:
+        how = {"duration": max(one.sight.lasts for one in computed), **how}
     return AskedMoments(model, freed, tuple(found), tuple(half_widths), computed, how, seed)
 
 
@@ -277,20 +301,29 @@ def _runs(
 ) -> tuple[Array, Array, Array, str]:
     """Return places (n, k) of finished runs, statistics (n, moments), their variances, why one is lost."""
     stated = [moment.name for moment in asked.moments[: len(asked.half_widths)]]
-    how = {"tolerance": TOLERANCE, **asked.how}
-    functions = asked.series.functions() if asked.series is not None else {}
-    table = sweep(asked.model, over, outputs=stated, functions=functions, progress=progress, **points, **how)
-    if table.interrupted:
-        raise KeyboardInterrupt
-    x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in asked.free])
-    own = [columns(name) for name in asked.series.names] if asked.series is not None else []
-    names = [*stated, *(name for name, _ in own)]
-    y = np.column_stack([np.asarray(table[name], dtype=float) for name in names])
-    half = [np.asarray(table[n], dtype=float) / QUANTILE if n else np.zeros(len(x)) for n in asked.half_widths]
-    noise = np.column_stack([*half, *(np.asarray(table[n], dtype=float) for _, n in own)])
-    there = np.all(np.isfinite(y), axis=1) & np.array([row["outcome"] == "finished" for row in table])
-    lost = next((row for row, stays in zip(table, there, strict=True) if not stays), None)
-    why = "" if lost is None else f"{lost['outcome']}: {lost['message']}" if lost["message"] else str(lost["outcome"])
+    how, sweeps = {"tolerance": TOLERANCE, **asked.how}, asked.sweeps
+    seen, there, why, x = dict[str, Array](), np.ones(0, dtype=bool), "", np.zeros((0, 0))
+    for number, (values, series) in enumerate(sweeps):
+        told = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
+        functions = {name: function for one in series for name, function in one.functions().items()}
+        own = stated if number == 0 else []
+        how["values"] = values
+        table = sweep(asked.model, over, outputs=own, functions=functions, progress=told, **points, **how)
+        if table.interrupted:
+            raise KeyboardInterrupt
+        x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in asked.free])
+        half = [name for name in asked.half_widths if name] if number == 0 else []
+        seen |= {name: np.asarray(table[name], dtype=float) for name in (*own, *half, *functions)}
+        ended = np.array([row["outcome"] == "finished" for row in table])
+        there = ended if number == 0 else there & ended
+        lost = next((row for row, stays in zip(table, ended, strict=True) if not stays), None)
+        if lost is not None and not why:
+            why = f"{lost['outcome']}: {lost['message']}" if lost["message"] else str(lost["outcome"])
+    of_series = [columns(name) for one in asked.series for name in one.names]
+    y = np.column_stack([seen[name] for name in (*stated, *(name for name, _ in of_series))])
+    own_half = [seen[name] / QUANTILE if name else np.zeros(len(x)) for name in asked.half_widths]
+    noise = np.column_stack([*own_half, *(seen[name] for _, name in of_series)])
+    there &= np.all(np.isfinite(y), axis=1)
     return x[there], y[there], noise[there] ** 2, why
 
 
@@ -370,12 +403,21 @@ def _concluded(
     root = np.linalg.cholesky(covariance)
     known = identified(np.linalg.solve(root, jacobian), asked.free)
     errors, quantile = np.sqrt(np.diag(known.covariance)), float(norm.ppf((1 + LEVEL) / 2))
-    how = "simulated moments: derivatives by regression over runs, covariance of measured values and of the regression"
-    values = {}
+    how = "simulated moments: profile of the objective over a regression of runs, covariance of measured values and of that"
+    values, profiles, warnings = {}, {}, list[str]()
     for j, each in enumerate(asked.free):
         low, high = full[j]
-        ends = best[j] - quantile * errors[j], best[j] + quantile * errors[j]
-        told = not known.concerned(j)
+        places, rises = _profile(asked, surface, root, best, j)
+        profiles[each.name] = Profile(np.array([each.outer(float(x)) for x in places]), rises)
+        ends, told = _ends(places, rises, best[j], quantile), not known.concerned(j)
+        if told and any(
+            math.isnan(end) and edge not in (low, high) for end, edge in zip(ends, surface.box[j], strict=True)
+        ):
+            warnings.append(
+                f"{each.name}: its interval reaches beyond the runs of the regression, and ends there by curvature alone"
+            )
+        linear = best[j] - quantile * errors[j], best[j] + quantile * errors[j]
+        ends = (linear[0] if math.isnan(ends[0]) else ends[0]), (linear[1] if math.isnan(ends[1]) else ends[1])
         ends = ends if told else (low, high)
         interval = Interval(
             each.outer(float(max(ends[0], low))),
@@ -390,7 +432,7 @@ def _concluded(
         Moment(m.name, m.unit, m.value, m.deviation, float(value), float(deviation))
         for m, value, deviation in zip(asked.moments, at, deviations, strict=True)
     )
-    warnings = _checked(asked, surface, values)
+    warnings += _checked(asked, surface, values)
     residual = np.linalg.solve(root, np.array([m.value for m in asked.moments]) - at)
     freedom, square = len(moments) - len(best), float(residual @ residual)
     goodness = Goodness(square, freedom, float(chi2.sf(square, freedom))) if freedom > 0 else None
@@ -401,7 +443,50 @@ def _concluded(
     ]
     warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end(value.value)]
     untold = known.untold([value.value for value in values.values()], len(values))
-    return FittedMoments(asked.model.name, values, moments, known, tuple(untold), goodness, made, tuple(warnings))
+    return FittedMoments(
+        asked.model.name, values, moments, known, tuple(untold), goodness, made, profiles, tuple(warnings)
+    )
+
+
+def _profile(
+    asked: AskedMoments, surface: _Surface, root: NDArray[np.floating[Any]], best: Array, j: int
+) -> tuple[Array, Array]:
+    """Return places along a quantity within the box of the regression, and what the objective rises there."""
+    from scipy.optimize import least_squares  # slow to import
+
+    measured, moving = np.array([moment.value for moment in asked.moments]), np.arange(len(best)) != j
+    low, high = surface.box[moving].T
+
+    def residual(x: Array) -> Array:
+        return np.asarray(np.linalg.solve(root, measured - surface.at(x)))
+
+    def fitted(x: Array) -> Array:
+        """Return the best place from a near one, the quantity held."""
+        found = x.copy()
+        if np.any(moving):
+            inside = np.clip(x[moving], low + 1e-9 * (high - low), high - 1e-9 * (high - low))
+            found[moving] = least_squares(lambda part: residual(np.insert(part, j, x[j])), inside, bounds=(low, high)).x
+        return found
+
+    grid = np.linspace(surface.box[j, 0], surface.box[j, 1], PLACES)
+    rises = {float(best[j]): 0.0}
+    for side in (grid[grid > best[j]], grid[grid < best[j]][::-1]):
+        near = best
+        for place in side:
+            near = fitted(np.where(moving, near, place))
+            rises[float(place)] = float(np.sum(residual(near) ** 2) - np.sum(residual(best) ** 2))
+    places = np.array(sorted(rises))
+    return places, np.array([rises[place] for place in places.tolist()])
+
+
+def _ends(places: Array, rises: Array, best: float, quantile: float) -> tuple[float, float]:
+    """Return where the root of the rises first exceeds a quantile to each side; nan where it does not."""
+    roots, found = np.sqrt(np.maximum(rises, 0.0)), []
+    for side in (np.flatnonzero(places <= best)[::-1], np.flatnonzero(places >= best)):
+        above = np.flatnonzero(roots[side] > quantile)
+        k = side[: above[0] + 1][-2:] if len(above) else side[:0]
+        found.append(float(np.interp(quantile, roots[k], places[k])) if len(k) else math.nan)
+    return found[0], found[1]
 
 
 def _checked(asked: AskedMoments, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:

@@ -18,7 +18,7 @@ from hertzwerk.runtime.model.ranges import starts_in
 
 Array = NDArray[np.float64]
 
-FOLLOWED = 3  # starts that are followed
+FOLLOWED, OF_MANY = 3, 16  # starts that are followed, and of how many starts one is at least
 WINDOWS = (0.125, 0.25, 0.5, 1.0)  # parts of each measured run
 FEW = 4  # times the number of what is free: data that a window needs
 FINER = 30.0  # part of the tolerance of a run that tells the error of one
@@ -31,7 +31,10 @@ CONVERGED, ROUGH = 1e-10, 1e-4  # relative: of the last window, and of a start f
 
 @dataclass(frozen=True)
 class Found:
-    """Least squares over the rows used (n,), at a place x, over the noise sigma of each row."""
+    """Least squares over the rows used (n,), at a place x, over the noise sigma of each row.
+
+    missed    squares beside the residuals: of what segments miss over what they may
+    """
 
     x: Array
     used: NDArray[np.bool_]
@@ -39,15 +42,22 @@ class Found:
     residuals: Array
     jacobian: Array
     converged: bool
+    missed: float = 0.0
 
     @property
     def cost(self) -> float:
-        """Sum of the squared residuals over the noise."""
-        return float(self.residuals @ self.residuals)
+        """Sum of the squared residuals over the noise, and of what segments miss."""
+        return float(self.residuals @ self.residuals) + self.missed
 
 
 class Search:
-    """Least squares of a forward model; sigma: stated noise of each row (n,), nan where none is stated."""
+    """Least squares of a forward model; sigma: stated noise of each row (n,), nan where none is stated.
+
+    refused    why there are no intervals, empty where there are
+    """
+
+    refused = ""
+    followed_only = False  # whether least squares with a quantity held count only where they converged
 
     def __init__(self, forward: Forward, sigma: Array, progress: Callable[[float], object] | None = None) -> None:
         self.forward, self.stated, self._progress = forward, sigma, progress or (lambda _: None)
@@ -58,6 +68,11 @@ class Search:
 
     def best(self, count: int, seed: int) -> Found:
         """Return the least squares over the longest window before the horizon."""
+        found = self.candidates(count, seed)[0]
+        return self.settled(self.least(found.x, found.used, self._sigma0()))
+
+    def candidates(self, count: int, seed: int) -> list[Found]:
+        """Return rough least squares over that window, from the best starts, the least first."""
         forward, sigma = self.forward, self._sigma0()
         windows = [w for w in WINDOWS if np.sum(forward.place <= w) >= FEW * len(self.low)] or [1.0]
         masks = [forward.place <= w * (1 + 1e-12) for w in windows]
@@ -69,7 +84,7 @@ class Search:
                 break
             found = self._leasts(kept, used)
             self._progress(0.4 + 0.5 * number / len(masks))
-        return self.settled(self.least(found[0].x, found[0].used, sigma))
+        return found
 
     def followed(self, masks: Sequence[NDArray[np.bool_]], count: int, seed: int) -> list[Found]:
         """Return the least squares over the first window from the best starts, the least first."""
@@ -78,7 +93,7 @@ class Search:
             r = self.residuals(x, np.ones(len(self.stated), dtype=bool), self._sigma0())
             scores.append(np.mean([math.log(np.mean(r[mask] ** 2) + 1e-300) for mask in masks]))
             self._progress(0.4 * (k + 1) / len(places))
-        kept = [places[k] for k in np.argsort(scores)[:FOLLOWED]]
+        kept = [places[k] for k in np.argsort(scores)[: max(FOLLOWED, count // OF_MANY)]]
         return self._leasts(kept, self.within(kept[0], masks[0], self._sigma0()))
 
     def _leasts(self, places: Sequence[Array], used: NDArray[np.bool_]) -> list[Found]:

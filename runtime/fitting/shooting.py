@@ -12,7 +12,7 @@ taken as a normal change at every joint of segments. Intervals follow from the f
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -36,12 +36,12 @@ WINDOW = 0.6, 1.15  # of a segment's length: where it may end, at the step farth
 CERTAIN = 10.0  # times the tolerance, of the scales: least error that is taken of a run
 TIMES = 3.0  # a run's error seen, by which it may miss
 STEPS, SHORTEST = 30, 1 / 200  # most steps, and the least part of one
-CONVERGED, STUCK = (
-    0.01,
-    0.2,
-)  # of the standard errors: step of x that is none, and the largest lost in the runs' own error
+CONVERGED, JOINING = 0.1, 1.0  # root of what the squares may still fall by, at the end and while segments are joined
+STUCK = 0.5  # the largest that is lost in the runs' own error
+LIKELY, MET = 3.0, 10.0  # deviations of the mean square of all residuals: no other start is followed, data are met
+MORE = 1, 4, 16  # times the starts that are asked for
 ALIKE = 0.02  # of the ranges: starts that are one
-MET = 2.0  # mean square of all residuals below which no other start is followed
+LIKELY, MET = 3.0, 10.0  # deviations of the mean square of all residuals: no other start is followed, data are met
 JOINED = 4.0  # mean square of a new segment's residuals over the noise beyond which it is not joined
 
 
@@ -210,38 +210,57 @@ def shot(
     """Return the fit of all segments, the search that it ended in, and how its intervals are obtained.
 
     length    of a segment [s], halved where data are not met; None: chosen by the growth of changes
-    The best few starts are fitted to the data of the first segments alone; each is then followed until one meets all data.
+    The best few starts are fitted to the data of the first segments alone, from more and more starts until one meets them;
+    each is then followed until one meets all data.
     """
     whole, begin = search.forward, search.starts(0, seed)[0]
     first = _chosen(whole, begin) if length is None else length
-    lengths = [first / 2**k for k in range(HALVED)]
     times = np.concatenate([each.at + whole.offset(i, begin) for i, each in enumerate(whole.observed)])
-    enough = np.sort(times)[min(FEW * len(begin), len(times)) - 1]
+    enough = float(np.sort(times)[min(FEW * len(begin), len(times)) - 1])
     ends = [float(np.max(times[whole.run == i])) for i in range(len(whole.observed))]
     tried: list[tuple[tuple[bool, int, float], _Solver]] = []
-    for length in lengths:
-        candidates = search.followed([times <= max(length * WINDOW[1], float(enough))], starts, seed)
-        for found in (
-            one for k, one in enumerate(candidates) if not any(_alike(search, one, a) for a in candidates[:k])
-        ):
+    for length in (first / 2**k for k in range(HALVED)):
+        for found, sigma in _first(search, times <= max(length * WINDOW[1], enough), starts, seed):
             if tried and tried[-1][0][0]:
                 break
-            solver = _Solver(Shot(whole, length), search.estimated(found), found.x, search.low, search.high)
+            solver = _Solver(Shot(whole, length), sigma, found.x, search.low, search.high)
             solver.join(ends, progress)
             tried.append((solver.worth(), solver))
     best = max(tried, key=lambda one: one[0])[1]
     if not best.forward.pieces:
         fault = Fault("shooting", "no run of a first segment", "ranges within which the scene runs", "narrower ranges")
         raise InputError(f"fit of {whole.observed[0].model.name}", [fault])
-    searched = Search(best.forward, search.stated)
+    searched = Segments(best, search.stated)
     for _ in range(3 if np.any(np.isnan(search.stated)) else 0):  # noise follows residuals, and they the noise
         best.sigma = searched.estimated(best.found())
         best.settle()
+    searched.begin()
     how = (
         f"linear: curvature of the least squares of multiple shooting over {len(best.forward.pieces)} segments, each "
         f"beginning where the one before ends to {best.loosest():.1g} of the scales; no other noise of the motion"
     )
     return searched, best.found(), how
+
+
+def _first(search: Search, early: NDArray[np.bool_], starts: int, seed: int) -> Iterator[tuple[Found, Array]]:
+    """Yield least squares over early data (n,), the least first, and the noise of all data that each has.
+
+    Of data with a stated noise there are more and more starts until the least meets them.
+    """
+    whole = search.forward
+    there = early.copy()
+    there[[int(np.flatnonzero(whole.column == k)[0]) for k in range(len(whole.columns))]] = True
+    part, found = Search(whole.cut(there), search.stated[there]), list[Found]()
+    for more in MORE:
+        found = part.candidates(starts * more, seed)
+        square, count = float(np.mean(found[0].residuals ** 2)), len(found[0].residuals)
+        if square < 1 + LIKELY * math.sqrt(2 / count) or np.any(np.isnan(search.stated)):
+            break
+    whole.runs_made += part.forward.runs_made
+    for k, one in enumerate(found):
+        if not any(_alike(search, one, other) for other in found[:k]):
+            sigma = part.estimated(one)
+            yield one, np.array([sigma[part.forward.group == group][0] for group in whole.group])
 
 
 def _alike(search: Search, one: Found, other: Found) -> bool:
@@ -260,6 +279,7 @@ class _Solver:
     converged: bool = True
     scale: Array = field(default_factory=lambda: np.ones(0))
     closed: set[int] = field(default_factory=set)
+    held: int | None = None  # place in x that stays
 
     def join(self, ends: Sequence[float], progress: Callable[[float], object]) -> None:
         """Join segments one by one, as long as they meet their data, until the ends [s] of the measured runs."""
@@ -269,20 +289,25 @@ class _Solver:
                 i for i, chain in enumerate(chains) if i not in self.closed and not (chain and chain[-1].end >= ends[i])
             ]
             if not going:
+                self.settle()
                 return
             for i in going:
                 self._add(i, chains[i][-1].end if chains[i] else 0.0, ends[i])
-            self.settle()
+            self.settle(JOINING)
             self._drop()
             progress(min(chain[-1].end / end if chain else 1.0 for chain, end in zip(chains, ends, strict=True)))
 
-    def worth(self) -> tuple[bool, int, float]:
-        """Return whether all data are met, their number, and less their mean square over the noise."""
+    def worth(self, most: float = LIKELY) -> tuple[bool, int, float]:
+        """Return whether all data are met, their number, and less their mean square over the noise.
+
+        most    deviations of that mean square from 1
+        """
         if not self.forward.pieces:
             return False, 0, -math.inf
         found = self.found()
-        square = float(np.mean(found.residuals**2))
-        return bool(np.all(found.used) and square < MET and self.converged), int(np.sum(found.used)), -square
+        square, count = float(np.mean(found.residuals**2)), int(np.sum(found.used))
+        met = square < 1 + most * math.sqrt(2 / count)
+        return bool(np.all(found.used) and met and self.converged), count, -square
 
     def _add(self, i: int, begin: float, end: float) -> None:
         forward, length = self.forward, self.forward.length
@@ -331,15 +356,15 @@ class _Solver:
         """Return the largest miss that is allowed at a joint, of the scales."""
         return float(np.max([piece.allowed / self.scale for piece in self.forward.pieces]))
 
-    def settle(self) -> None:
-        """Take steps, shortened where the next would not be shorter, until they are far below their errors."""
+    def settle(self, within: float = CONVERGED) -> None:
+        """Take steps, shortened where the next would not be shorter, until squares would fall by no more than within^2."""
         part = 1.0
         for _ in range(STEPS):
             blocks = self._blocks()
             if blocks is None:
                 break
             step, size = self._step(blocks)
-            if size < CONVERGED:
+            if size < within:
                 self.converged = True
                 return
             part = min(1.0, 4 * part)
@@ -352,23 +377,57 @@ class _Solver:
 
     def _moved(self, blocks: Sequence[_Block], step: Array, part: float) -> bool:
         """Take part of a step, unless the next one, by the same derivatives, would not be shorter."""
-        pieces = self.forward.pieces
-        x, starts = self.x, [piece.start for piece in pieces]
-        self.x = np.clip(x + part * step[0, : len(x)], self.low, self.high)
-        for piece, change in zip(pieces, step[1:], strict=True):
-            if piece.start is not None:
-                piece.start = piece.start + part * change[: len(self.scale)] * self.scale
-        found = [self.forward.residual(piece, self.x, self.sigma) for piece in pieces]
+        before = self.place
+        self._take(part * step)
+        found = [self.forward.residual(piece, self.x, self.sigma) for piece in self.forward.pieces]
         if all(one is not None for one in found):
             later = [
                 replace(block, residual=one[0], end=one[1]) for block, one in zip(blocks, found, strict=True) if one
             ]
             if self._length(self._step(later)[0]) <= (1 - part / 4) * self._length(step):
                 return True
-        self.x = x
-        for piece, start in zip(pieces, starts, strict=True):
-            piece.start = start
+        self.place = before
         return False
+
+    def _take(self, step: Array) -> None:
+        self.x = np.clip(self.x + step[0, : len(self.x)], self.low, self.high)
+        for piece, change in zip(self.forward.pieces, step[1:], strict=True):
+            if piece.start is not None:
+                piece.start = piece.start + change[: len(self.scale)] * self.scale
+
+    @property
+    def place(self) -> tuple[Array, list[Array | None]]:
+        """Where it is: x, and the starts of all segments."""
+        return self.x, [piece.start for piece in self.forward.pieces]
+
+    @place.setter
+    def place(self, place: tuple[Array, list[Array | None]]) -> None:
+        self.x = place[0]
+        for piece, start in zip(self.forward.pieces, place[1], strict=True):
+            piece.start = start
+
+    def hold(self, j: int, at: float) -> None:
+        """Settle with one entry of x held at a place, from where it is, moved with all else by the derivatives there."""
+        self.held, self.converged = j, False
+        try:
+            blocks = self._blocks()
+            if blocks is not None:
+                self._take(self._step(blocks, at - float(self.x[j]))[0])
+                self.settle()
+        finally:
+            self.held = None
+
+    def cost(self) -> float:
+        """Return the sum of squares of all residuals over the noise, and of what segments miss over what they may."""
+        pieces, found = self.forward.pieces, 0.0
+        for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
+            told = self.forward.residual(piece, self.x, self.sigma)
+            if told is None:
+                return math.inf
+            found += float(told[0] @ told[0])
+            if after is not None and after.start is not None:
+                found += float(np.sum(((told[1] - after.start) / piece.allowed) ** 2))
+        return found
 
     def _length(self, step: Array) -> float:
         """Return the length of a step, x over the width of its range and starts over the scales."""
@@ -378,19 +437,28 @@ class _Solver:
         found = [self.forward.linear(piece, self.x, self.sigma) for piece in self.forward.pieces]
         return None if any(block is None for block in found) else [block for block in found if block is not None]
 
-    def _step(self, blocks: Sequence[_Block]) -> tuple[Array, float]:
-        """Return the changes of x (first row) and of all starts over scales; and that of x over its errors."""
+    def _step(self, blocks: Sequence[_Block], by: float = 0.0) -> tuple[Array, float]:
+        """Return the changes of x (first row) and of all starts over scales; and the root of what the squares fall by.
+
+        by    the change of what is held
+        """
         factors, rows = self._condensed(blocks)
         k, n = len(self.x), len(self.scale)
-        dx, *_ = np.linalg.lstsq(rows[:, :k], rows[:, k], rcond=1e-12)
-        size = float(np.linalg.norm(rows[:, :k] @ dx)) / math.sqrt(k)
+        moving, dx = np.arange(k) != self.held, np.full(k, by)
+        if np.any(moving):
+            rest = rows[:, k] - by * (rows[:, :k] @ ~moving)
+            dx[moving] = np.linalg.lstsq(rows[:, :k][:, moving], rest, rcond=1e-12)[0]
+        fall = [
+            float(np.linalg.norm(rows[:, :k] @ dx)),
+            *(float(np.linalg.norm(f[:, -1])) for f in factors if f is not None),
+        ]
         step = np.zeros((1 + len(blocks), max(n, k)))
         step[0, :k] = dx
         for j, factor in enumerate(factors):
             if factor is not None:
                 right = factor[:, -1] - factor[:, n : 2 * n] @ step[j, :n] * (j > 0 and factors[j - 1] is not None)
                 step[1 + j, :n] = np.linalg.solve(factor[:, :n], right - factor[:, 2 * n : -1] @ dx)
-        return step, size
+        return step, math.hypot(*fall)
 
     def _condensed(self, blocks: Sequence[_Block]) -> tuple[list[Array | None], Array]:
         """Return the factor of every start, (start, start before, x, right side), and rows (m, k + 1) of x."""
@@ -429,7 +497,47 @@ class _Solver:
         told = np.zeros((k, k))
         if blocks is not None:
             told = np.asarray(np.linalg.qr(self._condensed(blocks)[1], mode="r"))[:k, :k]
-        return Found(self.x, used, self.sigma, residual, told, self.converged and blocks is not None)
+        missed = self.cost() - float(residual @ residual)
+        return Found(self.x, used, self.sigma, residual, told, self.converged and blocks is not None, missed)
+
+
+class Segments(Search):
+    """Search at the least squares of all segments, which least squares with a quantity held begin from."""
+
+    followed_only = True
+
+    def __init__(self, solver: _Solver, stated: Array) -> None:
+        super().__init__(solver.forward, stated)
+        self._solver, self._known = solver, dict[int, dict[float, tuple[Array, list[Array | None]]]]()
+
+    def begin(self) -> None:
+        """Take the place of the solver as the least, and refuse intervals where it does not meet all data."""
+        place = self._solver.place
+        self._known = {j: {float(value): place} for j, value in enumerate(place[0])}
+        if not self._solver.worth(MET)[0]:
+            self.refused = "the segments that were found do not meet all data"
+
+    def least(
+        self, x: Array, used: NDArray[np.bool_], sigma: Array, *, fixed: int | None = None, within: float = CONVERGED
+    ) -> Found:
+        """Return the least squares with one entry of x held, followed from the nearest place where it was."""
+        if fixed is None:
+            raise ValueError("segments are fitted by their solver")
+        solver, before, known = self._solver, self._solver.place, self._known[fixed]
+        try:
+            for part in (1.0, 0.5, 0.25):
+                near = min(known, key=lambda other: abs(other - x[fixed]))
+                solver.place = known[near]
+                for at in np.arange(part, 1 + part / 2, part):
+                    solver.hold(fixed, near + float(at) * (float(x[fixed]) - near))
+                    if not solver.converged:
+                        break
+                else:
+                    known[float(x[fixed])] = solver.place
+                    break
+            return solver.found()
+        finally:
+            solver.place, solver.converged = before, True
 
 
 def _states(model: Model) -> tuple[str, ...]:

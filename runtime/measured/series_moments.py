@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ Array = NDArray[np.float64]
 
 ORDERS = {"rms": 2, **NORMS}  # of means of powers
 KINDS = ("mean", *ORDERS, "largest", "excursions")
+OF_IMPACTS = ("mean", *ORDERS, "largest", "rate")  # kinds of numbers that come with impacts
 QUANTILE = 1.96  # half the width of a 95 % interval over the standard deviation
 FEWEST = 8  # samples in an interval
 
@@ -29,8 +31,9 @@ FEWEST = 8  # samples in an interval
 class SeriesMoment:
     """Statistic of one signal.
 
-    kind     mean, rms, norm8, norm32: over time; largest: mean of the largest values in an interval; excursions: their
-             rate, which begin `level` from the `middle` and end below half of that, as `compare` counts them
+    kind     mean, rms, norm8, norm32: over time, or over impacts; largest: mean of the largest values in an interval;
+             excursions: their rate, which begin `level` from the `middle` and end below half of that, as `compare`
+             counts them; rate: of impacts
     signal   place of the signal among the samples
     """
 
@@ -44,16 +47,20 @@ class SeriesMoment:
         """Return the statistic with the level of excursions that measured samples (n,) have."""
         return cls(kind, signal, *excursion_level(samples[np.isfinite(samples)]))
 
-    def parts(self, x: Array, places: NDArray[np.intp], spacing: float) -> tuple[Array, Array]:
-        """Return sums and weights (intervals,) whose ratio the statistic is a function of; nan are left out."""
-        there, count = np.isfinite(x), int(places[-1]) + 1
-        passed = np.bincount(places, minlength=count) * spacing
+    def parts(self, x: Array, places: NDArray[np.intp], passed: NDArray[np.floating[Any]]) -> tuple[Array, Array]:
+        """Return sums and weights (intervals,) whose ratio the statistic is a function of; nan are left out.
+
+        places    intervals (n,) of the values; passed: time [s] in each interval
+        """
+        there, count = np.isfinite(x), len(passed)
         x, places = x[there], places[there]
         weights = np.bincount(places, minlength=count).astype(float)
         if self.kind == "largest":
             sums = np.full(count, -np.inf)
             np.maximum.at(sums, places, x)
             weights = (weights > 0).astype(float)
+        elif self.kind == "rate":
+            sums, weights = weights, passed
         elif self.kind == "excursions":
             sums = np.bincount(places, begins(np.abs(x - self.middle), self.level), count)
             weights = np.where(weights > 0, passed, 0.0)  # time passes where samples are missing
@@ -96,10 +103,28 @@ def series_statistics(
     places = ((times - times[0]) / interval * (1 + 1e-12)).astype(np.intp)
     whole = max(int((times[-1] - times[0] + spacing) / interval * (1 + 1e-9)), 1)
     kept = places < whole
-    parts = [moment.parts(samples[kept, moment.signal], places[kept], spacing) for moment in moments]
+    passed = np.bincount(places[kept], minlength=whole) * spacing
+    parts = [moment.parts(samples[kept, moment.signal], places[kept], passed) for moment in moments]
     there = np.all([weights > 0 for _, weights in parts], axis=0)
-    parts = [(sums[there], weights[there]) for sums, weights in parts]
-    found = [estimate(*each) for each in parts]
+    return _statistics([(sums[there], weights[there]) for sums, weights in parts], moments)
+
+
+def impact_statistics(
+    times: Sequence[Array], values: Sequence[Array], moments: Sequence[SeriesMoment], span: tuple[float, float],
+    interval: float,
+) -> SeriesStatistics:  # fmt: skip
+    """Return statistics of numbers (n,) that come with impacts at times (n,) [s], of each signal, within a span [s]."""
+    whole = max(int((span[1] - span[0]) / interval * (1 + 1e-9)), 1)
+    parts = []
+    for moment in moments:
+        at = (times[moment.signal] - span[0]) / interval
+        kept = (at >= 0) & (at < whole)
+        parts.append(moment.parts(values[moment.signal][kept], at[kept].astype(np.intp), np.full(whole, interval)))
+    return _statistics(parts, moments)
+
+
+def _statistics(parts: Sequence[tuple[Array, Array]], moments: Sequence[SeriesMoment]) -> SeriesStatistics:
+    found = [estimate(*each) if np.any(each[1] > 0) else Estimate(math.nan, None, 0, 1, "no impacts") for each in parts]
     values, slopes = np.array(
         [moment.value(each.mean) for moment, each in zip(moments, found, strict=True)], dtype=float
     ).T

@@ -7,9 +7,11 @@ from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.html.markup import Markup, joined
+from hertzwerk.derive.html.markup import Markup, joined, tag
 from hertzwerk.runtime.accuracy.ladder import VALID, brief
 from hertzwerk.runtime.host.versions import versions
+from hertzwerk.runtime.model.free_quantities import quantities
+from hertzwerk.runtime.model.si_values import ratio
 from hertzwerk.runtime.pictures.prefixes import scale_of
 from hertzwerk.runtime.report import scene_sections
 from hertzwerk.runtime.report.html_page import Origin, Section, bullets, facts, guarded, page, paragraphs, verdict
@@ -23,17 +25,27 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.solution import Solution
 
 MOST = 200  # rows of a table of impacts
+OF_IMPACT = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m"}
 
 
 def run_page(
-    run: Solution, *, model: Model | None = None, origin: Origin | None = None, whole: str = "run.impacts"
+    run: Solution,
+    *,
+    model: Model | None = None,
+    origin: Origin | None = None,
+    whole: str = "run.impacts",
+    sensitivities: Mapping[str, Any] | None = None,
 ) -> str:
     """Return the page of a run.
 
     model    with the declaration, for a saved run that has none: its equations, its picture at the start
     origin   what made it, by default the call that repeats it
     whole    where all impacts are, beyond those that are listed
+    sensitivities    as `run.json` has them, of a saved run that was asked for them
     """
+    derived = getattr(run, "derivatives", None)
+    if derived is not None:
+        sensitivities = derived.record(run.states, run.t_end)
     declared = model if model is not None else run.model
     readable, why = scene_sections.readable_of(declared)
     sections = [
@@ -45,6 +57,7 @@ def run_page(
         scene_sections.parameters(run.model, run.parameters, readable),
         scene_sections.effects(run.model, readable),
         _states(run),
+        _sensitivities(run, sensitivities, whole) if sensitivities else None,
         scene_sections.equations(readable, why),
     ]
     live = run.history.integrator is not None
@@ -202,6 +215,36 @@ def _states(run: Solution) -> Section:
     told = [f"Given in place of the model's start: {', '.join(given)}."] if given else []
     heads = [("state", ""), ("at the start", ""), ("at the end", ""), ("unit", "")]
     return Section("States", joined([paragraphs(told), table(heads, rows, digits=8)]))
+
+
+def _sensitivities(run: Solution, found: Mapping[str, Any], whole: str) -> Section:
+    """Return the derivatives of final states and impacts by each name."""
+    units, known, parts = run.model.units, quantities(run.model), list[Markup]()
+    for name, told in found.items():
+        until = f"Up to {_quantity(told['until'], 's')}: {told['reason']}." if told["reason"] else ""
+        end: list[list[Cell]] = [
+            [state, value, unit_markup(ratio(units[state], known[name] or "1"))]
+            for state, value in told["final"].items()
+        ]
+        parts += [
+            tag("h3", f"By {name}"),
+            paragraphs([until] if until else []),
+            table([("state at the end", ""), ("derivative", ""), ("unit", "")], end),
+        ]
+        if run.impacts:
+            impacts = {f"d({what.replace('_', ' ')})": told["impacts"][what] for what in OF_IMPACT}
+            heads = [
+                (what, ratio(unit, known[name] or "1")) for what, unit in zip(impacts, OF_IMPACT.values(), strict=True)
+            ]
+            rows: list[list[Cell]] = [
+                [n + 1, i.contact, *(values[n] for values in impacts.values())]
+                for n, i in enumerate(run.impacts[:MOST])
+            ]
+            parts.append(table([("impact", ""), ("contact", ""), *heads], rows))
+    lead = "Exact derivatives, by the variational equations through every impact; in SI."
+    if len(run.impacts) > MOST:
+        lead += f" Of impacts the first {MOST}; all are in {whole}."
+    return Section("Sensitivities", joined([paragraphs([lead]), *parts]))
 
 
 def _quantity(value: float, unit: str) -> str:

@@ -12,7 +12,7 @@ They are found after the run, from its steps: a run that is not asked pays nothi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
 BISECTIONS = 60  # of the step in which a force or penetration is largest
+OF_IMPACT = ("t", "speed", "peak_force", "peak_penetration")
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
 
 
@@ -148,6 +149,18 @@ class Sensitivities:
         grown = history.controls[layout["tolerance"]][0] * sizes.max(axis=1)
         over = np.flatnonzero(grown > VALID)
         return float(history.t[over[0]]) if len(over) else np.inf
+
+    def record(self, states: Sequence[str], end: float) -> dict[str, Any]:
+        """Return the derivatives of states at the end [s], and of impacts, by each name as plain data, in SI."""
+        return {
+            name: {
+                "final": {state: float(self.at(np.array([end]), state, name)[0]) for state in states},
+                "impacts": {what: self.impacts(what, name).tolist() for what in OF_IMPACT},
+                "until": self.until,
+                "reason": self.reason,
+            }
+            for name in self.names
+        }
 
     def unit(self, name: str, to: str) -> str:
         """Return the SI unit text of a derivative, such as "N/(m/s)"."""

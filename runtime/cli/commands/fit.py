@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 
+OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics that are computed
+
+
 @click.command()
 @click.argument("target")
 @click.option(
@@ -87,12 +90,18 @@ if TYPE_CHECKING:
     multiple=True,
     help="Statistics of a run beyond its horizon, with their standard deviations: "
     'slider_pin.impact_rate="412 +- 5 1/s", names as of `hertzwerk sweep --output`. Without a value it is computed from '
-    "a column of --measured: acceleration.rms; also .mean, .norm8, .norm32, .largest, .excursions.",
+    "a column of --measured: acceleration.rms; also .mean, .norm8, .norm32, .largest, .excursions, and of impacts .rate.",
 )
 @click.option(
     "--bandwidth",
     metavar="FREQUENCY",
-    help='Of the instrument that --moment is computed behind, "5 kHz": a causal Butterworth low-pass of order 4.',
+    help='Of the instrument that --moment is computed behind, "5 kHz".',
+)
+@click.option("--order", type=int, help="Order of that Butterworth low-pass (default: 4).")
+@click.option(
+    "--zero-phase",
+    is_flag=True,
+    help="Filter forwards and backwards, 6 dB down at the cut-off (default: causal, 3 dB down).",
 )
 @click.option(
     "--skip", metavar="TIME", help="Transient that --moment leaves out of series and runs (default: a tenth of each)."
@@ -141,7 +150,7 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
         if moments or not options["measured"]:
             found, ranking = _of_moments(varied, moments, faults, progress, **options), None
         else:
-            of_series = {"--bandwidth": options.pop("bandwidth"), "--skip": options.pop("skip")}
+            of_series = {f"--{name.replace('_', '-')}": options.pop(name) for name in OF_SERIES}
             faults += [Fault(option, "without --moment", "one beside it") for option, text in of_series.items() if text]
             found, ranking = _fitted(varied, faults, progress, **options)
     result = found if ranking is None else ranking
@@ -199,7 +208,10 @@ def _of_moments(
     measured: Sequence[str],
     columns: Sequence[str],
     noise: Sequence[str],
+    made_at: Sequence[str],
     bandwidth: str | None,
+    order: int | None,
+    zero_phase: bool,
     skip: str | None,
     **others: Any,
 ) -> FittedMoments:
@@ -212,15 +224,20 @@ def _of_moments(
             Fault("--measured", "none, and no --moment", "measured data: --measured FILE, or --moment NAME=VALUE")
         )
     computed = [text for text in moments if "=" not in text]
-    of_series = {"--measured": measured, "--map": columns, "--noise": noise, "--bandwidth": bandwidth, "--skip": skip}
-    of_histories = {"--at": "made_at", "--gain": "gain", "--laws": "among", "--shooting": "shooting"}
+    of_series: dict[str, object] = {
+        "--measured": measured,
+        "--map": columns,
+        "--noise": noise,
+        "--at": made_at,
+        "--bandwidth": bandwidth,
+    }
+    of_series |= {"--order": order, "--zero-phase": zero_phase, "--skip": skip}
+    of_histories = {"--gain": "gain", "--laws": "among", "--shooting": "shooting"}
     of_histories_alone = {"--offset": ("offset", "0 s"), "--starts": ("starts", None), "--profile": ("profile", "auto")}
     beside = [option for option, name in of_histories.items() if others[name]]
     beside += [option for option, (name, default) in of_histories_alone.items() if others[name] != default]
     beside += [option for option, given in of_series.items() if given and not computed]
     faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
-    if len(measured) > 1:
-        faults.append(Fault("--measured", f"{len(measured)} files beside --moment", "one series"))
     twice = sorted({name for name in computed if computed.count(name) > 1})
     faults += [Fault("--moment", f"{name} twice", "each once") for name in twice]
     values, given, stated, mapped, noisy = (
@@ -233,21 +250,41 @@ def _of_moments(
             ("--noise", noise),
         )
     )
-    series = MeasuredSeries(measured[0], mapped or None, noisy, bandwidth, skip=skip) if measured and computed else None
+    series = [
+        MeasuredSeries(
+            file, mapped or None, noisy, bandwidth, 4 if order is None else order, zero_phase, skip=skip, values=own
+        )
+        for file, own in _made_at(measured, made_at, faults).items()
+        if computed
+    ]
     progress.stage("building")
     model = varied.model(faults)
-    how = {
+    chosen = {
         "values": values,
         "inputs": given or None,
         "duration": duration,
         "tolerance": tolerance and number(tolerance),
         "method": method,
     }
-    chosen = {name: value for name, value in how.items() if value}
+    chosen = {name: value for name, value in chosen.items() if value}
     wanted = {**stated, **dict.fromkeys(computed)}
     asked = read_moment_fit(model, wanted, _ranges(free, faults), chosen, seed or 0, faults, series)
     progress.stage("fitting")
     return fitted_moments(asked, progress)
+
+
+def _made_at(measured: Sequence[str], made_at: Sequence[str], faults: list[Fault]) -> dict[str, dict[str, str]]:
+    """Return the values of --at by measured file; malformed ones are appended to `faults`."""
+    own: dict[str, list[str]] = {file: [] for file in measured}
+    for text in made_at:
+        file, _, assigned = text.partition(":")
+        if file in own:
+            own[file].append(assigned)
+        else:
+            faults.append(Fault("--at", repr(text), f"FILE:NAME=VALUE, FILE one of {', '.join(measured)}"))
+    twice = sorted({file for file in measured if list(measured).count(file) > 1})
+    faults += [Fault("--measured", f"{file} twice", "each measured run once") for file in twice]
+    return {file: assignments("--at", texts, faults) for file, texts in own.items()}
 
 
 def _ranges(free: Sequence[str], faults: list[Fault]) -> dict[str, str | None]:
@@ -285,17 +322,8 @@ def _arguments(
     from hertzwerk.runtime.start.start_values import split_values
 
     parameters, initial = split_values(model, values)
-    own: dict[str, list[str]] = {file: [] for file in measured}
-    for text in made_at:
-        file, _, assigned = text.partition(":")
-        if file in own:
-            own[file].append(assigned)
-        else:
-            faults.append(Fault("--at", repr(text), f"FILE:NAME=VALUE, FILE one of {', '.join(measured)}"))
-    twice = sorted({file for file in measured if list(measured).count(file) > 1})
-    faults += [Fault("--measured", f"{file} twice", "each measured run once") for file in twice]
     return {
-        "data": [Experiment(file, assignments("--at", own[file], faults)) for file in measured],
+        "data": [Experiment(file, own) for file, own in _made_at(measured, made_at, faults).items()],
         "free": _ranges(free, faults),
         "map": assignments("--map", columns, faults) or None,
         "noise": assignments("--noise", noise, faults),
@@ -336,11 +364,17 @@ def _write(
             texts |= {"laws.json": json_text({**ranking.record(), **about}) + "\n", "laws.md": ranking.markdown()}
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8")
-        if not plots or isinstance(found, FittedMoments):
+        if not plots:
             return list(texts)
-        from hertzwerk.runtime.pictures.studies.plot_fit import save
+        from hertzwerk.runtime.pictures.studies import plot_fit, plot_moments
 
-        failures = failures_of("fit.png", lambda: save(found, folder / "fit.png"))
+        def draw() -> None:
+            if isinstance(found, FittedMoments):
+                plot_moments.save(found, folder / "fit.png")
+            else:
+                plot_fit.save(found, folder / "fit.png")
+
+        failures = failures_of("fit.png", draw)
         missing.extend(failures)
         return [*texts, *([] if failures else ["fit.png"])]
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import click
 
-from hertzwerk.derive.faults import Fault
-from hertzwerk.runtime.cli.designing import definition, named
-from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, reports_bad_input
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.designing import definition, keep, named
+from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, unwritable_faults
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, report_missing, reports_bad_input
 
 
 @click.command()
@@ -42,14 +44,24 @@ from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, reports_bad_inpu
 @ACCURACY
 @click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
 @BY_METHOD
+@click.option(
+    "--into", metavar="DIR", type=click.Path(path_type=Path), help="New folder for a record, and a picture of all runs."
+)
 @JSON
 @reports_bad_input
-def minimise(target: str, as_json: bool, **options: Any) -> int:
+def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> int:
     """Find the parameters of TARGET for which a number of its run is least, by exact derivatives.
 
     TARGET may be a TOML file with the keys of `minimise`. Exit code 1: no minimum was found.
     """
     from hertzwerk.runtime.design import minimisation
+
+    wrong = [
+        replace(fault, where="--into", remedy="name another")
+        for fault in unwritable_faults(into, wanted=into is not None)
+    ]
+    if wrong:
+        raise InputError("minimise", wrong)
 
     def own(faults: list[Fault]) -> dict[str, Any]:
         return {
@@ -63,5 +75,6 @@ def minimise(target: str, as_json: bool, **options: Any) -> int:
     found = minimisation.minimise(
         **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration"))
     )
+    missing = [] if into is None else keep(found, into, "minimum")
     click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False) if as_json else str(found))
-    return GOOD if found.outcome.finished else OTHER_OUTCOME
+    return GOOD if found.outcome.finished and not report_missing(missing) else OTHER_OUTCOME

@@ -10,9 +10,9 @@ from typing import Any
 import click
 
 from hertzwerk.derive.faults import Fault
-from hertzwerk.runtime.cli.designing import definition
+from hertzwerk.runtime.cli.designing import definition, keep
 from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, number
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, report_missing, reports_bad_input
 
 
 @click.command()
@@ -52,7 +52,10 @@ from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, report
 @click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
 @BY_METHOD
 @click.option(
-    "--into", metavar="DIR", type=click.Path(path_type=Path), help="Folder to store the runs in, and to go on from."
+    "--into",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Folder to store the runs in, and to go on from, with a record and a picture for `hertzwerk report`.",
 )
 @click.option(
     "--csv", "file", metavar="FILE", type=click.Path(path_type=Path), help="Write a line for each output to a new file."
@@ -87,8 +90,9 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
         found = propagation.propagate(**arguments, into=into, progress=progress)
     if file is not None:
         found.to_csv(file)
+    missing = [] if into is None else keep(found, into, "propagation")
     click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False) if as_json else str(found))
-    return OTHER_OUTCOME if found.notes else GOOD
+    return OTHER_OUTCOME if found.notes or report_missing(missing) else GOOD
 
 
 def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:

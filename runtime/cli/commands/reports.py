@@ -11,7 +11,7 @@ from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 
 
 @click.command()
-@click.argument("target", metavar="RUN|SWEEP|STUDY|FIT|TARGET")
+@click.argument("target", metavar="FOLDER|FILE|TARGET")
 @click.option(
     "--out", type=click.Path(path_type=Path), help="HTML to write (default: report.html in a folder, else beside)."
 )
@@ -21,7 +21,7 @@ from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 def report(target: str, out: Path | None, scene: str | None, overwrite: bool) -> int:
     """Write one HTML page that holds all it shows: numbers, warnings, pictures, equations, origin.
 
-    Of a folder that `hertzwerk run`, `sweep`, `study` or `fit` wrote, of a file of Solution.save, or of a scene.
+    Of a folder that `hertzwerk run`, `sweep`, `study`, `fit`, `propagate` or `minimise` wrote, of a file of Solution.save, or of a scene.
     """
     from hertzwerk.runtime.cli.reported import page_of
     from hertzwerk.runtime.host.folder import new_file_faults

@@ -4,6 +4,7 @@ import json
 
 import pytest
 from click.testing import CliRunner
+from pages import Outline
 
 from hertzwerk.runtime.cli import main
 
@@ -42,10 +43,18 @@ def file(tmp_path):
 def test_propagate_by_options_and_by_file(file, tmp_path):
     options = ("--uncertain", "gravity=Normal(9.81 m/s^2, 0.2 m/s^2)", "--output", "final.vertical.speed", "--sample", "8",
                "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
-    told = run("propagate", "bouncing_ball", *options, "--csv", str(tmp_path / "found.csv"))
+    kept = tmp_path / "kept"
+    told = run("propagate", "bouncing_ball", *options, "--csv", str(tmp_path / "found.csv"), "--into", str(kept))
     assert told.exit_code == 0
     assert "standard deviation by derivatives 0.08 m/s" in told.output
     assert (tmp_path / "found.csv").exists()
+    assert run("report", str(kept)).exit_code == 0
+    outline = Outline((kept / "report.html").read_text("utf-8"))
+    (head, spread) = outline.tables["Spread"][0]
+    assert spread[0] == "final.vertical.speed" and float(spread[head.index("std by derivatives")]) == pytest.approx(
+        0.08, rel=1e-4
+    )
+    assert {"Picture", "What it is owed to", "Origin"} <= set(outline.texts["h2"])
     one, other = (
         json.loads(run("propagate", *of, "--json").output) for of in (("bouncing_ball", *options), (file(FILE),))
     )
@@ -53,7 +62,7 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     assert one["outputs"]["final.vertical.speed"]["linear"] == pytest.approx(0.08, rel=1e-6)
 
 
-def test_minimise_by_options_and_by_file(file):
+def test_minimise_by_options_and_by_file(file, tmp_path):
     options = ("--objective", "(final.vertical.travel - 0.8*drop_height)**2", "--over", "gravity=1..12 m/s^2",
                "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
     one, other = (
@@ -64,6 +73,15 @@ def test_minimise_by_options_and_by_file(file):
     bounded = run("minimise", "bouncing_ball", *options, "--constraint", "gravity >= 20 m/s^2")
     assert bounded.exit_code == 1
     assert "infeasible" in bounded.output
+    kept = tmp_path / "kept"
+    assert run("minimise", "bouncing_ball", *options, "--into", str(kept)).exit_code == 0
+    assert run("minimise", "bouncing_ball", *options, "--into", str(kept)).exit_code == 2
+    assert run("report", str(kept)).exit_code == 0
+    outline = Outline((kept / "report.html").read_text("utf-8"))
+    assert outline.tables["Values"][0][1][0] == "gravity"
+    assert len(outline.tables["Runs"][0]) == 1 + len(json.loads((kept / "minimum.json").read_text())["trials"])
+    (kept / "minimum.json").write_text("{}")
+    assert "a record that `hertzwerk minimise` wrote" in run("report", str(kept), "--overwrite").output
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ import json
 
 import pytest
 from click.testing import CliRunner
+from pages import Outline
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
@@ -22,6 +23,11 @@ def test_derivatives_are_written_beside_the_run(tmp_path):
     told = json.loads((tmp_path / "run" / "run.json").read_text())["sensitivities"]["restitution"]
     assert told["final"]["guide.travel"] == pytest.approx(travel[-1], rel=1e-12)
     assert told["impacts"]["peak_force"] == pytest.approx(run.derivatives.impacts("peak_force", "restitution"))
+    assert CliRunner().invoke(main, ["report", str(tmp_path / "run")]).exit_code == 0
+    final, impacts = Outline((tmp_path / "run" / "report.html").read_text("utf-8")).tables["Sensitivities"]
+    shown = {row[0]: row[1].replace("\N{MINUS SIGN}", "-") for row in final}
+    assert float(shown["guide.travel"]) == pytest.approx(travel[-1], rel=1e-4)
+    assert len(impacts) == 1 + len(run.impacts)
     again = CliRunner().invoke(main, ["run", "--continue", str(tmp_path / "run"), "--sensitivity", "restitution"])
     assert again.exit_code == 2
     assert "a run from its start" in again.output

@@ -5,7 +5,7 @@ import pytest
 from shaken import shaken
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import MeasuredSeries, Measurement, fit_moments, simulate
+from hertzwerk.runtime import MeasuredImpacts, MeasuredSeries, Measurement, fit_moments, load, simulate
 from hertzwerk.runtime.inputs.time_series import Samples
 
 STEP, DAMPING = 0.2, 6.0
@@ -54,6 +54,51 @@ def test_intervals_hold_the_truth_over_seeds():
         held += one.low <= DAMPING <= one.high
     print("held", held, "of 60")
     assert held >= 52
+
+
+WALLS = {"restitution": 1}  # of the ball: linear springs of 1e6 N/m, 1.6 kg, 0.8 m of flight
+
+
+def impacts(v, count=120, seed=4):
+    """Return a list of impacts of a ball that flies at v [m/s], each interval with a scatter of 20 %, speeds of 2 %."""
+    rng = np.random.default_rng(seed)
+    between = (0.8 / v + np.pi * np.sqrt(1.6 / 1e6)) * (1 + 0.2 * rng.normal(size=count))
+    found = {"t": np.cumsum(between), "speed": v + 0.02 * v * rng.normal(size=count)}
+    return MeasuredImpacts(np.arange(1, count + 1), found, {"t": "s", "speed": "m/s"})
+
+
+def test_impacts_tell_by_their_rate_and_their_speeds():
+    """Rate of an elastic ball: 1 / (2 gap / v + pi sqrt(m / K)); each list at a start of its own, independent of the other."""
+    walls = load("ball_between_walls")
+    lists = [
+        MeasuredSeries(impacts(9.0), map={"t": "impacts.t", "speed": "impacts.speed"}, values={"gap": "0.4 m"}),
+        MeasuredSeries(impacts(9.0 * 0.5, seed=5), map={"t": "impacts.t"}, values={"gap": "0.8 m"}),
+    ]
+    how = {"values": WALLS, "workers": 1, "duration": "3 s", "tolerance": 1e-7}
+    found = fit_moments(walls, {"t.rate": None, "speed.mean": None}, free={"speed": "8..10 m/s"}, series=lists, **how)
+    names = [moment.name for moment in found.moments]
+    assert names == ["t.rate of series 1", "speed.mean", "t.rate of series 2"]
+    v = found["speed"].value
+    for moment, gap in ((found.moments[0], 0.4), (found.moments[2], 0.8)):
+        assert moment.unit == "1/s"
+        assert moment.fitted == pytest.approx(1 / (2 * gap / v + np.pi * np.sqrt(1.6 / 1e6)), rel=3e-3)
+    assert found.moments[1].fitted == pytest.approx(v, rel=1e-3)
+    assert found.explained is False  # the second list is one of half the speed: it contradicts the first
+    assert len(found.plot().axes) == 2
+    assert "rejected" in found._repr_html_() and "speed" in found._repr_html_()
+
+
+def test_impacts_without_their_onsets_are_refused():
+    walls, free = load("ball_between_walls"), {"speed": "8..10 m/s"}
+    data = impacts(9.0)
+    asked = MeasuredSeries(data, map={"speed": "impacts.speed"}, bandwidth="5 kHz")
+    with pytest.raises(InputError) as raised:
+        fit_moments(walls, {"speed.mean": None}, free=free, series=asked)
+    for part in ("0 columns of onsets", "are not filtered"):
+        assert part in str(raised.value)
+    both = MeasuredSeries(data, map={"t": "impacts.t", "speed": "impacts.speed"})
+    with pytest.raises(InputError, match="one of mean, rms, norm8, norm32, largest, rate"):
+        fit_moments(walls, {"speed.excursions": None}, free=free, series=both)
 
 
 def test_bad_series_are_one_error(tmp_path):

@@ -7,7 +7,7 @@ import pytest
 from scipy.signal import lfilter
 
 from hertzwerk.runtime.measured import series_moments
-from hertzwerk.runtime.measured.series_moments import SeriesMoment, series_statistics
+from hertzwerk.runtime.measured.series_moments import SeriesMoment, impact_statistics, series_statistics
 from hertzwerk.runtime.solution.averages import Estimate
 
 MEMORY, STEP, COUNT = 0.95, 1e-3, 24_000  # of x[k] = MEMORY x[k-1] + noise of variance 1
@@ -67,3 +67,28 @@ def test_statistics_of_a_wave_are_its_closed_forms():
     found = series_statistics(times, x[:, None], [SeriesMoment.of(kind, 0, x) for kind in kinds], 1.0)
     assert found.values == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3, 2], abs=0.12)
     assert found.values[:4] == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3], abs=2e-3)
+
+
+def test_statistics_of_impacts_are_those_of_a_poisson_process():
+    """Rate r over T: deviation sqrt(r / T); speeds exponential about s: mean s +- s / sqrt(n), mean square 2 s^2; independent."""
+    rate, speed, span = 30.0, 0.5, 200.0
+    kinds = ["rate", "mean", "rms"]
+    found = []
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        times = np.sort(rng.uniform(0, span, rng.poisson(rate * span)))
+        speeds = rng.exponential(speed, len(times))
+        speeds[::50] = np.nan  # not measured: the impact counts
+        moments = [SeriesMoment.of(kind, k > 0, speeds) for k, kind in enumerate(kinds)]
+        found.append(impact_statistics([times, times], [times, speeds], moments, (0.0, span), 0.05))
+    values, deviations = (np.array([getattr(each, what) for each in found]) for what in ("values", "deviations"))
+    n = 0.98 * rate * span
+    expected = np.array([math.sqrt(rate / span), speed / math.sqrt(n), speed * math.sqrt(20 / 8 / n)])
+    truth = np.array([rate, speed, math.sqrt(2) * speed])
+    assert np.mean(values, axis=0) == pytest.approx(truth, rel=0.01)
+    larger = np.mean(deviations, axis=0) / expected  # by Student's t, and by what correlation chance leaves
+    assert np.all((larger > 0.95) & (larger < 1.35))
+    held = np.sum(np.abs(values - truth) <= 1.96 * deviations, axis=0)
+    assert np.all(held >= 34)  # of 40 intervals of 95 %: binomial, 0.3 % of right ones hold fewer
+    correlation = np.mean([each.covariance[0, 1] / np.prod(each.deviations[:2]) for each in found])
+    assert abs(correlation) < 0.15
