@@ -94,7 +94,7 @@ class Observed:
         less = float(np.max(self.at) - np.max(at))
         return replace(
             self, duration=self.duration - less, column=self.column[kept], at=at, measured=self.measured[kept],
-            place=place / np.max(place),
+            place=place / (float(np.max(place)) or 1.0),
         )  # fmt: skip
 
     def times(self, run: Solution, offset: float) -> Array:

@@ -444,7 +444,7 @@ class _Solver:
         """
         factors, rows = self._condensed(blocks)
         k, n = len(self.x), len(self.scale)
-        moving, dx = np.arange(k) != self.held, np.full(k, by)
+        moving, dx = np.array([j != self.held for j in range(k)]), np.full(k, by)
         if np.any(moving):
             rest = rows[:, k] - by * (rows[:, :k] @ ~moving)
             dx[moving] = np.linalg.lstsq(rows[:, :k][:, moving], rest, rcond=1e-12)[0]

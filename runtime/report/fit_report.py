@@ -32,7 +32,8 @@ def fit_page(record: Record, picture: bytes | None, laws: Record | None, origin:
     good = False if known is False or not told else known
     top = joined([verdict(words[known], good, str(record["verdict"])), facts(counted)])
     warnings = [str(text) for text in record["warnings"]]
-    label = "Measured data over the best fit, and the residuals"
+    of_moments = "Fitted statistics beside measured ones, and the objective along each quantity"
+    label = "Measured data over the best fit, and the residuals" if "signals" in record else of_moments
     shown = [tag("figure", embedded(picture, label))] if picture is not None else []
     residuals = [_signals(record["signals"])] if "signals" in record else [_moments(record["moments"])]
     sections = [
