@@ -41,7 +41,6 @@ STUCK = 0.5  # the largest that is lost in the runs' own error
 LIKELY, MET = 3.0, 10.0  # deviations of the mean square of all residuals: no other start is followed, data are met
 MORE = 1, 4, 16  # times the starts that are asked for
 ALIKE = 0.02  # of the ranges: starts that are one
-LIKELY, MET = 3.0, 10.0  # deviations of the mean square of all residuals: no other start is followed, data are met
 JOINED = 4.0  # mean square of a new segment's residuals over the noise beyond which it is not joined
 
 

@@ -5,6 +5,9 @@ import math
 import numpy as np
 import pytest
 from scipy.signal import lfilter
+from scipy.special import gammaln
+from scipy.stats import binom, norm
+from scipy.stats import t as student
 
 from hertzwerk.runtime.measured import series_moments
 from hertzwerk.runtime.measured.series_moments import SeriesMoment, impact_statistics, series_statistics
@@ -69,26 +72,48 @@ def test_statistics_of_a_wave_are_its_closed_forms():
     assert found.values[:4] == pytest.approx([0, 3 / math.sqrt(2), 3 * (35 / 128) ** 0.125, 3], abs=2e-3)
 
 
+BLOCKS, LONG, INTERVALS = 29, 134, 4000  # ceil(4000 / 30) intervals to a block
+
+
+def widened():
+    """Return how much larger a deviation from 29 independent blocks is on average, and which part of series has that many.
+
+    Student's t over 1.96; the mean of a standard deviation of n over the true one (c4); intervals before the first
+    block, that are left out; and the widening by the correlation r of neighbours that chance leaves, normal about 0 with
+    the variance (n - 2)^2 / (n^2 (n - 1)) (Moran, Biometrika 35 (1948) 255), where it is accepted.
+    """
+    n = BLOCKS
+    small = student.ppf(0.975, n - 1) / 1.96 * math.sqrt(2 / (n - 1)) * math.exp(gammaln(n / 2) - gammaln((n - 1) / 2))
+    r = np.linspace(-1, 1.645 / math.sqrt(n), 20_001)
+    likely = norm.pdf(r, scale=(n - 2) / (n * math.sqrt(n - 1)))
+    positive = np.maximum(r, 0)
+    correlated = np.average(np.sqrt((1 + positive) / (1 - positive)), weights=likely)
+    return small * math.sqrt(INTERVALS / (n * LONG)) * correlated, np.sum(likely) * (r[1] - r[0])
+
+
 def test_statistics_of_impacts_are_those_of_a_poisson_process():
     """Rate r over T: deviation sqrt(r / T); speeds exponential about s: mean s +- s / sqrt(n), mean square 2 s^2; independent."""
     rate, speed, span = 30.0, 0.5, 200.0
     kinds = ["rate", "mean", "rms"]
     found = []
-    for seed in range(40):
+    for seed in range(120):
         rng = np.random.default_rng(seed)
         times = np.sort(rng.uniform(0, span, rng.poisson(rate * span)))
         speeds = rng.exponential(speed, len(times))
         speeds[::50] = np.nan  # not measured: the impact counts
         moments = [SeriesMoment.of(kind, k > 0, speeds) for k, kind in enumerate(kinds)]
-        found.append(impact_statistics([times, times], [times, speeds], moments, (0.0, span), 0.05))
+        one = impact_statistics([times, times], [times, speeds], moments, (0.0, span), span / INTERVALS)
+        if one.blocks == BLOCKS:  # of every statistic
+            found.append(one)
     values, deviations = (np.array([getattr(each, what) for each in found]) for what in ("values", "deviations"))
     n = 0.98 * rate * span
     expected = np.array([math.sqrt(rate / span), speed / math.sqrt(n), speed * math.sqrt(20 / 8 / n)])
     truth = np.array([rate, speed, math.sqrt(2) * speed])
     assert np.mean(values, axis=0) == pytest.approx(truth, rel=0.01)
-    larger = np.mean(deviations, axis=0) / expected  # by Student's t, and by what correlation chance leaves
-    assert np.all((larger > 0.95) & (larger < 1.35))
+    factor, accepted = widened()
+    assert len(found) > 0.9 * 120 * accepted**2  # the mean and the rms are nearly one
+    assert np.mean(deviations, axis=0) == pytest.approx(factor * expected, rel=0.05)  # three deviations of that mean
     held = np.sum(np.abs(values - truth) <= 1.96 * deviations, axis=0)
-    assert np.all(held >= 34)  # of 40 intervals of 95 %: binomial, 0.3 % of right ones hold fewer
+    assert np.all(held >= binom.ppf(0.003, len(found), 0.95))
     correlation = np.mean([each.covariance[0, 1] / np.prod(each.deviations[:2]) for each in found])
     assert abs(correlation) < 0.15
