@@ -408,8 +408,9 @@ PICTURES = {
     *(f"pictures/motion/{name}.py" for name in ["film", "moving_paper", "stage", "writers"]),
     *(
         f"pictures/studies/plot_{name}.py"
-        for name in ["accuracy", "band", "comparison", "effects", "fit", "fit", "laws", "page"]
+        for name in ["accuracy", "band", "comparison", "effects", "fit", "laws", "moments", "page"]
     ),
+    "pictures/sweeps/plot_minimum.py",
     "pictures/sweeps/plot_sweep.py",
     "pictures/sweeps/plot_uncertainty.py",
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),

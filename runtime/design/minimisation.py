@@ -388,7 +388,7 @@ class _Search:
         gradient = dict(zip(values, (best.gradient[0] / problem.slopes(x)).tolist(), strict=True))
         held = [
             Held(bound.text, float(v), bound.formula.unit, bound.lower, bound.upper,
-                 active=min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size)
+                 active=bool(min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size))
             for bound, v in zip(problem.bounds, best.value[1:], strict=True)
         ]  # fmt: skip
         return Minimum(

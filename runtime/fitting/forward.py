@@ -72,7 +72,7 @@ class Forward:
         self.without_exact: set[str] = set()  # reasons why some derivatives are differences
 
     def cut(self, kept: NDArray[np.bool_]) -> Forward:
-        """Return the forward model of the data (n,) that are kept, with runs as long as those; some of every run."""
+        """Return the forward model of the data (n,) that are kept, some of every run; runs last as long."""
         observed = [each.cut(kept[self.run == i]) for i, each in enumerate(self.observed)]
         return Forward(
             observed, self.free, self.nuisance, self._offsets, self._gains,

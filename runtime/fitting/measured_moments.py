@@ -1,4 +1,4 @@
-"""Moments of measured series and of measured impacts, and of runs as their instruments see them, by one function."""
+"""Moments of measured series and impacts, and of runs as their instruments see them, by one function."""
 
 from __future__ import annotations
 

@@ -102,7 +102,8 @@ class FittedMoments:
             g = self.goodness
             does = "explain" if self.explained else "do not explain"
             text = f"the stated deviations {does} what differs: chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
-        return f"{text}; {len(self.untold)} combinations of parameters cannot be told" if self.untold else text
+        many = "a combination of parameters" if len(self.untold) == 1 else f"{len(self.untold)} combinations"
+        return f"{text}; {many} cannot be told" if self.untold else text
 
     def lines(self) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences."""
@@ -131,6 +132,7 @@ class FittedMoments:
             "level": LEVEL,
             "moments": [asdict(moment) for moment in self.moments],
             "singular_values": self.known.singular_values.tolist(),
+            "directions": self.known.directions.T.tolist(),
             "correlation": self.known.correlation.tolist(),
             "distribution": None if self.untold else self.distribution().record(),
             "untold": list(self.untold),
@@ -166,7 +168,7 @@ class AskedMoments:
 
     @property
     def sweeps(self) -> list[tuple[Mapping[str, Value], list[SeriesMoments]]]:
-        """Values that runs are made at, with the series that each tells; the fit's own first, where moments are stated."""
+        """Values that runs are made at, with the series that each tells; first the fit's own for stated ones."""
         plain = self.how.get("values") or {}
         made_at = [plain] if self.half_widths else []
         made_at += [

@@ -356,7 +356,7 @@ class _Solver:
         return float(np.max([piece.allowed / self.scale for piece in self.forward.pieces]))
 
     def settle(self, within: float = CONVERGED) -> None:
-        """Take steps, shortened where the next would not be shorter, until squares would fall by no more than within^2."""
+        """Take steps, shortened where the next would not be, until squares fall by no more than within^2."""
         part = 1.0
         for _ in range(STEPS):
             blocks = self._blocks()
@@ -406,7 +406,7 @@ class _Solver:
             piece.start = start
 
     def hold(self, j: int, at: float) -> None:
-        """Settle with one entry of x held at a place, from where it is, moved with all else by the derivatives there."""
+        """Settle with one entry of x held at a place, all else moved there first by the derivatives."""
         self.held, self.converged = j, False
         try:
             blocks = self._blocks()
@@ -417,7 +417,7 @@ class _Solver:
             self.held = None
 
     def cost(self) -> float:
-        """Return the sum of squares of all residuals over the noise, and of what segments miss over what they may."""
+        """Return the squares of all residuals over the noise, and of what segments miss over what they may."""
         pieces, found = self.forward.pieces, 0.0
         for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
             told = self.forward.residual(piece, self.x, self.sigma)
@@ -437,9 +437,9 @@ class _Solver:
         return None if any(block is None for block in found) else [block for block in found if block is not None]
 
     def _step(self, blocks: Sequence[_Block], by: float = 0.0) -> tuple[Array, float]:
-        """Return the changes of x (first row) and of all starts over scales; and the root of what the squares fall by.
+        """Return the changes of x (first row) and of all starts over scales, and how far squares fall.
 
-        by    the change of what is held
+        by    the change of what is held; squares fall by the square of what is returned
         """
         factors, rows = self._condensed(blocks)
         k, n = len(self.x), len(self.scale)

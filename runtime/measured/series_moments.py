@@ -25,6 +25,9 @@ KINDS = ("mean", *ORDERS, "largest", "excursions")
 OF_IMPACTS = ("mean", *ORDERS, "largest", "rate")  # kinds of numbers that come with impacts
 QUANTILE = 1.96  # half the width of a 95 % interval over the standard deviation
 FEWEST = 8  # samples in an interval
+ROUNDED = 1 / math.sqrt(
+    6
+)  # deviation of a count of equal intervals at a phase by chance, on average: f (1 - f) of its part f
 
 
 @dataclass(frozen=True)
@@ -113,23 +116,31 @@ def impact_statistics(
     times: Sequence[Array], values: Sequence[Array], moments: Sequence[SeriesMoment], span: tuple[float, float],
     interval: float,
 ) -> SeriesStatistics:  # fmt: skip
-    """Return statistics of numbers (n,) that come with impacts at times (n,) [s], of each signal, within a span [s]."""
+    """Return statistics of numbers (n,) at the times (n,) [s] of impacts, by signal, within a span [s].
+
+    A count is whole: a rate is not known better than by a fraction of an impact in all, uniform between 0 and 1, also where
+    all blocks count alike.
+    """
     whole = max(int((span[1] - span[0]) / interval * (1 + 1e-9)), 1)
     parts = []
     for moment in moments:
         at = (times[moment.signal] - span[0]) / interval
         kept = (at >= 0) & (at < whole)
         parts.append(moment.parts(values[moment.signal][kept], at[kept].astype(np.intp), np.full(whole, interval)))
-    return _statistics(parts, moments)
+    counted = ROUNDED / (whole * interval)
+    return _statistics(parts, moments, [counted if moment.kind == "rate" else 0.0 for moment in moments])
 
 
-def _statistics(parts: Sequence[tuple[Array, Array]], moments: Sequence[SeriesMoment]) -> SeriesStatistics:
+def _statistics(
+    parts: Sequence[tuple[Array, Array]], moments: Sequence[SeriesMoment], least: Sequence[float] | float = 0.0
+) -> SeriesStatistics:
+    """Return statistics of sums and weights; least    deviations that they have at least."""
     found = [estimate(*each) if np.any(each[1] > 0) else Estimate(math.nan, None, 0, 1, "no impacts") for each in parts]
     values, slopes = np.array(
         [moment.value(each.mean) for moment, each in zip(moments, found, strict=True)], dtype=float
     ).T
     half = np.array([math.nan if each.half_width is None else each.half_width for each in found])
-    deviations = slopes * half / QUANTILE
+    deviations = np.maximum(slopes * half / QUANTILE, least)
     covariance = np.outer(deviations, deviations) * _correlation(parts, found)
     return SeriesStatistics(
         values, covariance, tuple(each.reason for each in found), min(each.blocks for each in found)

@@ -99,10 +99,9 @@ def _told(record: Record) -> Markup:
         paragraphs(["Combinations that the data cannot tell; the values of their quantities are not to be used."]),
         bullets(untold),
     ]
-    directions = record.get("directions") or [[None] * len(names)] * len(names)
     singular: list[list[Cell]] = [
-        [float(value), *(None if part is None else float(part) for part in direction)]
-        for value, direction in zip(record["singular_values"], directions, strict=True)
+        [float(value), *map(float, direction)]
+        for value, direction in zip(record["singular_values"], record["directions"], strict=True)
     ]
     return joined([
         *(parts if untold else [paragraphs(["The data tell every combination of the quantities."])]),
@@ -119,7 +118,9 @@ def _laws(laws: Record) -> Markup:
     for law in laws["laws"]:
         goodness = law["fit"]["goodness"]
         p = None if goodness is None else float(goodness["p_value"])
-        values = ", ".join(f"{n} {number_text(v['value'])} {v['unit']}" for n, v in law["fit"]["values"].items())
+        values = ", ".join(
+            f"{n} = {number_text(v['value'])} {v['unit']}".removesuffix(" 1") for n, v in law["fit"]["values"].items()
+        )
         held = float(sum(law["held_out"])) if law["held_out"] else None
         rows.append([str(law["name"]), float(law["difference"]), float(law["weight"]), held, p, values])
     heads = ("law", "AICc less the best", "weight", "held-out log-density", "p-value", "fitted")

@@ -1,4 +1,4 @@
-"""Picture of a fit of moments: fitted statistics beside measured ones, and the objective along each quantity."""
+"""Picture of a fit of moments: statistics, fitted and measured, and the objective along each quantity."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def save(fit: FittedMoments, path: Path) -> None:
 
 
 def figure(fit: FittedMoments) -> Figure:
-    """Draw fitted statistics beside measured ones, in deviations of the measured, and the objective along each quantity."""
+    """Draw statistics, less the measured ones over their deviations, and the objective along quantities."""
     rows = math.ceil(len(fit.values) / 2)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
         height = 0.42 * len(fit.moments) + 1.4

@@ -63,8 +63,9 @@ def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], 
             _spread(row[0], output, samples[output.name])
             if indices:
                 _indices(row[1], output)
-        if indices:
-            grid[0, 1].legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
+        for axis in grid[0]:
+            if axis.get_legend_handles_labels()[1]:
+                axis.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
     return page
 
 
@@ -77,7 +78,6 @@ def _spread(axis: Axes, output: Output, values: Array) -> None:
         x = output.nominal + output.linear * np.linspace(-3.5, 3.5, 200)
         curve = np.exp(-(((x - output.nominal) / output.linear) ** 2) / 2) / (output.linear * np.sqrt(2 * np.pi))
         axis.plot(unit(x), curve * unit.factor, color=VERMILLION, label="derivatives")
-        axis.legend(loc="upper right")
     axis.set(title=plain(output.name), yticks=[], xlabel=unit.unit or "1")
 
 

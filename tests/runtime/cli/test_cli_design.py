@@ -74,11 +74,13 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
     assert bounded.exit_code == 1
     assert "infeasible" in bounded.output
     kept = tmp_path / "kept"
-    assert run("minimise", "bouncing_ball", *options, "--into", str(kept)).exit_code == 0
+    lightly = (*options, "--constraint", "gravity >= 0.5 m/s^2")
+    assert run("minimise", "bouncing_ball", *lightly, "--into", str(kept)).exit_code == 0
     assert run("minimise", "bouncing_ball", *options, "--into", str(kept)).exit_code == 2
     assert run("report", str(kept)).exit_code == 0
     outline = Outline((kept / "report.html").read_text("utf-8"))
     assert outline.tables["Values"][0][1][0] == "gravity"
+    assert outline.tables["Constraints"][0][1][-1] == "is kept"
     assert len(outline.tables["Runs"][0]) == 1 + len(json.loads((kept / "minimum.json").read_text())["trials"])
     (kept / "minimum.json").write_text("{}")
     assert "a record that `hertzwerk minimise` wrote" in run("report", str(kept), "--overwrite").output
