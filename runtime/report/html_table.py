@@ -45,7 +45,7 @@ def number_text(value: float, digits: int = 5) -> str:
     """Return a number in few digits, with a true minus sign."""
     if isinstance(value, int):
         return f"{value:,}".replace(",", "\N{NARROW NO-BREAK SPACE}").replace("-", "−")
-    return f"{value:.{digits}g}".replace("e-0", "e-").replace("e+0", "e").replace("e+", "e").replace("-", "−")
+    return f"{value + 0.0:.{digits}g}".replace("e-0", "e-").replace("e+0", "e").replace("e+", "e").replace("-", "−")
 
 
 def _numeric(cells: Sequence[Cell]) -> bool:

@@ -223,8 +223,7 @@ def _sensitivities(run: Solution, found: Mapping[str, Any], whole: str) -> Secti
     for name, told in found.items():
         until = f"Up to {_quantity(told['until'], 's')}: {told['reason']}." if told["reason"] else ""
         end: list[list[Cell]] = [
-            [state, value, unit_markup(ratio(units[state], known[name] or "1"))]
-            for state, value in told["final"].items()
+            [state, value, unit_markup(ratio(units[state], known[name]))] for state, value in told["final"].items()
         ]
         parts += [
             tag("h3", f"By {name}"),
@@ -233,9 +232,7 @@ def _sensitivities(run: Solution, found: Mapping[str, Any], whole: str) -> Secti
         ]
         if run.impacts:
             impacts = {f"d({what.replace('_', ' ')})": told["impacts"][what] for what in OF_IMPACT}
-            heads = [
-                (what, ratio(unit, known[name] or "1")) for what, unit in zip(impacts, OF_IMPACT.values(), strict=True)
-            ]
+            heads = [(what, ratio(unit, known[name])) for what, unit in zip(impacts, OF_IMPACT.values(), strict=True)]
             rows: list[list[Cell]] = [
                 [n + 1, i.contact, *(values[n] for values in impacts.values())]
                 for n, i in enumerate(run.impacts[:MOST])

@@ -10,7 +10,7 @@ from html import unescape
 from html.parser import HTMLParser
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
-VOID = ("meta", "br", "col", "link", "wbr")
+VOID = ("meta", "br", "col", "img", "link", "wbr")
 WIDTHS = (
     1232,
     736,

@@ -28,6 +28,7 @@ def test_derivatives_are_written_beside_the_run(tmp_path):
     shown = {row[0]: row[1].replace("\N{MINUS SIGN}", "-") for row in final}
     assert float(shown["guide.travel"]) == pytest.approx(travel[-1], rel=1e-4)
     assert len(impacts) == 1 + len(run.impacts)
+    assert {row[0]: row[2] for row in final}["guide.travel"] == "m"  # by a number
     again = CliRunner().invoke(main, ["run", "--continue", str(tmp_path / "run"), "--sensitivity", "restitution"])
     assert again.exit_code == 2
     assert "a run from its start" in again.output
