@@ -47,7 +47,7 @@ COARSE, LEAST = (
 BESIDE, ROUGH = (
     0.9,
     1e3,
-)  # steps so uneven begin or end at a surface, where an error may be so many times dop853's estimate
+)  # steps so uneven begin or end at a surface, where an error may be so many times dop853's estimate; of implicit steps anywhere
 SURE = 0.1  # the same of dopri5: its estimate here is of order 3
 NOISE = 1e-9  # of a state's scale over a parameter: derivatives so small are none
 SHORT = 6000  # instructions up to which a step is written out: longer ones compile fast only by calls of their stages
@@ -359,8 +359,8 @@ def _roughness(history: History, uneven: np.ndarray) -> np.ndarray:
     """Return how many times its estimate the error over each step (rows - 1,) may be."""
     methods, tables = history.part("method")[:-1, 0].astype(int), history.engine.tables
     own = np.array([table == dopri5() for table in tables])[methods]
-    eighth = np.array([isinstance(table, RungeKutta) for table in tables])[methods] & ~own
-    return np.where(own, SURE, np.where(eighth & uneven, ROUGH, 1.0))
+    implicit = ~np.array([isinstance(table, RungeKutta) for table in tables])[methods]
+    return np.where(own, SURE, np.where(implicit | uneven, ROUGH, 1.0))
 
 
 _COLUMNS = ("kind", "h", "even")

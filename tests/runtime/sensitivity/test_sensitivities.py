@@ -254,6 +254,14 @@ def test_implicit_steps_whose_stages_newton_s_method_does_not_reach_are_solved_a
     assert shares[0] == 0 < 0.1 < shares[1]
 
 
+def test_contacts_that_overlap_in_time_behind_implicit_steps():
+    """Estimates of the steps in a row of balls that touch are up to a thousandfold too small: 6e-6 were they believed."""
+    model, how = load("newtons_cradle"), {"duration": "0.5 s"}
+    exact = made(model, tolerance=1e-13, **how).sensitivities("length")["string_4.angle", "length"]
+    found = made(model, method="esdirk", tolerance=1e-12, **how).sensitivities("length")["string_4.angle", "length"]
+    assert found[-1] == pytest.approx(exact[-1], abs=1e-6 * np.abs(exact).max())
+
+
 def test_many_derivatives_are_those_of_each_alone(crank):
     run = made(crank, duration="0.5 ms", tolerance=1e-9)
     names = [name for name in crank.parameters if crank.bind()[name]][: chain.WIDTH + 2]
