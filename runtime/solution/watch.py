@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 TOGETHER = 256  # contacts of a run whose peaks are found at once
 PIECE = 2**14  # rows of a run followed at once: what is found of them is held no longer
+FEW = (
+    2**11
+)  # rows of a block that may wait for those of other runs: more leave the cache, and their memory is given back
 BESIDE = np.array([-1, 0, 1])
 
 Piece: TypeAlias = tuple["History", slice]
@@ -42,7 +45,7 @@ class Contact(NamedTuple):
 
 
 class Watch:
-    """Observer of every contact of a run; keeps rows beside their tops, and the block to be followed.
+    """Observer of every contact of a run; keeps rows beside their tops, and a short block to be followed.
 
     A contact begins at a row in contact and ends at the next in flight; between them it may be released and touch
     again.
@@ -69,6 +72,8 @@ class Watch:
             after[(top == after).all(axis=1)] = block.rows[fresh]  # that was not there yet
         count = len(block.rows)
         self.waiting = [(block, slice(i, min(i + PIECE, count))) for i in range(fresh, count, PIECE)]
+        if count > FEW:
+            follow([self])
 
     def impacts(self) -> tuple[Impact, ...]:
         """Return every contact in the order of onset, open ones included.

@@ -85,6 +85,22 @@ def test_peaks_of_all_rows_are_one_call_with_the_numbers_of_each(job, monkeypatc
     assert [plain(row) for row in alike.do(*TASKS)] != expected
 
 
+def test_long_runs_are_followed_as_they_proceed_and_hold_no_block(job, monkeypatch):
+    alike, find = replace(job, outputs=job.outputs[: len(ASKED)]), Findings.find_impacts
+    expected, waiting = [plain(row) for row in alike.do(*TASKS)], []
+
+    def seen(runs):
+        waiting.append([len(run._watch.waiting) for run in runs])
+        find(runs)
+
+    monkeypatch.setattr(Findings, "find_impacts", staticmethod(seen))
+    alike.do(*TASKS)
+    monkeypatch.setattr("hertzwerk.runtime.solution.watch.FEW", 100)
+    assert [plain(row) for row in alike.do(*TASKS)] == expected
+    assert all(waiting[0])
+    assert not any(waiting[1])
+
+
 def test_what_fails_for_all_rows_at_once_is_found_for_each_alone(job, monkeypatch):
     alike, find = replace(job, outputs=job.outputs[: len(ASKED)]), Findings.find_impacts
     expected = [plain(row) for row in alike.do(*TASKS)]
