@@ -73,9 +73,10 @@ ROOMS = {
         "host": "derive/faults",
         "inputs": "derive/faults derive/units measured model run",
         "integrate": "host integrate/events integrate/loop integrate/step model",
-        "integrate/events": "integrate/step integrate/tableaux model",
+        "integrate/events": "integrate/friction integrate/step integrate/tableaux model",
+        "integrate/friction": "",
         "integrate/loop": "host integrate/events integrate/step integrate/tableaux model",
-        "integrate/step": "host integrate/tableaux model",
+        "integrate/step": "host integrate/friction integrate/tableaux model",
         "integrate/tableaux": "host",
         "loading": "derive/declare derive/faults integrate/loop integrate/step integrate/tableaux model pictures/draw tables",
         "measured": "accuracy derive/faults derive/units host model solution",
@@ -97,7 +98,7 @@ ROOMS = {
         "pictures/motion report run sensitivity solution tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
-        "statics": "derive/faults derive/html host inputs integrate/step loading model pictures/draw run solution start",
+        "statics": "derive/faults derive/html host inputs integrate/friction integrate/step loading model pictures/draw run solution start",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/html derive/units host inputs loading model run sensitivity simulation "

@@ -57,11 +57,22 @@ class Event:
 
 
 @dataclass(frozen=True)
+class Rubbing:
+    """Set-valued friction of a joint: sliding velocity [m/s], normal force [N], coefficients [1]."""
+
+    velocity: Any
+    pressing: Any
+    kinetic: Any
+    static: Any
+
+
+@dataclass(frozen=True)
 class Element:
     """Generalised forces by joint [N m or N], stored energy [J], powers [W] and outputs of an effect.
 
     The energy ledger books what is `dissipated` and put in as `input`; None where there is none. Outputs are (name,
-    unit, expression). `rates` are those of its states; a state without one changes at `events` alone.
+    unit, expression). `rates` are those of its states; a state without one changes at `events` alone. `rubbing` is given for
+    friction of a joint that sticks.
     """
 
     forces: Mapping[str, Any] = field(default_factory=dict)
@@ -71,6 +82,7 @@ class Element:
     outputs: tuple[tuple[str, str, Any], ...] = ()
     rates: Mapping[str, Any] = field(default_factory=dict)
     events: tuple[Event, ...] = ()
+    rubbing: Rubbing | None = None
 
     @property
     def powers(self) -> dict[str, Any]:
@@ -110,6 +122,10 @@ class Declared(Protocol):
     @property
     def scales(self) -> Any:
         """Scales of error tolerances: `length` [m] and `speed` [m/s]."""
+
+    @property
+    def driven(self) -> Mapping[str, Any]:
+        """Drives by the key of the freedom they drive."""
 
     @property
     def scalars(self) -> Mapping[str, Freedom]:
@@ -201,6 +217,9 @@ class Kinematics(Moving, Protocol):
 
     def reaction(self, joint: str, part: str = FORCE, length: Any = None) -> Any:
         """Magnitude of the force that a joint carries, or of a part of it [N]."""
+
+    def friction(self, effect: str) -> tuple[Any, Any]:
+        """Coefficient [1], with its sign, of a friction that slides, and force [N] of one that sticks."""
 
     def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
         """Generalised forces of a force along a slide or a torque about a turn.

@@ -9,7 +9,7 @@ import sympy as sp
 from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops, vector
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.motion.carried import Carried
+from hertzwerk.derive.motion.carried import Carried, Solved
 from hertzwerk.derive.motion.kinematics import acceleration_of
 from hertzwerk.derive.program.program import Function, Result
 
@@ -81,13 +81,48 @@ def _accelerations_under_loads(system: System, carried: Carried, symbols: dict[s
             "settling", "Margins of uniqueness of the reactions, positive where they are unique; residuals of their solution.",
             "t q u f c", Result("margins", tuple(names), ("1",) * len(names), tuple(found.margins)),
             Result("residuals", tuple(names), ("1",) * len(names), tuple(found.residuals))),
+        *([_unloaded(system, found, names)] if system.feeds else []),
+        *([_rubbing(system)] if system.rubbing else []),
     )  # fmt: skip
+
+
+def _unloaded(system: System, found: Solved, names: list[str]) -> Function:
+    """Accelerations and reactions without loads that depend on these, linear in the forces."""
+    whose = [name for name in names for _ in range(3)]
+    parts = tuple(sp.sympify(part) for vector in found.parts for part in vector)
+    return system.function(
+        "unloaded",
+        "Accelerations without loads by reactions, and the three components of each of these.",
+        "t q u f c",
+        vector("a", [acceleration_of(port) for port in system.speeds], found.unloaded),
+        Result("parts", tuple(whose), ("N",) * len(parts), parts),
+    )
+
+
+def _rubbing(system: System) -> Function:
+    """Sliding velocities and limits of the set-valued frictions of joints."""
+    names = tuple(name for name, _ in system.rubbing)
+    fields = (("velocity", "m/s"), ("pressing", "N"), ("kinetic", "1"), ("static", "1"))
+    return system.function(
+        "rubbing",
+        "Set-valued frictions of joints, see RUBBING: sliding velocity, normal force, coefficients of sliding and of rest.",
+        "t q u reactions c",
+        *(
+            Result(
+                part, names, (unit,) * len(names), tuple(sp.sympify(getattr(rub, part)) for _, rub in system.rubbing)
+            )
+            for part, unit in fields
+        ),
+    )
 
 
 def _accelerations(
     system: System, a: list[Any], multipliers: list[Any], reactions: list[Any], loads: list[tuple[str, Any]]
 ) -> Function:
-    rates = [acceleration_of(port) for port in system.speeds]
+    rates, units = (
+        [acceleration_of(port) for port in system.speeds],
+        {s.name: row.unit for s, row in system.pressed.items()},
+    )
     return system.function(
         "accelerations",
         "Generalised accelerations a from M a = f - bias, and the reactions of the drives.",
@@ -96,7 +131,7 @@ def _accelerations(
         Result(
             "reactions",
             (*(f"{row.key}.reaction" for row in system.driven), *(name for name, _ in loads)),
-            (*(row.unit for row in system.driven), *("N" for _ in loads)),
+            (*(row.unit for row in system.driven), *(units.get(name, "N") for name, _ in loads)),
             (*reactions, *(value for _, value in loads)),
         ),
         *((of_loops("multipliers", system.loops, multipliers, MULTIPLIER_UNITS),) if system.loops else ()),

@@ -13,7 +13,7 @@ import sympy as sp
 
 from hertzwerk.derive.contact.contact_forces import PairKinematics
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, state_faults
+from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, Rubbing, state_faults
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.mechanism.joints.joint import Port
@@ -59,6 +59,9 @@ class System:
             symbol: Row(f"{pair}.normal_force", "N", sp.S.Zero, sp.S.Zero, False)
             for pair, symbol in self.kin.normal_forces.items()
         }
+        for effect, (coefficient, holding) in self.kin.rubbing.items():
+            self.pressed[coefficient] = Row(f"{effect}.coefficient", "1", sp.S.Zero, sp.S.Zero, False)
+            self.pressed[holding] = Row(f"{effect}.holding", "N", sp.S.Zero, sp.S.Zero, False)
         self.rows = [*rows, *self.pressed.values()]
         self.row_units = tuple(row.unit for row in self.rows)
         self.loops = self.equations.constraints
@@ -87,21 +90,35 @@ class System:
         self.joints = Joints(self.tape, scene) if isinstance(scene, Absolute) else None
 
     def _sticking_faults(self) -> Iterator[Fault]:
-        """Faults of contacts that stick beside loads by reactions: they would be solved together.
+        """Faults of contacts that stick in several directions beside loads by reactions.
 
-        Friction then changes its own accelerations through the loads: forces that agree exist, since each is bounded by a
-        known normal force, but no least principle chooses among them, and there may be several.
+        They are solved together: friction changes its own accelerations through the loads. In one direction for each, what a run computes has a
+        certificate that nothing else agrees (runtime.integrate.step.fed_friction); for discs of forces there is none.
         """
-        if not (self.kin.carried or self.kin.normal_forces):
+        if not self.feeds:
             return
+        beside = "set-valued, in several directions beside loads by reactions"
         for pair, _, friction in self.contacts:
-            if friction is not None and friction.law.law.modes:
-                yield Fault(f"effect {friction.name}", f"law {friction.law.law.name}, set-valued, beside loads by reactions or normal forces",
+            if friction is not None and friction.law.law.modes and pair.slides_along > 1:
+                yield Fault(f"effect {friction.name}", f"law {friction.law.law.name}, {beside}",
                             "a law of the sliding velocity", "smooth_coulomb is one; or declare the loads otherwise.")  # fmt: skip
             for effect in self.scene.resistances(pair.pair.name):
-                if effect.has_modes:
-                    yield Fault(f"effect {effect.name}", f"{effect.text}, set-valued, beside loads by reactions or normal forces",
+                if effect.has_modes and len(effect.axes(pair.touch)) > 1:
+                    yield Fault(f"effect {effect.name}", f"{effect.text}, {beside}",
                                 "a smoothed one", "Give it a speed; or declare the loads otherwise.")  # fmt: skip
+
+    @property
+    def feeds(self) -> bool:
+        """Whether set-valued friction is a joint's, or stands beside loads by reactions, which it changes."""
+        sticks = any(friction is not None and friction.law.law.modes for _, _, friction in self.contacts) or any(
+            effect.has_modes for pair, *_ in self.contacts for effect in self.scene.resistances(pair.pair.name)
+        )
+        return bool(self.kin.rubbing or (sticks and self.kin.carried))
+
+    @property
+    def rubbing(self) -> list[tuple[str, Rubbing]]:
+        """Set-valued frictions of joints, by effect."""
+        return [(effect.name, e.rubbing) for effect, e in self.elements.items() if e.rubbing is not None]
 
     def _memory(self) -> list[tuple[str, str]]:
         """Entries of z as (name, unit); those that functions read come first, in the order of the inputs."""
@@ -118,7 +135,7 @@ class System:
     @cached_property
     def carried(self) -> Carried | None:
         """Loads by reactions and normal forces, if any; raises InputError for one that is not linear."""
-        if not (self.kin.carried or self.kin.normal_forces):
+        if not self.kin.loaded:
             return None
         found = Carried(
             self.kin, self.equations, {row.key: load for row in self.rows if (load := self._force(row.key, True)) != 0}

@@ -18,6 +18,9 @@ from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.expression_text import table_name
 
+NO_PAIR = -1
+"""In SLIPS, of the friction of a joint."""
+
 
 def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
     """Name of a table -> its rows, in the order of the module's text."""
@@ -95,9 +98,24 @@ def _events(system: System) -> dict[str, tuple[Any, ...]]:
 
 
 def _loads(system: System) -> dict[str, tuple[Any, ...]]:
-    """Table of the joints whose reactions loads depend on, if any."""
+    """Tables of joints whose reactions loads depend on, and of friction that changes these, if any.
+
+    FED: places of these among the reactions. RUBBING: places of a joint's friction among the forces, of its coefficient where it
+    slides and of its force where it sticks, and of the coefficient among the reactions.
+    """
     names = tuple(joint for joint, *_ in system.kin.carried)
-    return {"LOADS": names} if names else {}
+    found: dict[str, tuple[Any, ...]] = {"LOADS": names} if names else {}
+    if not system.feeds or system.carried is None:
+        return found
+    places = {key: i for i, key in enumerate(row.key for row in system.rows)}
+    own = [s for s, group in system.tape.inputs.items() if group == "reactions" and s not in system.supplied]
+    first = len(system.driven)
+    carried = tuple(first + own.index(symbol) for symbol in system.carried.read)
+    rubbing = tuple(
+        (name, places[f"{name}.coefficient"], places[f"{name}.holding"], first + own.index(system.kin.rubbing[name][0]))
+        for name, _ in system.rubbing
+    )
+    return found | {"FED": carried, "RUBBING": rubbing}
 
 
 def _slips(system: System) -> dict[str, tuple[Any, ...]]:
@@ -113,6 +131,7 @@ def _slips(system: System) -> dict[str, tuple[Any, ...]]:
             if effect.has_modes:
                 unit = "m/s" if effect.holds == "N" else "rad/s"
                 rows += _directions(f"{effect.name}.{effect.mode}", unit, j, len(effect.axes(pair.touch)))
+    rows += [(f"{name}.slip", "1", NO_PAIR) for name, _ in system.rubbing]
     return {"SLIPS": tuple(rows)} if rows else {}
 
 

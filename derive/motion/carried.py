@@ -33,7 +33,8 @@ ITERATIONS = 8  # of Newton's method, which converges from below, quadratically:
 class Solved:
     """Accelerations, multipliers and generalised forces with the loads, and N.
 
-    Margins are positive where N is unique; residuals are what its solution leaves, relative.
+    Margins are positive where N is unique; residuals are what its solution leaves, relative. `unloaded` are the accelerations
+    without loads by N, and `parts` the components of each reaction then: linear in the forces.
     """
 
     accelerations: list[Any]
@@ -42,6 +43,8 @@ class Solved:
     magnitudes: list[Any]
     margins: list[Any]
     residuals: list[Any]
+    unloaded: list[Any]
+    parts: list[Vector]
 
 
 class Carried:
@@ -77,10 +80,11 @@ class Carried:
         ]
         a, multipliers = equations.accelerations(known)
         of = [equations.response(column, f"by_{name}") for column, name in zip(columns, names, strict=True)]
-        base, by = [], []
+        base, by, parts = [], [], []
         for key in self.read.values():
             whole = self._parts(key, known, a, multipliers, whole=True)
             shares = [self._parts(key, c, *response, whole=False) for c, response in zip(columns, of, strict=True)]
+            parts.append(whole)
             kept = [k for k in range(3) if any(vector[k] != 0 for vector in (whole, *shares))]
             base.append([whole[k] for k in kept])
             by.append([[share[k] for k in kept] for share in shares])
@@ -96,6 +100,8 @@ class Carried:
             found,
             self._margins(by, names),
             residuals,
+            a,
+            parts,
         )  # fmt: skip
 
     # -- reactions -----------------------------------------------------------------------------------------------------

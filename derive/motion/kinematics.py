@@ -133,6 +133,7 @@ class Kinematics:
         self.tree = Tree(tape, scene.mechanism, motion, scene.held)
         self.carried: dict[tuple[str, str, Any], sp.Symbol] = {}
         self.normal_forces: dict[str, sp.Symbol] = {}
+        self.rubbing: dict[str, tuple[sp.Symbol, sp.Symbol]] = {}
         # keyed by links and bodies, which live as long as this does
         self.motion_of = cache(self._motion)
         self.bias_of = cache(self._bias)
@@ -214,10 +215,24 @@ class Kinematics:
         """Normal force of a contact [N]: an input."""
         return self._load(self.normal_forces, pair, f"{pair}_pressed")
 
+    def friction(self, effect: str) -> tuple[Any, Any]:
+        """Coefficient [1], with its sign, of a friction that slides, and force [N] of one that sticks."""
+        if effect not in self.rubbing:
+            self.rubbing[effect] = self._carried(f"{effect}_coefficient", "1"), self._carried(f"{effect}_holding", "N")
+        return self.rubbing[effect]
+
+    @property
+    def loaded(self) -> bool:
+        """Whether forces depend on what joints and contacts carry."""
+        return bool(self.carried or self.normal_forces or self.rubbing)
+
     def _load(self, known: dict[Any, sp.Symbol], key: Any, name: str) -> sp.Symbol:
         if key not in known:
-            known[key] = self.tape.input(name, "reactions", Dimension.from_unit(parse_unit("N"), {}))
+            known[key] = self._carried(name, "N")
         return known[key]
+
+    def _carried(self, name: str, unit: str) -> sp.Symbol:
+        return self.tape.input(name, "reactions", Dimension.from_unit(parse_unit(unit), {}))
 
     def row(self, key: str) -> Row:
         """Row of a scalar freedom of the tree."""

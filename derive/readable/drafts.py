@@ -16,8 +16,8 @@ from hertzwerk.derive.effects.nonholonomic import KnifeEdge, RollingWithoutSlip
 from hertzwerk.derive.program.program import Function, Program, Result, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
-HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "loads", "settling", "balance", "projection", "poses", "motion", "applied",
-           "joint_scales", "placed", "joint_constraints", "landmarks", "rolling_limits")  # fmt: skip
+HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "loads", "settling", "unloaded", "rubbing", "balance", "projection",
+           "poses", "motion", "applied", "joint_scales", "placed", "joint_constraints", "landmarks", "rolling_limits")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
 LOOPS, COUPLINGS, ROLLING, OUTPUTS, START = "Closed loops", "Couplings", "Rolling and edges", "Outputs", "Start"
 INERTIA, BIAS = "inertia", "bias"

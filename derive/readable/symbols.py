@@ -276,7 +276,17 @@ class Names:
         for symbol in inputs["z"]:
             whose = words(symbol.name.split("_")) if len(inputs["z"]) > 1 else ""
             found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
+        rubs = [name for name, *_ in program.tables.get("RUBBING", ())]
+        rubbing = {
+            f"{name}_coefficient": (r"\mu", name, "coefficient of friction, with its sign, while it slides")
+            for name in rubs
+        }
+        rubbing |= {f"{name}_holding": ("F", name, "friction force while it sticks") for name in rubs}
         for symbol in inputs["reactions"]:
+            if symbol.name in rubbing:
+                letter, name, meaning = rubbing[symbol.name]
+                found[symbol] = _with_subscript(letter, (words(name.split("_")),)), f"{meaning}, of {name}"
+                continue
             joint = symbol.name.removesuffix("_reaction_in")
             if symbol.name == joint:
                 found[symbol] = (

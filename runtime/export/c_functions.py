@@ -63,7 +63,7 @@ def functions(model: Model, made: Integrator, outputs: Sequence[str], name: str)
         found["loops"] = ideal_loops(model, joints).function
     if counting.layout.size:
         found |= {"tallied": counting.first.function, "tally": counting.add}
-    if model.loads:
+    if model.nr > model.k:
         found["least_margin"] = _least_margin(engine, made)
     listed = [_named(each, function) for each, function in found.items()]
     work = {part: max(getattr(f, f"sz_{part}")() for f in listed) for part in ("arg", "res", "iw", "w")}

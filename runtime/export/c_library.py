@@ -170,7 +170,7 @@ def _constants(found: Contents, work: Mapping[str, int]) -> str:
         **{"N_CLOSED": joints.nl if found.loops else 0, "N_ROWS": rows, "N_UNKNOWNS": unknowns},
         **{"N_LATCHES": len(model.latches), "N_LIMITS": len(_limits(model))},
         **{"N_SPEED_LIMITS": model.k if limited else 0, "IS_PLACED": int(joints is not model)},
-        **{"CAN_ASSEMBLE": int(found.follows), "HAS_MARGINS": int(bool(model.loads)), "FLOOR_PARAMETER": floor},
+        **{"CAN_ASSEMBLE": int(found.follows), "HAS_MARGINS": int(model.nr > model.k), "FLOOR_PARAMETER": floor},
         **{f"SIZE_{part.upper()}": max(size, 5 if part in ("arg", "res") else 0) for part, size in work.items()},
         **{f"AT_{name.upper()}": layouts.state.places[name] for name in IN_STATE},
         **{f"AT_{name.upper()}": layouts.controls.places[name] for name in IN_CONTROLS},

@@ -14,6 +14,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.export.export_request import with_zero_inputs
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
+from hertzwerk.runtime.integrate.step.set_valued_friction import NO_PAIR
 from hertzwerk.runtime.integrate.tableaux.methods import SUNDIALS
 from hertzwerk.runtime.run.request import read
 from hertzwerk.runtime.run.single_run import APPROACH_FLOOR, set_up
@@ -161,7 +162,8 @@ def _refused(model: Model, method: str, initial: Collection[str]) -> list[Fault]
 def _outputs(model: Model, further: Sequence[str]) -> tuple[str, ...]:
     """Return the names of the outputs: histories of every run that are no states, then others."""
     states = {"t", *model.units, *model.inputs}
-    both = {row[2] for row in model.slips if sum(other[2] == row[2] for other in model.slips) > 1}
+    pairs = [pair for *_, pair in model.slips if pair != NO_PAIR]
+    both = {pair for pair in pairs if pairs.count(pair) > 1}
     left = {f"{model.pairs[j]}.{part}" for j in both for part in ("slip", "friction_force")}
     return tuple(dict.fromkeys((*(n for n in units_of(model, None) if n not in states | left), *further)))
 

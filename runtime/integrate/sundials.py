@@ -38,7 +38,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.set_valued_friction import pairs_of, sticking
+from hertzwerk.runtime.integrate.step.set_valued_friction import NO_PAIR, pairs_of, sticking
 from hertzwerk.runtime.model.caller import Callers
 
 if TYPE_CHECKING:
@@ -242,7 +242,7 @@ class _Run:
             elif mode == RELEASED:
                 found.append((j, CONTACT, rate, acceleration))
         for i, j in enumerate(pairs_of(self.model)):
-            if self.mode[j] == CONTACT:
+            if j == NO_PAIR or self.mode[j] == CONTACT:
                 found.append((j, GRIP, float(end["margin"][i]), float(end["margin_rate"][i])))
         of_effects = zip(end["event"], end["event_rate"], strict=True)
         return found + [(i, EFFECT, float(margin), float(rate)) for i, (margin, rate) in enumerate(of_effects)]
@@ -302,10 +302,10 @@ class _Run:
             self.events += 1
             self.y = np.array(jump(self.model)(self.t, self.y, self.c, DUE)).ravel()
             return
-        end, old, j = self.at(self.t, self.y), self.mode[event.pair], event.pair
         if event.mode == GRIP:
-            self.resolve_slip(j, ran_out=True)
+            self.resolve_slip(event.pair, ran_out=True)
             return
+        end, old, j = self.at(self.t, self.y), self.mode[event.pair], event.pair
         if old == FLIGHT:
             self.events += 1
             for i, (_, _, pair) in enumerate(self.model.module.LATCHES):

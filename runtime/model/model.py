@@ -41,7 +41,7 @@ class Bound:
 Dependent: TypeAlias = tuple[tuple[int, ...], int]
 """Constraints that imply each other, and how many of them are independent."""
 
-SOLVING = ("accelerations", "settling", "projection")  # functions that solve for the constraint forces
+SOLVING = ("accelerations", "settling", "unloaded", "projection")  # functions that solve for the constraint forces
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,13 @@ class Model:
         self.ne = len(self.events)
         self.loads: tuple[str, ...] = getattr(module, "LOADS", ())
         """Reactions that loads depend on; empty without such loads."""
-        self.nr = self.k + bool(self.loads)
+        self.fed = hasattr(module, "FED")
+        """Whether set-valued friction changes loads that it depends on."""
+        self.carried: tuple[int, ...] = getattr(module, "FED", ())
+        """Places of the loads' magnitudes among the reactions, where it does."""
+        self.rubbing: tuple[tuple[str, int, int, int], ...] = getattr(module, "RUBBING", ())
+        """Set-valued frictions of joints: places of coefficient and holding force among the forces, of the former among the reactions."""
+        self.nr = self.k + bool(self.loads or self.rubbing)
         """Number of ranges that a run must not leave: of each pair's law, and of loads by reactions."""
         rows = {
             pair: tuple(i for i, name in enumerate(self.outputs) if name.startswith(f"{pair}.eccentricity_"))
@@ -400,6 +406,8 @@ _INPUTS = {
     "accelerations": "t q u f c",
     "loads": "t q u reactions c",
     "settling": "t q u f c",
+    "unloaded": "t q u f c",
+    "rubbing": "t q u reactions c",
     "constraints": "t q u c",
     "balance": "t q u a multipliers c",
     "projection": "t q wanted c",

@@ -15,6 +15,7 @@ from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
+from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
 from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Grid, Recorder, Steps
@@ -255,12 +256,13 @@ class Trace:
 
 
 def _locked(model: Model, history: History) -> str:
-    """Return the joints whose reaction is not unique at the end; empty where it is a law that was left."""
-    if not model.loads:
+    """Return the joints and contacts whose force is not unique at the end; empty where all are."""
+    if model.nr == model.k:
         return ""
-    margins = history.margins()[-1]
+    margins = np.nan_to_num(history.margins()[-1])
+    names = (*model.loads, *((*grips_of(model), *model.loads, *grips_of(model)) if model.fed else ()))
     least = float(margins.min())
-    found = [joint for joint, margin in zip(model.loads, margins, strict=True) if margin <= max(least, CLOSE)]
+    found = [name for name, margin in zip(names, margins, strict=True) if margin <= max(least, CLOSE)]
     return ", ".join(dict.fromkeys(found)) if least <= CLOSE else ""
 
 

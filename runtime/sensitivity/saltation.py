@@ -23,12 +23,11 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.integrate.events.events import LANDING
 from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.events.slips import at_rest
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
-from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of
+from hertzwerk.runtime.integrate.step.set_valued_friction import LANDING, grips_of, groups_of
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.sensitivity.chain import along

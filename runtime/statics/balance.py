@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.integrate.step.limit_sets import measured
+from hertzwerk.runtime.integrate.friction.limit_sets import measured
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of, pair_grips, pairs_of
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model

@@ -184,6 +184,11 @@ def equilibrium(
     """
     if not isinstance(model, plain.Model):
         raise InputError("equilibrium", [Fault("model", shown(model), "a model that `load` returned")])
+    if model.rubbing:
+        names = ", ".join(name for name, *_ in model.rubbing)
+        why = "set-valued friction of joints, which holds them at rest wherever they stop"
+        raise InputError("equilibrium", [Fault(names, why, "friction of contacts, or by a smooth law",
+                                               "simulate: a run ends where they rest.")])  # fmt: skip
     t = _time(model, at)
     model = inputs_at(model, inputs, t)
     still = held(model)

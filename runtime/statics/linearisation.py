@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.integrate.step.implicit import linearised
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
-from hertzwerk.runtime.integrate.step.set_valued_friction import pair_grips, pairs_of, sticking
+from hertzwerk.runtime.integrate.step.set_valued_friction import NO_PAIR, pair_grips, pairs_of, sticking
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start import start_values
@@ -116,7 +116,7 @@ def _conditions(
     rows.append(np.eye(ny)[[*still, *idle]])
     at_rest, stuck = not np.any(u), sticking(model, m)
     for i, j in enumerate(pairs_of(model)):
-        if mode[j] == CONTACT and stuck[i]:
+        if (j == NO_PAIR or mode[j] == CONTACT) and stuck[i]:
             own = sliding.reshape(model.ns, nq + nu)[i]
             rows.append(np.concatenate([own, np.zeros(model.nz)])[None])
             if at_rest:  # what has not slid is where it was
@@ -130,7 +130,12 @@ def _derivatives(model: Model) -> Callers:
     t, q, u, _, _, c = given = model.symbols("t q u z m c")
     none = ca.SX(0, 1)
     loops, rates = model.function("constraints")(t, q, u, c) if model.nl else (none, none)
-    sliding = [pair_grips(model, j, *given)[0] for j in dict.fromkeys(pairs_of(model))]
+    of_joints = (
+        model.function("rubbing")(t, q, u, ca.SX.zeros(*model.symbols("reactions")[0].shape), c)[0]
+        if model.rubbing
+        else none
+    )
+    sliding = [of_joints if j == NO_PAIR else pair_grips(model, j, *given)[0] for j in dict.fromkeys(pairs_of(model))]
     x, s = ca.vertcat(q, u), ca.vertcat(none, *sliding)
     moves = ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u)
     results = [ca.jacobian(loops, q), ca.jacobian(rates, x), ca.jacobian(s, x), moves]

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.effects.effect import FRONT, RADIAL, REAR, Declared, Element, JointEffect, Kinematics
+from hertzwerk.derive.effects.effect import FRONT, RADIAL, REAR, Declared, Element, JointEffect, Kinematics, Rubbing
 from hertzwerk.derive.effects.state_expression import LOADS, Varying
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, N, s
@@ -32,6 +32,9 @@ class JointFriction(JointEffect):
     joint's own reaction presses: of a turn the force across its axis; of a prismatic guide the forces on two pads,
     `length` apart about the child's point, that carry force and moment across its axis. The reaction depends on the
     accelerations, and these on the friction: they are solved together (`motion.carried`).
+
+    A set-valued law slides under a coefficient with a sign, and sticks by a force that keeps the joint at rest: both are
+    given to the equations of motion by the run.
     """
 
     name: str
@@ -77,10 +80,21 @@ class JointFriction(JointEffect):
             yield Fault(self.where, f"radius {self.radius}", "none, because a prismatic joint slides by its coordinate")
         if kind == "turn" and self.radius is None:
             yield Fault(self.where, "no radius", "the radius of the journal [m], which turns an angle into a way")
-        if isinstance(law, FrictionLaw) and law.needs_contact:
+        if isinstance(law, FrictionLaw) and law.modes:
+            yield from self._mode_faults(scene, law)
+        elif isinstance(law, FrictionLaw) and law.needs_contact:
             yield Fault(self.where, f"law {law.name}, which needs a contact pair",
                         "a friction law that follows from sliding velocity and normal force",
                         "smooth_coulomb, stribeck and brown_mcphee do.")  # fmt: skip
+
+    def _mode_faults(self, scene: Declared, law: FrictionLaw) -> Iterator[Fault]:
+        """Yield faults of a set-valued law."""
+        if any((force / N).has(N) for force in (law.sliding, law.holding)):
+            yield Fault(self.where, f"law {law.name}, set-valued and other than proportional to the normal force",
+                        "coulomb, or a smooth law")  # fmt: skip
+        if self.joint in scene.driven:
+            yield Fault(self.where, f"law {law.name}, set-valued, in {self.joint}, which is driven: at rest its force has no value",
+                        "a law of the sliding velocity", "smooth_coulomb is one.")  # fmt: skip
 
     def _reaction_faults(self, scene: Declared, kind: str) -> Iterator[Fault]:
         """Yield faults of friction under a reaction."""
@@ -111,6 +125,21 @@ class JointFriction(JointEffect):
         """Friction force at the sliding velocity, and the dissipated power."""
         arm = sp.S.One if self.radius is None else sp.sympify(self.radius)
         sliding = kin.tape.let(arm * kin.speed(self.joint), f"{self.name}_sliding_velocity")
+        if isinstance(self.law.law, FrictionLaw) and self.law.law.modes:
+            return self._set_valued(kin, self.law.law, arm, sliding)
         drag = drag_of(kin, self.name, self.law, self._pressing(kin), sliding)
         force = kin.tape.let(-arm * drag, f"{self.name}_force")
         return Element(kin.on_joint(self.joint, force, self.name), dissipated=drag * sliding)
+
+    def _set_valued(self, kin: Kinematics, law: FrictionLaw, arm: Any, sliding: Any) -> Element:
+        """Friction of a law that slides or sticks, along the joint's coordinate."""
+        pressing = kin.tape.let(self._pressing(kin), f"{self.name}_pressing")
+        coefficient, holding = kin.friction(self.name)
+        drive = kin.tape.let(coefficient * pressing + holding, f"{self.name}_along")
+        force = kin.tape.let(arm * drive, f"{self.name}_force")
+        kinetic, static = (
+            kin.tape.let((limit / N).xreplace(self.law.binding), f"{self.name}_{what}")
+            for limit, what in ((law.sliding, "kinetic"), (law.holding, "static"))
+        )
+        rubbing = Rubbing(sliding, pressing, kinetic, static)
+        return Element(kin.on_joint(self.joint, force, self.name), dissipated=-drive * sliding, rubbing=rubbing)

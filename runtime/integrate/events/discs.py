@@ -18,7 +18,7 @@ from typing import Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.limit_sets import gauge, normal_and_curvature, outward, positive, unit_of
+from hertzwerk.runtime.integrate.friction.limit_sets import gauge, normal_and_curvature, outward, positive, unit_of
 from hertzwerk.runtime.integrate.step.linear import eliminated
 from hertzwerk.runtime.integrate.step.set_valued_friction import REDUNDANT, solve_sticking
 

@@ -16,7 +16,13 @@ import casadi as ca
 from hertzwerk.runtime.integrate.events.jumps import falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
 from hertzwerk.runtime.integrate.step.rounding import gap_rounding, time_rounding
-from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, margin_tolerances, margins, margins_positive
+from hertzwerk.runtime.integrate.step.set_valued_friction import (
+    LANDING,
+    margin_tolerances,
+    margins,
+    margins_positive,
+    touching,
+)
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -24,7 +30,6 @@ if TYPE_CHECKING:
 
 GAP = ("gap", "gap_rate", "gap_acceleration")
 ROUNDINGS = 4  # times the bound of a gap's rounding: locating an event takes a few operations more
-LANDING = 1e-2  # of the tolerance, in the scene's scales: accuracy of a landing
 DOUBT = 0.1  # of |quintic - cubic|: distance from zero below which a graze is in doubt
 NEAR = 1 / 64  # of a step: most by which its end is moved to land on a surface, by the classical method of order 4
 RESOLVED = 0.5  # of a gap and its way in a step: most that a step may leave open of its course
@@ -45,6 +50,8 @@ def tolerances(model: Model, run: Mapping[str, Any], at: Mapping[str, Any]) -> t
     stiffness of the scene's scales and by the contact's own, force over depth, which hard surfaces and strong damping
     raise far above.
     """
+    if not model.k:
+        return ca.SX(0, 1), ca.SX(0, 1), ca.SX(0, 1)
     length, speed, force = (run["scales"][i] for i in range(3))
     q, u = at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu]
     gap_floor, rate_floor = (ROUNDINGS * bound for bound in gap_rounding(model)(at["t"], q, u, run["c"]))
@@ -141,7 +148,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
     if not model.k:
-        return ca.Function("polynomials", arguments, [ca.densify(falls(run, start, end)[0])])
+        return ca.Function("polynomials", arguments, [ca.densify(_beside_pairs(model, run, start, end, ca.SX(0, 1)))])
     tol, tol_rate, tol_force = tolerances(model, run, end)
     before, after = signed_gaps(start["mode"], start), signed_gaps(start["mode"], end)
     g, rate, _ = before
@@ -156,10 +163,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
     suspect = _row_minimum(bernstein.T) <= doubt
     ending = sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force)) > 0
-    if model.ns:
-        ending = ca.vertcat(ending, _slipping(model, run, start, end, tol_rate, tol_force)[0])
-    if model.ne:
-        ending = ca.vertcat(ending, falls(run, start, end)[0])
+    ending = _beside_pairs(model, run, start, end, ending)
     outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt, suspect, ending))])
     return ca.Function("polynomials", arguments, outputs)
 
@@ -177,8 +181,8 @@ def endings(model: Model, layouts: Layouts) -> Any:
     arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
     rows, aim, margins_of = [ca.SX.ones(model.k)] * 6, ca.SX.zeros(model.k), []
+    tolerance = tolerances(model, run, end)
     if model.k:
-        tolerance = tolerances(model, run, end)
         for ends, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
             rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
             cubic = _raise(_raise([f, f + rise / 3, f1 - rise1 / 3, f1]))
@@ -195,6 +199,15 @@ def endings(model: Model, layouts: Layouts) -> Any:
     bernstein = ca.densify(ca.vertcat(*(row.T for row in rows)))
     doubt = ca.DM.zeros(model.k + model.ns + model.ne)
     return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), doubt]))
+
+
+def _beside_pairs(
+    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], found: Any
+) -> Any:
+    """Return whether the modes of pairs end (k), followed by whether frictions change and events happen."""
+    if model.ns:
+        found = ca.vertcat(found, _slipping(model, run, start, end, *tolerances(model, run, end)[1:])[0])
+    return ca.vertcat(found, falls(run, start, end)[0]) if model.ne else found
 
 
 def _endings(
@@ -224,7 +237,7 @@ def _slipping(
     small = margin_tolerances(model, run, start["m"], end, tol_rate, tol_force)
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
-    falls = (at_slips(model, start["mode"]) == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
+    falls = touching(model, start["mode"]) * (cubic[0] > -small / 2) * (lowest < -small)
     falls *= start["retakes"] < LOCATED
     return falls, cubic, small
 

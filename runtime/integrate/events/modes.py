@@ -87,9 +87,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     y, m = _reset_bristles(model, y, after["mode"]), after["m"]
     if model.ne:
         y = jump(model)(after["t"], y, run["c"], due(run, after))
-    tolerance: list[Any] = []
-    if model.k:
-        _, *tolerance = tolerances(model, run, {**after, "y": y})
+    _, *tolerance = tolerances(model, run, {**after, "y": y})
     asked = ca.SX(0, 1)
     if model.ns:
         small = margin_tolerances(model, run, m, after, *tolerance)
@@ -103,10 +101,14 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     )
     y, m, busy = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm), ca.SX.sym("busy")
     end = right.at(after["t"], y, after["mode"], m, run["c"])
-    end.pop("in_range")
+    in_range = end.pop("in_range")
     finite = is_finite(end)
     status = ca.if_else(finite, after["status"], NOT_FINITE)
+    if model.fed:  # what sticks now may be held in several ways
+        status = ca.if_else((status == RUNNING) * any_of(in_range[model.k :] < 0.5), OUTSIDE_LAW_RANGE, status)
     new = {**after, **end, "y": y, "m": m, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
+    if model.fed:
+        new["class"] = ca.if_else(status == RUNNING, new["class"], IDLE)
     new["unsettled"] = after["unsettled"] + busy
     if model.ne:
         new["h"] = ca.fmin(after["h"], time_to_event(run, end, after["t"]))
@@ -163,9 +165,8 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     m = ca.vertcat(ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
     end = right.at(t, y, mode, m, run["c"])
     gap, rate = end["gap"], end["gap_rate"]
-    tolerance: list[Any] = []
+    tol, *tolerance = tolerances(model, run, {**end, "t": t, "y": y})
     if model.k:
-        tol, *tolerance = tolerances(model, run, {**end, "t": t, "y": y})
         touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
         m, floored = latch(model, run, m, touching, rate)
         for i in range(len(model.latches)):

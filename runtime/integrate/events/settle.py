@@ -68,7 +68,7 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
     given = [ca.MX.sym(name, part.size) for name, part in zip(names, parts, strict=True)]
     state, controls, end, verdict = given
     decide = _decide(model, vectors, table)
-    if not (model.k or model.ne):
+    if not (model.k or model.ns or model.ne):
         decided, _ = decide(*given, NO_EVENT, 0)
         return ca.Function("settle", given, [decided], names, ["new"])
     *gaps, ending = polynomials(model, vectors).call([state, controls, end])

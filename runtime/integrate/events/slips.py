@@ -17,12 +17,14 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.discs import settling
+from hertzwerk.runtime.integrate.friction.limit_sets import opposed, size_of, unit_of
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, active_contacts, masked
-from hertzwerk.runtime.integrate.step.limit_sets import opposed, size_of, unit_of
+from hertzwerk.runtime.integrate.step.fed_friction import joints, solved
 from hertzwerk.runtime.integrate.step.set_valued_friction import (
     AHEAD,
     BREAKS,
     STICK,
+    Grips,
     grips,
     grips_of,
     groups_of,
@@ -57,8 +59,11 @@ def resolve_slips(model: Model) -> Any:
     if not n:
         return ca.Function("directed", given, [given[3], given[1], 0])
     groups = tuple(map(tuple, groups_of(grips_of(model))))
-    solve = pivoting(n) if len(groups) == n else settling(groups)
-    slip, busy = solve(*_problem(model)(*given))
+    if model.fed:
+        slip, busy = settled_slips(model)(*given)
+    else:
+        solve = pivoting(n) if len(groups) == n else settling(groups)
+        slip, busy = solve(*_problem(model)(*given))
     if len(groups) < n:
         slip = _ahead(model)(*given, slip)
     m, y = at_rest(model)(*given[:5], slip)
@@ -70,7 +75,14 @@ def pivoting(n: int) -> Any:
 
     busy: 1 if no solution was found from the initial slips.
     """
-    together, single = (_round(n, one=one) for one in (False, True))
+    return rounds(n, *(_round(n, one=one) for one in (False, True)))
+
+
+def rounds(n: int, together: Any, single: Any) -> Any:
+    """Return the function (constants.., slip, bound) -> (slip, busy) that repeats a round.
+
+    together, single: (constants.., slip, bound, busy) -> (slip, bound, busy), a round in which all violating pairs change, or the first.
+    """
     arguments = together.mx_in()
     *constants, slip, bound, _ = arguments
     unchanged = ca.Function("unchanged", arguments, [slip, bound, ca.MX(0)])
@@ -135,14 +147,65 @@ def _round(n: int, *, one: bool) -> Any:
     returns = still * (1 - sticks) * (slip * a < -ROUNDING * terms)
     changes = lets_go + returns
     if one:
-        earlier, only = ca.SX(0), []
-        for change in ca.vertsplit(changes):
-            only.append(change * (earlier == 0))
-            earlier += change
-        lets_go, returns = (part * ca.vertcat(*only) for part in (lets_go, returns))
+        lets_go, returns = (part * first_of(changes) for part in (lets_go, returns))
     new = ca.if_else(lets_go, -ca.sign(force), ca.if_else(returns, STICK, slip))
     arguments = [W, b, still, sliding, slip, bound, ca.SX.sym("busy")]
     return ca.Function("round", arguments, ca.cse([new, ca.if_else(lets_go, sliding, bound), ca.mmax(changes) > 0]))
+
+
+def first_of(changes: Any) -> Any:
+    """Return 1 for the first of what changes (n)."""
+    earlier, only = ca.SX(0), []
+    for change in ca.vertsplit(changes):
+        only.append(change * (earlier == 0))
+        earlier += change
+    return ca.vertcat(*only)
+
+
+@per_model
+def settled_slips(model: Model) -> Any:
+    """Return the function (arguments of `resolve_slips`) -> (slips (n), busy) of a fed model."""
+    n = model.ns
+    t, y, mode, m, c = model.symbols("t y mode m c")
+    asked, rate, force = (ca.SX.sym(name, n) for name in ("asked", "rate", "force"))
+    now = grips(model, BY_MODE, t, y, mode, m, c)
+    still = now.touching * ((ca.fabs(now.velocity) <= rate) + now.sticks * (1 - asked) > 0)
+    ahead = ca.if_else(asked, ca.sign(now.velocity), now.slip)
+    first = ca.if_else(still, ca.if_else(asked, STICK, ahead), now.touching * ahead)
+    slack = ca.if_else(asked, 0, BREAKS * force)
+    given = [t, y, mode, m, c, asked, rate, force]
+    begin = ca.Function("open", given, [ca.densify(part) for part in (still, slack, first, ca.SX.zeros(n))])
+    asking = begin.mx_in()
+    found = rounds(n, *(_fed_round(model, one=one) for one in (False, True)))
+    return ca.Function("settled", asking, list(found.call([*asking[:5], *begin.call(asking)])))
+
+
+def _fed_round(model: Model, *, one: bool) -> Any:
+    """Build one round of pivoting of a fed model.
+
+    (t, y, mode, m, c, open, slack, slip, let go, busy) -> (slip, let go, busy), as `_round`, with limits and accelerations under the
+    friction of the round; `let go` (n): 1 for what has slipped once.
+    """
+    n = model.ns
+    t, y, mode, m, c = model.symbols("t y mode m c")
+    still, slack, slip, free = (ca.SX.sym(name, n) for name in ("still", "slack", "slip", "free"))
+    q, u, z = model.parts(y)
+    latches, _ = ca.vertsplit(m, [0, slips_in(model).start, model.nm])
+    now = grips(model, BY_MODE, t, y, mode, ca.vertcat(latches, slip), c)
+    f = model.function("applied")(t, q, u, c)
+    for _, contact, active in active_contacts(model, BY_MODE, mode):
+        f += masked(active, contact(t, q, u, z, m, c)[0])
+    found = solved(model, now, t, q, u, f, c)
+    limit = ca.if_else(free, now.sliding, now.holding) * found.pressing + slack
+    lets_go = still * now.sticks * (ca.fabs(found.held) > limit)
+    returns = still * (1 - now.sticks) * (slip * found.rate < -ROUNDING * found.terms)
+    changes = lets_go + returns
+    if one:
+        lets_go, returns = (part * first_of(changes) for part in (lets_go, returns))
+    new = ca.if_else(lets_go, -ca.sign(found.held), ca.if_else(returns, STICK, slip))
+    arguments = [t, y, mode, m, c, still, slack, slip, free, ca.SX.sym("busy")]
+    results = [new, ca.if_else(lets_go, 1, free), ca.mmax(changes) > 0]
+    return ca.Function("round", arguments, ca.cse([*map(ca.densify, results)]))
 
 
 def _ahead(model: Model) -> Any:
@@ -168,8 +231,17 @@ def at_rest(model: Model) -> Any:
     new = ca.vertcat(latches, slip)
     now = grips(model, BY_MODE, t, y, mode, new, c)
     change = mobility(model, t, q, u, now.along, c)
-    W = ca.mtimes(now.along[: model.nu, :].T, change)
+    W = ca.mtimes(now.across, change)
     impulse = solve_sticking(W, now.sticks, -now.velocity)
     # the speed at which an impulse works is the mean of those before and after, and after it is none
-    moved = ca.vertcat(q, u + ca.mtimes(change, impulse), z + ca.mtimes(now.power, impulse) / 2)
+    moved = ca.vertcat(q, u + ca.mtimes(change, impulse), z + ca.mtimes(_work(model, now), impulse) / 2)
     return ca.Function("at_rest", [t, y, mode, m, c, slip], [new, ca.if_else(ca.mmax(now.sticks), moved, y)])
+
+
+def _work(model: Model, now: Grips) -> Any:
+    """Rates (nz, n) of the ledger per newton of each friction, of joints too."""
+    found = ca.SX(now.power)
+    for i, (name, *_) in zip(joints(model, now), model.rubbing, strict=True):
+        if model.has_ledger:
+            found[model.memory.index(f"{name}.dissipated"), i] = -now.velocity[i]
+    return found

@@ -18,6 +18,7 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.step.control import factor, limited_by_surfaces, roughness, step_to_continue
 from hertzwerk.runtime.integrate.step.implicit import linearised, uses_calls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN, REJECTED, RELEASED, SPECIAL, Layouts
+from hertzwerk.runtime.integrate.step.set_valued_friction import margins_positive, may_slip
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
@@ -121,8 +122,10 @@ def _judged(
     others = [j for j in range(model.k) if j not in asked]
     if asked:
         clear *= all_of(no_event_possible(model, run, mode, old, end, asked))
+    if not asked and may_slip(model, contacts):
+        clear *= margins_positive(model, mode, old, end)
     apart = all_of(far_apart(model, run, old, end, others)) if others else ca.SX(1)
-    if contact or model.loads:
+    if contact or model.nr > model.k:
         clear *= all_of(in_range > 0.5)
 
     grown = factor(table, error)

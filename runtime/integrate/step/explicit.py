@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
+from hertzwerk.runtime.integrate.step.fed_friction import booked, certificate, solved
 from hertzwerk.runtime.integrate.step.layout import ENERGY_PARTS, EVENT_PARTS, GRIP_PARTS, PAIR_PARTS
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, grips, may_slip
@@ -39,7 +41,8 @@ class Flow:
             events (ne): margin [1] and its rate [1/s]; kinetic and potential energy (1 each, none without a ledger),
             touching surfaces included; time to a singular position (1, none in a tree)
     holding: constraint forces of the loops (nl) [N or N m]; forces of drives, and reactions that loads read
-    settling: margins of uniqueness of these reactions, and residuals of their solution; None without such loads
+    settling: margins of uniqueness of these reactions, and of set-valued friction that they press, and residuals of their solution;
+            None without such loads
     """
 
     rates: Any
@@ -90,7 +93,12 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         in_range[j] = masked(active, valid, 1)
     friction, margin, margin_rate = (ca.SX.zeros(model.ns) for _ in range(3))
     grip = grips(model, contacts, t, y, mode, m, c) if may_slip(model, contacts) else None
-    if grip is not None:
+    fed = None
+    if grip is not None and model.fed:
+        fed = solved(model, grip, t, q, u, f, c)
+        found, f = fed.friction, fed.f
+        dz += booked(model, grip, found)
+    elif grip is not None:
         slipping = grip.slipping()
         n = len(grip.places)
         found = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
@@ -100,19 +108,24 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
         dz += model.function("ledger")(t, q, u, reactions, c)
+    margins = residuals = ca.SX(0, 1)
     if model.loads:
         margins, residuals = model.function("settling")(t, q, u, f, c)
         in_range[model.k] = ca.logic_and(ca.mmin(margins) > 0, ca.mmax(ca.fabs(residuals)) < SETTLED)
+    if grip is not None and fed is not None:
+        unique = certificate(model, grip, t, q, u, reactions, c)
+        in_range[model.k] *= reduce(ca.logic_and, (margin > 0 for margin in ca.vertsplit(unique)), fed.settled)
+        margins = ca.vertcat(margins, unique, ca.repmat(fed.settled, model.ns))
     dy = ca.vertcat(dq, a, dz)
     gap, gap_rate = model.function("gaps")(t, q, u, c)
     gap_acceleration = model.function("gap_accelerations")(t, q, u, a, c)
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     if grip is not None:
-        reserve = grip.reserve(found)
-        gaps = at_slips(model, gap)[grip.places]
+        reserve = grip.reserve(found) if fed is None else fed.reserve
+        gaps = at_slips(model, gap, ca.SX(-1))[grip.places]
         reserve_rate = ca.if_else(gaps < 0, ca.jtimes(reserve, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
-        sliding = grip.pace(grip.drift + ca.mtimes(grip.along[: model.nu, :].T, a))
+        sliding = grip.pace(grip.drift + ca.mtimes(grip.across, a))
         friction[grip.places] = found
         margin[grip.places] = ca.if_else(grip.sticks, reserve, grip.pace(grip.velocity))
         margin_rate[grip.places] = ca.if_else(grip.sticks, reserve_rate, sliding)
@@ -140,7 +153,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         ),
         holding=ca.Function("holding", arguments, [*(multipliers or [ca.SX(0, 1)]), reactions], names, list(HELD)),
         settling=ca.Function("settling", arguments, [margins, residuals], names, ["margins", "residuals"])
-        if model.loads
+        if model.nr > model.k
         else None,
         closing=closing(model),
     )

@@ -17,10 +17,11 @@ import casadi as ca
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.control import SAFETY
 from hertzwerk.runtime.integrate.step.explicit import ARGUMENTS, MEAN_OF, Flow, flow
+from hertzwerk.runtime.integrate.step.fed_friction import booked, solved
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import Elimination, solver, solver_of_calls
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.set_valued_friction import forces, grips, may_slip, rubbing
+from hertzwerk.runtime.integrate.step.set_valued_friction import Grips, forces, grips, may_slip, rubbing
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -153,6 +154,8 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
         given += [_nonzeros(grip.along), _nonzeros(grip.power), grip.drift, grip.slipping()]
         of_given += [_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
         sticks, n = grip.sticks, len(grip.places)
+    if model.fed and n:
+        return _linearised_fed(model, grip, f, df, dz, arguments)
     known = [ca.SX.sym("known", value.numel()) for value in given]
     symbols = ca.SX.sym("sticks", sticks.numel())
     force, *grip_symbols = known
@@ -172,6 +175,35 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
     J = direct + ca.mtimes(mobility, ca.vertcat(*of_given)) + ca.vertcat(ca.SX(model.nq + model.nu, x.numel()), dz)
     J = ca.sparsify(J)
     n = y.numel()
+    results = ca.cse([J[:, :n], ca.densify(J[:, n])])
+    return ca.Function("linearised", arguments, results, ARGUMENTS.split(), ["J", "dt"])
+
+
+def _linearised_fed(model: Model, grip: Grips, f: Any, df: Any, dz: Any, arguments: list[Any]) -> Any:
+    """Build `linearised` of a fed model; f, df, dz: of all but friction, and derivatives by (y, t)."""
+    t, y, _, _, c = arguments
+    q, u, _ = model.parts(y)
+    x, fixed = ca.vertcat(y, t), ("sticks", "slip")
+    varies = "along", "pushing", "power", "drift", "across", "sliding"
+    given = [f, *(_nonzeros(getattr(grip, name)) for name in varies)]
+    of_given = [df, *(_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in given[1:])]
+    force, *parts = known = [ca.SX.sym("known", value.numel()) for value in given]
+    symbols = [ca.SX.sym(name, len(grip.places)) for name in fixed]
+    shaped = {name: ca.SX(getattr(grip, name).sparsity(), part) for name, part in zip(varies, parts, strict=True)}
+    shaped |= dict(zip(fixed, symbols, strict=True))
+    inside = Grips(**(vars(grip) | shaped))
+    fed = solved(model, inside, t, q, u, force, c)
+    a, reactions, *_ = model.function("accelerations").call([t, q, u, fed.f, c])
+    power = booked(model, inside, fed.friction)
+    if model.has_ledger:
+        power += model.function("ledger")(t, q, u, reactions, c)
+    dy, inner = ca.vertcat(model.function("coordinate_rates")(t, q, u, c), a, power), ca.vertcat(*known)
+    of_inner = ca.Function("of_inner", [x, inner, *symbols, c], [ca.jacobian(dy, x), ca.jacobian(dy, inner)])
+    direct, mobility = of_inner(x, ca.vertcat(*given), grip.sticks, grip.slip, c)
+    n = y.numel()
+    J = ca.sparsify(
+        direct + ca.mtimes(mobility, ca.vertcat(*of_given)) + ca.vertcat(ca.SX(model.nq + model.nu, n + 1), dz)
+    )
     results = ca.cse([J[:, :n], ca.densify(J[:, n])])
     return ca.Function("linearised", arguments, results, ARGUMENTS.split(), ["J", "dt"])
 

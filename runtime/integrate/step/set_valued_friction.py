@@ -15,6 +15,9 @@ ends. It slips while s' is positive; where s has only turned that far, sigma fol
 Resistance to rolling and to drilling is the same with moments [N m] and angular velocities [rad/s] about axes in place of tangents.
 What holds together, along the tangents of one pair or about the axes of one effect, is a grip; its name is that of pair or effect.
 That of a circular patch has three velocities, of sliding and of its rim by spin, which end together: see `limit_sets`.
+
+The friction of a joint is a grip of no pair, in one direction and always touching. What presses it is a reaction that depends on
+it: such frictions, and those of pairs beside loads by reactions, are solved in `fed_friction`.
 """
 
 from __future__ import annotations
@@ -27,9 +30,9 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.friction.limit_sets import gauge, opposed, outward, positive, size_of, unit_of
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, masked
 from hertzwerk.runtime.integrate.step.layout import CONTACT
-from hertzwerk.runtime.integrate.step.limit_sets import gauge, opposed, outward, positive, size_of, unit_of
 from hertzwerk.runtime.integrate.step.linear import eliminated
 from hertzwerk.runtime.integrate.step.rounding import time_rounding
 from hertzwerk.runtime.model.per_model import per_model
@@ -39,6 +42,8 @@ if TYPE_CHECKING:
 
 Parts = Mapping[str, Any]
 
+NO_PAIR = -1  # in the place of a pair: friction of a joint
+LANDING = 1e-2  # of the tolerance, in the scene's scales: accuracy of a landing
 STICK = 0.0  # slip of a pair that sticks
 # of the landing tolerance, ten of the tolerance: size of the slip of a pair with two tangents; where steps are explicit, errors
 # across the slip are of the tolerance, and would turn friction near rest if it were smaller
@@ -55,8 +60,9 @@ class Grips:
 
     places (n): indices among the slips; groups: indices among the n of each grip's own; along (nf, n): generalised force
     per newton of friction; power (nz, n): rates of z per newton; sliding, holding (n): forces [N], of a grip the same
-    along its tangents; velocity (n): sliding velocity [m/s]; drift (n): its rate without any generalised acceleration
-    [m/s^2]; touching, sticks (n): 1 or 0; slip (n).
+    along its tangents, of joints their coefficients [1]; velocity (n): sliding velocity [m/s]; drift (n): its rate without any
+    generalised acceleration [m/s^2]; across (n, nu): velocity by the speeds; pushing (nf, n): generalised force per unit of
+    `sliding`; touching, sticks (n): 1 or 0; slip (n).
     """
 
     places: list[int]
@@ -67,6 +73,8 @@ class Grips:
     holding: Any
     velocity: Any
     drift: Any
+    across: Any
+    pushing: Any
     touching: Any
     sticks: Any
     slip: Any
@@ -126,12 +134,17 @@ def turns(slip: str) -> bool:
 
 def rubbing(model: Model) -> list[int]:
     """Return the pairs with set-valued friction, of which sliding has modes."""
-    return [pair for name, _, pair in model.slips if not turns(name)]
+    return [pair for name, _, pair in model.slips if not turns(name) and pair != NO_PAIR]
 
 
-def at_slips(model: Model, of_pairs: Any) -> Any:
-    """Return a quantity of the pairs (k) for each slip (ns)."""
-    return ca.vertcat(*(of_pairs[j] for j in pairs_of(model)))
+def at_slips(model: Model, of_pairs: Any, of_joints: Any) -> Any:
+    """Return a quantity of the pairs (k) for each slip (ns), and of joints another."""
+    return ca.vertcat(*(of_joints if j == NO_PAIR else of_pairs[j] for j in pairs_of(model)))
+
+
+def touching(model: Model, mode: Any) -> Any:
+    """Return for each slip (ns) whether its surfaces touch under the pairs' modes (k); those of joints do."""
+    return at_slips(model, mode == CONTACT, ca.SX(1))
 
 
 def groups_of(grips: Sequence[str]) -> list[list[int]]:
@@ -146,7 +159,9 @@ def slip_tolerances(model: Model, run: Parts, tol_rate: Any, tol_force: Any) -> 
     the scene's arm, which turns an angle into a way.
     """
     turning = [i for i, (name, *_) in enumerate(model.slips) if turns(name)]
-    rate, force = at_slips(model, tol_rate), ca.repmat(ca.mmax(tol_force), model.ns)
+    least = LANDING * run["tolerance"] * run["scales"]
+    rate = at_slips(model, tol_rate, least[1])
+    force = ca.repmat(ca.mmax(tol_force) if model.k else least[2], model.ns)
     if turning:
         fast = next(i for i, name in enumerate(model.speeds) if model.units[name] == "rad/s")
         arm = run["scales"][1] / run["scale"][model.nq + fast]
@@ -173,21 +188,24 @@ def slips_in(model: Model) -> slice:
 
 def may_slip(model: Model, contacts: Contacts) -> bool:
     """Return whether a pair with set-valued friction is among the contacts of a class."""
-    return bool(model.ns) and (contacts is BY_MODE or any(j in contacts for j in pairs_of(model)))
+    return bool(model.ns) and (contacts is BY_MODE or any(j in contacts or j == NO_PAIR for j in pairs_of(model)))
 
 
 def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Grips:
     """Evaluate the friction quantities (SX) of the pairs in the contacts of a class."""
     columns, slips, stuck = [], m[slips_in(model)], sticking(model, m)
-    places = [i for i, j in enumerate(pairs_of(model)) if contacts is BY_MODE or j in contacts]
+    places = [i for i, j in enumerate(pairs_of(model)) if contacts is BY_MODE or j in contacts or j == NO_PAIR]
     pairs = [pairs_of(model)[i] for i in places]
     for j in dict.fromkeys(pairs):
         own = [i for i, pair in enumerate(pairs_of(model)) if pair == j]
-        active = mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
-        values = [masked(active, value) for value in pair_grip(model, j).call([t, y, m, c])]
+        active = mode[j] == CONTACT if contacts is BY_MODE and j != NO_PAIR else ca.SX(1)
+        found = (joint_grips(model) if j == NO_PAIR else pair_grip(model, j)).call([t, y, m, c])
+        values = [masked(active, value) for value in found]
+        values += [values[0][: model.nu, :].T, values[0]] if j != NO_PAIR else []
         columns.append([*values, ca.repmat(active, len(own)), masked(active, stuck[own]), slips[own]])
     joined = list(zip(*columns, strict=True))
-    parts = *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:])
+    beside = {0, 1, 7}  # a column for each
+    parts = ((ca.horzcat if i in beside else ca.vertcat)(*part) for i, part in enumerate(joined))
     return Grips(places, groups_of([grips_of(model)[i] for i in places]), *parts)
 
 
@@ -221,6 +239,26 @@ def pair_grips(model: Model, j: int, *given: Any) -> tuple[Any, Any, Any, Any, A
 
 
 @per_model
+def joint_grips(model: Model) -> Any:
+    """Return the function (t, y, m, c) -> fields of `Grips` of the frictions of joints.
+
+    With across and pushing. Their work is the ledger's, which has what presses them.
+    """
+    t, y, m, c, reactions = model.symbols("t y m c reactions")
+    q, u, _ = model.parts(y)
+    nf, n = model.function("applied").numel_out(0), len(model.rubbing)
+    velocity, _, kinetic, static = model.function("rubbing")(t, q, u, ca.SX.zeros(reactions.shape), c)
+    dq = model.function("coordinate_rates")(t, q, u, c)
+    drift = ca.jtimes(velocity, ca.vertcat(t, q), ca.vertcat(1, dq))
+    along, pushing = ca.SX(nf, n), ca.SX(nf, n)
+    for i, (_, coefficient, holding, _) in enumerate(model.rubbing):
+        along[holding, i] = pushing[coefficient, i] = 1
+    limits = map(ca.densify, (kinetic, static, velocity, drift))
+    results = [along, ca.SX(model.nz, n), *limits, ca.sparsify(ca.jacobian(velocity, u)), pushing]
+    return ca.Function("joint_grips", [t, y, m, c], ca.cse(results))
+
+
+@per_model
 def forces(model: Model, n: int) -> Any:
     """Return the CasADi function of the friction forces lambda (n) [N] along the tangents.
 
@@ -241,7 +279,7 @@ def forces(model: Model, n: int) -> Any:
 def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
     """Return the changes (nu, n) of the speeds by a unit impulse along each tangent."""
     f = ca.SX.sym("f", along.shape[0])
-    a = model.function("accelerations").call([t, q, u, f, c])[0]
+    a = model.function("unloaded" if model.fed else "accelerations").call([t, q, u, f, c])[0]
     return ca.substitute(ca.jtimes(a, f, along), f, ca.SX.zeros(f.numel()))
 
 
@@ -299,19 +337,18 @@ def undecided_and_breaking(
     Undecided are pairs in contact that came to rest or that were in another mode (`was`) before. Both follow from
     margins and rates as reached, with the tolerances `small`.
     """
-    touching, fresh = at_slips(model, mode) == CONTACT, at_slips(model, was) != CONTACT
+    touches, fresh = touching(model, mode), 1 - touching(model, was)
     sticks = sticking(model, m)
     rests = (margin < -small) + (margin <= small) * (margin_rate < 0) > 0
-    asked = touching * (fresh + (1 - sticks) * rests > 0)
-    return asked, touching * (1 - fresh) * sticks * (margin < -BREAKS * small)
+    asked = touches * (fresh + (1 - sticks) * rests > 0)
+    return asked, touches * (1 - fresh) * sticks * (margin < -BREAKS * small)
 
 
 def margins_positive(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
     """Return 1 if no margin comes near zero in a step."""
-    touching = at_slips(model, mode) == CONTACT
-    clear = ca.SX(1)
+    touches, clear = touching(model, mode), ca.SX(1)
     for coefficient in margins(start, end):
-        clear *= ca.mmin(ca.if_else(touching, coefficient > 0, 1))
+        clear *= ca.mmin(ca.if_else(touches, coefficient > 0, 1))
     return clear
 
 

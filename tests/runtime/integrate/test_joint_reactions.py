@@ -14,6 +14,7 @@ from hertzwerk.derive import (
     ConstantSpeed,
     Contact,
     EnergyLedger,
+    Free,
     Friction,
     Gravity,
     InputError,
@@ -257,14 +258,15 @@ def test_what_cannot_be_said_is_told_at_once():
         load(pendulum(JointForce("bearing", "hinge", radius * reaction_of("hinge") ** 2 / p("F", "N", 1))))
     with pytest.raises(InputError, match="length of the guide"):
         Scene(guide().mechanism, (JointFriction("friction", "slide", RUBS),), SCALES)
+    ball = Body("ball", p("mass", "kg", M), inertia=(p("J", "kg m^2", J),) * 3)
     wheel = Body("wheel", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
-    joints = (Planar("roll", GROUND, wheel, normal=Z), Revolute("hinge", GROUND, ball, axis=Z))
-    floor = SphereOnPlane("floor", wheel.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
+    joints = (Free("fly", GROUND, ball), Revolute("hinge", GROUND, wheel, axis=Z))
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
     sticks = (
         Contact("floor", laws.power(p("K", "N/m^1.5", 1e6), 1.5)),
         Friction("grip", "floor", laws.coulomb(MU, MU)),
     )
-    with pytest.raises(InputError, match="set-valued, beside loads"):
+    with pytest.raises(InputError, match="set-valued, in several directions beside loads"):
         load(Scene(Mechanism("sticks", joints, (floor,)), (DOWN, *sticks, BEARING), SCALES))
 
 

@@ -14,7 +14,7 @@ from hertzwerk.derive import BodyTorque, Parameter, PatchFriction, PointForce, T
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.runtime import equilibrium, load, simulate
 from hertzwerk.runtime.integrate.events.discs import settling
-from hertzwerk.runtime.integrate.step import limit_sets
+from hertzwerk.runtime.integrate.friction import limit_sets
 from hertzwerk.runtime.integrate.step.set_valued_friction import solve_sticking
 
 pytestmark = pytest.mark.by_turns(5)  # methods that run the same code

@@ -1,0 +1,1 @@
+"""Limits of friction forces, and when those that feed on themselves are unique."""
