@@ -119,10 +119,8 @@ def _rubbing(system: System) -> Function:
 def _accelerations(
     system: System, a: list[Any], multipliers: list[Any], reactions: list[Any], loads: list[tuple[str, Any]]
 ) -> Function:
-    rates, units = (
-        [acceleration_of(port) for port in system.speeds],
-        {s.name: row.unit for s, row in system.pressed.items()},
-    )
+    rates = [acceleration_of(port) for port in system.speeds]
+    units = {symbol.name: row.unit for symbol, row in system.pressed.items()}
     return system.function(
         "accelerations",
         "Generalised accelerations a from M a = f - bias, and the reactions of the drives.",

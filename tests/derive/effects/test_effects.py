@@ -45,7 +45,7 @@ from hertzwerk.derive import (
     generate,
     speed_of,
 )
-from hertzwerk.derive.laws import coulomb, flores, lugre, smooth_coulomb
+from hertzwerk.derive.laws import flores, lugre, smooth_coulomb
 
 MASS, INERTIA, SIZE = Parameter("mass", "kg", 1.0), Parameter("inertia", "kg m^2", 1.0), Parameter("size", "m", 1.0)
 ROTOR, BLOCK = Body("rotor", MASS, INERTIA), Body("block", MASS)
@@ -157,9 +157,6 @@ BAD = {
     "a bare number": (lambda: bench(JointForce("m", "slide", 3)), "m, force", "bare number 3", "Parameter('...', 'N', 3)"),
     "friction of a journal without a radius": (lambda: bench(JointFriction("f", "axle", LAW, FORCE)), "effect f", "no radius", "journal"),
     "friction of a slide with a radius": (lambda: bench(JointFriction("f", "slide", LAW, FORCE, REST)), "effect f", "radius", "slides"),
-    "friction by a law with modes": (
-        lambda: bench(JointFriction("f", "slide", coulomb(0.1, 0.2), FORCE)), "effect f", "coulomb, which needs", "smooth_coulomb",
-    ),
     "friction by a law with memory": (
         lambda: bench(JointFriction("f", "slide", lugre(0.1, 0.2, Parameter("v_S", "m/s", 0.1), Parameter("s_0", "1/m", 1e5), 0, 0), FORCE)),
         "effect f", "lugre, which needs", "smooth_coulomb",
