@@ -647,9 +647,10 @@ _NEAREST_OF_CHAIN: "dict[object, ca.Function]" = {}
 def _seen_from_chain(chain, data, rows, other, other_data, other_rows, pose, points, counted):
     """Where corners and round arcs of a chain, which is at a pose against another, are nearest to that.
 
-    `points` are the numbers of the corners and arcs that count, `counted` those of the other's arcs that count elsewhere. A corner is as
+    `points` are the numbers of the corners and arcs that count, `counted` those of the other that count elsewhere. A corner is as
     far as the nearest piece or corner. An arc is as far as its centre, less the radius, from what it faces, and which it has
-    entered by no more than half of how thick that is. A vector: distance; normal out of the other, distance of the centre,
+    entered by no more than half of how thick that is; of a corner that counts elsewhere it says nothing, as near another corner
+    that is less deep. A vector: distance; normal out of the other, distance of the centre,
     curvature of the other's parallel curve through it; the centre and the radius in its chain; both parameters.
     """
     (corners, arcs, _), count, other_count = points, len(data[2]), len(other_data[2])
@@ -658,7 +659,7 @@ def _seen_from_chain(chain, data, rows, other, other_data, other_rows, pose, poi
 
     def to_arc():  # distances of what the arc faces
         for k, (beside, h, n, size) in enumerate(_heights_of_chain(other_data, o, p)):
-            if k >= other_count or k not in counted[1]:
+            if k not in counted[1] and k - other_count not in counted[0]:
                 faces = ca.logic_and(-n[0]*m[0] - n[1]*m[1] >= size*bound[0], h > ca.fmax(bound[1] + bound[2], 0))
                 yield ca.if_else(ca.logic_and(beside, faces), h, 1e300)
             else:
@@ -712,14 +713,14 @@ def _between_of_chain(first, data, second, other_data, samples, others, given, o
         found = []
         if points[0] or points[1]:
             h, nx, ny, far, bend, px, py, radius, one, two = ca.vertsplit(
-                _seen_from_chain(first, data, rows, second, other_data, other_rows, place, points, ((), (), other_points[2]))
+                _seen_from_chain(first, data, rows, second, other_data, other_rows, place, points, (other_points[0], (), other_points[2]))
             )
             px, py, share = x + c*px - s*py - far*nx, y + s*px + c*py - far*ny, 1 - far*bend
             found.append(ca.vertcat(h, nx, ny, px, py, share, far*share, bend, one, two))
         if other_points[0] or other_points[1]:
             back = ca.vertcat(-c*x - s*y, s*x - c*y, c, -s)
             h, nx, ny, far, bend, px, py, radius, two, one = ca.vertsplit(
-                _seen_from_chain(second, other_data, other_rows, first, data, rows, back, other_points, ((), points[1], points[2]))
+                _seen_from_chain(second, other_data, other_rows, first, data, rows, back, other_points, points)
             )
             nx, ny, share = s*ny - c*nx, -s*nx - c*ny, radius*bend
             found.append(ca.vertcat(h, nx, ny, px + radius*nx, py + radius*ny, share, radius*(1 - share), bend, one, two))

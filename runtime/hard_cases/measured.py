@@ -189,6 +189,8 @@ TRIES: dict[str, dict[str, int]] = {
     "table_slides_to_rest": {"dopri5": 1640, "dop853": 762},
     "rolling_beyond_lift_off": {"dopri5": 85, "dop853": 19, "rodas": 126, "esdirk": 95, "auto": 19},
     "knife_edge_at_no_speed": {"dopri5": 4, "dop853": 4, "rodas": 4, "esdirk": 4, "auto": 4},
+    "locking_disc_at_speed": {"dopri5": 2144, "dop853": 1662, "rodas": 2652, "esdirk": 1809, "auto": 1662},
+    "pin_knocks_in_slot": {"dopri5": 3695, "dop853": 1814, "rodas": 3513, "esdirk": 2850, "auto": 1814},
     "settles_on_a_shaker": {"dopri5": 16580, "dop853": 5997, "rodas": 8986, "esdirk": 6488, "auto": 5997},
     "thrown_by_a_shaker": {"dopri5": 4950, "dop853": 1816, "rodas": 4732, "esdirk": 3291, "auto": 1816},
     "gear_beside_a_parallelogram": {"dopri5": 6, "dop853": 6, "rodas": 6, "esdirk": 6, "auto": 6},

@@ -10,6 +10,7 @@ from hertzwerk.runtime.hard_cases.cases import (
     edge_of_friction,
     edges,
     feet,
+    geneva,
     jamming,
     many,
     relays,
@@ -33,6 +34,7 @@ CASES: tuple[HardCase, ...] = (
     *jamming.CASES,
     *rocking.CASES,
     *feet.CASES,
+    *geneva.CASES,
     *shaken.CASES,
     *edge_of_friction.CASES,
 )

@@ -184,7 +184,10 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         retake = ca.if_else(moved, beyond < 0, retake)
         aimed = ca.if_else(moved, old["h"] + delta + beyond, aimed)
     aimed = ca.if_else(finite, aimed, old["h"] / 2)  # a nudge can lead out of the equations' domain
-    retake = ca.if_else(finite, retake, 1)
+    # a force that jumps below zero, or a gap, has no root: where time can be told no finer, the jump is the event
+    least = EPS * ca.fabs(old["t"])
+    aimed = ca.fmax(aimed, least)
+    retake = ca.if_else(finite, retake * (old["h"] > 2 * least), 1)
     accepted = 1 - retake
     if model.k:
         mode = ca.if_else(accepted, next_modes(model, run, mode, end, old["retakes"] > 0), mode)

@@ -27,6 +27,7 @@ from hertzwerk.runtime.host.scratch import scratch_folder
 
 FLAGS = (
     *("-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"),
+    "-fno-tree-slp-vectorize",  # GCC 12 makes of a sum beside a difference one fused instruction all the same
     *("-fno-semantic-interposition", "-fPIC", "-shared", "-w"),  # the first lets CasADi's small functions be inlined
 )
 LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1

@@ -255,6 +255,15 @@ def test_beside_its_recess_the_edge_of_the_disc_locks_the_wheel(geneva, crank):
         assert found == pytest.approx(hollow - apart, abs=1e-14)
 
 
+def test_an_edge_of_the_disc_passes_a_tip_that_is_pressed_in_without_a_jump_of_the_gap(geneva):
+    """The tip comes in through the recess, from where it is no deeper; 1.3 m/s at most between two times."""
+    step, angle = 5e-8, np.array([-np.pi / 4 + 2.511e-4])
+    times = 5 * 0.0412712 + np.arange(-50, 51) * step
+    gaps = [geneva.call("gaps", t=t, q=angle, u=np.zeros(1))[0][1] for t in times]
+    assert min(gaps) < -3.8e-7
+    assert np.abs(np.diff(gaps)).max() < 1.3 * 4 * np.pi * 0.03 * step
+
+
 def test_all_faults_come_at_once():
     ring, clock = (
         Outline("ring", (R, 0), [Arc((R, 0), (0, 0))], hole=True),

@@ -56,6 +56,16 @@ def test_a_dip_between_samples_is_found_at_its_first_root_and_a_near_miss_is_not
     assert float(SEARCH(bernstein(above), 1e-12, 1e-6)) == 0.5  # in doubt: half the step
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_a_force_that_jumps_below_zero_ends_its_contact_at_the_jump(method):
+    """As a corner past a corner: from 1 mm on it would pull what moves away, and there is no root to land on; v^2 = 1 - K d^2."""
+    model = point(lambda d, v, v0: ca.if_else((d < 1e-3) * (v < 0), -100.0, 1e4 * d))
+    start = {"path.travel": "1 mm", "path.speed": "-1 m/s"}
+    run = simulate(model, duration=0.1, tolerance=1e-9, method=method, initial=start, max_steps=1000)
+    assert run.outcome.finished
+    assert run.final["path.speed"] == pytest.approx(math.sqrt(0.99), abs=1e-8)
+
+
 def quadratic(curvature: float, height: float):
     """Free motion x = height + curvature (t - 1/2)^2, touching x = height at t = 1/2."""
     initial = {"path.travel": f"{height + curvature / 4!r} m", "path.speed": f"{-curvature!r} m/s"}
