@@ -1,4 +1,4 @@
-"""Geneva drive at speed: the locking disc's edge passes a tip of the wheel's hollow, the pin knocks in its slot."""
+"""Geneva drive at speed: its locking disc's edge passes a tip, its pin knocks in its slot."""
 
 from __future__ import annotations
 

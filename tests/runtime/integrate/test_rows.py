@@ -79,12 +79,13 @@ def test_a_gap_is_rounded_with_the_lengths_it_is_a_difference_of():
 @pytest.mark.parametrize("tolerance", [1e-12, 1e-13])
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])
 def test_without_the_rounding_of_gaps_rows_end_nowhere(monkeypatch, method, tolerance):
-    """The fault that this guards against: a landing that asks for less than the last digit of a gap is tried for ever."""
+    """The fault that this guards against: a landing that asks for less than the last digit of a gap is tried to the last digit of the time."""
     monkeypatch.setattr(events, "gap_rounding", lambda model: lambda *_: (ca.SX.zeros(model.k), ca.SX.zeros(model.k)))
     blind = load(touching_row(5))
-    assert solve(blind, tolerance, 0.004, method=method).outcome.name == "step_too_small"
+    assert solve(blind, tolerance, 0.004, method=method).statistics.retaken > 100
     monkeypatch.undo()
-    assert solve(model_of(5), tolerance, 0.004, method=method).outcome.finished
+    run = solve(model_of(5), tolerance, 0.004, method=method)
+    assert run.outcome.finished and run.statistics.retaken == 0
 
 
 # ---- rows ------------------------------------------------------------------------------------------------------------
