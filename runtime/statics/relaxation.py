@@ -218,7 +218,9 @@ class Search:
         bound, ways = limits(self.model, self.bound, rest.balance), rest.balance.D.T @ total
         for group in groups_of(grip_names(self.model)):
             limit, size = bound[group[0]], gauge_of(rest.mu[group])
-            if rest.sticks[group[0]]:
+            if (
+                rest.sticks[group[0]] or size == 0.0
+            ):  # what was clipped under no load, as a contact closed, slips nowhere
                 rest.sticks[group] = size <= limit * (1 + HOLDS)
             else:
                 rest.sticks[group] = rest.mu[group] @ ways[group] > 0

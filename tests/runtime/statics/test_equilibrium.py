@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
+    BoxOnBox,
     Contact,
     DCMotor,
     Drive,
@@ -23,6 +24,7 @@ from hertzwerk.derive import (  # fmt: skip
     JointSpring,
     Mechanism,
     Parameter,
+    Planar,
     Prismatic,
     Revolute,
     Scales,
@@ -181,6 +183,37 @@ def test_set_valued_friction_holds_up_to_its_limit_and_no_further():
     assert 2 * math.pi * modes(held).frequencies == pytest.approx([math.sqrt(1e5)], rel=1e-9)  # the other sticks
     gone = equilibrium(model, parameters={"downhill": "3.01 N"})
     assert gone.outcome.name == "no_equilibrium" and "along.speed" in gone.outcome.message
+
+
+def test_a_leaning_tower_that_just_touches_carries_the_weights_above():
+    """Three rectangles by 5 mm beside each other, held by friction: a corner of each carries by its lever about the other's."""
+    w, h, r, K = (
+        Parameter(n, u, v) for n, u, v in (("w", "mm", 100), ("h", "mm", 80), ("r", "mm", 1), ("K", "N/m", 1e6))
+    )
+    masses, aside = (0.5, 1.0, 1.5), Parameter("aside", "mm", 5)
+    bodies = [Body(f"b{i}", Parameter(f"m{i}", "kg", m), Parameter("J", "kg m^2", 1e-3)) for i, m in enumerate(masses)]
+    places = [place.at(0, 0, 0) for place in (GROUND, *bodies)]
+    pairs = [BoxOnBox(f"on{i}", places[i + 1], w, h, places[i], w, h, r) for i in range(3)]
+    effects = [Gravity("gravity", Parameter("g", "m/s^2", G), -Y)]
+    for p in pairs:
+        grip = coulomb(Parameter("mu", "1", 0.3), Parameter("mu_s", "1", 0.4))
+        effects += [Contact(p.name, power(K, 1)), Friction(f"{p.name}_rub", p.name, grip)]
+    start = Start(position={f"p{i}.{axis}": (i + 1) * by for i in range(3) for axis, by in (("x", aside), ("y", h))})
+    joints = [Planar(f"p{i}", GROUND, body) for i, body in enumerate(bodies)]
+    rest = equilibrium(
+        load(Scene(Mechanism("tower", joints, pairs), effects, Scales(r, Parameter("pace", "m/s", 0.1), w), start))
+    )
+    assert rest.found and not rest.indifferent
+    x = np.array([0, *(rest.q[3 * i] for i in range(3))])
+    for i in range(3):
+        weights = G * np.array(masses[i:])
+        left, right = (sum(rest.contacts[f"on{i}_{k}"] for k in of) for of in ((1, 2), (3, 4)))
+        centre = weights @ x[i + 1 :] / weights.sum()
+        assert left + right == pytest.approx(weights.sum(), rel=1e-4)
+        # corners at 49 mm, the upper's left and the lower's right; friction on both at unlike heights takes up to 0.4 x 2 mm of each force
+        assert left * (x[i + 1] - 0.049) + right * (x[i] + 0.049) == pytest.approx(
+            weights.sum() * centre, abs=0.4 * 2e-3 * left
+        )
 
 
 def test_bristles_hold_as_far_as_they_bend(monkeypatch):
