@@ -22,7 +22,7 @@ from hertzwerk.runtime.pictures.draw.paper import INK, Paper
 from hertzwerk.runtime.pictures.draw.picture import notes_on, spread
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark, Places
 from hertzwerk.runtime.pictures.motion.clock import Clock
-from hertzwerk.runtime.pictures.motion.contact_points import CONTACTS, contact_of
+from hertzwerk.runtime.pictures.motion.contact_points import CONTACTS, Contact, contact_of
 from hertzwerk.runtime.pictures.motion.friction_force import friction_of, is_set_valued, slip_of, tangent_of
 from hertzwerk.runtime.pictures.motion.moving_paper import MovingPaper
 from hertzwerk.runtime.pictures.oil_films import films
@@ -118,7 +118,7 @@ class Stage:
             for mark, way in self.drawing.paths:
                 self._main.path(way[: i + 1], parts.colours[mark.body])
             for name, force in self._acting(k):
-                self._arrow(self._main, name, force, i)
+                self._arrow(self._main, name, force, k, i)
                 self._rub(self._main, name, k, i)
         for inset, paper, link in zip(self._layout.insets, self._details, self._links, strict=True):
             inset.look_at(paper.axis, i)
@@ -169,8 +169,7 @@ class Stage:
 
         Along the tangent at row i; None where there is none.
         """
-        begin, end = np.searchsorted(self.curves.t, self.clock.times[[max(k - 1, 0), k]], side="right")
-        m = int(begin + np.argmax(self.forces[name][begin:end])) if end > begin else int(end - 1)
+        m = self._largest_at(name, k)
         size = float(self.frictions[name][m])
         places, parts = self.drawing.parts.places, self.drawing.parts
         kind, marks = self._pairs[name]
@@ -223,8 +222,28 @@ class Stage:
             at, longest = inset.centre + away + inset.pin_radius * away / distance, insets.WIDTH * 72 / 3
         _push(paper, at, way / seen, max(longest * found[1] / self.peak, LEAST) * paper.point * seen, RUBBING)
 
-    def _arrow(self, paper: MovingPaper, name: str, force: float, i: int) -> None:
-        found = contact_of(self.drawing.parts, *self._pairs[name], i)
+    def _contact(self, name: str, k: int, i: int) -> Contact | None:
+        """Return where a pair's force acts and its direction: by landmarks, or as it was when it was largest."""
+        kind, marks = self._pairs[name]
+        if kind in CONTACTS or not self.run.model.reads:
+            return contact_of(self.drawing.parts, kind, marks, i)
+        m = self._largest_at(name, k)
+        point, force = (self._vector(f"{name}.{what}", m) for what in ("point", "force"))
+        size = float(np.linalg.norm(force))
+        return (point, force / size) if size > 0 and np.all(np.isfinite(point)) else None
+
+    def _vector(self, name: str, m: int) -> Array:
+        """Return a vector (3,) that can be read of the run, at a row of the curves."""
+        parts = (f"{name}_{axis}" for axis in "xyz")
+        return np.array([self.curves[part][m] if part in self.run.history.units else 0.0 for part in parts])
+
+    def _largest_at(self, name: str, k: int) -> int:
+        """Return the curves' row since the frame before at which a pair's normal force was largest."""
+        begin, end = np.searchsorted(self.curves.t, self.clock.times[[max(k - 1, 0), k]], side="right")
+        return int(begin + np.argmax(self.forces[name][begin:end])) if end > begin else int(end - 1)
+
+    def _arrow(self, paper: MovingPaper, name: str, force: float, k: int, i: int) -> None:
+        found = self._contact(name, k, i)
         if found is None:
             return
         view, flat = self.drawing.parts.view, self.drawing.parts.flat
@@ -302,8 +321,10 @@ class Stage:
                 f"{'thinner its friction at that instant; ' if self._rubs else ''}the longest is {self.peak / scale.factor:.3g} {scale.unit}."
             )
             kinds = dict(self.run.model.module.PAIRS)
-            without = [name for name in self.forces if kinds[name] not in CONTACTS]
-            pace += f" Without an arrow: {', '.join(without)}." if without else ""
+            others = dict.fromkeys(_whole(name) for name in self.forces if kinds[name] not in CONTACTS)
+            if others:
+                told = "With friction in one" if self.run.model.reads else "Without an arrow"
+                pace += f" {told}: {', '.join(others)}."
         yield pace
         yield from self.curves.notes[: 0 if self.curves.run.history.steps else 1]
 
@@ -345,6 +366,12 @@ def _over(film: Figure, axis: Axes) -> Axes:
     over = film.add_axes(axis.get_position().bounds, xlim=axis.get_xlim(), ylim=axis.get_ylim())
     over.set_axis_off()
     return over
+
+
+def _whole(name: str) -> str:
+    """Return the name of a part of a pair as that of all its parts."""
+    head, _, number = name.rpartition("_")
+    return f"{head}_.." if head and number.isdigit() else name
 
 
 def _push(paper: Paper, at: Array, way: Array, length: float, width: float = 1.6) -> None:

@@ -16,6 +16,22 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 from PIL import Image
 
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    BoxOnBox,
+    Contact,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnBox,
+    Start,
+    Y,
+    laws,
+)
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
@@ -237,6 +253,37 @@ def test_contact_points_and_directions_by_hand(name):
         assert way == pytest.approx([0, 1, 0], abs=1e-12)
     else:
         assert point == pytest.approx(first, abs=1e-15)
+
+
+@pytest.mark.slow  # it derives what is read of its run
+def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
+    """A ball pressed on a box beside its middle, a rectangle flat on another: upwards, from where they touch."""
+    r, w, h, K = (
+        Parameter("r", "mm", 10),
+        Parameter("w", "mm", 100),
+        Parameter("h", "mm", 80),
+        Parameter("K", "N/m", 1e6),
+    )
+    bodies, aside = [Body(name, Parameter("m", "kg", 1)) for name in ("ball", "block")], GROUND.at(w, 0, 0)
+    joints = [Prismatic(body.name + "_guide", aside if k else GROUND, body, axis=Y) for k, body in enumerate(bodies)]
+    one, two = (body.at(0, 0, 0) for body in bodies)
+    pairs = (
+        SphereOnBox("bed", one, r, GROUND.at(-w / 4, 0, 0), w, h, w),
+        BoxOnBox("stack", two, w, h, aside, w, h, r / 10),
+    )
+    effects = *(Contact(p.name, laws.power(K, 1)) for p in pairs), Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y)
+    start = Start(position={"ball_guide": h / 2 + r, "block_guide": h})
+    scales = Scales(length=r, speed=Parameter("pace", "m/s", 0.1))
+    run = simulate(
+        load(Scene(Mechanism("solids", joints, pairs), effects, scales, start)), duration="5 ms", tolerance=1e-6
+    )
+    stage = stage_of(run, 5)
+    stage.show(3)
+    assert len(arrows(stage.papers[0].axis)) == 5  # of the rectangles four corners
+    (point, way), (corner, up) = (stage._contact(name, 3, int(stage.at[3])) for name in ("bed", "stack_1"))
+    assert (point, way) == (pytest.approx([0, 0.04, 0], abs=2e-5), pytest.approx([0, 1, 0], abs=1e-12))
+    assert (corner, up) == (pytest.approx([0.1 - 0.049, 0.04, 0], abs=2e-5), pytest.approx([0, 1, 0], abs=1e-12))
+    assert any("With friction in one: bed, stack_.." in note for note in stage.notes())
 
 
 def test_a_centred_pin_has_no_contact_and_no_arrow():
