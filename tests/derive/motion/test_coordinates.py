@@ -1,6 +1,6 @@
 """Absolute coordinates against joint coordinates: the same mechanism, at random states, moves, stores and is driven in the same way."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -17,6 +17,7 @@ from hertzwerk.derive import (
     EnergyLedger,
     Gravity,
     InputError,
+    Joint,
     JointDamper,
     JointForce,
     JointFriction,
@@ -30,7 +31,6 @@ from hertzwerk.derive import (
     Scene,
     Start,
     T,
-    Universal,
     Weld,
     X,
     Y,
@@ -345,21 +345,32 @@ def test_a_body_without_a_mass_at_the_end_of_a_chain_is_refused(coordinates):
         ).with_coordinates(coordinates)
 
 
+@dataclass(frozen=True, init=False)
+class Wrist(Joint):
+    """Three turns about one point: where the bodies are, their angles follow by convention only."""
+
+    @property
+    def freedoms(self):
+        return tuple(self.turn(axis, f"t{k}") for k, axis in enumerate((Z, X, Y)))
+
+
 def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
-    spatial = line("R+Z", "U+X", "R+X", second="+Y")
-    first, universal, last = names(spatial)
-    assert isinstance(spatial.scene().mechanism.joints[1], Universal)
-    found = faults_of(
-        loaded(
-            spatial,
-            JointSpring("torsion", last, K, REST),
-            JointDamper("oil", f"{universal}.angle_1", D),
-            JointForce("twist", first, K * sp.sin(coordinate_of(last))),
-        )
+    arm, hand = (Body(name, MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y) for name in ("arm", "hand"))
+    hung_hand = replace(
+        hung((arm, Z, ORIGIN)),
+        mechanism=Mechanism("wrist", (Revolute("axle", GROUND, arm, Z), Wrist("wrist", arm, hand))),
     )
-    assert found["effect torsion"].startswith(f"the angle of {last}, which in space")
-    assert found["effect oil"] == f"{universal}.angle_1, of a universal joint"
-    assert found["effect twist"].startswith(f"the angle of {last}")
+    effects = (
+        JointSpring("torsion", "wrist.t1", K, REST),
+        JointDamper("oil", "wrist.t0", D),
+        JointForce("twist", "axle", K * sp.sin(coordinate_of("wrist.t2"))),
+        JointForce("tug", "axle", K * sp.sin(coordinate_of("axle"))),
+    )
+    found = faults_of(replace(hung_hand, effects=(*hung_hand.effects, *effects)))
+    assert found == {
+        f"effect {effect}": f"wrist.{turn}, of a wrist joint"
+        for effect, turn in (("torsion", "t1"), ("oil", "t0"), ("twist", "t2"))
+    }
 
 
 def test_an_arm_is_asked_for_where_bodies_turn():
