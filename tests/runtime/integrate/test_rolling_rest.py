@@ -10,15 +10,20 @@ import sympy as sp
 from balls import GRAVITY, MASS, RADIUS, ball, brake, dry
 
 from hertzwerk.derive import (
+    GROUND,
+    Body,
     BodyTorque,
     DrillingResistance,
     InputError,
     JointForce,
     Parameter,
+    Revolute,
     RollingResistance,
     T,
+    Z,
     generate,
     normal_force_of,
+    reaction_of,
 )
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
@@ -229,13 +234,31 @@ def test_histories_have_units_and_meanings():
     assert told["drilling.moment"][0] == "N m" and told["rolling.moment_x"][0] == "N m"
 
 
-def test_it_is_refused_beside_loads_by_normal_forces():
-    body = ball(dry(MU)).mechanism.joints[0].child.body
-    fed = BodyTorque("fed", body, (0, Parameter("lever", "m", 1e-6) * normal_force_of("floor"), 0))
+def test_a_load_by_the_normal_force_is_one_by_the_weight():
+    """Friction changes no normal force: what rolls and rests beside a load by it moves as beside a known one."""
+    body, lever = ball(dry(MU)).mechanism.joints[0].child.body, Parameter("lever", "m", 1e-4)
+    runs = [
+        simulate(load(scene(BodyTorque("fed", body, (0, lever * force, 0)))), duration="50 ms", tolerance=1e-9, parameters={"v_x": (0.1, "m/s")})
+        for force in (normal_force_of("floor"), Parameter("weight", "N", MASS * GRAVITY))
+    ]  # fmt: skip
+    one, other = (run.final["flight.x_speed"] for run in runs)
+    assert one == pytest.approx(other, rel=1e-9)
+    assert abs(one - 0.1) > 1e-3  # it is slowed
+
+
+def test_it_is_refused_beside_loads_by_reactions_that_it_changes():
+    body, bob = (
+        ball(dry(MU)).mechanism.joints[0].child.body,
+        Body("bob", Parameter("m_bob", "kg", 1.0), Parameter("J_bob", "kg m^2", 1e-3)),
+    )
+    more = (BodyTorque("fed", body, (0, Parameter("lever", "m", 1e-6) * reaction_of("hinge"), 0)),)
+    found = scene()
+    joints = (*found.mechanism.joints, Revolute("hinge", GROUND, bob, axis=Z))
     with pytest.raises(InputError) as caught:
-        generate(scene(fed))
-    for word in ("effect rolling", "effect drilling", "effect rub", "Give it a speed"):
+        generate(replace(found, mechanism=replace(found.mechanism, joints=joints), effects=(*found.effects, *more)))
+    for word in ("effect rolling", "effect rub", "in several directions beside loads by reactions", "Give it a speed"):
         assert word in str(caught.value)
+    assert "effect drilling" not in str(caught.value)  # about one axis
 
 
 def test_readings_of_friction_are_those_without_resistance():

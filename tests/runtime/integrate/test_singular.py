@@ -90,9 +90,10 @@ def test_both_measures_are_needed(monkeypatch):
     for module in (advance, settle):
         monkeypatch.setattr(module, "limited_by_singular", lambda table, h, ahead: h)
     model.cache_clear()
-    _, errors = run_of("dop853", tolerance=1e-12)
+    # one run may pass well by luck: rounding, so the machine, says where its steps fall
+    errors = [np.max(run_of("dop853", tolerance=tolerance)[1]) for tolerance in (5e-13, 1e-12, 2e-12, 5e-12)]
     model.cache_clear()
-    assert np.max(errors) > 2e-9
+    assert max(errors) > 2e-9
 
 
 def test_the_estimate_sees_what_passages_leave():
