@@ -235,7 +235,7 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
                 yield Fault(
                     where,
                     found,
-                    "one that shows in where its bodies are: the only turn, one of two about axes that differ, a slide square to all others",
+                    "a freedom that shows in where its bodies are: the only turn, one of two that differ, a slide square to its others",
                     remedy,
                 )
 
