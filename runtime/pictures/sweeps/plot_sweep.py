@@ -25,7 +25,9 @@ DIAGRAM = (9.6, 3.6)  # inches of a panel of a bifurcation diagram
 MOST_PANELS, MOST_CURVES = 8, 8
 MARGIN = 0.03  # of the range of a parameter, beside it
 FEW_POINTS = 40  # of a line, up to which each is marked
-FEW_DOTS = 3000  # of a diagram, up to which each is as large as can be seen well
+FEW_DOTS = 3000  # of a diagram, up to which they are drawn as vectors
+SMALLEST, LARGEST, ALL_DOTS = 0.8, 3.2, 60.0  # points: of a dot, and what is shared by the root of their number
+TURN = 2 * np.pi
 
 
 def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
@@ -261,23 +263,23 @@ def _diagram(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], co
     page, panels = _page(table, DIAGRAM, len(names), (len(names), 1), told)
     failed = _failed(table)
     for panel, name in zip(panels, names, strict=True):
-        points = section[name]
+        points, folded = _within_a_turn(section[name], arrays[name])
         dots = sum(map(len, points))
         scale = shown_in(arrays[name], np.concatenate(points)) if dots else shown_in(arrays[name], np.zeros(1))
         groups = list(_groups(others, len(table.rows)))
         shown = groups if len(groups) <= MOST_CURVES else [(_span(others), np.full(len(table.rows), True))]
-        small = dots > FEW_DOTS
+        size = np.clip(ALL_DOTS / np.sqrt(max(dots, 1)), SMALLEST, LARGEST)
         for (label, mask), colour in zip(shown, _colours(others) if len(shown) > 1 else [BLUE], strict=True):
             rows = np.flatnonzero(mask & np.isfinite(x.values))
             at = np.concatenate([np.zeros(0), *(np.full(len(points[i]), x.values[i]) for i in rows)])
             values = np.concatenate([np.zeros(0), *(scale(points[i]) for i in rows)])
             panel.plot(
-                at, values, linestyle="none", marker=".", markersize=2.4 if not small else 1.6, color=colour,
+                at, values, linestyle="none", marker="o", markersize=size, color=colour,
                 markeredgewidth=0, rasterized=dots > FEW_DOTS,
             )  # fmt: skip
             panel.plot([], [], "o", color=colour, markersize=4, label=plain(label) or None)
         _mark_failures(panel, x.values[failed])
-        _labelled(panel, name, scale.unit)
+        _labelled(panel, name, f"{scale.unit}, modulo a turn" if folded else scale.unit)
         _scaled(panel, x)
         if panel is not panels[-1]:
             panel.set_xlabel("")
@@ -285,6 +287,15 @@ def _diagram(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], co
             panel.set_title(plain(name), pad=LEGEND_ROOM)
             legend(panel)
     return page
+
+
+def _within_a_turn(points: list[Array], unit: str) -> tuple[list[Array], bool]:
+    """Return an angle's points, less whole turns where they span more than one, and whether they do."""
+    every = np.concatenate([np.zeros(0), *points])
+    if unit != "rad" or not len(every) or np.ptp(every) <= TURN:
+        return points, False
+    middle = np.angle(np.exp(1j * every).mean())  # no cluster is cut in two
+    return [middle + np.mod(values - middle + np.pi, TURN) - np.pi for values in points], True
 
 
 def _span(others: Sequence[Varied]) -> str:

@@ -118,6 +118,18 @@ def test_a_section_is_a_dot_for_each_point():
     assert np.array_equal(curve(figure(section(), ["pin.force"]).axes[0])[0], SPEEDS)
 
 
+def test_angles_of_many_turns_are_drawn_within_one():
+    """Angles about 170 and 190 degrees, of some turns: no cluster is cut at 180 degrees, and the label says so."""
+    near = np.radians([[0.0, 170.0], [0.0, 190.0 + 360 * 7]])
+    rows = [row(i, s, points=near - [0.0, 2 * math.pi * i]) for i, s in enumerate(SPEEDS)]
+    kept = {"arrays": {"section": {"t": "s", "pin.angle": "rad"}}, "place": "section at here"}
+    (panel,) = figure(made(rows, {"speed": "rad/s"}, **kept)).axes
+    angles = curve(panel)[1].reshape(-1, 2)
+    assert "modulo a turn" in panel.get_ylabel()
+    assert np.ptp(angles) == pytest.approx(np.radians(20))
+    assert np.exp(1j * angles) == pytest.approx(np.exp(1j * np.tile(near[:, 1], (len(SPEEDS), 1))))
+
+
 def test_values_of_equal_ratios_are_on_a_logarithmic_scale():
     for values, scale in ((np.geomspace(1, 1e4, 9), "log"), (SPEEDS, "linear")):
         table = made([row(i, value) for i, value in enumerate(values)], {"speed": "rad/s"})

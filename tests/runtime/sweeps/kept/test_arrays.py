@@ -74,6 +74,24 @@ def test_a_body_that_turns_freely_returns_after_whole_turns(direction, speed):
     assert np.all(np.abs(np.sin((found["hinge.angle"] - 1) / 2)) < 1e-14)
 
 
+def test_a_return_at_the_end_of_the_transient_belongs_to_it():
+    """An angle of .25 + 2 pi n t returns at 1 s, which rounding has on either side of `after`."""
+    speeds = [2 * math.pi * n for n in range(1, 8)]
+    table = sweep(
+        *("pendulum", {"hinge.speed": [f"{speed!r} rad/s" for speed in speeds]}), values=FREE,
+        section="hinge.angle = 0.25 rad", after="1 s", duration="1.9 s", tolerance=1e-10, compiled=False, workers=1,
+    )  # fmt: skip
+    for n, row in enumerate(table, 1):
+        known = np.arange(n + 1, 1.9 * n) / n
+        assert table.section.of(row)["t"] == pytest.approx(known, abs=1e-12)
+
+
+def test_a_section_that_trusts_rounding_counts_some_of_them(monkeypatch):
+    monkeypatch.setattr(poincare, "EDGE", 0.0)
+    with pytest.raises(AssertionError):
+        test_a_return_at_the_end_of_the_transient_belongs_to_it()
+
+
 def test_events_are_those_of_rigid_bounces(ball):
     """An elastic ball strikes after the time of fall and then of flight; Hertz's contacts last 0.1 ms."""
     table = sweep(
