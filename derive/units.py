@@ -561,6 +561,11 @@ def unit_text(exponents: Exponents) -> str:
     return f"{' '.join(above) or '1'}/{below[0] if len(below) == 1 else '(' + ' '.join(below) + ')'}"
 
 
+def time_text(seconds: float, digits: int = 6) -> str:
+    """Return a time as text: in milliseconds below a second."""
+    return f"{seconds:.{digits}g} s" if abs(seconds) >= 1 else f"{seconds * 1e3:.{digits}g} ms"
+
+
 def _below(exponent: Exponent) -> bool:
     """Whether a power belongs in the denominator: its leading coefficient is negative."""
     return (exponent.terms[0][1] if exponent.terms else exponent.constant) < 0

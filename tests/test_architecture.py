@@ -96,7 +96,7 @@ ROOMS = {
         "sensitivity": "accuracy derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults host inputs integrate/step loading model pictures pictures/draw "
         "pictures/motion report run sensitivity solution tables",
-        "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
+        "solution": "accuracy derive/faults derive/units host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "statics": "derive/faults derive/html host inputs integrate/friction integrate/step loading model pictures/draw run solution start",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "

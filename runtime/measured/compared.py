@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hertzwerk.derive.units import time_text
 from hertzwerk.runtime.measured.statistics import by_chance
 
 if TYPE_CHECKING:
@@ -83,7 +84,10 @@ class Compared:
         """Yield what was found, as labels and sentences; each statistic too, if wanted."""
         run, asked = self.solution, self.asked
         data = asked.measurement
-        yield run.model.name, f"{_time(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times"
+        yield (
+            run.model.name,
+            f"{time_text(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times",
+        )
         yield "instrument", str(asked.instrument or "none: the run is compared as it is")
         yield "alignment", _alignment(self.alignment)
         for signal in self.signals:
@@ -152,11 +156,11 @@ def _signal_record(signal: Signal) -> dict[str, Any]:
 
 def _alignment(found: Alignment) -> str:
     if not found.searched:
-        return f"the measured time plus {_time(found.offset)}, a drift of {found.drift:.3g}: as given, nothing searched"
+        return f"the measured time plus {time_text(found.offset)}, a drift of {found.drift:.3g}: as given, nothing searched"
     ends = [
         f"{name} {show(value)}" + (f" +- {show(error)} (of {show(low)} to {show(high)})" if low < high else " (given)")
         for name, value, error, (low, high), show in (
-            ("offset", found.offset, found.offset_error, found.offsets, _time),
+            ("offset", found.offset, found.offset_error, found.offsets, time_text),
             ("drift", found.drift, found.drift_error, found.drifts, lambda value: f"{value:.3g}"),
         )
     ]
@@ -169,9 +173,9 @@ def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: boo
     yield channel.column, f"{channel.history}: {len(signal.t):,} samples within the run{lost}"
     unit = "" if channel.unit == "1" else f" {channel.unit}"
     if residual is None:
-        yield "trajectory", f"not compared: no sample lies before the horizon, t = {_time(horizon)}"
+        yield "trajectory", f"not compared: no sample lies before the horizon, t = {time_text(horizon)}"
     else:
-        until = "whole run" if horizon >= end else f"until the horizon, t = {_time(horizon)}"
+        until = "whole run" if horizon >= end else f"until the horizon, t = {time_text(horizon)}"
         part = f" ({residual.rms / residual.variation:.2%} of the measured variation)" if residual.variation > 0 else ""
         yield (
             "trajectory",
@@ -240,7 +244,3 @@ def _verdict(found: Compared) -> str:
             f"{differ} of {counted} statistics differ beyond their 95 % intervals, {counted / 20:.2g} would by chance"
         )
     return "; ".join(parts) or "nothing could be judged"
-
-
-def _time(seconds: float) -> str:
-    return f"{seconds * 1e3:.6g} ms" if abs(seconds) < 1 else f"{seconds:.6g} s"

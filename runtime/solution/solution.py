@@ -11,6 +11,7 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from hertzwerk.derive.units import time_text
 from hertzwerk.runtime.accuracy.ladder import ErrorEstimate
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.host.scratch import write_atomically
@@ -179,14 +180,14 @@ class Solution:
     def __str__(self) -> str:
         statistics, count = self.statistics, len(self.impacts)
         parts = [
-            f"{self.t_end * 1e3:g} ms in {statistics.steps:,} steps",
+            f"{time_text(self.t_end)} in {statistics.steps:,} steps",
             f"{count:,} impact{'s' if count != 1 else ''}",
         ]
         if self.error is not None:
             parts.append(f"error {self.error}")
         if self.energy_residual is not None:
             parts.append(f"energy closed to {self.energy_residual:.1g}")
-        text = f"{self.outcome.name}: {', '.join([*parts, f'{statistics.wall_s * 1e3:.3g} ms'])}"
+        text = f"{self.outcome.name}: {', '.join([*parts, time_text(statistics.wall_s, 3)])}"
         return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.units import time_text
 from hertzwerk.runtime.cli.continue_run import continue_run, limits_of, output_of
 from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
@@ -234,13 +235,15 @@ def _simulate(
 def _report(solution: Solution) -> None:
     """Print a run in a few lines."""
     statistics, outcome = solution.statistics, solution.outcome
-    line(solution.model.name, f"{_time(solution.duration)}, {solution.method}, tolerance {solution.tolerance:.2g}")
+    line(
+        solution.model.name, f"{time_text(solution.duration, 4)}, {solution.method}, tolerance {solution.tolerance:.2g}"
+    )
     count = len(solution.impacts)
     closed = "" if solution.energy_residual is None else f", energy closed to {solution.energy_residual:.1g}"
-    checked = "" if solution.error is None else f", and {_time(solution.error.pilot_s)} for its estimate"
+    checked = "" if solution.error is None else f", and {time_text(solution.error.pilot_s, 4)} for its estimate"
     line(
         outcome.name,
-        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}{checked}",
+        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {time_text(statistics.wall_s, 4)}{checked}",
     )
     if solution.error is not None and solution.accuracy is not None:
         from hertzwerk.runtime.accuracy.ladder import brief
@@ -255,7 +258,3 @@ def _report(solution: Solution) -> None:
         line("warning", warning)
     for text in solution.advice:
         line("advice", text)
-
-
-def _time(seconds: float) -> str:
-    return f"{seconds * 1e3:.4g} ms" if seconds < 1 else f"{seconds:.4g} s"

@@ -89,7 +89,8 @@ class Section:
             times = np.append(t[index] + within, t[last])
             found.append(self._located(run, times, values))
         times = np.concatenate(found) if found else np.zeros(0)
-        return times[times > begin + EDGE * (t[-1] - begin)]
+        after: np.ndarray = times[times > begin + EDGE * (t[-1] - begin)]
+        return after
 
     def _located(self, run: Solution, times: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the crossings [s] between samples of the history at increasing times."""

@@ -492,7 +492,7 @@ def test_names_and_misspelt_names(crank):
 
 def test_one_line_says_how_it_went(ball):
     text = str(simulate(ball, duration="1 s", tolerance=1e-6))
-    assert text.startswith("finished: 1000 ms in ")
+    assert text.startswith("finished: 1 s in ")
     assert "1 impact," in text
     assert "energy closed to" in text
 

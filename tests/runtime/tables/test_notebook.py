@@ -34,7 +34,7 @@ class Cells(HTMLParser):
 def test_a_run_tells_outcome_parameters_and_impacts(tmp_path):
     run = simulate(load("bouncing_ball"), duration="3 s", tolerance=1e-6, parameters={"restitution": 0.6})
     assert len(run.impacts) > 8
-    assert repr(run).startswith("<Solution bouncing_ball: finished: 3000 ms in ")
+    assert repr(run).startswith("<Solution bouncing_ball: finished: 3 s in ")
     assert len(repr(run)) < 160
     for shown in (run, Solution.load(run.save(tmp_path / "run.npz"))):
         page = Cells(shown._repr_html_())
