@@ -58,8 +58,8 @@ ROOMS = {
         ".": "comparing derive/faults design effects fitting inputs loading measured model parameter_fit simulation solution "
         "statics sweeps",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets derive/units design effects export fitting hard_cases host inputs integrate/tableaux loading "
-        "measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run sensitivity simulation solution start "
+        "cli": "accuracy derive/audit derive/faults derive/sheets derive/units design effects export fitting hard_cases host inputs integrate/tableaux "
+        "loading measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run sensitivity simulation solution start "
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
