@@ -58,9 +58,9 @@ ROOMS = {
         ".": "comparing derive/faults design effects fitting inputs loading measured model parameter_fit simulation solution "
         "statics sweeps",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets derive/units design effects export fitting hard_cases host inputs integrate/tableaux "
-        "loading measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run sensitivity simulation solution start "
-        "statics studies sweeps tables validate work_precision",
+        "cli": "accuracy derive/audit derive/faults derive/sheets derive/units design effects export fitting hard_cases host inputs "
+        "integrate/tableaux loading measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run sensitivity "
+        "simulation solution start statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
         "design": "derive/declare derive/dimension derive/faults derive/files derive/html derive/units host inputs loading model "
@@ -101,8 +101,8 @@ ROOMS = {
         "statics": "derive/faults derive/html host inputs integrate/friction integrate/step loading model pictures/draw run solution start",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
-        "sweeps": "derive/declare derive/faults derive/files derive/html derive/units host inputs loading model run sensitivity simulation "
-        "solution start pictures/sweeps sweeps/kept tables",
+        "sweeps": "derive/declare derive/faults derive/files derive/html derive/units host inputs loading model run sensitivity "
+        "simulation solution start pictures/sweeps sweeps/kept tables",
         "sweeps/kept": "derive/faults derive/units model run solution",
         "tables": "derive/faults derive/html derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units inputs integrate/tableaux loading model run "
