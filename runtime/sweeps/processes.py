@@ -24,6 +24,7 @@ from concurrent.futures import (
 from functools import partial
 from typing import Any
 
+from hertzwerk.runtime.host.heap import keep_freed
 from hertzwerk.runtime.sweeps.row_engine import every_row
 from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task
 from hertzwerk.runtime.sweeps.sweep_table import Row
@@ -121,6 +122,7 @@ _job: Job | None = None  # of a worker process
 
 def _enter(job: Job) -> None:
     global _job, _pool
+    keep_freed()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process; the first one tells the others
     threading.Thread(target=_end_with_parent, daemon=True).start()
     _job, _pool = job, threading.Lock()  # the one that was forked is held
