@@ -23,7 +23,7 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
         yield from _state_faults(scene, effect)
     for what, count in Counter(effect.only for effect in scene.effects if effect.only).items():
         if count > 1:
-            yield Fault(what, str(count), "one")
+            yield Fault(what, str(count), "one", "Leave out the others, or sum up in one what they do.")
     if not scene.mechanism.freedoms:
         yield Fault("effects", "no joint that can move", "at least one joint that is free to move")
     elif not (scene.free or scene.ledger or scene.states or any(drive.integrates for drive in scene.driven.values())):

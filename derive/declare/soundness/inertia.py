@@ -36,7 +36,8 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
         root = rigid_root(mechanism, body)
         if body == root and body not in carriers and body not in loaded and body not in tied:
             yield Fault(f"body {body.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",
-                        "Give it a mass, close a loop by a joint to it, or leave it out.")  # fmt: skip
+                        "Give it a mass (under a drive any will do: only the drive's force has it), close a loop by a joint to it, or "
+                        "leave it out.")  # fmt: skip
         if body.mass == 0:
             continue
         rows = body.inertia if isinstance(body.inertia, tuple) and body.has_products else (body.moments,)
