@@ -19,6 +19,7 @@ from hertzwerk.runtime.integrate.friction.limit_sets import measured
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of, pair_grips, pairs_of
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.solution.impacts import distances
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -37,7 +38,7 @@ class Balance:
 
     force (nu), loops (nl) and their directions G (nl, nu); D (nu, n) by mu, S (n, nu) of sliding, limit (n) of mu;
     stiffness K (nu, nu), minus the derivative of F + G^T lambda + D mu; moves (nq, nu) of the coordinates, states of
-    effects as they follow; gap (k) and its directions W (k, nu), normal force (k) [N], in_range (k).
+    effects as they follow; gap (k) [m] and its directions W (k, nu), normal force (k) [N], in_range (k).
     """
 
     force: Array
@@ -218,6 +219,7 @@ def _balance(model: Model) -> Callers:
         ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u),
     )
     total = force + ca.mtimes(G.T, multipliers) + ca.mtimes(D, mu)
+    gap = distances(model, {"t": t, "y": ca.vertcat(q, u), "gap": gap}, c)
     results = [force, loops, G, D, S, limit, ca.jacobian(total, q), moves, gap, W, normal, in_range]
     at_rest = ca.substitute(results, [u, z], [ca.SX.zeros(model.nu), ca.SX.zeros(model.nz)])
     arguments = [t, q, closed, multipliers, mu, c]

@@ -271,6 +271,9 @@ def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: M
         for name, part in zip(model.speeds, rest.unbalanced, strict=True)
         if abs(part) > REPORTED
     ]
+    if not loose:
+        remedy = "start nearer to a position of rest; one in which a loop is singular, its links along one line, is not found"
+        return Outcome("no_equilibrium", "forces balance where the search ended, but loops stay open there", remedy)
     outside = [pair for pair, good in zip(model.pairs, rest.balance.in_range, strict=True) if good < 0.5]
     why = (
         f"the laws of {', '.join(outside)} are not defined at the loads"
@@ -282,9 +285,7 @@ def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: M
     remedy = "look for a load without a support, or start nearer to one"
     if smooth:
         remedy += "; smoothed friction holds nothing at rest, the laws coulomb and lugre do"
-    return Outcome(
-        "no_equilibrium", f"{why}; unbalanced, of the forces: {', '.join(loose) or 'none, but loops stay open'}", remedy
-    )
+    return Outcome("no_equilibrium", f"{why}; unbalanced, of the forces: {', '.join(loose)}", remedy)
 
 
 def _least_stiffness(model: Model, search: Search, rest: Rest) -> tuple[float, tuple[str, ...]]:

@@ -48,6 +48,8 @@ HOLDS = 1e-9  # excess of a grip over its limit that counts as rounding
 STEADY, ROUNDS = 1e-13, 3  # scales: change that ends Newton's method, or so many rounds in balance
 NEAR, TRIED = 1.0, 4  # scales: shorter steps try Newton's method, longer ones one in so many
 AWAY = 1e9  # scales: what moves further has no place of rest
+VANISHED = 1e-13  # of the largest direction of a constraint: below it is rounding of one that has no part there
+NONE = BALANCED / AWAY  # stiffness over the largest load: no displacement makes it an unbalanced force
 
 
 @dataclass
@@ -176,8 +178,9 @@ class Search:
         directions, held = np.vstack([at.G, at.S[sticks]]), np.hstack([at.G.T, at.D[:, sticks]])
         n, unit = nu + len(directions), self.scale
         matrix = np.zeros((n, n))
-        matrix[:nu, :nu] = unit[:, None] * (at.stiffness + np.diag(drag)) * unit
-        matrix[:nu, nu:], matrix[nu:, :nu] = -unit[:, None] * held, directions * unit
+        stiffness = unit[:, None] * at.stiffness * unit
+        matrix[:nu, :nu] = np.where(np.abs(stiffness) < NONE * self.load, 0.0, stiffness) + np.diag(drag * unit**2)
+        matrix[:nu, nu:], matrix[nu:, :nu] = -_significant(unit[:, None] * held), _significant(directions * unit)
         known = at.force + at.D[:, slides] @ rest.mu[slides] - drag * total
         found = _solved(matrix, np.concatenate([unit * known, -at.loops, -at.S[sticks] @ total]))
         if found is None:
@@ -249,8 +252,18 @@ def _solved(matrix: Array, right: Array) -> Array | None:
     """Solve a system that redundant loops or indifferent freedoms make singular, with the least solution."""
     if not np.all(np.isfinite(matrix)) or not np.all(np.isfinite(right)):
         return None
-    rows = np.maximum(np.abs(matrix).max(axis=1, initial=0.0), 1e-300)
-    columns = np.maximum(np.abs(matrix / rows[:, None]).max(axis=0, initial=0.0), 1e-300)
+    rows = _sizes(np.abs(matrix).max(axis=1, initial=0.0))
+    columns = _sizes(np.abs(matrix / rows[:, None]).max(axis=0, initial=0.0))
     scaled = matrix / rows[:, None] / columns
     found: Array = np.linalg.lstsq(scaled, right / rows, rcond=1e-13)[0] / columns
     return found
+
+
+def _sizes(largest: Array) -> Array:
+    """Return sizes to divide by: infinite ones of what nothing holds, so that it stays."""
+    return np.where(largest > 0, largest, np.inf)
+
+
+def _significant(directions: Array) -> Array:
+    """Return directions without what is rounding of zero."""
+    return np.where(np.abs(directions) < VANISHED * np.max(np.abs(directions), initial=0.0), 0.0, directions)

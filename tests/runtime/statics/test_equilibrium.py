@@ -39,6 +39,7 @@ from hertzwerk.derive import (  # fmt: skip
 from hertzwerk.derive.laws import coulomb, lugre, power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime.statics import relaxation
 from hertzwerk.runtime.statics.balance import balance, grips_of
 from hertzwerk.runtime.statics.relaxation import Search
 
@@ -79,6 +80,37 @@ def test_buckling_past_the_critical_load():
     angle = brentq(lambda x: 2 * math.sin(x) - x, 1, 3, xtol=1e-15)
     assert buckled.q[0] == pytest.approx(angle, rel=1e-10) and buckled.stable
     assert modes(buckled).frequencies == pytest.approx([math.sqrt(1 - 2 * math.cos(angle)) / (2 * math.pi)], rel=1e-9)
+
+
+def test_a_shaft_rests_on_two_balls_and_the_loose_ones_are_indifferent():
+    """Of six balls those at 240 and 300 degrees carry 500 N, along the lines from their centres to the shaft's."""
+    found = equilibrium(load("ball_bearing"))
+    assert found.outcome.name == "not_unique"
+    assert {f"way_{k}.travel" for k in range(4)} <= set(found.indifferent)
+    assert not any(name.startswith(("shaft", "way_4", "way_5")) for name in found.indifferent)
+    q = dict(zip(found.model.coordinates, found.q, strict=True))
+    ball = q["way_5.travel"] * np.array([0.5, -math.sqrt(0.75)])
+    along = np.array([q["shaft.x"], q["shaft.y"]]) - ball
+    assert 2 * found.contacts["inner_5"] * along[1] / np.hypot(*along) == pytest.approx(500, rel=1e-9)
+    assert found.contacts["inner_5"] == pytest.approx(1e10 * found.penetrations["inner_5"] ** 1.5, rel=1e-9)
+
+
+def test_a_governor_at_rest_hangs_straight_down():
+    """Its spring is slack where arms and rods hang straight, and each half alone can give way sideways there."""
+    found = equilibrium(load("flyball_governor"))
+    q = dict(zip(found.model.coordinates, found.q, strict=True))
+    assert q["guide.travel"] == pytest.approx(-0.15 - 0.2, abs=1e-12)
+    assert found.stable and found.indifferent == ("spindle.angle",)
+
+
+@pytest.mark.parametrize(("name", "value", "test"), [
+    ("_sizes", lambda largest: np.maximum(largest, 1e-300), test_a_shaft_rests_on_two_balls_and_the_loose_ones_are_indifferent),
+    ("VANISHED", 0.0, test_a_governor_at_rest_hangs_straight_down),
+])  # fmt: skip
+def test_rounding_taken_for_a_direction_would_keep_it_from_rest(name, value, test, monkeypatch):
+    monkeypatch.setattr(relaxation, name, value)
+    with pytest.raises((AssertionError, KeyError)):
+        test()
 
 
 def test_no_support_is_no_equilibrium_and_no_force_leaves_all_open():
