@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import casadi as ca
 import numpy as np
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
 SIZES = (16, 32)  # links per call, nested: calls of a function, links in it
-WIDTH = 8  # most columns at once: code grows with them
+WIDTH = 16  # most columns at once: they share the motion, but code grows with them
 PARTS = ("t", "y", "mode", "m", "pieces")  # of a row: all that a step of it needs
 PASSES = 4  # over some links, at most: steps found too coarse are solved apart in the next one
 COARSE, LEAST = (
@@ -55,11 +55,26 @@ SMALL = 1000  # instructions of rates up to which their Jacobians are tried: of 
 IDLE = 0  # kind of a link that does nothing; those of steps follow, the last one is linear
 
 
+Columns: TypeAlias = tuple[tuple[int, ...], ...]
+"""Of each column the constants that it changes, mostly a few: code is made for these, half as long as for all."""
+
+
+def columns_of(dc: np.ndarray) -> Columns:
+    """Return the constants that columns of dc (nc, P) change."""
+    return tuple(tuple(map(int, np.flatnonzero(column))) for column in dc.T)
+
+
+def changes_of(dc: np.ndarray) -> np.ndarray:
+    """Return the changes (nd,) of constants, column after column, without those that are zero."""
+    found: np.ndarray = dc.T[dc.T != 0]
+    return found
+
+
 @dataclass(frozen=True)
 class Link:
     """Function of a link of any kind.
 
-    function    (kind, X (n, P), row, map (n, n + P), controls, dc (nc, P)) -> X', squares (2, P)
+    function    (kind, X (n, P), row, map (n, n + P), controls, dc (nd,)) -> X', squares (P, 2)
     linear      the kind of linear maps; below it the classes of steps by each method
     """
 
@@ -68,19 +83,19 @@ class Link:
 
 
 @per_model
-def link(_: Model, integrator: Integrator, methods: tuple[int, ...], count: int) -> Link:
-    """Return the link of an integrator's steps by these of its methods with this many columns."""
+def link(_: Model, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Link:
+    """Return the link of an integrator's steps by these of its methods with these columns."""
     steps = [
-        _explicit(integrator, table, contacts, count)
+        _explicit(integrator, table, contacts, columns)
         if isinstance(table, RungeKutta)
-        else _implicit(integrator, contacts, count)
+        else _implicit(integrator, contacts, columns)
         for table in (integrator.tables[method] for method in methods)
         for contacts in contact_classes(integrator.model)
     ]
-    given = _arguments(integrator, count)
+    given = _arguments(integrator, columns)
     x, linear = given[0], given[2]
     n = x.size1()
-    still = ca.MX.zeros(2, count)
+    still = ca.MX.zeros(len(columns), 2)
     idle = ca.Function("idle", given, [x, still])
     mapped = ca.Function("mapped", given, [ca.mtimes(linear[:, :n], x) + linear[:, n:], still])
     return Link(ca.Function.conditional("link", [idle, *steps], mapped), 1 + len(steps))
@@ -88,14 +103,14 @@ def link(_: Model, integrator: Integrator, methods: tuple[int, ...], count: int)
 
 def methods_of(history: History) -> tuple[int, ...]:
     """Return the numbers of the methods that a run's steps took."""
-    return tuple(int(method) for method in np.unique(history.part("method")[:-1]))
+    return tuple(map(int, np.flatnonzero(np.bincount(history.part("method")[:-1, 0].astype(int)))))
 
 
-def _arguments(integrator: Integrator, count: int) -> list[Any]:
-    sizes = integrator.layouts.state.sizes
+def _arguments(integrator: Integrator, columns: Columns) -> list[Any]:
+    sizes, count, changed = integrator.layouts.state.sizes, len(columns), sum(map(len, columns))
     n = sizes["y"] + sizes["m"]
-    row, nc = 2 + sum(sizes[part] for part in PARTS), integrator.layouts.controls.sizes["c"]
-    shapes = [(n, count), (row, 1), (n, n + count), (integrator.layouts.controls.size, 1), (nc, count)]
+    row = 2 + sum(sizes[part] for part in PARTS)
+    shapes = [(n, count), (row, 1), (n, n + count), (integrator.layouts.controls.size, 1), (changed, 1)]
     names = ("x", "row", "linear", "controls", "dc")
     return [ca.MX.sym(name, *shape) for name, shape in zip(names, shapes, strict=True)]
 
@@ -128,13 +143,13 @@ class _Begin:
         return (1 / self.run["scale"]).T ** 2
 
     def squares(self, error: Any, end: Any) -> Any:
-        """Return squares (2, P) of errors, given as such, and of changes at the end."""
-        return ca.vertcat(error, ca.mtimes(self.weights, end**2))
+        """Return squares (P, 2) of errors, given as such, and of changes at the end."""
+        return ca.vertcat(error, ca.mtimes(self.weights, end**2)).T
 
 
-def _begin(integrator: Integrator, count: int) -> _Begin:
+def _begin(integrator: Integrator, columns: Columns) -> _Begin:
     layouts = integrator.layouts
-    x, row, _, controls, dc = given = _arguments(integrator, count)
+    x, row, _, controls, dc = given = _arguments(integrator, columns)
     sizes = [1, 1, *(layouts.state.sizes[part] for part in PARTS)]
     h, even, *parts = ca.vertsplit(row, [0, *np.cumsum(sizes).tolist()])
     start = dict(zip(PARTS, parts, strict=True))
@@ -148,10 +163,10 @@ def _combined(weights: Sequence[float], slopes: list[Any]) -> Any:
     return sum(terms[1:], terms[0])
 
 
-def _explicit(integrator: Integrator, taken: RungeKutta, contacts: Contacts, count: int) -> Any:
+def _explicit(integrator: Integrator, taken: RungeKutta, contacts: Contacts, columns: Columns) -> Any:
     """Build the function of an explicit step with these contacts."""
-    at, table = _begin(integrator, count), dopri5() if taken == dopri5() else dop853()
-    start, stage = at.start, _stage(integrator.model, contacts, count)
+    at, table = _begin(integrator, columns), dopri5() if taken == dopri5() else dop853()
+    start, stage = at.start, _stage(integrator.model, contacts, columns)
     begin = ca.horzcat(start["y"], at.S)
     slopes: list[Any] = []
     for weights, node in zip(table.A, table.c, strict=True):
@@ -169,13 +184,13 @@ def _explicit(integrator: Integrator, taken: RungeKutta, contacts: Contacts, cou
     return step.expand() if len(table.b) * stage.n_instructions() <= SHORT else step
 
 
-def _implicit(integrator: Integrator, contacts: Contacts, count: int) -> Any:
+def _implicit(integrator: Integrator, contacts: Contacts, columns: Columns) -> Any:
     """Build the function of an implicit step with these contacts.
 
     The states at its stages are found by simplified Newton iterations, changes there by elimination.
     """
-    at, table, model = _begin(integrator, count), esdirk54(), integrator.model
-    rates, linear, change = flow(model, contacts).rates, linearised(model, contacts), _changes(model, contacts, count)
+    at, table, model = _begin(integrator, columns), esdirk54(), integrator.model
+    rates, linear, change = flow(model, contacts).rates, linearised(model, contacts), _changes(model, contacts, columns)
     t, y, *given = (at.start[part] for part in PARTS[:4])
     given.append(at.c)
     time, pace = at.within(table.c[0])
@@ -206,32 +221,35 @@ def _implicit(integrator: Integrator, contacts: Contacts, count: int) -> Any:
 
 
 @per_model
-def _stage(model: Model, contacts: Contacts, count: int) -> Any:
+def _stage(model: Model, contacts: Contacts, columns: Columns) -> Any:
     """Build the function (t, (y, S), mode, m, c, M, dc, pace) -> rates of (y, S), by the pace."""
     t, y, mode, m, c = model.symbols("t y mode m c")
-    made = _changes(model, contacts, count)
+    made = _changes(model, contacts, columns)
     S, M, dc = made.sx_in()[5:]
-    both, pace = ca.SX.sym("both", y.numel(), 1 + count), ca.SX.sym("pace")
+    both, pace = ca.SX.sym("both", y.numel(), 1 + len(columns)), ca.SX.sym("pace")
     y, S = both[:, 0], both[:, 1:]
     slopes = ca.horzcat(flow(model, contacts).rates(t, y, mode, m, c), made(t, y, mode, m, c, S, M, dc))
     return ca.Function("slopes", [t, both, mode, m, c, M, dc, pace], [ca.cse(pace * slopes)])
 
 
 @per_model
-def _changes(model: Model, contacts: Contacts, count: int) -> Any:
+def _changes(model: Model, contacts: Contacts, columns: Columns) -> Any:
     """Build the function (t, y, mode, m, c, S, M, dc) -> rates of S: of two ways the shorter.
 
     Forward along the columns costs each of them some times the rates; by Jacobians it is little but their nonzeros.
     """
     _, y, _, m, c = given = model.symbols("t y mode m c")
-    fixed = model.npieces if model.inputs else 0  # inputs are given, and do not change
-    S, M, dc = columns = [ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m), ("dc", c))]
-    of_constants = ca.vertcat(dc[: model.nc - fixed, :], ca.SX(fixed, count))
+    fixed, count = model.npieces if model.inputs else 0, len(columns)  # inputs are given, and do not change
+    S, M = (ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m)))
+    rows, of = [row for rows in columns for row in rows], [k for k, rows in enumerate(columns) for _ in rows]
+    dc = ca.SX.sym("dc", len(rows))
+    of_constants = ca.SX(ca.Sparsity.triplet(model.nc, count, rows, of), dc)
+    of_constants = ca.vertcat(of_constants[: model.nc - fixed, :], ca.SX(fixed, count))
     rates, by, along = flow(model, contacts).rates(*given), ca.vertcat(y, m, c), ca.vertcat(S, M, of_constants)
     ways = [ca.jtimes(rates, by, along)]
     if count > 1 and flow(model, contacts).rates.n_instructions() <= SMALL:
         ways.append(ca.mtimes(ca.jacobian(rates, by), along))
-    found = [ca.Function("changes", [*given, *columns], [ca.cse(ca.densify(way))]) for way in ways]
+    found = [ca.Function("changes", [*given, S, M, dc], [ca.cse(ca.densify(way))]) for way in ways]
     return min(found, key=lambda function: function.n_instructions())
 
 
@@ -264,9 +282,9 @@ def along(maps: np.ndarray, before: np.ndarray) -> np.ndarray:
 
 
 @per_model
-def code(model: Model, integrator: Integrator, methods: tuple[int, ...], count: int) -> Code:
+def code(model: Model, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Code:
     """Return the chain's function, to be called as it is or compiled."""
-    return Code(_chain(link(model, integrator, methods, count)))
+    return Code(_chain(link(model, integrator, methods, columns)), bitwise=False)
 
 
 @dataclass(frozen=True)
@@ -320,7 +338,7 @@ def chained(
     maps = jumps
     table = links_after(history, slice(0, rows - 1), np.diff(history.t), switched)
     uneven = np.abs(table[:, _COLUMNS.index("even")] - 1) > BESIDE
-    rough = _roughness(history, uneven)[row - 1, None]
+    rough = _roughness(history, uneven)[row - 1, None] ** 2
     after, before = np.empty((rows, count, n)), np.empty((len(events), count, n))
     after[0] = begin.T
     bound = max(COARSE * history.controls[history.engine.layouts.controls["tolerance"]][0], LEAST)
@@ -336,8 +354,11 @@ def chained(
             for _ in range(PASSES):
                 by_map = np.flatnonzero(number[links] >= 0)
                 x, errors, sizes = call(taken, stepping[links], by_map, maps[number[links][by_map]][:, :, columns])
-                larger = np.maximum(size, np.fmax.reduce(sizes))
-                coarse = ~(errors * rough[links] <= bound * larger).all(axis=1) & (number[links] < 0)
+                larger = np.maximum(size, np.sqrt(np.fmax.reduce(sizes)))
+                fine = errors * rough[links] <= (bound * larger) ** 2
+                if fine.all():
+                    break
+                coarse = ~fine.all(axis=1) & (number[links] < 0)
                 coarse &= np.cumsum(~np.isfinite(sizes).all(axis=1)) <= 1  # after it there are no numbers
                 if not coarse.any():
                     break
@@ -382,7 +403,8 @@ def links_after(history: History, index: np.ndarray | slice, h: np.ndarray, swit
     events = t[switched]
     place = np.searchsorted(events, t[index], side="right")
     before, after = t[index] - events[place - 1], np.append(events, np.inf)[place] - t[index]
-    first, last = np.where(before < after - h, (before, before + h), (after, after - h))
+    nearer = before < after - h
+    first, last = np.where(nearer, before, after), np.where(nearer, before + h, after - h)
     root, other = np.sqrt(first), np.sqrt(np.maximum(last, 0))
     curved = touching & np.isfinite(first) & (root + other > 0)
     even = np.where(curved, 2 * root / np.where(curved, root + other, 1), 1)
@@ -394,27 +416,29 @@ class _Call:
 
     def __init__(self, history: History, begin: np.ndarray, dc: np.ndarray, *, compiled: bool) -> None:
         (n, count), self.room = begin.shape, SIZES[0] * SIZES[1]
-        made = history.model, history.engine, methods_of(history), count
+        made = history.model, history.engine, methods_of(history), columns_of(dc)
         chain, self._linear = code(*made), link(*made).linear
         self._callers = chain.compile() if compiled else chain.machine
         self._call = self._callers.take()
         self._begin, self._rows, maps, controls, changes = self._call.inputs
         self._maps = maps.reshape(self.room, n + count, n)
-        controls[:], changes[:] = history.controls, dc.T
+        controls[:], changes[:] = history.controls, changes_of(dc)
         self.go_on(begin.T)
 
     def __call__(
         self, table: np.ndarray, stepping: np.ndarray, by_map: np.ndarray, maps: np.ndarray
     ) -> tuple[np.ndarray, ...]:
-        """Return changes (links, P, n), estimated errors and sizes (links, P) after links.
+        """Return changes (links, P, n), squares of estimated errors and of sizes (links, P) after links.
 
         table: of those over steps (`stepping`), as `links_after` has them; by_map: those that are maps (l, n, n + P)
         """
         count = len(stepping)
-        self._rows[:count][stepping], self._rows[count:, 0] = table, IDLE
+        steps = slice(count) if len(table) == count else np.flatnonzero(stepping)
+        self._rows[steps], self._rows[count:, 0] = table, IDLE
         self._rows[by_map, 0], self._maps[by_map] = self._linear, maps.swapaxes(1, 2)
-        x, squares = (values.reshape(self.room, self._begin.shape[0], -1)[:count] for values in self._call())
-        return x, *np.sqrt(squares).transpose(2, 0, 1)
+        x, squares = self._call()
+        errors, sizes = squares.reshape(self.room, 2, -1)[:count].swapaxes(0, 1)
+        return x.reshape(self.room, *self._begin.shape)[:count], errors, sizes
 
     def go_on(self, begin: np.ndarray) -> None:
         """Begin the next call with these changes (P, n)."""
@@ -436,20 +460,20 @@ def later(
     rows = links_after(history, index, h, switched)
     for first in range(0, before.shape[2], WIDTH):
         some = slice(first, first + WIDTH)
-        columns = before[:, :, some].swapaxes(1, 2)
-        constant = np.concatenate([history.controls, dc[:, some].T.ravel()])
-        one = _rowwise(history.model, history.engine, methods_of(history), columns.shape[1])
-        (x,) = one(constant, columns.reshape(len(index), -1), rows)
-        found[:, :, some] = x.reshape(columns.shape).swapaxes(1, 2)
+        given, changes = before[:, :, some].swapaxes(1, 2), dc[:, some]
+        constant = np.concatenate([history.controls, changes_of(changes)])
+        one = _rowwise(history.model, history.engine, methods_of(history), columns_of(changes))
+        (x,) = one(constant, given.reshape(len(index), -1), rows)
+        found[:, :, some] = x.reshape(given.shape).swapaxes(1, 2)
     return found
 
 
 @per_model
-def _rowwise(model: Model, integrator: Integrator, methods: tuple[int, ...], count: int) -> Rowwise:
-    x, row, linear, controls, dc = _arguments(integrator, count)
+def _rowwise(model: Model, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Rowwise:
+    x, row, linear, controls, dc = _arguments(integrator, columns)
     row = ca.MX.sym("row", 1 + row.numel())  # its kind first
     both, column = ca.MX.sym("both", controls.numel() + dc.numel()), ca.MX.sym("x", x.numel())
     c, changes = ca.vertsplit(both, [0, controls.numel(), both.numel()])
-    given = [ca.reshape(column, *x.shape), row[1:], ca.MX.zeros(*linear.shape), c, ca.reshape(changes, *dc.shape)]
-    after, _ = link(model, integrator, methods, count).function.call([row[0], *given])
+    given = [ca.reshape(column, *x.shape), row[1:], ca.MX.zeros(*linear.shape), c, changes]
+    after, _ = link(model, integrator, methods, columns).function.call([row[0], *given])
     return Rowwise(ca.Function("later", [both, column, row], [ca.vec(after)]), constant=0)

@@ -186,9 +186,11 @@ def _sliding(history: History) -> np.ndarray:
 
 def _happened(history: History) -> np.ndarray:
     """Return whether an effect had an event at the end of each step (rows - 1,)."""
-    mode = history.part("mode")
-    begun = ((mode[1:] == CONTACT) & (mode[:-1] == FLIGHT)).sum(axis=1)
-    found: np.ndarray = np.diff(history.part("events")[:, 0]) > begun
+    mode, counted = history.part("mode"), np.diff(history.part("events")[:, 0])
+    some = np.flatnonzero(counted)
+    begun = ((mode[some + 1] == CONTACT) & (mode[some] == FLIGHT)).sum(axis=1)
+    found = np.zeros(len(counted), dtype=bool)
+    found[some] = counted[some] > begun
     return found
 
 

@@ -25,11 +25,12 @@ GAIN = 0.8  # part of the time left that C saves
 class Code:
     """Chunk function of one model and method, in CasADi's virtual machine and, on demand, as C.
 
-    with_choice: returns the code that chooses between methods.
+    with_choice: returns the code that chooses between methods; bitwise: whether C gives the machine's results to the bit.
     """
 
     function: Any
     with_choice: Callable[[], Code] | None = None
+    bitwise: bool = True
     machine: Callers = field(init=False)
     native: Callers | None = None
     _program: Program | None = None
@@ -76,7 +77,7 @@ class Code:
             Program,  # only now: a short run needs none of what it imports
         )
 
-        self._program = self._program or Program(self.function)
+        self._program = self._program or Program(self.function, bitwise=self.bitwise)
         return self._program
 
 

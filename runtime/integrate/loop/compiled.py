@@ -1,7 +1,8 @@
 """CasADi functions as C: generated, compiled by the system's compiler, cached in the user's folder.
 
 The cache's key is everything the machine code depends on: the C text, the compiler's version, the flags, the
-processor. Contraction of a*b + c to one rounding is off, so C and CasADi's virtual machine agree bitwise.
+processor. Contraction of a*b + c to one rounding is off, so C and CasADi's virtual machine agree bitwise, but where
+that is not asked for.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ FLAGS = (
     "-fno-tree-slp-vectorize",  # GCC 12 makes of a sum beside a difference one fused instruction all the same
     *("-fno-semantic-interposition", "-fPIC", "-shared", "-w"),  # the first lets CasADi's small functions be inlined
 )
+FUSED = "-ffp-contract=fast"
 LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
 PATIENCE = 0.1  # s between two polls
 # s; within a fifth of the times of one and of ten pairs
@@ -45,13 +47,16 @@ class BrokenCompilerError(NoCompilerError):
 
 
 class Program:
-    """C text of CasADi functions and its library, compiled on demand; raises NoCompilerError."""
+    """C text of CasADi functions and its library, compiled on demand; raises NoCompilerError.
 
-    def __init__(self, *functions: Any) -> None:
+    bitwise: whether results are those of the virtual machine to the bit
+    """
+
+    def __init__(self, *functions: Any, bitwise: bool = True) -> None:
         self._functions, self._compiler = functions, _compiler()
         self._text = c_text(functions)
         self._level = "-O1" if len(self._text) > LARGE else "-O3"
-        self._flags = (self._level, *FLAGS)
+        self._flags = (self._level, *FLAGS, *(() if bitwise else (FUSED,)))
         parts = (self._text, *self._compiler, _version(self._compiler), *self._flags, _processor())
         digest = hashlib.sha256("\0".join(parts).encode()).hexdigest()
         self._key = f"compiled-{digest[:32]}"
