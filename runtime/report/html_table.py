@@ -12,7 +12,7 @@ from hertzwerk.derive.html.markup import Markup, joined, tag
 
 Cell: TypeAlias = "str | Markup | int | float | None"
 LONG = 32  # characters from which a word is broken
-WIDE = 9  # columns from which a table takes the whole width
+BESIDE, KEYS = 7, 3  # columns of a table beside each other, and those at most that are repeated in a further one
 
 
 def table(
@@ -20,8 +20,30 @@ def table(
 ) -> Markup:
     """Return a table under (name, unit) heads; `marked` rows stand out, missing cells are empty.
 
-    Columns whose cells are numbers are set to the right, with so many significant digits.
+    Columns whose cells are numbers are set to the right, with so many significant digits. Where there are more than fit
+    beside each other further tables have the others, beside the first ones that tell the rows apart, or their numbers.
     """
+    if len(columns) > BESIDE:
+        keys = _telling(rows)
+        if keys > KEYS:
+            columns, rows, keys = [("row", ""), *columns], [[i, *row] for i, row in enumerate(rows, 1)], 1
+        size = BESIDE - keys
+        parts = [[*range(keys), *range(k, min(k + size, len(columns)))] for k in range(keys, len(columns), size)]
+    else:
+        parts = [[*range(len(columns))]]
+    return joined(
+        [_table([columns[j] for j in part], [[row[j] for j in part] for row in rows], marked, digits) for part in parts]
+    )
+
+
+def _telling(rows: Sequence[Sequence[Cell]]) -> int:
+    """Return how many of the first columns tell the rows apart; more than KEYS where none of so many do."""
+    return next((k for k in range(1, KEYS + 1) if len({tuple(row[:k]) for row in rows}) == len(rows)), KEYS + 1)
+
+
+def _table(
+    columns: Sequence[tuple[str, str]], rows: Sequence[Sequence[Cell]], marked: Collection[int], digits: int
+) -> Markup:
     numeric = [_numeric([row[j] for row in rows]) for j in range(len(columns))]
     heads = (
         tag("th", _breakable(name), *_unit_after(unit), scope="col", class_="number" if right else None)
@@ -32,8 +54,7 @@ def table(
             class_="changed" if i in marked else None)
         for i, row in enumerate(rows)
     )  # fmt: skip
-    look = "sortable wide" if len(columns) >= WIDE else "sortable"
-    return tag("table", tag("thead", tag("tr", *heads)), tag("tbody", *lines), class_=look)
+    return tag("table", tag("thead", tag("tr", *heads)), tag("tbody", *lines), class_="sortable")
 
 
 def unit_markup(unit: str) -> Markup:

@@ -5,9 +5,13 @@ import json
 
 import pytest
 from click.testing import CliRunner
+from matplotlib.figure import Figure
 from pages import Outline
 
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.report.html_page import Origin
+from hertzwerk.runtime.report.sweep_report import sweep_page
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><path d="M 0 0"/><script>alert(1)</script></svg>'
 HOSTILE = "</style><script>alert(1)</script> & <b>"
@@ -68,6 +72,22 @@ def test_what_is_no_study_is_refused(report, tmp_path, broken):
     done = report("report", "study")
     assert (done.exit_code, "expected a record that `hertzwerk study` wrote" in done.output) == (2, True)
     assert not (tmp_path / "study" / "report.html").exists()
+
+
+@pytest.mark.parametrize(("alike", "keys"), [(0, ["mass"]), (1, ["same_0", "mass"]), (3, ["row"])])
+def test_more_columns_than_fit_are_tables_side_by_side(alike, keys):
+    """Every number once, seven columns at most beside what tells the rows apart: their first ones, or their numbers."""
+    outputs, same = [f"final.x{i}" for i in range(14)], [f"same_{i}" for i in range(alike)]
+    columns = {**dict.fromkeys([*same, "mass"], "kg"), "outcome": "", **dict.fromkeys(outputs, "m"), "message": ""}
+    rows = [[*[7.0] * alike, float(i), "finished", *(i + j / 100 for j in range(14)), ""] for i in (1, 2)]
+    page = sweep_page("s", COMPLETE, columns, rows, {}, Origin("x"), "table.csv", lambda: Figure())
+    tables = Outline(page).tables["Rows"]
+    heads = [[name.partition(" [")[0] for name in head] for head, *_ in tables]
+    assert all(head[: len(keys)] == keys and len(head) <= 7 for head in heads)
+    others = [*([] if "mass" in keys else [*same, "mass"]), "outcome", *outputs]
+    assert [name for head in heads for name in head[len(keys) :]] == others
+    found = [cell for _, _, second in tables for cell in second[len(keys) :]]
+    assert [float(cell) for cell in found[-14:]] == pytest.approx([2 + j / 100 for j in range(14)])
 
 
 def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
