@@ -62,13 +62,19 @@ def page(kind: str, title: str, lead: str, top: Markup, sections: Sequence[Secti
 
 
 def paragraphs(texts: Sequence[str], look: str | None = None) -> Markup:
-    """Return texts as paragraphs."""
-    return joined(tag("p", text, class_=look) for text in texts)
+    """Return texts as paragraphs, what stands between backticks as code."""
+    return joined(tag("p", _prose(text), class_=look) for text in texts)
 
 
 def bullets(texts: Sequence[str | Markup]) -> Markup:
-    """Return texts as a list."""
-    return tag("ul", *(tag("li", text) for text in texts))
+    """Return texts as a list, what stands between backticks as code."""
+    return tag("ul", *(tag("li", _prose(text)) for text in texts))
+
+
+def _prose(text: str | Markup) -> Markup:
+    if isinstance(text, Markup):
+        return text
+    return joined(tag("code", part) if i % 2 else part for i, part in enumerate(text.split("`")))
 
 
 def facts(named: Mapping[str, str]) -> Markup:

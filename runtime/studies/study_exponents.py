@@ -126,8 +126,8 @@ def _page(impacts: list[Impact], rows: list[tuple[float, Measurement, int]], dra
             "goes from 1 to 2, as the literature does: that is another law in other units, not another exponent of the same law.",
             f"One impact: the reduced mass {MASS:.3g} kg of rod and slider meets the wall at {SPEED:g} m/s, restitution {RESTITUTION:g} by "
             "Lankarani and Nikravesh. Then one revolution of the slider-crank at 5000 rpm, clearance 0.5 mm, friction 0.1, K d^n run unchecked.",
-            f"Penetrations below {UNNOTICED:.0%} of the clearance are called unnoticed: no picture of the mechanism shows them, the joint looks "
-            f"ideal. Above {SUNK:.0%} the pin has sunk into its bush, and nothing is left of small deformations.",
+            f"Penetrations below {100 * UNNOTICED:g} % of the clearance are called unnoticed: no picture of the mechanism shows them, the joint "
+            f"looks ideal. Above {100 * SUNK:g} % the pin has sunk into its bush, and nothing is left of small deformations.",
         ),
         tables=(_impact_table(impacts), *((_crank_table(rows),) if rows else ())),
         charts=(_impact_chart(impacts), *((_crank_chart(rows, drawn),) if rows else ())),
@@ -278,7 +278,7 @@ def _crank_verdicts(rows: list[tuple[float, Measurement, int]]) -> tuple[Verdict
     least, most = min(steps, key=lambda n: steps[n]), max(steps, key=lambda n: steps[n])
     source = "simulated; each number with its error in the table"
     texts = [
-        f"no deformation is noticed (below {UNNOTICED:.0%} of the clearance) for n = {', '.join(called['unnoticed'])}: the joint looks ideal"
+        f"no deformation is noticed (below {100 * UNNOTICED:g} % of the clearance) for n = {', '.join(called['unnoticed'])}: the joint looks ideal"
         if "unnoticed" in called else "at every n the deformation is noticed",
         f"the pin sinks into its bush by more than half the clearance for n = {', '.join(called['sunk'])}"
         if "sunk" in called else "at no n the pin sinks by more than half the clearance",

@@ -54,7 +54,7 @@ DRAWN_SPEED, DRAWN_CLEARANCE, DRAWN_TURNS = 5000.0, 0.5, 3  # of the trajectorie
 ACCURACY, TOLERANCE, TRANSIENT = 1e-5, 1e-7, 0.2
 CLOSED = 1e-5  # of the energy moved
 MAX_STEPS = 3_000_000  # of a long run: at 100 rpm the stiffest law takes a little over a million
-PAPER = "data of Ravn, Schwab and Flores (grade C), friction 0.1, restitution 0.9 by Lankarani and Nikravesh"
+PAPER = "Data of Ravn, Schwab and Flores (grade C), friction 0.1, restitution 0.9 by Lankarani and Nikravesh"
 
 
 @dataclass(frozen=True)
@@ -115,8 +115,8 @@ def run(quick: bool, progress: Progress, sweeps: Sweeps) -> Page:
             f"with the estimate of its error; they are the true ones up to the horizon, where the error reaches 1 % of the clearance.",
             f"Beyond it only averages are: over {plan.turns} revolutions less a tenth, with 95 % intervals from the means of blocks of whole "
             "revolutions (±, half the width). An empty ± says that the blocks are too few or still correlated.",
-            f"Poincare sections: states at the returns of the crank to angle 0, {plan.returns} revolutions less {TRANSIENT:.0%}. Where they fill "
-            "an area the motion has no period, and single points mean nothing: their distribution does.",
+            f"Poincare sections: states at the returns of the crank to angle 0, {plan.returns} revolutions less {100 * TRANSIENT:g} %. Where they "
+            "fill an area the motion has no period, and single points mean nothing: their distribution does.",
         ),
         tables=(_trajectory_table(trajectories), _case_table(cases)),
         charts=(

@@ -21,7 +21,7 @@ STUDY = {
     "command": f"hertzwerk study '{HOSTILE}'",
     "versions": {HOSTILE: HOSTILE},
     "paragraphs": [HOSTILE],
-    "lacking": [HOSTILE],
+    "lacking": [f"`{HOSTILE}` {HOSTILE}"],
     "verdicts": [{"text": f"x: 1 {HOSTILE}", "source": HOSTILE, "holds": holds} for holds in (True, False, None)],
     "tables": [
         {
@@ -63,6 +63,7 @@ def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
     assert [text.split()[0] for text in outline.texts["li"] if " x: 1" in text] == ["holds", "fails", "found"]
     assert any("../away.svg is not beside the record" in text for text in outline.texts["p"])
     assert STUDY["command"] in outline.texts["pre"]
+    assert HOSTILE in outline.texts["code"]
 
 
 @pytest.mark.parametrize("broken", [{}, {**STUDY, "tables": 3}, {**STUDY, "figures": [1]}, {**STUDY, "verdicts": None}])
