@@ -42,6 +42,7 @@ class Declared:
     si, texts  defaults in SI, and as (value, unit)
     followers  parameters whose unit depends on another one, by the name of that one
     plain  parameters whose unit depends on none
+    unsound  parameters whose default is no finite number, or outside a limit
     """
 
     def __init__(self, ports: Mapping[str, Port], limits: Sequence[Limit]) -> None:
@@ -52,6 +53,8 @@ class Declared:
         free = {name: unit.free_names for name, unit in units.items()}
         self.plain = {name for name in ports if not free[name]}
         self.followers = {name: tuple(other for other in ports if name in free[other]) for name in ports}
+        self.unsound = {name for name, value in self.si.items() if not math.isfinite(value)}
+        self.unsound |= {limit[0] for limit in limits if not _inside(self.si[limit[0]], limit)}
 
 
 def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Reading:
@@ -74,13 +77,14 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
     concerned |= {
         name for name, (_, _, text) in given.items() if name not in declared.plain or text != ports[name].unit
     }
-    for name, port in ports.items():
-        fault = _unit_fault(port, ports, given, si) if name in concerned else None
+    judged = {name for name in ports if name in given or name in concerned or name in declared.unsound}
+    for name in filter(judged.__contains__, ports):
+        fault = _unit_fault(ports[name], ports, given, si) if name in concerned else None
         if fault is None and not math.isfinite(si[name]):
             fault = Fault(name, _text(*texts[name]), "a finite number")
         if fault is not None:
             faults.append(fault)
-    judged = set(ports) - {fault.where for fault in faults}
+    judged -= {fault.where for fault in faults}
     warnings = []
     for limit in declared.limits:
         name, kind, *_, why = limit

@@ -71,6 +71,9 @@ class Job:
     compiled: bool = False
     choices: Choices = NO_CHOICES
 
+    def __post_init__(self) -> None:
+        self.settings = replace(self.settings, sensitivities=derived_by(self.outputs))
+
     @cached_property
     def needs(self) -> Needs:
         """Parts of a run that outputs and arrays are computed from."""
@@ -158,7 +161,6 @@ class Job:
         times = None if self.kept is None else self.kept.times(model, parameters)
         if times is not None and Needs.STEPS not in self.needs and len(times.all):
             settings = replace(settings, output=times.all)
-        settings = replace(settings, sensitivities=derived_by(self.outputs))
         solution = yield from solving(model, settings, parameters, initial, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
