@@ -16,7 +16,7 @@ from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.sensitivity.readout import Expressions
-from hertzwerk.runtime.start.assembly import ideal_loops
+from hertzwerk.runtime.start.assembly import residuals
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.attempt import Integrator
@@ -60,7 +60,7 @@ def functions(model: Model, made: Integrator, outputs: Sequence[str], name: str)
     if joints is not model:
         found["placed"] = model.function("placed")
     if hasattr(model.module, "GIVEN"):
-        found["loops"] = ideal_loops(model, joints).function
+        found["loops"] = residuals(joints, model)
     if counting.layout.size:
         found |= {"tallied": counting.first.function, "tally": counting.add}
     if model.nr > model.k:

@@ -8,9 +8,9 @@ mechanism moves as the ideal one, without clearance.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -82,8 +82,7 @@ def assemble_at(
     """
     loops = _Loops(model.joints, bound, whole=model, seats=seats)
     unknown = [i for i, name in enumerate(loops.model.coordinates) if name not in given]
-    _, _, jacobian, _ = loops.at(q, np.zeros(loops.model.nu))
-    q = _closed(loops, q, unknown, _sizes(loops, jacobian, q))
+    q = _closed(loops, q, unknown, loops.at(q).size)
     q, faults = _position(loops, q, given)
     u, more = _speed(loops, q, u, given)
     return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
@@ -97,8 +96,7 @@ def closed_near(model: Model, bound: Bound, q: Array, t: float, *, centred: bool
     loops = _Loops(model, bound, t, whole=model if centred else None)
     if not loops.rows:
         return q
-    _, _, jacobian, _ = loops.at(q, np.zeros(model.nu))
-    return _closed(loops, q, list(range(model.nq)), _sizes(loops, jacobian, q))
+    return _closed(loops, q, list(range(model.nq)), loops.at(q).size)
 
 
 def journals(model: Model) -> list[int]:
@@ -121,8 +119,7 @@ def _nearest(ideal: _Loops, q: Array, given: Collection[str]) -> Array | None:
     None if there is none.
     """
     unknown = [i for i, name in enumerate(ideal.model.coordinates) if name not in given]
-    _, _, jacobian, _ = ideal.at(q, np.zeros(ideal.model.nu))
-    loops, tries = replace(ideal, whole=None), _tries(ideal, q, unknown, _sizes(ideal, jacobian, q))
+    loops, tries = replace(ideal, whole=None), _tries(ideal, q, unknown, ideal.at(q).size)
     return next((found for found in tries if loops.closed(found) and ideal.inside(found)), None)
 
 
@@ -180,10 +177,8 @@ def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
 
 def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array]]:
     """Yield times and positions around a start that the mechanism can reach."""
-    loops = _Loops(model, bound)
-    still = np.zeros(model.nu)
-    _, _, jacobian, _ = loops.at(q, still)
-    size, reach = _sizes(loops, jacobian, q), _reach(model, jacobian)
+    _, _, jacobian, _, size, _ = _Loops(model, bound).at(q)
+    reach = _reach(model, jacobian)
     _, values, vectors = np.linalg.svd(jacobian * reach / size[:, None])
     free = vectors[int(np.sum(values > RANK * values[0])) :]
     *_, scene = model.evaluate("scales", bound.p)
@@ -196,7 +191,7 @@ def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array
         for unknown in ([i for i in every if i != furthest], every):
             place = _closed(later, q + reach * way, unknown, size)
             away = np.max(np.abs(place - q) / reach) > NEAR / 10
-            if away and np.all(np.abs(later.at(place, still)[0]) <= size):
+            if away and np.all(np.abs(later.at(place).phi) <= size):
                 yield later.t, place
                 break
 
@@ -206,13 +201,28 @@ def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
 
     Constraints are scaled by the largest of their unit.
     """
-    _, _, _, jacobian = loops.at(q, np.zeros(loops.model.nu))
-    matrix = jacobian * loops.scales[1]
+    matrix = loops.at(q).by_u * loops.scales[1]
     norms, lengths = np.linalg.norm(matrix, axis=1), np.array(loops.model.is_length)
     sizes = np.where(lengths, *(np.max(norms, where=which, initial=1e-300) for which in (lengths, ~lengths)))
     left, values, _ = np.linalg.svd(matrix / sizes[:, None])
     ways: Array = left[:, int(np.sum(values > rank * values[0])) :].T
     return ways
+
+
+class At(NamedTuple):
+    """Constraints at a position and speed.
+
+    phi, rate    (nl,)
+    by_q, by_u    their derivatives (nl, nq) by q, (nl, nu) by u
+    size, rate_size    residuals of each that count as closed (nl,)
+    """
+
+    phi: Array
+    rate: Array
+    by_q: Array
+    by_u: Array
+    size: Array
+    rate_size: Array
 
 
 @dataclass(frozen=True)
@@ -231,8 +241,7 @@ class _Loops:
     @cached_property
     def rows(self) -> tuple[tuple[str, str], ...]:
         """Name and unit of every constraint."""
-        closed = () if self.whole is None else tuple(self.whole.module.OUTPUTS[i] for i in journals(self.whole))
-        return (*getattr(self.model.module, "CONSTRAINTS", ()), *closed)
+        return _rows(self.model, self.whole)
 
     @property
     def wanted(self) -> str:
@@ -244,8 +253,8 @@ class _Loops:
 
     def closed(self, q: Array) -> bool:
         """Return whether a position is closed as it stands."""
-        phi, _, jacobian, _ = self.at(q, np.zeros(self.model.nu))
-        return bool((np.abs(phi) <= _sizes(self, jacobian, q)).all())
+        at = self.at(q)
+        return bool((np.abs(at.phi) <= at.size).all())
 
     def inside(self, q: Array) -> bool:
         """Return whether every journal of the whole model is in its bush, but for a plausible penetration."""
@@ -273,13 +282,12 @@ class _Loops:
     def _effects(self, wanted: str) -> list[str]:
         return [name for name, kind, _ in self.model.module.EFFECTS if kind == wanted]
 
-    def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
-        """Return constraints (nl,), rates (nl,), and their derivatives (nl, nq) by q, (nl, nu) by u."""
-        evaluate = _loops_of(self.model) if self.whole is None else ideal_loops(self.whole, self.model)
-        phi, rate, by_q, by_u = evaluate(self.t, q, u, self.bound.c)
+    def at(self, q: Array, u: Array | float = 0.0) -> At:
+        """Return the constraints at a position (nq,) and speed (nu,)."""
+        phi, rate, by_q, by_u, *sizes = judged(self.model, self.whole)(self.t, q, u, self.bound.c, self.scales[1])
         if self.seats is not None:
             phi[len(phi) - len(self.seats) :] -= self.seats
-        return phi, rate, by_q.reshape(len(phi), self.model.nq), by_u.reshape(len(phi), self.model.nu)
+        return At(phi, rate, by_q.reshape(len(phi), self.model.nq), by_u.reshape(len(phi), self.model.nu), *sizes)
 
     def unclosed(self, residual: Array, size: Array) -> list[str]:
         """Describe what is open, by joint: the worst of each."""
@@ -294,18 +302,11 @@ class _Loops:
 
 
 @per_model
-def _loops_of(model: Model) -> Callers:
-    return _residuals(model, None)
+def residuals(model: Model, whole: Model | None) -> Any:
+    """Build the function (t, q, u, c) -> constraints of the joints' `model`, rates, derivatives: see `At`.
 
-
-@per_model
-def ideal_loops(whole: Model, model: Model) -> Callers:
-    """Return the function of `_Loops.at` for the loops of the joints' `model` and closed clearances."""
-    return _residuals(model, whole)
-
-
-def _residuals(model: Model, whole: Model | None) -> Callers:
-    """Build the function (t, q, u, c) -> constraints, rates and their derivatives, see `_Loops.at`."""
+    Those of closed clearances are included for a `whole` model.
+    """
     t, q, u, c = model.symbols("t q u c")
     sides = [model.function("constraints")(t, q, u, c)] if model.nl else []
     if whole is not None and journals(whole):
@@ -313,7 +314,39 @@ def _residuals(model: Model, whole: Model | None) -> Callers:
         sides.append(eccentricities(whole)(t, *joints, c))
     phi, rate = (ca.vertcat(*(side[k] for side in sides)) for k in (0, 1))
     results = (phi, rate, ca.jacobian(phi, q), ca.jacobian(rate, u))
-    return Callers(ca.Function("loops", [t, q, u, c], [ca.densify(x) for x in results]))
+    return ca.Function("loops", [t, q, u, c], [ca.densify(x) for x in results])
+
+
+@per_model
+def judged(model: Model, whole: Model | None) -> Callers:
+    """Build the function (t, q, u, c, scales of u) -> residuals, and how large they may be: see `At`."""
+    given, scale, units = (
+        model.symbols("t q u c"),
+        ca.SX.sym("scale", model.nu),
+        [row[1] for row in _rows(model, whole)],
+    )
+    _, q, u, _ = given
+    found = residuals(model, whole)(*given)
+    sizes = _sizes(found[2], q, units), _sizes(found[3], ca.fmax(ca.fabs(u), scale), units)
+    return Callers(ca.Function("judged", [*given, scale], [*found, *sizes]))
+
+
+def _rows(model: Model, whole: Model | None) -> tuple[tuple[str, str], ...]:
+    """Return name and unit of every constraint; of a `whole` model those of closed clearances too."""
+    closed = () if whole is None else tuple(whole.module.OUTPUTS[i] for i in journals(whole))
+    return (*getattr(model.module, "CONSTRAINTS", ()), *closed)
+
+
+def _sizes(jacobian: Any, values: Any, units: Sequence[str]) -> Any:
+    """Return the residual of each constraint that counts as closed.
+
+    CLOSED times the largest motion by a coordinate, an angle counting as 1 at least; the largest among all
+    constraints of its unit, because one row alone may vanish where a mechanism is stretched out.
+    """
+    motions = ca.fabs(jacobian) * ca.repmat(ca.fmax(ca.fabs(values), 1).T, jacobian.size1())
+    rows = {unit: [i for i, one in enumerate(units) if one == unit] for unit in units}
+    largest = {unit: ca.mmax(ca.vertcat(1e-9, ca.vec(motions[alike, :]))) for unit, alike in rows.items()}
+    return ca.vertcat(*(CLOSED * largest[unit] for unit in units))
 
 
 def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:
@@ -322,17 +355,15 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
         return q, ()
     names = model.coordinates
     unknown = [i for i, name in enumerate(names) if name not in given]
-    still = np.zeros(model.nu)
-    phi, _, jacobian, _ = loops.at(q, still)
-    size = _sizes(loops, jacobian, q)
+    phi, _, jacobian, _, size, _ = loops.at(q)
     if (np.abs(phi) <= size).all():
         return q, ()
     found, *others = _tries(loops, q, unknown, size)
     if others:
         reach = _reach(model, jacobian)
-        closed = [x for x in others if np.all(np.abs(loops.at(x, still)[0]) <= size)]
+        closed = [x for x in others if np.all(np.abs(loops.at(x).phi) <= size)]
         found = min(closed, key=lambda x: float(np.linalg.norm((x - q) / reach)), default=found)
-    phi, _, jacobian, _ = loops.at(found, still)
+    phi, _, jacobian, *_ = loops.at(found)
     unclosed = loops.unclosed(phi, size)
     closing = jacobian * loops.scales[0] / size[:, None]
     closing = np.vstack([closing, np.max(np.abs(closing)) * _norms(model, found)])
@@ -353,12 +384,11 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
 
 def _tries(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Iterator[Array]:
     """Yield the results of Gauss-Newton iterations from q and, if that one stays open, from places around."""
-    still = np.zeros(loops.model.nu)
     found = _closed(loops, q, unknown, size)
     yield found
-    if np.all(np.abs(loops.at(found, still)[0]) <= size):
+    if np.all(np.abs(loops.at(found).phi) <= size):
         return
-    reach = _reach(loops.model, loops.at(q, still)[2])
+    reach = _reach(loops.model, loops.at(q).by_q)
     for shift in np.random.default_rng(0).uniform(-0.7, 0.7, (TRIES, len(q))) * reach:
         yield _closed(loops, q + np.where(np.isin(np.arange(len(q)), unknown), shift, 0.0), unknown, size)
 
@@ -383,8 +413,8 @@ def _remedies(given: list[str], drives: list[str], otherwise: str) -> str:
 
 def _closed(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Array:
     """Return coordinates that close the loops as far as damped Gauss-Newton steps from q get."""
-    q, scale, still = q.copy(), loops.scales[0], np.zeros(loops.model.nu)
-    phi, _, jacobian, _ = loops.at(q, still)
+    q, scale = q.copy(), loops.scales[0]
+    phi, _, jacobian, *_ = loops.at(q)
     for _ in range(ITERATIONS):
         norms = _norms(loops.model, q)
         across = jacobian - jacobian @ norms.T @ norms  # what a quaternion grew by would be taken back
@@ -395,7 +425,7 @@ def _closed(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Array:
             q[unknown] = start[unknown] + step / 2**halving
             for i in loops.model.quaternions:
                 q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
-            phi, _, jacobian, _ = loops.at(q, still)
+            phi, _, jacobian, *_ = loops.at(q)
             after = np.linalg.norm(phi / size)
             if after < before:
                 break
@@ -412,14 +442,13 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
         return u, ()
     unknown = [i for i, name in enumerate(model.speeds) if name not in given]
     scale = loops.scales[1]
-    _, rate, _, jacobian = loops.at(q, u)
-    size = _sizes(loops, jacobian, np.maximum(np.abs(u), scale))
+    _, rate, _, jacobian, _, size = loops.at(q, u)
     if (np.abs(rate) <= size).all():
         return u, ()
     weighted = jacobian[:, unknown] * scale[unknown] / size[:, None]
     u = u.copy()
     u[unknown] += scale[unknown] * np.linalg.lstsq(weighted, -rate / size, rcond=RANK)[0]
-    found = loops.unclosed(loops.at(q, u)[1], size)
+    found = loops.unclosed(loops.at(q, u).rate, size)
     kept = [name for name in model.speeds if name in given]
     if found:
         remedy = _remedies(kept, loops.drives, "the mechanism is locked here")
@@ -433,21 +462,6 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
         )
     free = _undetermined(weighted, [model.speeds[i] for i in unknown])
     return u, _under_determined("speeds", *free)
-
-
-def _sizes(loops: _Loops, jacobian: Array, values: Array) -> Array:
-    """Return the residual of each constraint that counts as closed.
-
-    CLOSED times the largest motion by a coordinate, an angle counting as 1 at least; the largest among all
-    constraints of its unit, because one row alone may vanish where a mechanism is stretched out.
-    """
-    if not loops.rows:
-        return np.zeros(0)
-    reach = (np.abs(jacobian) * np.maximum(np.abs(values), 1.0)).max(axis=1, initial=1e-9)
-    largest: dict[str, float] = {}
-    for (_, unit), one in zip(loops.rows, reach.tolist(), strict=True):
-        largest[unit] = max(one, largest.get(unit, 0.0))
-    return np.array([CLOSED * largest[unit] for _, unit in loops.rows])
 
 
 def _reach(model: Model, jacobian: Array) -> Array:

@@ -14,6 +14,7 @@ from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.model.binding import Value, named_values, read_state
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.si_values import latch_units
+from hertzwerk.runtime.start.as_stated import as_stated
 
 Given = TypeVar("Given", bound=Value)
 
@@ -37,7 +38,8 @@ def start_of(
     """
     found = list(faults)
     bound, wrong = model.check(parameters)
-    q, u = read_start(model, bound, initial, found)
+    stated = None if bound is None or initial else as_stated(model, bound)
+    q, u = read_start(model, bound, initial, found) if stated is None else stated
     if bound is None or found:
         raise InputError(model.name, wrong + found)
     return bound, q, u

@@ -27,7 +27,8 @@ from hertzwerk.derive.scenes.four_bar_clearance import scene as with_one
 from hertzwerk.derive.scenes.slider_crank_three_clearances import scene as with_three
 from hertzwerk.runtime import load, simulate, simulate_many
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.start.start_values import start_of
+from hertzwerk.runtime.start.as_stated import as_stated
+from hertzwerk.runtime.start.start_values import assembled, start_of
 
 R, L, K, BASE, C, W = 0.05, 0.12, 0.10, 0.13, 5e-4, 1000 * np.pi / 30
 BUSH = Parameter("bush_radius", "mm", 10)
@@ -275,3 +276,19 @@ def test_preload_in_balance_and_static_loads_are_no_mistakes():
     assert len(squeezed.impacts) >= 2
     deep = simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, initial={"vertical.travel": "0.099 m"})
     assert deep.outcome.finished
+
+
+def test_a_start_that_is_closed_as_stated_is_that_which_assembly_keeps_and_no_other_is_taken_for_one():
+    kept = {}
+    for name in ("slider_crank_two_clearances", "bricard", "flyball_governor", "n_four_bar", "bicycle"):
+        model = load(name)
+        bound = model.bind()
+        stated, found = (
+            np.concatenate(model.evaluate("start", bound.p)),
+            np.concatenate(assembled(model, bound, {}, [])),
+        )
+        kept[name] = np.array_equal(stated, found)
+        start = as_stated(model, bound)
+        assert (start is not None) == kept[name], name
+        assert start is None or np.array_equal(np.concatenate(start), found), name
+    assert set(kept.values()) == {True, False}
