@@ -244,8 +244,8 @@ class _Spread:
         }
 
     def indices(self, names: tuple[str, ...], seed: int) -> tuple[dict[str, Index], dict[str, Index]]:
-        """Return the Sobol indices of first order and total; none where a value is missing."""
-        if not np.isfinite(self.values).all():
+        """Return the Sobol indices of first order and total; none where a value is missing, or all are the same."""
+        if not np.isfinite(self.values).all() or np.ptp(self.values) == 0:
             return {}, {}
         rng, n = np.random.default_rng(seed), self.values.shape[1]
         told = _indices(self.values)

@@ -13,8 +13,8 @@ Record = Mapping[str, Any]
 
 MOST = 500  # rows of a table of runs
 SPREADS = {
-    **{"nominal": "at the means", "linear": "std by derivatives", "std": "std of samples", "std_error": "± of that"},
-    **{"mean": "mean of samples", "mean_error": "± of that", "low": "2.5 % quantile", "high": "97.5 % quantile"},
+    **{"nominal": "at the means", "linear": "std by derivatives", "std": "std of samples", "std_error": "± of std"},
+    **{"mean": "mean of samples", "mean_error": "± of mean", "low": "2.5 % quantile", "high": "97.5 % quantile"},
 }
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from hertzwerk.runtime.pictures.plot_panel import empty_panel
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREY, SKY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.pictures.prefixes import scale_of
 from hertzwerk.runtime.pictures.sweeps.swept import Array
@@ -63,9 +64,9 @@ def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], 
             _spread(row[0], output, samples[output.name])
             if indices:
                 _indices(row[1], output)
-        for axis in grid[0]:
-            if axis.get_legend_handles_labels()[1]:
-                axis.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
+        for column in grid.T:
+            if labelled := [axis for axis in column if axis.get_legend_handles_labels()[1]]:
+                labelled[0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
     return page
 
 
@@ -78,12 +79,15 @@ def _spread(axis: Axes, output: Output, values: Array) -> None:
         x = output.nominal + output.linear * np.linspace(-3.5, 3.5, 200)
         curve = np.exp(-(((x - output.nominal) / output.linear) ** 2) / 2) / (output.linear * np.sqrt(2 * np.pi))
         axis.plot(unit(x), curve * unit.factor, color=VERMILLION, label="derivatives")
-    axis.set(title=plain(output.name), yticks=[], xlabel=unit.unit or "1")
+    axis.set(title=plain(output.name), yticks=[], xlabel=unit.unit)
 
 
 def _indices(axis: Axes, output: Output) -> None:
     """Draw the parts of an output's variance as bars, with their intervals."""
     names = list(output.first)
+    if not names:
+        empty_panel(axis, f"{output.name}: no variance to part")
+        return
     for shift, parts, colour, label in (
         (0.2, output.first, BLUE, "alone"),
         (-0.2, output.total, GREY, "with interactions"),

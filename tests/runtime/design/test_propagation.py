@@ -35,12 +35,17 @@ def fallen(ball):
     """Ball in flight for 0.4 s: y = h - g t^2/2 is linear in h and g, y' = -g t in g alone."""
     uncertain = {"vertical.travel": Normal("1 m", "3 cm"), "gravity": Normal("9.81 m/s^2", "0.2 m/s^2")}
     return propagate(
-        ball, uncertain, ["final.vertical.travel", "final.vertical.speed"], sample=128, duration="0.4 s", **SHORT
+        ball,
+        uncertain,
+        ["final.vertical.travel", "final.vertical.speed", "impacts"],
+        sample=128,
+        duration="0.4 s",
+        **SHORT,
     )
 
 
 def test_a_linear_output_is_told_by_both(fallen):
-    place, speed = fallen
+    place, speed, _ = fallen
     of_height, of_gravity = 0.03, 0.2 * 0.4**2 / 2
     assert place.linear == pytest.approx(math.hypot(of_height, of_gravity), rel=1e-9)
     assert speed.linear == pytest.approx(0.2 * 0.4, rel=1e-9)
@@ -52,20 +57,26 @@ def test_a_linear_output_is_told_by_both(fallen):
     assert fallen.warnings == ()
     assert fallen.draws == 256
     panels = fallen.plot().axes
-    assert [panel.get_title(loc="left") for panel in panels[::2]] == ["final.vertical.travel", "final.vertical.speed"]
+    assert [panel.get_title(loc="left") for panel in panels[::2]] == [output.name for output in fallen]
     drawn = panels[0].lines[0].get_xydata()
     area = np.trapezoid(drawn[:, 1], drawn[:, 0])
     assert area == pytest.approx(1, abs=1e-3)  # of the normal curve
 
 
 def test_sobol_indices_of_a_sum_are_its_parts(fallen):
-    place, speed = fallen
+    place, speed, _ = fallen
     part = 0.03**2 / (0.03**2 + (0.2 * 0.08) ** 2)
     for index in (place.first, place.total):
         assert index["vertical.travel"].value == pytest.approx(part, abs=0.05)
         assert index["gravity"].value == pytest.approx(1 - part, abs=0.05)
         assert index["gravity"].low < 1 - part < index["gravity"].high
     assert speed.total["vertical.travel"].value == pytest.approx(0, abs=1e-12)
+
+
+def test_what_does_not_vary_has_no_parts_of_a_variance(fallen):
+    impacts = fallen["impacts"]
+    assert (impacts.mean, impacts.std, impacts.first, impacts.total) == (0, 0, {}, {})
+    assert "impacts: no variance" in fallen.plot().axes[-1].texts[0].get_text()
 
 
 def test_a_product_has_an_interaction(ball):
