@@ -6,6 +6,7 @@ from yokes import ARM, THROW, YOKE, balanced_crank, scotch_yoke
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, minimise, simulate
+from hertzwerk.runtime.design.formula import read_formula
 from hertzwerk.runtime.sensitivity.output_derivatives import OutputDerivatives
 from hertzwerk.runtime.solution.samples import Samples
 
@@ -101,6 +102,30 @@ def test_a_formula_is_read_and_never_executed(yoke):
     ):
         with pytest.raises(InputError, match=why):
             minimise(yoke, bad, {"counterweight": "0.01..5 kg"}, **TURN)
+
+
+@pytest.mark.parametrize(("text", "unit", "value", "slope"), [
+    ("(x.a - 300 mm)**2", "m^2", 0.2**2, 2 * 0.2),
+    ("x.a/2 mm + 1", "", 251, 500),
+    ("3 kN/m*x.a", "N", 1500, 3000),
+    ("1e3 N m*x.b/x.a - 2 N*1 s^0.5*x.b/1 s^0.5", "N", 7992, -16000),
+    ("sin(7.5 deg*x.b)*x.a*2 mm^2", "m^3", 0.5e-6, 1e-6),
+])  # fmt: skip
+def test_a_formula_has_quantities_with_their_units(text, unit, value, slope):
+    """By hand at x.a = 0.5 m, x.b = 4; the slope is that over x.a."""
+    faults = []
+    formula = read_formula("objective", text, {"x.a": "m", "x.b": ""}, faults)
+    assert faults == []
+    at = {"x.a": 0.5, "x.b": 4.0}
+    assert formula.unit == unit
+    assert formula(at) == pytest.approx(value, rel=1e-12, abs=1e-18)
+    assert formula.gradient(at)[formula.names.index("x.a")] == pytest.approx(slope, rel=1e-12, abs=1e-18)
+
+
+def test_a_quantity_of_another_unit_is_told_as_written():
+    faults = []
+    assert read_formula("objective", "x.a - 2 ms", {"x.a": "m"}, faults) is None
+    assert "2 ms" in str(faults[0]) and "quantity__" not in str(faults[0])
 
 
 def test_every_fault_is_told_at_once(yoke):
