@@ -1,4 +1,4 @@
-"""Formulas of outputs, parameters and quantities such as 0.3 m: text that is read, never executed, of proven unit."""
+"""Formulas of outputs, parameters, quantities: text that is read, never executed, of proven unit."""
 
 from __future__ import annotations
 
