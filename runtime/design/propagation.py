@@ -244,7 +244,7 @@ class _Spread:
         }
 
     def indices(self, names: tuple[str, ...], seed: int) -> tuple[dict[str, Index], dict[str, Index]]:
-        """Return the Sobol indices of first order and total; none where a value is missing, or all are the same."""
+        """Return the Sobol indices of first order and total; none of missing values, or of equal ones."""
         if not np.isfinite(self.values).all() or np.ptp(self.values) == 0:
             return {}, {}
         rng, n = np.random.default_rng(seed), self.values.shape[1]
