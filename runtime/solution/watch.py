@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -27,21 +27,32 @@ Piece: TypeAlias = tuple["History", slice]
 """Block of a run, and the rows of it that are to be followed."""
 
 
-class Contact(NamedTuple):
-    """Contact of a pair, over or not.
+class Contacts(NamedTuple):
+    """Contacts of a pair in the order of onset, over or not, each a row of these tables.
 
     t, speed    onset [s] and approach speed [m/s]
     left     when the surfaces left each other last [s]; nan where they touch
-    largest  values of the KINDS so far (kinds,)
-    tops     rows of these values, each between its neighbours, none before the onset (kinds, 3, ns)
+    largest  values of the KINDS so far (n, kinds)
+    tops     rows of these values, each between its neighbours, none before the onset (n, kinds, 3, ns)
     """
 
     pair: int
-    t: float
-    speed: float
-    left: float
+    t: np.ndarray
+    speed: np.ndarray
+    left: np.ndarray
     largest: np.ndarray
     tops: np.ndarray
+
+    def part(self, first: int, stop: int) -> Contacts:
+        """Return some of them."""
+        return Contacts(self.pair, *(table[first:stop] for table in self[1:]))
+
+    def goes_on_from(self, begun: Contacts, i: int) -> None:
+        """Make contact i that of which a part was known before."""
+        higher = self.largest[i] > begun.largest[0]
+        self.tops[i] = np.where(higher[:, None, None], self.tops[i], begun.tops[0])
+        self.t[i], self.speed[i] = begun.t[0], begun.speed[0]
+        self.largest[i] = np.maximum(self.largest[i], begun.largest[0])
 
 
 class Watch:
@@ -54,8 +65,8 @@ class Watch:
     def __init__(self, model: Model) -> None:
         self.model = model
         self.view: History  # of the last row
-        self.open: dict[int, Contact] = {}  # that are not over, by pair
-        self.ended: list[Contact] = []  # whose peaks are not known yet
+        self.open: dict[int, Contacts] = {}  # one that is not over, by pair
+        self.ended: list[Contacts] = []  # whose peaks are not known yet
         self.known: list[Impact] = []
         self.waiting: list[Piece] = []  # pieces that are not followed yet
 
@@ -68,7 +79,7 @@ class Watch:
         follow([self])
         self.view = block.of(block.rows[-1:].copy())
         for contact in self.open.values():
-            _, top, after = contact.tops.swapaxes(0, 1)
+            _, top, after = contact.tops[0].swapaxes(0, 1)
             after[(top == after).all(axis=1)] = block.rows[fresh]  # that was not there yet
         count = len(block.rows)
         self.waiting = [(block, slice(i, min(i + PIECE, count))) for i in range(fresh, count, PIECE)]
@@ -101,28 +112,29 @@ def follow(watches: Sequence[Watch]) -> None:
         pieces = [watch.waiting.pop(0) for watch in left]
         for j in range(left[0].model.k):
             _follow(left, pieces, j)
-        many = [(watch, watch.ended) for watch in left if len(watch.ended) >= TOGETHER]
+        many = [(watch, watch.ended) for watch in left if sum(len(some.t) for some in watch.ended) >= TOGETHER]
         for (watch, _), found in zip(many, _with_peaks(many), strict=True):
             watch.known += found
             watch.ended = []
 
 
-def _with_peaks(found: Sequence[tuple[Watch, Sequence[Contact]]]) -> list[list[Impact]]:
+def _with_peaks(found: Sequence[tuple[Watch, Sequence[Contacts]]]) -> list[list[Impact]]:
     """Return the contacts of every run with their peaks."""
-    contacts = [contact for _, some in found for contact in some]
-    if not contacts:
+    parts = [some for _, of_run in found for some in of_run]
+    if not parts:
         return [[] for _ in found]
-    controls = np.repeat([watch.view.controls for watch, _ in found], [len(some) for _, some in found], axis=0)
-    pairs, tops = np.array([each.pair for each in contacts]), np.stack([each.tops for each in contacts])
-    values = iter(peaks(found[0][0].view, controls, pairs, tops).tolist())
+    counts = [sum(len(some.t) for some in of_run) for _, of_run in found]
+    controls = np.repeat([watch.view.controls for watch, _ in found], counts, axis=0)
+    pairs = np.repeat([some.pair for some in parts], [len(some.t) for some in parts])
+    t, speed, left, _, tops = (np.concatenate(tables) for tables in list(zip(*parts, strict=True))[1:])
+    values = peaks(found[0][0].view, controls, pairs, tops)
     names = found[0][0].model.pairs
-    return [
-        [
-            Impact(names[j], t, speed, force, None if math.isnan(left) else left - t, penetration)
-            for (j, t, speed, left, *_), (force, penetration) in zip(some, values, strict=False)  # the next so many
-        ]
-        for _, some in found
-    ]
+    columns = (pairs, t, speed, values[:, 0], left - t, values[:, 1])
+    impacts = (
+        Impact(names[j], t, speed, force, None if math.isnan(duration) else duration, penetration)
+        for j, t, speed, force, duration, penetration in zip(*(column.tolist() for column in columns), strict=True)
+    )
+    return [list(islice(impacts, count)) for count in counts]
 
 
 def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
@@ -135,10 +147,10 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     starts = np.append(0, stops[:-1])
     modes, t = _joined(pieces, "mode", j), _joined(pieces, "t", 0)
     touching, is_open = modes == CONTACT, goes_on(modes, [each is not None for each in begun], starts)
-    touched = _before(touching, starts, [each is not None and math.isnan(each.left) for each in begun])
+    touched = _before(touching, starts, [each is not None and math.isnan(each.left[0]) for each in begun])
     for watch, contact, start in zip(watches, begun, starts.tolist(), strict=True):
         if contact is not None and not is_open[start]:
-            watch.ended.append(contact._replace(left=float(t[start])) if touched[start] else contact)
+            watch.ended.append(contact._replace(left=t[[start]]) if touched[start] else contact)
     begins = np.flatnonzero(is_open & ~_before(is_open, starts, False))  # or goes on from the rows before
     if not len(begins):
         return
@@ -149,7 +161,7 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     goes = final[ends]
     leaves = np.append(np.flatnonzero(touched & ~touching), -1)  # the last: before these rows
     latest = leaves[np.searchsorted(leaves[:-1], ends + ~goes, side="right") - 1]
-    before = np.array([math.nan if each is None else each.left for each in begun])[run]
+    before = np.array([math.nan if each is None else each.left[0] for each in begun])[run]
     lefts = np.where(latest >= starts[run], t[latest], before)
     lefts[goes & touching[ends]] = math.nan
     joins = (begins == starts[run]) & np.array([each is not None for each in begun])[run]
@@ -158,15 +170,18 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     shifts = (np.array([rows.start for _, rows in pieces]) - starts)[run][:, None]
     onsets = np.where(joins[:, None], 0, begins[:, None] + shifts)  # or before
     tops = _beside(pieces, run, places + shifts, onsets)
-    columns = run.tolist(), t[begins].tolist(), speeds.tolist(), lefts.tolist(), largest, tops
-    for i, *values, joined, still in zip(*columns, joins.tolist(), goes.tolist(), strict=True):
-        contact, earlier = Contact(j, *values), begun[i]
-        if joined and earlier is not None:
-            contact = _continued(earlier, contact)
-        if still:
-            watches[i].open[j] = contact
-        else:
-            watches[i].ended.append(contact)
+    found = Contacts(j, t[begins], speeds, lefts, largest, tops)
+    bounds = np.searchsorted(run, np.arange(len(watches) + 1)).tolist()
+    for watch, earlier, (first, stop) in zip(watches, begun, pairwise(bounds), strict=True):
+        if first == stop:
+            continue
+        if earlier is not None and joins[first]:
+            found.goes_on_from(earlier, first)
+        last = stop - int(goes[stop - 1])
+        if last > first:
+            watch.ended.append(found.part(first, last))
+        if last < stop:
+            watch.open[j] = found.part(last, stop)
 
 
 def goes_on(modes: np.ndarray, before: bool | Sequence[bool], starts: int | np.ndarray = 0) -> np.ndarray:
@@ -222,10 +237,3 @@ def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets
     return np.concatenate([
         block.rows[beside[first:stop]] for (block, _), (first, stop) in zip(pieces, pairwise(bounds), strict=True)
     ])  # fmt: skip
-
-
-def _continued(begun: Contact, later: Contact) -> Contact:
-    """Return a contact of which a part was known before."""
-    higher = later.largest > begun.largest
-    tops = np.where(higher[:, None, None], later.tops, begun.tops)
-    return later._replace(t=begun.t, speed=begun.speed, largest=np.maximum(later.largest, begun.largest), tops=tops)
