@@ -115,16 +115,16 @@ def _report_error(error: Exception) -> None:
 
 def line(label: str, text: str) -> None:
     """Print one line of a report, or several under one label."""
-    width = wrapping.columns()
-    first, *rest = wrapping.wrapped(text, None if width is None else width - 14).split("\n")
+    width, room = wrapping.columns(), max(len(label), 12)
+    first, *rest = wrapping.wrapped(text, None if width is None else width - room - 2).split("\n")
     click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}".rstrip())
     for line in rest:
         click.echo(f"{'':14}{line}".rstrip())
 
 
-def print_prose(text: str) -> None:
-    """Print prose, broken between words where a terminal ends."""
-    click.echo(wrapping.wrapped(text, wrapping.columns()))
+def print_prose(text: str, indent: int = 0) -> None:
+    """Print prose, broken between words where a terminal ends, each line's further ones indented."""
+    click.echo(wrapping.wrapped(text, wrapping.columns(), indent=indent))
 
 
 def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:

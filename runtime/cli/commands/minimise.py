@@ -12,7 +12,7 @@ import click
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.designing import definition, keep, named
 from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, unwritable_faults
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, report_missing, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, print_prose, report_missing, reports_bad_input
 
 
 @click.command()
@@ -76,5 +76,8 @@ def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> i
         **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration"))
     )
     missing = [] if into is None else keep(found, into, "minimum")
-    click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False) if as_json else str(found))
+    if as_json:
+        click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False))
+    else:
+        print_prose(str(found), indent=4)
     return GOOD if found.outcome.finished and not report_missing(missing) else OTHER_OUTCOME

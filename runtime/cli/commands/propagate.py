@@ -12,7 +12,7 @@ import click
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.cli.designing import definition, keep
 from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, number
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, report_missing, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, print_prose, report_missing, reports_bad_input
 
 
 @click.command()
@@ -91,7 +91,10 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
     if file is not None:
         found.to_csv(file)
     missing = [] if into is None else keep(found, into, "propagation")
-    click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False) if as_json else str(found))
+    if as_json:
+        click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False))
+    else:
+        print_prose(str(found), indent=4)
     return OTHER_OUTCOME if found.notes or report_missing(missing) else GOOD
 
 

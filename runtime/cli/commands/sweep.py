@@ -296,7 +296,9 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
     )
     messages = {row.outcome: row.message for row in reversed(found.rows)}
     for outcome, count in found.counts().items():
-        line(outcome, f"{count} rows" if outcome == "finished" else f"{count} rows, as the first: {messages[outcome]}")
+        rows = "1 row" if count == 1 else f"{count} rows"
+        why = "" if outcome == "finished" else f"{'' if count == 1 else ', as the first'}: {messages[outcome]}"
+        line(outcome, rows + why)
     outputs = [name for name in found.columns if name not in ("outcome", "message", "warnings", *found.varied)]
     if found.rows and outputs:
         click.echo()
@@ -307,7 +309,7 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         line(name, f"{arrays.points:,} points of {', '.join(arrays.units)}")
     warned = sum(bool(row.warnings) for row in found)
     if warned:
-        line("warning", f"{warned} rows have some: the last column of the table")
+        line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} some: the last column of the table")
     if not found.outcome.finished:
         line(found.outcome.name, found.outcome.message)
         line("remedy", found.outcome.remedy)

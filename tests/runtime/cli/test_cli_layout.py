@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hertzwerk.runtime.cli import terminal, wrapping
 from hertzwerk.runtime.cli.wrapping import tabulated, wrapped
 
 WORDS = st.text(st.characters(codec="ascii", categories=("L", "N", "P")), min_size=1, max_size=12)
@@ -89,6 +90,15 @@ def test_commands_fit_80_columns(command):
     lines = re.sub(r"\x1b\[[0-9;]*m", "", on_terminal(command)).split("\n")
     assert len(lines) > 10
     assert max(map(len, lines)) <= 80
+
+
+def test_a_line_with_a_long_label_fits_a_terminal_too(monkeypatch, capsys):
+    monkeypatch.setattr(wrapping, "columns", lambda: 80)
+    terminal.line("accuracy_unreachable", text := " ".join(["word"] * 60))
+    terminal.print_prose(f"output\n    clearance: {text}", indent=4)
+    lines = capsys.readouterr().out.split("\n")
+    assert max(map(len, lines)) <= 80
+    assert " ".join(lines).split() == ["accuracy_unreachable", *text.split(), "output", "clearance:", *text.split()]
 
 
 def test_colours_are_for_terminals_that_want_them():

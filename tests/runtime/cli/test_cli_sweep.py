@@ -116,7 +116,7 @@ def test_a_table_that_fails_later_is_told_and_the_rest_is_there(tmp_path, monkey
 def test_rows_that_fail_are_told_and_are_another_outcome():
     done = run("bouncing_ball", "--over", "mass=-1,1 kg", "--duration", "0.1 s", "--tolerance", "1e-5", "--into", "a")
     assert done.exit_code == 1
-    assert re.search(r"bad_input +1 rows, as the first: mass: found -1 kg", done.stdout)
+    assert re.search(r"bad_input +1 row: mass: found -1 kg", done.stdout)
 
 
 def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
