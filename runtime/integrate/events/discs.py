@@ -7,7 +7,8 @@ found by an interior point method. Corners of one body may share a force in many
 the pairs, one by one, need thousands there, Newton steps from within the discs about ten. For a patch (`limit_sets`) |x|
 is the gauge of its body, with whose gradient and curvature a step is as good, but for its end, which is cut where it is outside.
 
-De Saxce, Feng, Math. Comput. Modelling 28 (1998) 225; Nocedal, Wright, Numerical Optimization (2006), section 19.3.
+De Saxce, Feng, Math. Comput. Modelling 28 (1998) 225; Nocedal, Wright, Numerical Optimization (2006), section 19.3;
+Colombo, Gondzio, Comput. Optim. Appl. 41 (2008) 277, on the weight of a corrector.
 """
 
 from __future__ import annotations
@@ -154,7 +155,10 @@ def _newton(groups: Groups) -> Any:
     share, mean = ca.fmin(share, 1), ca.sum1(product) / k
     left = ca.sum1((push + share * dpush) * moved(dx, share)) / k
     mu = mean * ca.fmin(ca.fmax(left / mean, 0), 1) ** 3
-    dx, dpush, share = step(mu - product + dpush * dots(normal, dx) + push * squares(dx) / 2)
+    second = share * (
+        dpush * dots(normal, dx) + push * squares(dx) / 2
+    )  # in full only where the first step was: else it may zigzag
+    dx, dpush, share = step(mu - product + second)
     share = ca.fmin(INSIDE * share, 1)
     for _ in range(CUTS if bends else 0):
         share = ca.if_else(ca.mmin(inside(x + share * dx)) < -EXACT, share / 2, share)

@@ -7,6 +7,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from balls import GRAVITY, MASS, RADIUS, ball, dry
+from each import each
 
 from hertzwerk.runtime import equilibrium, load, simulate
 from hertzwerk.runtime.integrate.events.discs import settling
@@ -180,7 +181,7 @@ def test_equations_for_people_have_both_forces():
 # ---- the equations ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("slip", [(0.0, 0.0), (3e-4, -4e-4), (1e-2, 0.0)])
+@each("slip", [(0.0, 0.0), (3e-4, -4e-4), (1e-2, 0.0)])
 def test_jacobian_against_differences(slip):
     model = built()
     bound = model.bind({"slope": 0.2})
