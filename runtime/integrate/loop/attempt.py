@@ -11,7 +11,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.events.modes import begin, enter
 from hertzwerk.runtime.integrate.events.settle import reject, settle
-from hertzwerk.runtime.integrate.loop.advance import advance, no_event_of_any_pair
+from hertzwerk.runtime.integrate.loop.advance import advance, lean, no_event_of_any_pair
 from hertzwerk.runtime.integrate.loop.choose import Choosing
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
@@ -55,7 +55,7 @@ class Integrator:
             given, (start, run) = self.layouts.symbols("state controls")
             trial = self.layouts.trial.join(stepper(self.model, self.tables[method], BY_MODE)(start, run, h))
             names = ["state", "controls", "h"]
-            self._steps[method] = ca.Function("step", [*given, h], [ca.cse(trial)], names, ["trial"])
+            self._steps[method] = lean("step", [*given, h], [trial], names, ["trial"])
         return self._steps[method]
 
 
