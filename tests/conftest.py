@@ -1,14 +1,14 @@
 """Settings of all tests."""
 
 import fcntl
+import gc
 import pickle
 import signal
-from collections import defaultdict
 from pathlib import Path
-from zlib import crc32
 
 import pytest
 from hypothesis import settings
+from turns import take_turns
 
 settings.register_profile("hertzwerk", deadline=None, max_examples=50)  # a deadline would measure the machine's load
 settings.load_profile("hertzwerk")
@@ -18,6 +18,15 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell leaves it to
 
 EXHAUSTIVE_S = 3600
 HERE = Path(__file__).parent
+LAST = "test_a_type_checker_sees_what_the_names_are"  # by then mypy, which .ci/run has beside, has read the package
+
+gc.disable()  # modules stay: to look for garbage among them, while they are read and ever after, takes 7 % of the time
+
+
+def pytest_collection_finish():
+    gc.freeze()
+    gc.set_threshold(10_000, 10, 10)
+    gc.enable()
 
 
 @pytest.fixture(scope="session")
@@ -37,17 +46,9 @@ def restitutions(tmp_path_factory, worker_id):
 
 
 def pytest_collection_modifyitems(items):
-    turns = defaultdict(list)
-    for item in items:
-        mark = item.get_closest_marker("by_turns")
-        if mark is not None and not item.get_closest_marker("exhaustive"):
-            turns[item.parent, item.originalname, mark.args[0]].append(item)
-    for (_, name, n), alike in turns.items():
-        first = crc32(name.encode()) % min(n, len(alike))  # tests of the same methods take different ones of them
-        for i, item in enumerate(alike):
-            if (i - first) % n:
-                item.add_marker(pytest.mark.exhaustive)
+    take_turns(items)
     for item in items:
         if item.get_closest_marker("exhaustive") and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(EXHAUSTIVE_S))
-    items.sort(key=lambda item: item.path.parent != HERE)  # the longest test is there: last, it would leave a core idle
+    # the longest test is beside this file: last, it would leave a core idle
+    items.sort(key=lambda item: (item.name == LAST, item.path.parent != HERE))

@@ -100,6 +100,7 @@ def test_audit_of_an_inconsistent_law_exits_1_and_derive_refuses_it(hertzwerk):
 
 
 def test_check_without_target_compares_all_built_in_scenes_and_writes_nothing(hertzwerk):
+    """And finds that the committed modules are what the scenes derive to."""
     done = hertzwerk("derive", "--check")
     assert done.exit_code == 0, done.output
     assert all(name in done.output for name in built_in_scenes())

@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from blocks import CARRIAGE, GRAVITY, MASS, STIFFNESS, WEIGHT, block
+from each import each
 from scipy.optimize import brentq
 
 from hertzwerk.derive import (  # fmt: skip
@@ -480,7 +481,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
 # ---- the equations ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("slips", [(0, 0), (0, 1), (-1, 0), (1, -1)])
+@each("slips", [(0, 0), (0, 1), (-1, 0), (1, -1)])
 def test_jacobian_against_differences(slips):
     model = built(sledge, rocks=True)
     bound = model.bind({"slope": 0.2})

@@ -7,6 +7,7 @@ from itertools import pairwise
 import casadi as ca
 import numpy as np
 import pytest
+from each import each
 from handmade import point
 
 from hertzwerk.derive.faults import InputError
@@ -423,24 +424,22 @@ def test_all_faults_of_an_input_come_at_once(ball):
     assert "1 m" in faults["drop_height"]
 
 
-@pytest.mark.parametrize("duration", [0, -1.0, math.nan, math.inf, "0 s", "1 m", "soon", None, True])
+@each("duration", [0, -1.0, math.nan, math.inf, "0 s", "1 m", "soon", None, True])
 def test_durations_that_are_none(ball, duration):
     assert "duration" in faults_of(ball, duration=duration)
 
 
-@pytest.mark.parametrize("tolerance", [0, 9e-14, 0.11, -1e-6, math.nan, "1e-6", True])
+@each("tolerance", [0, 9e-14, 0.11, -1e-6, math.nan, "1e-6", True])
 def test_tolerances_that_are_none(ball, tolerance):
     assert "tolerance" in faults_of(ball, tolerance=tolerance)
 
 
-@pytest.mark.parametrize("tolerance", [1e-13, 1e-1])
+@each("tolerance", [1e-13, 1e-1])
 def test_the_edges_of_tolerance_are_allowed(ball, tolerance):
     assert simulate(ball, duration="1 s", tolerance=tolerance).outcome.finished
 
 
-@pytest.mark.parametrize(
-    "value", ["nan kg", "inf kg", (math.nan, "kg"), (math.inf, "kg"), (1.0,), ("1", "kg"), None, True, "kg"]
-)
+@each("value", ["nan kg", "inf kg", (math.nan, "kg"), (math.inf, "kg"), (1.0,), ("1", "kg"), None, True, "kg"])
 def test_values_that_are_none(ball, value):
     assert "mass" in faults_of(ball, parameters={"mass": value})
 

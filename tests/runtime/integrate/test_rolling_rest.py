@@ -32,7 +32,8 @@ from hertzwerk.runtime import equilibrium, load, simulate
 pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
 
 REFERENCES = (pytest.param("cvodes", marks=pytest.mark.slow), pytest.param("idas", marks=pytest.mark.exhaustive))
-METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto", *REFERENCES)
+OWN = ("dop853", "dopri5", "rodas", "esdirk", "auto")
+METHODS = (*OWN, *REFERENCES)
 ARM, PATCH, MU = 3e-4, 1e-4, 0.2  # m, m, 1
 DRILL = 3 * math.pi / 16 * MU * PATCH  # m, of Hertz's pressure
 SLOWS = ARM * GRAVITY / (1.4 * RADIUS)  # m/s^2, of a ball that rolls
@@ -83,7 +84,9 @@ def rests(run, mode):
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "method", [*OWN, *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("cvodes", "idas"))]
+)
 def test_a_ball_rolls_and_spins_to_rest_and_stays(method, coordinates):
     """It slows by c g/(r (1 + 2/5)), its spin by c' N/I, each as if there were no other; then it does not even creep."""
     speed, heading, spin = 0.2, math.radians(30), 0.5

@@ -272,9 +272,8 @@ def begun(client, folder, tmp_path):
             parent.kill()
 
 
-@pytest.mark.by_turns(2)
 @pytest.mark.slow
-@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize("ending", [signal.SIGINT, pytest.param(signal.SIGKILL, marks=pytest.mark.exhaustive)])
 def test_who_starts_it_and_ends_leaves_no_row_behind_on_a_worker(client, ending, tmp_path):
     with begun(client, tmp_path / "rows", tmp_path) as parent:
         parent.send_signal(ending)
