@@ -26,8 +26,8 @@ IN_BOTH = ("plane chain of 8 links", "spatial chain of 4 links")
 
 
 def counts() -> dict[str, dict[str, int]]:
-    """By scene or chain, the operations of each of its functions."""
-    scenes = {name: dict(Derived(import_module(f"hertzwerk.derive.scenes.{name}").scene).OPERATIONS) for name in NAMES}
+    """By scene or chain, the operations of each of its functions; scenes as committed, which test_cli.py holds to what they derive to."""
+    scenes = {name: dict(import_module(f"hertzwerk.generated.{name}").OPERATIONS) for name in NAMES}
     absolute = {f"{name} in absolute coordinates": of_chain(*CHAINS[name], "absolute") for name in IN_BOTH}
     return scenes | {name: of_chain(*which) for name, which in CHAINS.items()} | absolute
 

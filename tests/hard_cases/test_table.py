@@ -11,8 +11,8 @@ from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
 from hertzwerk.runtime.run.request import METHOD
 
 SLOW = {case.name for case in CASES if case.long}
-ONE_METHOD = {"boxes_corner_over_corner"}  # in CI: the others take many seconds each
 ONE_ENGINE = {
+    "boxes_corner_over_corner",
     "falling_chain_of_3",
     "rocking_block",
 }  # in CI by dop853: to build the default's two methods takes many seconds
@@ -44,9 +44,7 @@ def by_turns(case, method):
         return method == "dop853"
     others = [other for other in case.methods if other != METHOD]
     turn, first = divmod(CASES.index(case), 3)
-    return method == METHOD or (
-        others and not first and case.name not in ONE_METHOD and method == others[turn % len(others)]
-    )
+    return method == METHOD or (others and not first and method == others[turn % len(others)])
 
 
 def marked(case, method, *, native):
