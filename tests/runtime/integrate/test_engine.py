@@ -12,6 +12,7 @@ from handmade import point
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.integrate.loop import compiled
 from hertzwerk.runtime.integrate.step import explicit, implicit
 from reference import closed_forms
 from reference.slider_crank import SliderCrank, reference
@@ -20,6 +21,12 @@ pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
 METHODS = {"dopri5": 1e-12, "dop853": 1e-11}  # the tolerance that gives 1e-9 over an impact
 DROP = 4.42944692
+
+
+@pytest.fixture(autouse=True)
+def little_optimised(monkeypatch):
+    """As large models are compiled, by -O1."""
+    monkeypatch.setattr(compiled, "LARGE", 0)
 
 
 @pytest.fixture(scope="module")
@@ -185,8 +192,6 @@ def test_compiled_is_bitwise_the_virtual_machine(name, tmp_path, monkeypatch):
 
 
 def test_without_a_compiler_the_message_names_the_way_out(crank, monkeypatch):
-    from hertzwerk.runtime.integrate.loop import compiled
-
     monkeypatch.setenv("PATH", "")
     monkeypatch.delenv("CC", raising=False)
     compiled._compiler.cache_clear()
