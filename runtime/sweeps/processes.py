@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
 import os
 import pickle
@@ -123,6 +124,7 @@ _job: Job | None = None  # of a worker process
 def _enter(job: Job) -> None:
     global _job, _pool
     keep_freed()
+    gc.freeze()  # what was forked is no garbage: to look through it takes as long as 50 rows, and copies its pages
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process; the first one tells the others
     threading.Thread(target=_end_with_parent, daemon=True).start()
     _job, _pool = job, threading.Lock()  # the one that was forked is held

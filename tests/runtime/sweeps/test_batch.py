@@ -1,6 +1,7 @@
 """Batches: bitwise the single runs, in order, failures as rows; a running time measured, not asserted."""
 
 import csv
+import gc
 import multiprocessing
 import os
 import pickle
@@ -251,6 +252,21 @@ def test_of_all_rows_only_the_guilty_ones_are_lost(ball):
     assert [h for h, row in zip(heights, sweep, strict=True) if row.outcome == "lost"] == [1.2, 1.8]
     assert all(row["end"] == 1 for row in sweep if row.outcome != "lost")
     assert all("died" in row.message for row in sweep if row.outcome == "lost")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes that are forked")
+def test_processes_look_for_no_garbage_in_what_they_were_forked_with(ball):
+    def left_out(run):
+        return gc.get_freeze_count()
+
+    sets = [{"drop_height": height} for height in HEIGHTS[:2]]
+    ours, theirs = (
+        simulate_many(ball, sets, workers=workers, compiled=False, outputs={"left_out": left_out}, **SETTINGS)[
+            "left_out"
+        ]
+        for workers in (1, 2)
+    )
+    assert ours.max() == gc.get_freeze_count() < theirs.min()
 
 
 def test_a_grid_changes_no_row_and_is_what_outputs_see(ball):
