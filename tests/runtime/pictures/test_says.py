@@ -1,6 +1,7 @@
 """Pictures say what they show: peaks that acted, what was changed, every coordinate, units that fit, no noise, no film called flight."""
 
 import re
+from functools import cache
 
 import numpy as np
 import pytest
@@ -16,6 +17,8 @@ from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.picture import PANEL
 from hertzwerk.runtime.pictures.draw.places import Places
 
+built = cache(load)  # with its functions, for all tests here
+
 
 def texts(figure):
     return " ".join(artist.get_text() for artist in figure.findobj(lambda artist: hasattr(artist, "get_text")))
@@ -27,13 +30,13 @@ def titles(figure):
 
 @pytest.fixture(scope="module")
 def crank():
-    return simulate(load("slider_crank"), duration="6 ms", tolerance=1e-6)
+    return simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6)
 
 
 @pytest.fixture(scope="module")
 def coarse():
     """The same, of which 61 rows were kept: one in four impacts has a row."""
-    return simulate(load("slider_crank"), duration="6 ms", tolerance=1e-6, output="0.1 ms")
+    return simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, output="0.1 ms")
 
 
 @pytest.fixture(autouse=True)
@@ -61,7 +64,7 @@ def missed(run) -> float:
 
 
 def test_curves_reach_the_peaks_that_acted_whatever_was_kept(crank, coarse, tmp_path):
-    loose = simulate(load("slider_crank"), duration="6 ms", tolerance=1e-3)
+    loose = simulate(built("slider_crank"), duration="6 ms", tolerance=1e-3)
     for run in (crank, coarse, loose):
         assert missed(run) < 1e-4
     rows = Solution.load(coarse.save(tmp_path / "rows.npz"))
@@ -83,14 +86,14 @@ def test_a_run_on_a_grid_is_made_again_bitwise(crank, coarse):
     assert np.array_equal(again.t, crank.t)
     assert np.array_equal(again.history.rows, crank.history.rows)
     assert crank.with_steps() is crank
-    stopped = simulate(load("slider_crank"), duration="6 ms", tolerance=1e-6, output=100, max_steps=100)
+    stopped = simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, output=100, max_steps=100)
     again = stopped.with_steps()
     assert again.t[-1] == stopped.t_end < 6e-3
     assert np.array_equal(again.history.rows, crank.history.rows[: len(again.t)])
 
 
 def test_loose_steps_are_drawn_smooth():
-    run = simulate(load("slider_crank"), duration="3 ms", tolerance=1e-2)
+    run = simulate(built("slider_crank"), duration="3 ms", tolerance=1e-2)
     t = Curves.of(run).t
     onset, end = run.impacts[0].t, run.impacts[0].t + run.impacts[0].duration
     assert np.sum((run.t > onset) & (run.t < end)) < 12 < 40 < np.sum((t > onset) & (t < end))
@@ -125,7 +128,7 @@ def test_the_ideal_mechanism_between_its_knots(crank, monkeypatch):
 
 
 def test_titles_name_what_differs_from_the_scene(crank, monkeypatch):
-    run = simulate(load("slider_crank"), duration="1 ms", tolerance=1e-6,
+    run = simulate(built("slider_crank"), duration="1 ms", tolerance=1e-6,
                    parameters={"clearance": "0.2 mm"}, initial={"guide.travel": "170.1 mm"})  # fmt: skip
     said = "clearance = 0.2 mm, guide.travel = 170.1 mm"
     for figure in (run.plot(), run.plot("slider_pin"), run.plot("guide.speed"), run.draw()):
@@ -156,7 +159,7 @@ def test_titles_name_variations():
 
 
 def test_of_many_differences_the_first_are_named():
-    model = load("slider_crank")
+    model = built("slider_crank")
     given = {name: f"{port.default * 1.01} {port.unit}" for name, port in model.parameters.items()}
     assert title.differences_of(model, given, {}).endswith(f"and {len(given) - title.MOST} more")
 
@@ -169,7 +172,7 @@ def test_every_coordinate_is_drawn(crank):
     assert [title.split(" [")[0] for title in shown][:2] == ["Position", "Speed"]
     assert {"Angle", "Angular speed"} < {title.split(" [")[0] for title in shown}
     for name in ("slider_crank_three_clearances", "spatial_slider_crank"):
-        run = simulate(load(name), duration="1 ms", tolerance=1e-4)
+        run = simulate(built(name), duration="1 ms", tolerance=1e-4)
         drawn = sum(len([line for line in axis.get_lines() if line.get_label() != "ideal mechanism"])
                     for axis in run.plot().axes if re.match(r"(Position|Angle)( of \w+)? \[", axis.get_title("left")))  # fmt: skip
         assert drawn == run.model.nq
@@ -186,7 +189,7 @@ def test_many_curves_of_a_panel_are_coloured_in_order(crank):
 
 
 def test_energy_that_nothing_changes_is_said_to_be_constant_and_not_drawn_as_noise():
-    run = simulate(load("double_pendulum"), duration="1 s", tolerance=1e-12)
+    run = simulate(built("double_pendulum"), duration="1 s", tolerance=1e-12)
     (axis,) = (axis for axis in run.plot().axes if axis.get_title("left").startswith("Energy"))
     assert "constant to 1e-12" in axis.get_title("left")
     lines = {line.get_label(): np.asarray(line.get_ydata()) for line in axis.get_lines()}
@@ -207,7 +210,7 @@ def test_a_constant_is_drawn_flat_but_for_a_change_that_is_more_than_rounding(cr
 
 
 def test_a_film_is_not_called_flight(monkeypatch):
-    run = simulate(load("journal_lubricated"), duration="10 ms", tolerance=1e-6)
+    run = simulate(built("journal_lubricated"), duration="10 ms", tolerance=1e-6)
     figure = run.plot("bearing")
     assert "on the film" in texts(figure)
     assert "free flight" not in texts(figure)

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -13,12 +14,13 @@ from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.model.build import build_hard_scene
 from hertzwerk.runtime.model.model import Model
 
+built = cache(load)  # with its functions, for all tests here
 TOLERANCE = 1e-8
 INCLINES = {name: Model(build_hard_scene(name)) for name in ("incline_lugre", "incline_coulomb")}
 
 
 def model(name):
-    return INCLINES.get(name) or load(name)
+    return INCLINES.get(name) or built(name)
 
 
 def assert_bitwise(whole, *parts):
@@ -74,7 +76,7 @@ def test_wherever_it_was_stopped(scene, method, duration, options):
 
 @pytest.mark.parametrize("ends", ["user", "clock"])
 def test_stopped_by_the_user_or_the_clock(ends):
-    crank, asked = load("slider_crank"), {"duration": "48 ms", "tolerance": TOLERANCE, "compiled": False}
+    crank, asked = built("slider_crank"), {"duration": "48 ms", "tolerance": TOLERANCE, "compiled": False}
     whole = simulate(crank, **asked)
 
     def stop(done):
@@ -88,7 +90,7 @@ def test_stopped_by_the_user_or_the_clock(ends):
 
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_a_run_that_was_finished_goes_on_as_if_it_had_not_ended_there(method):
-    crank, asked = load("slider_crank"), {"tolerance": TOLERANCE, "method": method}
+    crank, asked = built("slider_crank"), {"tolerance": TOLERANCE, "method": method}
     whole = simulate(crank, duration="24 ms", **asked)
     for end in ("1.7 ms", "11 ms", "23.9 ms"):
         short = simulate(crank, duration=end, **asked)
@@ -100,7 +102,7 @@ def test_a_run_that_was_finished_goes_on_as_if_it_had_not_ended_there(method):
 
 
 def test_grids_go_on_and_find_what_the_whole_finds():
-    crank, asked = load("slider_crank"), {"duration": "24 ms", "tolerance": TOLERANCE, "output": "0.1 ms"}
+    crank, asked = built("slider_crank"), {"duration": "24 ms", "tolerance": TOLERANCE, "output": "0.1 ms"}
     whole, stopped = simulate(crank, **asked), simulate(crank, **asked, max_steps=500)
     rest = stopped.continued(output="0.1 ms")
     assert_bitwise(whole, stopped, rest)
@@ -111,7 +113,7 @@ def test_grids_go_on_and_find_what_the_whole_finds():
 
 
 def test_averages_of_a_part_are_those_of_its_time():
-    crank = load("slider_crank")
+    crank = built("slider_crank")
     short = simulate(crank, duration="24 ms", tolerance=TOLERANCE)
     rest = short.continued("180 ms", compiled=False)
     sums = rest.findings.sums()
@@ -126,7 +128,7 @@ def test_averages_of_a_part_are_those_of_its_time():
 
 
 def test_an_accuracy_gives_a_run_that_goes_on_at_its_tolerance_and_says_so():
-    crank = load("slider_crank")
+    crank = built("slider_crank")
     short = simulate(crank, duration="6 ms", accuracy=1e-5)
     rest = short.continued("12 ms")
     assert rest.tolerance == short.tolerance
@@ -137,13 +139,13 @@ def test_an_accuracy_gives_a_run_that_goes_on_at_its_tolerance_and_says_so():
 
 
 def test_what_cannot_go_on_says_why():
-    crank = load("slider_crank")
+    crank = built("slider_crank")
     short = simulate(crank, duration="1 ms", tolerance=TOLERANCE)
     for duration in ("1 ms", "0.5 ms", None):
         with pytest.raises(InputError, match=r"more than the 0\.001 s that the run reached"):
             short.continued(duration)
     with pytest.raises(InputError, match="other equations"):
-        short.continued("2 ms", model=load("bouncing_ball"))
+        short.continued("2 ms", model=built("bouncing_ball"))
     with pytest.raises(InputError, match="it would end so again"):
         replace(short, outcome=replace(short.outcome, name="not_finite")).continued("2 ms")
 
@@ -151,7 +153,7 @@ def test_what_cannot_go_on_says_why():
 @pytest.mark.exhaustive
 def test_sundials_keeps_its_state_to_itself():
     with pytest.raises(InputError, match="dop853, dopri5"):
-        simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, method="cvodes").continued("0.2 s")
+        simulate(built("bouncing_ball"), duration="1 ms", tolerance=1e-6, method="cvodes").continued("0.2 s")
 
 
 # ---- from the command line -------------------------------------------------------------------------------------------
@@ -167,7 +169,7 @@ SET = ("--set", "clearance=0.3 mm", "--set", "guide.speed=0.1 m/s")
 
 
 def test_a_folder_goes_on_in_a_new_one_bitwise(hertzwerk):
-    crank = load("slider_crank")
+    crank = built("slider_crank")
     first = hertzwerk(
         "slider_crank", *SET, "--duration", "12 ms", "--max-steps", "300", "--method", "esdirk", "--out", "one"
     )

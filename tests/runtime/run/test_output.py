@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import threading
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from hertzwerk.runtime.run import recorder
 from hertzwerk.runtime.solution import findings
 from hertzwerk.runtime.solution.history import History
 
+built = cache(load)  # with its functions, for all tests here
 CASES = {
     "bouncing_ball": {"duration": "2 s", "tolerance": 1e-8},
     "slider_crank": {"duration": "24 ms", "tolerance": 1e-6},
@@ -37,7 +39,7 @@ def run(case, **options):
     name = case if case in ("bouncing_ball", "slider_crank") else "bouncing_ball"
     if case == "squeezed":
         name, settings["parameters"] = "ball_between_walls", {"gap": "-1 mm", "restitution": 1.0, "speed": "10 m/s"}
-    return simulate(load(name), **settings, **options)
+    return simulate(built(name), **settings, **options)
 
 
 @pytest.fixture
@@ -99,7 +101,7 @@ def test_blocks_of_every_size_find_the_same(monkeypatch):
 
 
 def test_free_flight_on_a_grid_is_the_parabola():
-    ball = load("bouncing_ball")
+    ball = built("bouncing_ball")
     grid = simulate(ball, duration="0.45 s", tolerance=1e-10, output="1 ms")
     assert len(grid.t) == 451
     assert grid.statistics.steps < 40
@@ -125,7 +127,7 @@ def test_between_steps_the_error_falls_with_the_order_of_the_method(method, orde
 
 
 def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it():
-    ball = load("bouncing_ball")
+    ball = built("bouncing_ball")
     steps = simulate(ball, duration="1 s", tolerance=1e-8)
     impact = steps.impacts[0]
     times = np.array([0.0, impact.t, impact.t + impact.duration, 1.0])
@@ -136,7 +138,7 @@ def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it():
 
 def test_of_two_rows_at_one_time_a_grid_has_the_later_one_also_across_blocks():
     """As SUNDIALS gives them where an event lies on a row."""
-    history = simulate(load("bouncing_ball"), duration="1 s", tolerance=1e-6).history
+    history = simulate(built("bouncing_ball"), duration="1 s", tolerance=1e-6).history
     onset = int(np.argmax(history["floor.mode"] == 1))
     before = history.rows[onset].copy()
     before[history.columns("mode")] = 0
@@ -165,7 +167,7 @@ def test_of_two_rows_at_one_time_a_grid_has_the_later_one_also_across_blocks():
     ],
 )
 def test_the_forms_of_a_grid(output, times):
-    grid = simulate(load("soft_ball"), duration="30 ms", output=output, tolerance=1e-6)
+    grid = simulate(built("soft_ball"), duration="30 ms", output=output, tolerance=1e-6)
     assert grid.t == pytest.approx(times, rel=1e-15)
     assert grid.t[-1] == times[-1]
     assert grid.initial["vertical.speed"] == 0
@@ -196,7 +198,7 @@ def test_the_forms_of_a_grid(output, times):
 )  # fmt: skip
 def test_every_fault_of_a_grid_in_one_error(output, found):
     with pytest.raises(InputError) as error:
-        simulate(load("soft_ball"), duration="1 s", tolerance=7, output=output)
+        simulate(built("soft_ball"), duration="1 s", tolerance=7, output=output)
     faults = [fault for fault in error.value.faults if fault.where == "output"]
     assert len(faults) == len(found)
     assert len(error.value.faults) == len(found) + 1  # the tolerance
@@ -205,7 +207,7 @@ def test_every_fault_of_a_grid_in_one_error(output, found):
 
 
 def test_a_run_that_stops_early_returns_the_points_it_reached():
-    ball = load("bouncing_ball")
+    ball = built("bouncing_ball")
     steps, grid = (
         simulate(ball, duration="5 s", max_events=2, output=output, tolerance=1e-6) for output in ("steps", 501)
     )
@@ -220,7 +222,7 @@ def test_a_run_that_stops_early_returns_the_points_it_reached():
 
 
 def test_between_the_rows_of_a_grid_there_is_nothing_and_the_error_says_what_to_do():
-    grid = simulate(load("soft_ball"), duration="1 s", output=11, tolerance=1e-6)
+    grid = simulate(built("soft_ball"), duration="1 s", output=11, tolerance=1e-6)
     assert np.array_equal(grid.at(grid.t[[2, 5]])["vertical.travel"], grid["vertical.travel"][[2, 5]])
     for times in ([0.05], [2.0], [math.nan], [[0.1]]):
         with pytest.raises(ValueError, match=r"output=times.*output=\"steps\""):
@@ -241,13 +243,13 @@ def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     monkeypatch.setattr(findings.Findings, "take", interrupted)
     try:
-        grid = simulate(load("bouncing_ball"), duration="500 s", tolerance=1e-12, compiled=False, output=1000)
+        grid = simulate(built("bouncing_ball"), duration="500 s", tolerance=1e-12, compiled=False, output=1000)
     finally:
         signal.signal(signal.SIGINT, before)
     assert grid.outcome.name == "interrupted"
     monkeypatch.undo()
     again = simulate(
-        load("bouncing_ball"), duration="500 s", tolerance=1e-12, max_steps=grid.statistics.steps, compiled=False
+        built("bouncing_ball"), duration="500 s", tolerance=1e-12, max_steps=grid.statistics.steps, compiled=False
     )
     assert grid.t_end == again.t_end
     assert grid.impacts == again.impacts
@@ -257,17 +259,17 @@ def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
 def test_a_grid_from_another_thread():
     found = []
     thread = threading.Thread(
-        target=lambda: found.append(simulate(load("soft_ball"), duration="1 s", output=11, tolerance=1e-6))
+        target=lambda: found.append(simulate(built("soft_ball"), duration="1 s", output=11, tolerance=1e-6))
     )
     thread.start()
     thread.join()
     assert np.array_equal(
-        found[0]["energy"], simulate(load("soft_ball"), duration="1 s", output=11, tolerance=1e-6)["energy"]
+        found[0]["energy"], simulate(built("soft_ball"), duration="1 s", output=11, tolerance=1e-6)["energy"]
     )
 
 
 def test_saved_drawn_and_loaded(tmp_path):
-    grid = simulate(load("slider_crank"), duration="24 ms", output=[1e-3, 2e-3, 9e-3], method="auto", tolerance=1e-6)
+    grid = simulate(built("slider_crank"), duration="24 ms", output=[1e-3, 2e-3, 9e-3], method="auto", tolerance=1e-6)
     again = Solution.load(grid.save(tmp_path / "run.npz"))
     for name in ("impacts", "choices", "energy_residual", "final", "initial", "t_end"):
         assert getattr(again, name) == getattr(grid, name), name
@@ -276,14 +278,14 @@ def test_saved_drawn_and_loaded(tmp_path):
     for figure in (grid.plot(), grid.plot("slider_pin"), again.plot(), again.plot("slider_pin")):
         figure.draw_without_rendering()
     assert "do not resolve" in str([text.get_text() for axis in again.plot("slider_pin").axes for text in axis.texts])
-    empty = simulate(load("soft_ball"), duration="1 s", output=[0.5], max_steps=1, tolerance=1e-6)
+    empty = simulate(built("soft_ball"), duration="1 s", output=[0.5], max_steps=1, tolerance=1e-6)
     empty.plot().draw_without_rendering()  # of the step that was made
     with pytest.raises(ValueError, match="no rows"):
         Solution.load(empty.save(tmp_path / "empty.npz")).plot()
 
 
 def test_pictures_of_a_grid_share_one_run_made_again_for_them(tmp_path, monkeypatch):
-    run, made = simulate(load("bouncing_ball"), duration="1 s", tolerance=1e-6, output=50), []
+    run, made = simulate(built("bouncing_ball"), duration="1 s", tolerance=1e-6, output=50), []
     set_up = simulation.set_up
     monkeypatch.setattr(simulation, "set_up", lambda *given, **how: made.append(given) or set_up(*given, **how))
     files = run_folder.write(run, tmp_path / "run", plots=True).files
@@ -333,7 +335,7 @@ def test_memory_does_not_grow_with_the_run(name, compilers, monkeypatch):
 def test_a_start_that_is_not_finite_ends_without_a_warning():
     for output in ("steps", 11):
         run = simulate(
-            load("bouncing_ball"),
+            built("bouncing_ball"),
             duration="1 s",
             output=output,
             initial={"vertical.travel": "-1e300 m"},
