@@ -1,9 +1,14 @@
 """Multiple shooting: measured runs in segments, whose starts are free and must meet the ends before.
 
-Within a segment a motion is told by its start, however long the whole is in chaos. Segments are joined one by one, each
-begun where the one before it ends, and continuity is that of the runs' own error. A step of Gauss and Newton eliminates
+Within a segment a motion is told by its start, however long the whole is in chaos. A step of Gauss and Newton eliminates
 the starts from the last on by orthogonal factors of their blocks (condensing), which stays sound where products of
 transition matrices overflow; it is shortened by the natural monotonicity test (Bock, Bonner Math. Schriften 183, 1987).
+
+1. joined      one by one, each begun where the one before ends, in flight: what a contact remembers is no part of a start
+2. drawn       what is told so far allows other numbers of impacts: places drawn from it are tried on the next segment
+3. settled     Gauss and Newton, relaxed where curvature that they leave out makes them swing (Aitken)
+4. met         all of it from other draws, until the least squares were met several times: valleys are many and narrow
+5. followed    profiles walk from there in steps within which the squares rise as their slopes say, on one branch
 
 Noise model: what is measured has independent normal noise; the motion has none, but for the runs' own error, which is
 taken as a normal change at every joint of segments. Intervals follow from the factor that remains for the parameters.
@@ -35,30 +40,19 @@ HALVED = 3  # lengths that are tried, each half of the one before, until all dat
 WINDOW = 0.6, 1.15  # of a segment's length: where it may end, at the step farthest from contact
 CERTAIN = 10.0  # times the tolerance, of the scales: least error that is taken of a run
 TIMES = 3.0  # a run's error seen, by which it may miss
-STEPS, SHORTEST = 30, 1 / 200  # most steps, and the least part of one
+SMALL, STUCK = 1e-7, 1.0  # length of steps that may be the runs' own error, and root of the squares that it may be
+FINEST = 1e-13  # tolerance of a run
+STEPS, SHORTEST, LONGEST = 30, 1 / 200, 2.0  # most steps, the least part of one, and the most
 CONVERGED, JOINING = 0.1, 1.0  # root of what the squares may still fall by, at the end and while segments are joined
-STUCK = 0.5  # the largest that is lost in the runs' own error
+DOWN = 40  # runs down a step to a corner
 LIKELY, MET = 3.0, 10.0  # deviations of the mean square of all residuals: no other start is followed, data are met
 MORE = 1, 4, 16  # times the starts that are asked for
+DRAWS, WIDTHS, FOLLOWED = 24, (1.0, 2.0), 3  # places tried before a segment is joined, their deviations, and settled
+SMOOTH, HALVINGS = 0.5, 64  # rise of squares that slopes do not say, for which a step is halved, and its least part
+CUTS = 3  # times that segments are cut
+TRIES, MEETINGS, SAME = 8, 3, 0.1  # followed at most; that end in the least; squares by which they differ
 ALIKE = 0.02  # of the ranges: starts that are one
 JOINED = 4.0  # mean square of a new segment's residuals over the noise beyond which it is not joined
-
-
-@dataclass
-class _Piece:
-    """Segment of a measured run, from `begin` to `end` [s], with its rows of the data.
-
-    start    state (n,) that it begins with, None of the first: the scene's
-    allowed    misses (n,) of its end, one standard deviation
-    """
-
-    run: int
-    begin: float
-    end: float
-    rows: NDArray[np.intp]
-    start: Array | None
-    allowed: Array
-    known: dict[tuple[bytes, bytes, float], Solution | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -73,12 +67,34 @@ class _Block:
     end_by_start: Array
 
 
+@dataclass
+class _Piece:
+    """Segment of a measured run, from `begin` to `end` [s], with its rows of the data.
+
+    start      state (n,) that it begins with, None of the first: the scene's
+    allowed    misses (n,) of its end, one standard deviation
+    """
+
+    run: int
+    begin: float
+    end: float
+    rows: NDArray[np.intp]
+    start: Array | None
+    allowed: Array
+    known: dict[tuple[bytes, bytes, float], Solution | None] = field(default_factory=dict)
+    linear: tuple[tuple[bytes, bytes, bytes], _Block | None] | None = None
+
+
+_Place = tuple[Array, list[list[tuple[_Piece, Array | None]]]]
+
+
 class Shot(Forward):
     """Forward model in segments; `at` is that of the starts found, which are no function of x alone."""
 
     def __init__(self, whole: Forward, length: float) -> None:
         self.__dict__.update(vars(whole))
         self.length, self.chains = length, [list[_Piece]() for _ in whole.observed]
+        self.tolerance = max(whole.tolerance / FINER, FINEST)
         self.names = [free.name for free in self.free]
         self.of_start = [free.name in _states(self.observed[0].model) for free in self.free]
 
@@ -144,7 +160,13 @@ class Shot(Forward):
         return int(np.flatnonzero(self.run == piece.run)[0])
 
     def linear(self, piece: _Piece, x: Array, sigma: Array) -> _Block | None:
-        """Return a segment with its derivatives; None where it has none."""
+        """Return a segment with its derivatives, that of the last place remembered; None where it has none."""
+        key = x.tobytes(), b"" if piece.start is None else piece.start.tobytes(), sigma[piece.rows].tobytes()
+        if piece.linear is None or piece.linear[0] != key:
+            piece.linear = key, self._linear(piece, x, sigma)
+        return piece.linear[1]
+
+    def _linear(self, piece: _Piece, x: Array, sigma: Array) -> _Block | None:
         each, run, offset = self.observed[piece.run], self.run_of(piece, x), self.offset(piece.run, x)
         found = self.residual(piece, x, sigma)
         if run is None or found is None:
@@ -210,22 +232,27 @@ def shot(
 
     length    of a segment [s], halved where data are not met; None: chosen by the growth of changes
     The best few starts are fitted to the data of the first segments alone, from more and more starts until one meets them;
-    each is then followed until one meets all data.
+    each is then followed, by turns and by other draws, until the least was met three times.
     """
     whole, begin = search.forward, search.starts(0, seed)[0]
     first = _chosen(whole, begin) if length is None else length
     times = np.concatenate([each.at + whole.offset(i, begin) for i, each in enumerate(whole.observed)])
     enough = float(np.sort(times)[min(FEW * len(begin), len(times)) - 1])
     ends = [float(np.max(times[whole.run == i])) for i in range(len(whole.observed))]
-    tried: list[tuple[tuple[bool, int, float], _Solver]] = []
+    tried: list[_Solver] = []
     for length in (first / 2**k for k in range(HALVED)):
-        for found, sigma in _first(search, times <= max(length * WINDOW[1], enough), starts, seed):
-            if tried and tried[-1][0][0]:
+        if tried and tried[0].worth()[0]:
+            break
+        places = list(_first(search, times <= max(length * WINDOW[1], enough), starts, seed))
+        for number in range(TRIES):
+            found, sigma = places[number % len(places)]
+            solver = _Solver(Shot(whole, length), sigma, found.x, search.low, search.high, ends, number)
+            solver.join(progress)
+            tried = sorted([*tried, solver], key=_Solver.worth, reverse=True)
+            if sum(other.worth()[0] and other.cost() < tried[0].cost() + SAME for other in tried) == MEETINGS:
                 break
-            solver = _Solver(Shot(whole, length), sigma, found.x, search.low, search.high)
-            solver.join(ends, progress)
-            tried.append((solver.worth(), solver))
-    best = max(tried, key=lambda one: one[0])[1]
+    best = tried[0]
+    best.forward.runs_made = sum(solver.forward.runs_made for solver in tried)
     if not best.forward.pieces:
         fault = Fault("shooting", "no run of a first segment", "ranges within which the scene runs", "narrower ranges")
         raise InputError(f"fit of {whole.observed[0].model.name}", [fault])
@@ -242,7 +269,7 @@ def shot(
 
 
 def _first(search: Search, early: NDArray[np.bool_], starts: int, seed: int) -> Iterator[tuple[Found, Array]]:
-    """Yield least squares over early data (n,), the least first, and the noise of all data that each has.
+    """Yield least squares over early data (n,) that meet them, the least first, with the noise of each.
 
     Of data with a stated noise there are more and more starts until the least meets them.
     """
@@ -252,8 +279,9 @@ def _first(search: Search, early: NDArray[np.bool_], starts: int, seed: int) -> 
     part, found = Search(whole.cut(there), search.stated[there]), list[Found]()
     for more in MORE:
         found = part.candidates(starts * more, seed)
-        square, count = float(np.mean(found[0].residuals ** 2)), len(found[0].residuals)
-        if square < 1 + LIKELY * math.sqrt(2 / count) or np.any(np.isnan(search.stated)):
+        met = [one for one in found if np.mean(one.residuals**2) < 1 + LIKELY * math.sqrt(2 / len(one.residuals))]
+        found = met or found
+        if met or np.any(np.isnan(search.stated)):
             break
     whole.runs_made += part.forward.runs_made
     for k, one in enumerate(found):
@@ -275,14 +303,17 @@ class _Solver:
     x: Array
     low: Array
     high: Array
+    ends: Sequence[float]  # [s] of the measured runs
+    seed: int = 0
     converged: bool = True
+    cornered: bool = False  # whether the least squares lie where a contact is about to begin
     scale: Array = field(default_factory=lambda: np.ones(0))
     closed: set[int] = field(default_factory=set)
     held: int | None = None  # place in x that stays
 
-    def join(self, ends: Sequence[float], progress: Callable[[float], object]) -> None:
-        """Join segments one by one, as long as they meet their data, until the ends [s] of the measured runs."""
-        chains = self.forward.chains
+    def join(self, progress: Callable[[float], object]) -> None:
+        """Join segments one by one, as long as they meet their data, until the ends of the measured runs."""
+        chains, ends = self.forward.chains, self.ends
         while True:
             going = [
                 i for i, chain in enumerate(chains) if i not in self.closed and not (chain and chain[-1].end >= ends[i])
@@ -290,11 +321,62 @@ class _Solver:
             if not going:
                 self.settle()
                 return
+            draws = self._draws()
             for i in going:
                 self._add(i, chains[i][-1].end if chains[i] else 0.0, ends[i])
-            self.settle(JOINING)
+            self._settle_likeliest(draws)
             self._drop()
             progress(min(chain[-1].end / end if chain else 1.0 for chain, end in zip(chains, ends, strict=True)))
+
+    def _draws(self) -> list[Array]:
+        """Return places drawn from what the segments joined so far tell of x, the estimate first."""
+        blocks = self._blocks() if self.forward.pieces else None
+        if blocks is None:
+            return [self.x]
+        told, k = np.asarray(np.linalg.qr(self._condensed(blocks)[1], mode="r")), len(self.x)
+        normal = np.random.default_rng(self.seed).normal(size=(DRAWS, k)) * np.resize(WIDTHS, DRAWS)[:, None]
+        changes = normal @ np.linalg.pinv(told[:k, :k], rcond=1e-9).T
+        return [self.x, *np.clip(self.x + changes, self.low, self.high)]
+
+    def _settle_likeliest(self, places: Sequence[Array]) -> None:
+        """Settle from the place whose runs from the scene's start meet the data best."""
+        costs = [self._squares(x) for x in places]
+        for at in np.argsort(costs)[:FOLLOWED]:
+            self.x = places[at]
+            self._cut()
+            self.settle(JOINING)
+            if self.converged:
+                return
+
+    def _squares(self, x: Array) -> float:
+        """Return the squares of the residuals of one run from the scene's start through each chain."""
+        found = 0.0
+        for i, chain in enumerate(self.forward.chains):
+            if chain:
+                rows = np.concatenate([piece.rows for piece in chain])
+                told = self.forward.residual(_Piece(i, 0.0, chain[-1].end, rows, None, np.zeros(0)), x, self.sigma)
+                found += math.inf if told is None else float(told[0] @ told[0])
+        return found
+
+    def _cut(self) -> None:
+        """Cut the runs from the scene's start at x into segments anew, at least as far as they were followed."""
+        for i, chain in enumerate(self.forward.chains):
+            end, self.forward.chains[i] = chain[-1].end if chain else 0.0, []
+            begin = 0.0
+            while begin < end and i not in self.closed:
+                self._add(i, begin, self.ends[i])
+                begin = self.forward.chains[i][-1].end if self.forward.chains[i] else begin
+
+    def _touching(self) -> bool:
+        """Return whether surfaces touch where segments join: what a contact remembers is lost there."""
+        for chain in self.forward.chains:
+            for piece in chain[:-1]:
+                run = self.forward.run_of(piece, self.x)
+                if run is not None and run.model.pairs:
+                    end = run.at(np.array([piece.end]))
+                    if min(float(end[f"{pair}.gap"][0]) for pair in run.model.pairs) <= 0:
+                        return True
+        return False
 
     def worth(self, most: float = LIKELY) -> tuple[bool, int, float]:
         """Return whether all data are met, their number, and less their mean square over the noise.
@@ -334,7 +416,10 @@ class _Solver:
         at = forward.observed[i].at + forward.offset(i, self.x)
         inside = (at >= begin) & ((at < piece.end) | (last & (at <= piece.end)))
         piece.rows = np.flatnonzero(forward.run == i)[inside]
-        coarse, fine = forward.run_of(piece, self.x), forward.run_of(piece, self.x, forward.tolerance / FINER)
+        coarse, fine = (
+            forward.run_of(piece, self.x),
+            forward.run_of(piece, self.x, max(forward.tolerance / FINER, FINEST)),
+        )
         if coarse is None or fine is None:
             self.closed.add(i)
             return
@@ -356,26 +441,68 @@ class _Solver:
         return float(np.max([piece.allowed / self.scale for piece in self.forward.pieces]))
 
     def settle(self, within: float = CONVERGED) -> None:
-        """Take steps, shortened where the next would not be, until squares fall by no more than within^2."""
-        part = 1.0
+        """Find the least squares; where surfaces come to touch at a joint, segments are cut anew."""
+        for _ in range(CUTS):
+            self._settle(within)
+            if not (self.converged and self._touching()):
+                return
+            self.converged = False
+            self._cut()
+
+    def _settle(self, within: float) -> None:
+        """Take steps, relaxed and shortened, until squares fall by no more than within^2.
+
+        Where the curvature that the least squares leave out is c times theirs, steps of x are -c times the last:
+        1 / (1 + c) of one is taken, c by the last two (Aitken).
+        """
+        taken, share, self.cornered = np.zeros(0), 1.0, False
         for _ in range(STEPS):
             blocks = self._blocks()
             if blocks is None:
                 break
             step, size = self._step(blocks)
-            if size < within:
+            length, dx = self._length(step), step[0, : len(self.x)] / (self.high - self.low)
+            if size < (STUCK if length < SMALL else within):
                 self.converged = True
                 return
-            part = min(1.0, 4 * part)
-            while part > SHORTEST and not self._moved(blocks, step, part):
+            if len(taken):
+                share = 1 / max(1 / LONGEST, 1 / share - float(dx @ taken) / float(taken @ taken))
+                step, _ = self._step(blocks, share=share)
+            part, longest = 1.0, max(length, SMALL)
+            while part > SHORTEST and not self._moved(blocks, step, part, longest * (1 - min(share, 1) * part / 4)):
                 part /= 2
             if part <= SHORTEST:
-                self.converged = size < STUCK
-                return
+                fell = self._descended(step[0, : len(self.x)])
+                if not fell > within**2:
+                    self.converged = self.cornered = fell >= 0
+                    return
+                taken, share = np.zeros(0), 1.0
+                continue
+            share *= part
+            taken = share * dx
         self.converged = False
 
-    def _moved(self, blocks: Sequence[_Block], step: Array, part: float) -> bool:
-        """Take part of a step, unless the next one, by the same derivatives, would not be shorter."""
+    def _descended(self, dx: Array) -> float:
+        """Go down along a change of x by runs from the scene's start, and return how far squares fell.
+
+        Where a contact is about to begin the least squares have a corner, to whose other side slopes say nothing. nan without a run.
+        """
+        x, begun = self.x, self._squares(self.x)
+        least, part = begun, 1.0
+        for _ in range(DOWN):
+            there = np.clip(x + part * dx, self.low, self.high)
+            found = self._squares(there)
+            if found < least:
+                x, least = there, found
+            else:
+                part /= 2
+        self.x = x
+        self._cut()
+        followed = bool(self.forward.pieces) and math.isfinite(begun) and abs(self.cost() - least) < SAME
+        return begun - least if followed else math.nan
+
+    def _moved(self, blocks: Sequence[_Block], step: Array, part: float, length: float) -> bool:
+        """Take part of a step, unless the next one, by the same derivatives, would be longer than `length`."""
         before = self.place
         self._take(part * step)
         found = [self.forward.residual(piece, self.x, self.sigma) for piece in self.forward.pieces]
@@ -383,7 +510,7 @@ class _Solver:
             later = [
                 replace(block, residual=one[0], end=one[1]) for block, one in zip(blocks, found, strict=True) if one
             ]
-            if self._length(self._step(later)[0]) <= (1 - part / 4) * self._length(step):
+            if self._length(self._step(later)[0]) <= length:
                 return True
         self.place = before
         return False
@@ -395,15 +522,17 @@ class _Solver:
                 piece.start = piece.start + change[: len(self.scale)] * self.scale
 
     @property
-    def place(self) -> tuple[Array, list[Array | None]]:
-        """Where it is: x, and the starts of all segments."""
-        return self.x, [piece.start for piece in self.forward.pieces]
+    def place(self) -> _Place:
+        """Where it is: x, and the segments of every run with their starts."""
+        return self.x, [[(piece, piece.start) for piece in chain] for chain in self.forward.chains]
 
     @place.setter
-    def place(self, place: tuple[Array, list[Array | None]]) -> None:
+    def place(self, place: _Place) -> None:
         self.x = place[0]
-        for piece, start in zip(self.forward.pieces, place[1], strict=True):
-            piece.start = start
+        for i, chain in enumerate(place[1]):
+            self.forward.chains[i] = [piece for piece, _ in chain]
+            for piece, start in chain:
+                piece.start = start
 
     def hold(self, j: int, at: float) -> None:
         """Settle with one entry of x held at a place, all else moved there first by the derivatives."""
@@ -428,6 +557,14 @@ class _Solver:
                 found += float(np.sum(((told[1] - after.start) / piece.allowed) ** 2))
         return found
 
+    def slope(self, j: int) -> float:
+        """Return the derivative of the least squares by an entry of x that is held; nan at a corner."""
+        blocks = self._blocks()
+        if blocks is None or self.cornered:
+            return math.nan
+        rows = self._condensed(blocks)[1]
+        return -2 * float(rows[:, j] @ rows[:, -1])
+
     def _length(self, step: Array) -> float:
         """Return the length of a step, x over the width of its range and starts over the scales."""
         return float(np.linalg.norm(np.append(step[0, : len(self.x)] / (self.high - self.low), step[1:])))
@@ -436,10 +573,11 @@ class _Solver:
         found = [self.forward.linear(piece, self.x, self.sigma) for piece in self.forward.pieces]
         return None if any(block is None for block in found) else [block for block in found if block is not None]
 
-    def _step(self, blocks: Sequence[_Block], by: float = 0.0) -> tuple[Array, float]:
+    def _step(self, blocks: Sequence[_Block], by: float = 0.0, share: float = 1.0) -> tuple[Array, float]:
         """Return the changes of x (first row) and of all starts over scales, and how far squares fall.
 
-        by    the change of what is held; squares fall by the square of what is returned
+        by       the change of what is held; squares fall by the square of what is returned
+        share    of the change of x that is taken, which the starts follow
         """
         factors, rows = self._condensed(blocks)
         k, n = len(self.x), len(self.scale)
@@ -451,6 +589,7 @@ class _Solver:
             float(np.linalg.norm(rows[:, :k] @ dx)),
             *(float(np.linalg.norm(f[:, -1])) for f in factors if f is not None),
         ]
+        dx *= share
         step = np.zeros((1 + len(blocks), max(n, k)))
         step[0, :k] = dx
         for j, factor in enumerate(factors):
@@ -500,6 +639,15 @@ class _Solver:
         return Found(self.x, used, self.sigma, residual, told, self.converged and blocks is not None, missed)
 
 
+@dataclass(frozen=True)
+class _Held:
+    """Least squares with an entry of x held: where, what is there, and their derivative by it."""
+
+    place: _Place
+    found: Found
+    slope: float
+
+
 class Segments(Search):
     """Search at the least squares of all segments, which least squares with a quantity held begin from."""
 
@@ -507,13 +655,13 @@ class Segments(Search):
 
     def __init__(self, solver: _Solver, stated: Array) -> None:
         super().__init__(solver.forward, stated)
-        self._solver, self._known = solver, dict[int, dict[float, tuple[Array, list[Array | None]]]]()
+        self._solver, self._known = solver, dict[int, dict[float, _Held]]()
 
     def begin(self) -> None:
         """Take the place of the solver as the least, and refuse intervals where it does not meet all data."""
-        place = self._solver.place
-        self._known = {j: {float(value): place} for j, value in enumerate(place[0])}
-        if not self._solver.worth(MET)[0]:
+        solver = self._solver
+        self._known = {j: {float(x): self._here(j)} for j, x in enumerate(solver.x)}
+        if not solver.worth(MET)[0]:
             self.refused = "the segments that were found do not meet all data"
 
     def least(
@@ -522,21 +670,39 @@ class Segments(Search):
         """Return the least squares with one entry of x held, followed from the nearest place where it was."""
         if fixed is None:
             raise ValueError("segments are fitted by their solver")
-        solver, before, known = self._solver, self._solver.place, self._known[fixed]
+        solver, before = self._solver, self._solver.place
         try:
-            for part in (1.0, 0.5, 0.25):
-                near = min(known, key=lambda other: abs(other - x[fixed]))
-                solver.place = known[near]
-                for at in np.arange(part, 1 + part / 2, part):
-                    solver.hold(fixed, near + float(at) * (float(x[fixed]) - near))
-                    if not solver.converged:
-                        break
-                else:
-                    known[float(x[fixed])] = solver.place
-                    break
-            return solver.found()
+            return self._followed(fixed, float(x[fixed]))
         finally:
             solver.place, solver.converged = before, True
+
+    def _followed(self, j: int, to: float) -> Found:
+        """Walk to a place of one entry of x, all else fitted anew, and return what is found there.
+
+        Within a step the squares rise as their slopes at its ends say: else it was onto another branch, and is halved.
+        """
+        solver, known = self._solver, self._known[j]
+        at = min(known, key=lambda other: abs(other - to))
+        step = to - at
+        finest = abs(step) / HALVINGS
+        while at != to:
+            there = to if abs(step) >= abs(to - at) * (1 - 1e-9) else at + step
+            here = known[at]
+            solver.place = here.place
+            solver.hold(j, there)
+            after = self._here(j)
+            jump = after.found.cost - here.found.cost - (there - at) * (here.slope + after.slope) / 2
+            if (not solver.converged or abs(jump) > SMOOTH) and abs(step) > finest:
+                step /= 2
+                continue
+            if not solver.converged:
+                return after.found
+            known[there], at = after, there
+            step *= 2
+        return known[at].found
+
+    def _here(self, j: int) -> _Held:
+        return _Held(self._solver.place, self._solver.found(), self._solver.slope(j))
 
 
 def _states(model: Model) -> tuple[str, ...]:
