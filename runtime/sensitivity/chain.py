@@ -42,13 +42,14 @@ PARTS = ("t", "y", "mode", "m", "pieces")  # of a row: all that a step of it nee
 PASSES = 4  # over some links, at most: steps found too coarse are solved apart in the next one
 COARSE, LEAST = (
     1e5,
-    1e-6,
+    1e-7,
 )  # of tolerances, or of one: a step's estimated error, of a derivative, beyond which it is too coarse
 BESIDE, ROUGH = (
     0.9,
     1e3,
 )  # steps so uneven begin or end at a surface, where an error may be so many times dop853's estimate; of implicit steps anywhere
-SURE = 0.1  # the same of dopri5: its estimate here is of order 3
+SURE, UNSURE = 0.1, 10.0  # the same of dopri5, whose estimate here is of order 3, and of its steps at a surface
+TOGETHER = 10.0  # times COARSE tolerances, to which the errors of a call's steps may add up: thousands of a stiff run are alike
 NOISE = 1e-9  # of a state's scale over a parameter: derivatives so small are none
 SHORT = 6000  # instructions up to which a step is written out: longer ones compile fast only by calls of their stages
 SMALL = 1000  # instructions of rates up to which their Jacobians are tried: of more these take long to build
@@ -341,7 +342,8 @@ def chained(
     rough = _roughness(history, uneven)[row - 1, None] ** 2
     after, before = np.empty((rows, count, n)), np.empty((len(events), count, n))
     after[0] = begin.T
-    bound = max(COARSE * history.controls[history.engine.layouts.controls["tolerance"]][0], LEAST)
+    together = TOGETHER * COARSE * history.controls[history.engine.layouts.controls["tolerance"]][0]
+    bound = max(together / TOGETHER, LEAST)
     for first in range(0, count, WIDTH):
         some = slice(first, min(first + WIDTH, count))
         columns = np.r_[:n, n + some.start : n + some.stop]
@@ -355,10 +357,11 @@ def chained(
                 by_map = np.flatnonzero(number[links] >= 0)
                 x, errors, sizes = call(taken, stepping[links], by_map, maps[number[links][by_map]][:, :, columns])
                 larger = np.maximum(size, np.sqrt(np.fmax.reduce(sizes)))
-                fine = errors * rough[links] <= (bound * larger) ** 2
+                parts = np.sqrt(errors * rough[links] / larger**2).max(axis=1)
+                fine = parts <= min(bound, _largest_within(parts, together))
                 if fine.all():
                     break
-                coarse = ~fine.all(axis=1) & (number[links] < 0)
+                coarse = ~fine & (number[links] < 0)
                 coarse &= np.cumsum(~np.isfinite(sizes).all(axis=1)) <= 1  # after it there are no numbers
                 if not coarse.any():
                     break
@@ -376,12 +379,21 @@ def chained(
     return Changes(after.swapaxes(1, 2), before.swapaxes(1, 2), number[step] >= 0)
 
 
+def _largest_within(parts: np.ndarray, most: float) -> float:
+    """Return the level below which parts (n,) add up to no more than `most`; infinity if all do."""
+    if parts.sum() <= most:
+        return np.inf
+    ordered = np.sort(parts)
+    within = np.flatnonzero(np.cumsum(ordered) <= most)
+    return float(ordered[within[-1]]) if len(within) else 0.0
+
+
 def _roughness(history: History, uneven: np.ndarray) -> np.ndarray:
     """Return how many times its estimate the error over each step (rows - 1,) may be."""
     methods, tables = history.part("method")[:-1, 0].astype(int), history.engine.tables
     own = np.array([table == dopri5() for table in tables])[methods]
     implicit = ~np.array([isinstance(table, RungeKutta) for table in tables])[methods]
-    return np.where(own, SURE, np.where(implicit | uneven, ROUGH, 1.0))
+    return np.where(own, np.where(uneven, UNSURE, SURE), np.where(implicit | uneven, ROUGH, 1.0))
 
 
 _COLUMNS = ("kind", "h", "even")

@@ -11,7 +11,7 @@ import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import use_compiled
 from hertzwerk.runtime.integrate.step.layout import CONTACT
-from hertzwerk.runtime.sensitivity.chain import along, chained
+from hertzwerk.runtime.sensitivity.chain import NOISE, along, chained
 from hertzwerk.runtime.sensitivity.saltation import (
     Jumps,
     events_of,
@@ -95,7 +95,8 @@ def follow(
         renew=renew,
         most=most,
     )
-    told, reason = jumps.first_without(changes.before)
+    length, speed, *_ = history.controls[history.engine.layouts.controls["scales"]]
+    told, reason = jumps.first_without(changes.before, NOISE * length / speed / directions.sizes)
     last = jumps.rows[told] if reason else rows
     lost = np.flatnonzero(~np.isfinite(changes.after[:last]).all(axis=(1, 2)))
     if len(lost):

@@ -146,16 +146,16 @@ class Jumps:
         state[self.stops] = stopped
         return found
 
-    def first_without(self, before: np.ndarray) -> tuple[int, str]:
+    def first_without(self, before: np.ndarray, least: np.ndarray) -> tuple[int, str]:
         """Return the first event after which there is no derivative, and why; else how many events, and "".
 
-        before (j, n, P): changes before the events
+        before (j, n, P): changes before the events; least (P,): changes of times [s] so small are rounding
         """
         parting = np.zeros(len(self.rows), dtype=bool)
         for k in np.flatnonzero(self.told & (np.count_nonzero(self.guards, axis=1) > 1)):
             guards = self.guards[k]
             times = -along(self.change[k, guards], before[k]) / self.speed[k, guards, None]
-            parting[k] = np.any(np.abs(times - times[0]) > TOGETHER * (np.abs(times) + np.abs(times[0])))
+            parting[k] = np.any(np.abs(times - times[0]) > TOGETHER * (np.abs(times) + np.abs(times[0])) + least)
         bad = np.flatnonzero(~self.told | parting)
         if not len(bad):
             return len(self.rows), ""

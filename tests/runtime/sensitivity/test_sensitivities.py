@@ -189,6 +189,24 @@ def test_friction_that_stops(sliding):
     assert found["floor_0.friction_force", "mu_k"][1] == pytest.approx(WEIGHT, rel=1e-6)
 
 
+def stop_of(sliding, method):
+    """Derivatives of the time of a block's stop by its speed and friction beside v/a and its own, relative errors."""
+    speed, a = 1.0, 0.2 * WEIGHT / (MASS + CARRIAGE)
+    run = made(sliding, {"slide": speed}, duration="1 s", tolerance=1e-10, method=method)
+    (row,), (times,) = run.sensitivities("slide", "mu_k").events
+    assert run.t[row] == pytest.approx(speed / a, rel=1e-9)
+    return times / np.array([1 / a, -speed / (a * 0.2)]) - 1
+
+
+def test_friction_stops_at_a_time_that_speed_and_friction_tell(sliding, monkeypatch):
+    for method in ("dop853", "dopri5", "auto", "esdirk", "rodas"):
+        assert np.abs(stop_of(sliding, method)).max() < 1e-8, method
+    events = followed.events_of
+    faster = lambda *of: (jump := events(*of)) and replace(jump, slopes=(jump.slopes[0] * 1.0001, jump.slopes[1]))  # noqa: E731
+    monkeypatch.setattr(followed, "events_of", faster)
+    assert np.abs(stop_of(sliding, "dop853")).min() > 1e-5
+
+
 def test_absolute_coordinates_close_their_loops(crank):
     model = load("slider_crank", coordinates="absolute")
     absolute, tree = made(model, **CRANK), made(crank, **CRANK)
