@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -23,8 +22,7 @@ TRIES = (4, 8)  # most iterations, nested: groups of them, and iterations of a g
 KINDS = (("force", "force_rate", +1), ("gap", "gap_rate", -1))  # sign * part peaks: normal force and penetration
 
 
-@dataclass(frozen=True, slots=True)
-class Impact:
+class Impact(NamedTuple):
     """One contact: onset t [s], approach speed [m/s], largest normal force [N], duration [s], penetration.
 
     duration: None if unfinished; peak_penetration [m].

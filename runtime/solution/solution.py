@@ -222,7 +222,7 @@ class Solution:
             "energy_residual": self.energy_residual,
             "scales": {"state": self.scales.state.tolist(), "scene": self.scales.scene.tolist()},
             "error": self.error and self.error.numbers,
-            "impacts": [asdict(impact) for impact in self.impacts],
+            "impacts": [impact._asdict() for impact in self.impacts],
             "choices": [asdict(choice) for choice in self.choices],
             "sums": self.findings.sums().about(),
             "period": self.findings.period,
