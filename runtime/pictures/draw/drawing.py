@@ -53,9 +53,9 @@ class Drawing:
     ) -> Drawing:
         """Fit a mechanism into a panel [inch]."""
         view = view_of(places)
-        rough = float(np.max(np.ptp(Parts(places, view, Scale("m", 1.0)).extents(), axis=0)))
+        rough = float(np.max(np.ptp(Parts(places, view, Scale("m", 1.0)).extents, axis=0)))
         parts = Parts(places, view, _unit(rough or 1.0))
-        seen = parts.extents()
+        seen = parts.extents
         low, high = np.min(seen, axis=0), np.max(seen, axis=0)
         around = margin + (MORE if _stands_behind(parts, float(np.max(high - low))) else 0.0)
         room = [inches - 2 * around / 72 for inches in panel]
@@ -88,7 +88,7 @@ class Drawing:
         """Set up an axis for a film: its limits, gravity and scales, away from where anything gets."""
         paper, aside = self._paper(axis, 1.0), self._paper(Figure().add_subplot(), 1.0)
         self.parts.draw(aside, 0)  # for its ink, which tells where the ground of joints has room
-        paper.ink.extend([*aside.ink, self.parts.extents()])
+        paper.ink.extend([*aside.ink, self.parts.extents])
         self._furniture(paper, 1.0)
 
     @property

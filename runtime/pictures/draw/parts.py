@@ -165,11 +165,7 @@ class Parts:
         """Return the outline on the paper of a shape that a body is made of, or that is taken out of it."""
         where, turned = self.positions[id(mark)][i], self.places.rotations[i, self.places.bodies.index(mark.body)]
         if "size" in mark.beside:
-            corners = np.array(np.meshgrid(*[(-0.5, 0.5)] * 3)).reshape(3, -1).T * mark.beside["size"]
-            if "along" in mark.beside:
-                along, over = mark.beside["along"], mark.beside["across"]
-                corners = corners @ np.array([along, over, np.cross(along, over)])
-            return hull(self.flat(where + corners @ turned.T))
+            return hull(self.flat(where + _corners(mark) @ turned.T))
         if "axis" not in mark.beside:
             return self.ring(where, None, mark.size("radius"))
         axis = self._axis(mark, i)
@@ -432,15 +428,16 @@ class Parts:
         ]
         return float(np.median(spans)) if spans else 0.0
 
+    @cached_property
     def extents(self) -> Array:
-        """Return the points (k, 2) on the paper that must be visible, over all instants."""
+        """The points (k, 2) on the paper that must be visible, over all instants."""
         return np.concatenate(list(self._extents()))
 
     def _extents(self) -> Iterator[Array]:
         for mark in self.places.landmarks:
             if mark.kind == "gravity" or mark.place in ("plane", "axes"):
                 continue
-            if mark.kind.startswith(SOLIDS):
+            if mark.kind.startswith(SOLIDS) and "size" not in mark.beside:
                 yield from (self.solid(mark, i) for i in range(len(self.positions[id(mark)])))
                 continue
             seen = self.flat(self.positions[id(mark)])
@@ -448,7 +445,9 @@ class Parts:
             reach *= 1 + RIM * (mark.place in ("bush", "socket"))
             yield from (seen + reach * np.array(corner) for corner in ((1, 1), (-1, -1)))
             if "size" in mark.beside:
-                yield from (self.solid(mark, i) for i in range(len(seen)))
+                turned = self.places.rotations[:, self.places.bodies.index(mark.body)]
+                corners = self.positions[id(mark)][:, None] + _corners(mark) @ np.swapaxes(turned, 1, 2)
+                yield self.flat(corners.reshape(-1, 3))
             elif mark.curve is not None:
                 yield from (self.curve(mark, i) for i in range(len(seen)))
             elif mark.kind == "sphere_on_cylinder" and "length" in mark.beside:
@@ -461,6 +460,15 @@ class Parts:
             points, normal = self.positions[id(first)], self.places.direction(second, "normal")
             height = np.sum((points - self.positions[id(second)]) * normal, axis=1, keepdims=True)
             yield self.flat(points - height * normal)
+
+
+def _corners(mark: Landmark) -> Array:
+    """Return the corners of a box (8, 3) from its middle, along its body's axes."""
+    corners = np.array(np.meshgrid(*[(-0.5, 0.5)] * 3)).reshape(3, -1).T * mark.beside["size"]
+    if "along" in mark.beside:
+        along, over = mark.beside["along"], mark.beside["across"]
+        corners = corners @ np.array([along, over, np.cross(along, over)])
+    return np.asarray(corners)
 
 
 def across(axis: Array) -> tuple[Array, Array]:

@@ -180,7 +180,7 @@ def test_everything_is_in_the_frame_and_names_cover_nothing(name):
     canvas.draw()
     drawing = Drawing.of(Places.at_start(load(name), {}, {}), PANEL)
     left, right, bottom, top = drawing.frame
-    assert np.all((drawing.parts.extents() > (left, bottom)) & (drawing.parts.extents() < (right, top)))
+    assert np.all((drawing.parts.extents > (left, bottom)) & (drawing.parts.extents < (right, top)))
     main, names = figure.axes[0], [text for text in figure.axes[0].texts if text.get_gid() == "name"]
     assert {text.get_text() for text in names} >= set(load(name).module.BODIES)
     boxes = [text.get_window_extent(canvas.get_renderer()) for text in names]
