@@ -163,7 +163,7 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     moved = short_step(right, old, end, run, delta)
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
-    return ca.Function("moved", [*arguments, delta], ca.cse(outputs))
+    return ca.Function("moved", [*arguments, delta], outputs)
 
 
 def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
