@@ -13,10 +13,8 @@ from hertzwerk.runtime.model.si_values import si_units
 pytestmark = pytest.mark.exhaustive
 
 METHODS = {"dop853": 1e-12, "dopri5": 1e-12, "auto": 1e-11, "esdirk": 1e-12, "rodas": 1e-11}
-TIGHTEST, NOISY = (
-    1e-13,
-    2e-13,
-)  # tolerances of the runs that differences are taken of, by dop853, and of one that tells their noise
+TIGHTEST = 1e-13  # tolerance of the runs that differences are taken of, by dop853
+NOISY = (2e-13, 3e-13)  # of two that tell their noise: one may end by chance as the tightest does
 SHORT = {  # within the horizon of derivatives: with some impacts, before they have grown a thousandfold
     "ball_between_walls": "50 ms", "bouncing_ball": "2 s", "four_bar_clearance": "6 ms", "newtons_cradle": "0.5 s",
     "slider_crank": "1.5 ms", "slider_crank_frictionless": "1.5 ms", "slider_crank_two_clearances": "0.7 ms",
@@ -49,7 +47,8 @@ def case(scene, coordinates):
         run = simulate(model, tolerance=tolerance, parameters=given, **how)
         return np.array([run.final[state] for state in states])
 
-    noise = np.abs(ends({}) - ends({}, NOISY))
+    exact = ends({})
+    noise = np.max([np.abs(exact - ends({}, tolerance)) for tolerance in NOISY], axis=0)
     found = {}
     for name in named:
         try:
