@@ -90,7 +90,7 @@ def _profile(
         try:
             place, opened = _end(search, found, j, bound, half, rise, warnings)
         except _LostError:
-            how = "none: the least squares, all else fitted anew, could not be followed to its ends"
+            how = "none: the least squares, all else fitted anew, could not be followed to its ends: a shorter record, or profile=False"
             low, high = sorted((free.outer(float(search.low[j])), free.outer(float(search.high[j]))))
             return Interval(low, high, how, open_low=True, open_high=True)
         ends.append(free.outer(place))

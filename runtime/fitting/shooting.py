@@ -662,7 +662,9 @@ class Segments(Search):
         solver = self._solver
         self._known = {j: {float(x): self._here(j)} for j, x in enumerate(solver.x)}
         if not solver.worth(MET)[0]:
-            self.refused = "the segments that were found do not meet all data"
+            self.refused = (
+                "the segments that were found do not meet all data: other lengths of them, or a shorter record"
+            )
 
     def least(
         self, x: Array, used: NDArray[np.bool_], sigma: Array, *, fixed: int | None = None, within: float = CONVERGED

@@ -7,7 +7,7 @@ from scipy.stats import binom
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import MeasuredImpacts, Measurement, fit, load, simulate
 from hertzwerk.runtime.fitting.fitting import read_fit, search_of
-from hertzwerk.runtime.fitting.shooting import Shot, _Solver, check_shooting
+from hertzwerk.runtime.fitting.shooting import Shot, _Solver, _states, check_shooting
 
 WALLS = {"restitution": "0.97", "speed": "9 m/s"}
 FREE = {"restitution": (0.9, 1), "speed": "5..15 m/s"}
@@ -103,11 +103,16 @@ def test_segments_join_in_flight(walls):
     solver._add(0, 0.0, 4.0)
     solver._add(0, solver.forward.chains[0][-1].end, 4.0)
     assert not solver._touching()
+    assert solver.cost() == pytest.approx(solver._squares(x), rel=1e-6)
     first, second = solver.forward.pieces
     impact = simulate(walls, duration="4 s", parameters=WALLS).impacts[0]
     first.end = second.begin = impact.t + impact.duration / 2
-    first.known.clear()
+    for piece in (first, second):
+        piece.known.clear()
+        piece.rows = np.flatnonzero((data.times >= piece.begin) & (data.times < piece.end))
+    second.start = np.array([solver.forward.run_of(first, x).final[name] for name in _states(walls)])
     assert solver._touching()
+    assert solver.cost() > 100 * solver._squares(x)
     solver._cut()
     assert not solver._touching()
     assert solver.cost() == pytest.approx(solver._squares(x), rel=1e-6)
@@ -118,8 +123,8 @@ def test_a_rattling_pin_beyond_the_reach_of_one_run():
     """32 impacts: one run ends in another valley, and is rejected; segments find the truth."""
     model = load("slider_crank_frictionless")
     data = positions(model, RATTLING, "guide.travel", 2e-5, np.linspace(2e-4, 20e-3, 200), seed=0)
-    one = fit(model, data, free=RANGES, starts=16, **{**SEEN, "profile": False})
-    many = fit(model, data, free=RANGES, starts=16, shooting="2 ms", **SEEN)
+    one = fit(model, data, free=RANGES, starts=16, **SEEN)
+    many = fit(model, data, free=RANGES, starts=16, shooting="2 ms", **{**SEEN, "profile": True})
     assert one.explained is False
     assert not one["restitution"].interval.low < 0.85 < one["restitution"].interval.high
     assert many.explained
@@ -149,6 +154,7 @@ def test_a_rattling_pin_beyond_the_reach_of_one_run():
     ],
 )
 def test_intervals_of_segments_hold_the_truth_as_often_as_they_say(scene, true, free, name, sigma, end, length, seeds):
+    """Intervals of 95 %; the first 71 seeds of the walls held 67 and 65, the first 23 of the pin 21 and 22: 200 take long."""
     model = load(scene)
     bound, held, met = model.bind(true), dict.fromkeys(free, 0), 0  # of fits with intervals: others say so
     run = simulate(model, duration=end * 1.001, tolerance=1e-11, parameters=true, compiled=True)  # as all runs are then
