@@ -19,7 +19,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.runtime.design.propagation import propagate as propagate
     from hertzwerk.runtime.effects.leaving_out import study_effects as study_effects
     from hertzwerk.runtime.fitting.experiment import Experiment as Experiment
-    from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries as MeasuredSeries
+    from hertzwerk.runtime.fitting.moments.measured_moments import MeasuredSeries as MeasuredSeries
     from hertzwerk.runtime.inputs.time_series import Samples as Samples
     from hertzwerk.runtime.loading import Model as Model, load as load
     from hertzwerk.runtime.measured.measurement import (

@@ -10,8 +10,8 @@ from hertzwerk.runtime.fitting.fitted import Fitted
 from hertzwerk.runtime.fitting.fitting import fitted, read_fit
 from hertzwerk.runtime.fitting.law_ranking import Ranking, ranked
 from hertzwerk.runtime.fitting.law_variants import law_variants, read_laws
-from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries
-from hertzwerk.runtime.fitting.moment_fit import FittedMoments, fitted_moments, read_moment_fit
+from hertzwerk.runtime.fitting.moments.measured_moments import MeasuredSeries
+from hertzwerk.runtime.fitting.moments.moment_fit import FittedMoments, fitted_moments, read_moment_fit
 from hertzwerk.runtime.measured.asked import Between
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.free_quantities import Freed

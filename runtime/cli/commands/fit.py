@@ -26,7 +26,7 @@ from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, li
 if TYPE_CHECKING:
     from hertzwerk.runtime.fitting.fitted import Fitted
     from hertzwerk.runtime.fitting.law_ranking import Ranking
-    from hertzwerk.runtime.fitting.moment_fit import FittedMoments
+    from hertzwerk.runtime.fitting.moments.moment_fit import FittedMoments
     from hertzwerk.runtime.model.model import Model
 
 
@@ -216,8 +216,8 @@ def _of_moments(
     **others: Any,
 ) -> FittedMoments:
     """Return the fit of statistics; raises InputError with every fault."""
-    from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries
-    from hertzwerk.runtime.fitting.moment_fit import fitted_moments, read_moment_fit
+    from hertzwerk.runtime.fitting.moments.measured_moments import MeasuredSeries
+    from hertzwerk.runtime.fitting.moments.moment_fit import fitted_moments, read_moment_fit
 
     if not moments:
         faults.append(
@@ -347,7 +347,7 @@ def _write(
 ) -> tuple[Path, list[str]]:
     from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.cli.target import command_line
-    from hertzwerk.runtime.fitting.moment_fit import FittedMoments
+    from hertzwerk.runtime.fitting.moments.moment_fit import FittedMoments
     from hertzwerk.runtime.host.folder import failures_of, new_folder
     from hertzwerk.runtime.host.versions import versions
 

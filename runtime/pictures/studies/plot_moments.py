@@ -20,7 +20,7 @@ from hertzwerk.runtime.pictures.prefixes import scale_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.fitting.moment_fit import FittedMoments, Moment
+    from hertzwerk.runtime.fitting.moments.moment_fit import FittedMoments, Moment
 
 CHARACTERS = 140  # of a line below the panels
 REACH = 3.0  # times the interval's rise that is shown

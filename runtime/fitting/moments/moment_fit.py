@@ -20,7 +20,7 @@ from hertzwerk.runtime.design.correlated import Correlated
 from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness, joint, notebook
 from hertzwerk.runtime.fitting.identified import Identified, identified
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
-from hertzwerk.runtime.fitting.measured_moments import MeasuredSeries, SeriesMoments, columns, read_series
+from hertzwerk.runtime.fitting.moments.measured_moments import MeasuredSeries, SeriesMoments, columns, read_series
 from hertzwerk.runtime.measured.series_moments import QUANTILE
 from hertzwerk.runtime.model.binding import Value, read_state
 from hertzwerk.runtime.model.free_quantities import Free, read_free

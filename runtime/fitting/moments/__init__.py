@@ -1,0 +1,1 @@
+"""Parameters from statistics of long runs, and those of measured series."""
