@@ -24,7 +24,7 @@ from hertzwerk.runtime.fitting.forward import Forward
 from hertzwerk.runtime.fitting.identified import identified
 from hertzwerk.runtime.fitting.intervals import intervals
 from hertzwerk.runtime.fitting.search import Found, Search
-from hertzwerk.runtime.fitting.shooting import check_shooting, shot
+from hertzwerk.runtime.fitting.shooting.shooting import check_shooting, shot
 from hertzwerk.runtime.measured.asked import Between, read_between
 from hertzwerk.runtime.measured.residuals import residual_of
 from hertzwerk.runtime.model.binding import whole_faults

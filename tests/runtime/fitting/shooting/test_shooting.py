@@ -7,7 +7,9 @@ from scipy.stats import binom
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import MeasuredImpacts, Measurement, fit, load, simulate
 from hertzwerk.runtime.fitting.fitting import read_fit, search_of
-from hertzwerk.runtime.fitting.shooting import Shot, _Solver, _states, check_shooting
+from hertzwerk.runtime.fitting.shooting.segments import SegmentedForward, states_of
+from hertzwerk.runtime.fitting.shooting.shooting import check_shooting
+from hertzwerk.runtime.fitting.shooting.solver import Solver
 
 WALLS = {"restitution": "0.97", "speed": "9 m/s"}
 FREE = {"restitution": (0.9, 1), "speed": "5..15 m/s"}
@@ -52,13 +54,13 @@ def test_a_step_solves_the_whole_sparse_system(walls):
     asked = read_fit(walls, data, FREE, map={"x": "track.travel"}, **NOTHING)
     search = search_of(asked, None)
     x = np.array([one.inner(value) for one, value in zip(asked.free, (0.969, 9.02), strict=True)])
-    solver = _Solver(Shot(search.forward, 1.0), np.full(60, 5e-3), x, search.low, search.high, [4.0])
+    solver = Solver(SegmentedForward(search.forward, 1.0), np.full(60, 5e-3), x, search.low, search.high, [4.0])
     for _ in range(3):
         end = solver.forward.chains[0][-1].end if solver.forward.chains[0] else 0.0
         solver._add(0, end, 4.0)
-    pieces = solver.forward.pieces
-    for piece in pieces[1:]:
-        piece.start = piece.start + np.array([2e-4, 0.01])
+    segments = solver.forward.segments
+    for segment in segments[1:]:
+        segment.start = segment.start + np.array([2e-4, 0.01])
     blocks, d = solver._blocks(), solver.scale
     m, k, n = [len(block.residual) for block in blocks], 2, 2
     rows = np.zeros((sum(m) + 2 * n, k + 2 * n + 1))
@@ -66,24 +68,24 @@ def test_a_step_solves_the_whole_sparse_system(walls):
         here = slice(sum(m[:j]), sum(m[: j + 1]))
         rows[here, :k], rows[here, -1] = block.by_x, -block.residual
         if j:
-            own, weights = slice(k + n * (j - 1), k + n * j), 1 / pieces[j - 1].allowed[:, None]
+            own, weights = slice(k + n * (j - 1), k + n * j), 1 / segments[j - 1].allowed[:, None]
             joint = slice(sum(m) + n * (j - 1), sum(m) + n * j)
             rows[here, own] = block.by_start * d
             rows[joint, :k], rows[joint, own] = weights * blocks[j - 1].end_by_x, -weights * np.diag(d)
             if j > 1:
                 rows[joint, own.start - n : own.start] = weights * blocks[j - 1].end_by_start * d
-            rows[joint, -1] = weights[:, 0] * (pieces[j].start - blocks[j - 1].end)
+            rows[joint, -1] = weights[:, 0] * (segments[j].start - blocks[j - 1].end)
     whole = np.linalg.lstsq(rows[:, :-1], rows[:, -1], rcond=None)[0]
     step, _ = solver._step(blocks)
     assert step[0] == pytest.approx(whole[:k], rel=1e-5)
     assert step[2:].ravel() == pytest.approx(whole[k:], rel=1e-5)
-    piece, h = pieces[1], 1e-7
+    segment, h = segments[1], 1e-7
     for j in range(n):
-        kept, ends = piece.start, []
+        kept, ends = segment.start, []
         for sign in (1, -1):
-            piece.start = kept + sign * h * d * (np.arange(n) == j)
-            ends.append(np.concatenate(solver.forward.residual(piece, x, solver.sigma)))
-        piece.start = kept
+            segment.start = kept + sign * h * d * (np.arange(n) == j)
+            ends.append(np.concatenate(solver.forward.residual(segment, x, solver.sigma)))
+        segment.start = kept
         difference = (ends[0] - ends[1]) / (2 * h * d[j])
         exact = np.concatenate([blocks[1].by_start[:, j], blocks[1].end_by_start[:, j]])
         assert exact == pytest.approx(difference, rel=1e-4, abs=1e-4 * np.max(np.abs(difference)))
@@ -99,18 +101,18 @@ def test_segments_join_in_flight(walls):
     data = positions(walls, WALLS, "track.travel", 5e-3, np.linspace(0.01, 4, 60))
     search = search_of(read_fit(walls, data, FREE, map={"x": "track.travel"}, **NOTHING), None)
     x = np.array([one.inner(value) for one, value in zip(search.forward.free, (0.97, 9.0), strict=True)])
-    solver = _Solver(Shot(search.forward, 1.0), np.full(60, 5e-3), x, search.low, search.high, [4.0])
+    solver = Solver(SegmentedForward(search.forward, 1.0), np.full(60, 5e-3), x, search.low, search.high, [4.0])
     solver._add(0, 0.0, 4.0)
     solver._add(0, solver.forward.chains[0][-1].end, 4.0)
     assert not solver._touching()
     assert solver.cost() == pytest.approx(solver._squares(x), rel=1e-6)
-    first, second = solver.forward.pieces
+    first, second = solver.forward.segments
     impact = simulate(walls, duration="4 s", parameters=WALLS).impacts[0]
     first.end = second.begin = impact.t + impact.duration / 2
-    for piece in (first, second):
-        piece.known.clear()
-        piece.rows = np.flatnonzero((data.times >= piece.begin) & (data.times < piece.end))
-    second.start = np.array([solver.forward.run_of(first, x).final[name] for name in _states(walls)])
+    for segment in (first, second):
+        segment.known.clear()
+        segment.rows = np.flatnonzero((data.times >= segment.begin) & (data.times < segment.end))
+    second.start = np.array([solver.forward.run_of(first, x).final[name] for name in states_of(walls)])
     assert solver._touching()
     assert solver.cost() > 100 * solver._squares(x)
     solver._cut()

@@ -1,0 +1,1 @@
+"""Multiple shooting: measured runs in segments."""
