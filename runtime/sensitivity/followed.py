@@ -38,7 +38,8 @@ class Followed:
     apart (rows - 1,)       whether a step was solved apart
     switched (rows,)        whether a row follows an event
     jumps, at_rows (rows,)  the events, and the one that each row follows, or -1
-    times (j, P)            of the events [s]; then (j, size, P): of what is `watched`, at them; nan beyond `until`
+    times (j, P)            of the events [s], nan where sliding in two directions ends
+    then (j, size, P)       of what is `watched`, at the events; both nan beyond `until`
     told                    number of events before `until`
     until, reason           time [s] up to which there are derivatives, and why not to the end of the run, else empty
     """
@@ -106,6 +107,7 @@ def follow(
     changes.after[last:] = np.nan
     times, then = along(jumps.time[:, None], changes.before)[:, 0], along(jumps.then, changes.before)
     times[told:], then[told:] = np.nan, np.nan
+    times[jumps.stops] = np.nan  # the direction of what stops in two is rounding at that instant, and so is its change
     until = float(history.t[last] if reason else history.t[-1])
     return Followed(changes.after, changes.apart, after_event, jumps, at_rows, times, then, told, until, reason)
 

@@ -38,6 +38,7 @@ REGRESSION = "a sweep over the parameter tells it, with an interval: sweep(...).
 LONG = f"an average of a long run has no derivative along one trajectory; {REGRESSION}"
 OWN = f"a function of yours has no derivative here; {REGRESSION}"
 AVERAGES = (*POWERS.values(), ".impact_rate", ".mean_force", ".mean_peak_force", ".mean_largest_force")
+STOPS = "it jumps where sliding in two directions ends, at an instant whose change is not known"
 
 
 class NoDerivativeError(ArithmeticError):
@@ -114,12 +115,16 @@ class OutputDerivatives:
         nodes = (np.arange(panels)[:, None] + (1 + nodes) / 2).ravel()
         index, later = np.repeat(steps, len(nodes)), np.outer(h, nodes).ravel()
         changes = self.of.along(history.t[index] + later, name)
-        weight = np.outer(h, np.tile(weights / 2, panels)).ravel() * slope(history.between(index, later)[name])
+        values = history.between(index, later)[name]
+        weight = np.outer(h, np.tile(weights / 2, panels)).ravel() * slope(values)
         found: np.ndarray = weight @ changes
         rows, instants = self.of.events
         if len(rows):
             before, after = self._sides(name, rows)
-            found += (of(before) - of(after)) @ instants
+            jump, known = of(before) - of(after), np.isfinite(instants).all(axis=1)
+            if np.any(np.abs(jump[~known]) > LEVEL * np.max(np.abs(of(values)))):
+                raise NoDerivativeError(STOPS)
+            found += jump[known] @ instants[known]
         return found
 
     def _sides(self, name: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

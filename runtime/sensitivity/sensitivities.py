@@ -125,7 +125,10 @@ class Sensitivities:
 
     @property
     def events(self) -> tuple[np.ndarray, np.ndarray]:
-        """Rows (n,) of the run that follow an event, and the derivatives (n, P) of those events' times."""
+        """Rows (n,) of the run that follow an event, and the derivatives (n, P) of those events' times.
+
+        nan where sliding in two directions ends.
+        """
         told = slice(self._found.told)
         return self._found.jumps.rows[told], self._found.times[told]
 

@@ -38,7 +38,8 @@ def start_of(
     """
     found = list(faults)
     bound, wrong = model.check(parameters)
-    stated = None if bound is None or initial else as_stated(model, bound)
+    given = not isinstance(initial, Mapping) or len(initial) > 0  # what is no mapping is a fault, told below
+    stated = None if bound is None or given else as_stated(model, bound)
     q, u = read_start(model, bound, initial, found) if stated is None else stated
     if bound is None or found:
         raise InputError(model.name, wrong + found)
