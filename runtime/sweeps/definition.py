@@ -7,6 +7,7 @@ parameters and the start in SI, the settings, the outputs with the code of own f
 from __future__ import annotations
 
 import hashlib
+from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from importlib import metadata, resources
@@ -173,7 +174,11 @@ def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Sequen
     start = {name: read_state(name, model.joints.units[name], value) for name, value in sorted(initial.items())}
     if reading.faults or faults or any(fault is not None for _, fault in start.values()):
         return sorted(map(repr, values.items()))
-    return [x.hex() for x in reading.si.values()], [(name, si.hex()) for name, (si, _) in start.items()], seconds.hex()
+    return (
+        array("d", reading.si.values()).tobytes(),
+        [(name, si.hex()) for name, (si, _) in start.items()],
+        seconds.hex(),
+    )
 
 
 def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:

@@ -32,6 +32,7 @@ from hertzwerk.runtime.sweeps.sweep_table import Row
 
 # One pool at a time: a process forked while another pool is used would share its pipes, and outlive it.
 _pool = threading.Lock()
+COLLECTED = 200_000  # objects between searches for garbage in a worker
 AHEAD = 2  # tasks submitted per worker: keeps it busy, and few are lost if it dies
 TOGETHER = 0.05  # s of rows that are a task: what a task costs beside them is small, and so is what is under way
 
@@ -125,6 +126,7 @@ def _enter(job: Job) -> None:
     global _job, _pool
     keep_freed()
     gc.freeze()  # what was forked is no garbage: to look through it takes as long as 50 rows, and copies its pages
+    gc.set_threshold(COLLECTED)  # rows make hardly any
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process; the first one tells the others
     threading.Thread(target=_end_with_parent, daemon=True).start()
     _job, _pool = job, threading.Lock()  # the one that was forked is held
