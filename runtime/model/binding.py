@@ -42,6 +42,7 @@ class Declared:
     si, texts  defaults in SI, and as (value, unit)
     followers  parameters whose unit depends on another one, by the name of that one
     plain  parameters whose unit depends on none
+    order  places of the parameters
     unsound  parameters whose default is no finite number, or outside a limit
     """
 
@@ -52,6 +53,7 @@ class Declared:
         self.texts = {name: (port.default, port.unit) for name, port in ports.items()}
         free = {name: unit.free_names for name, unit in units.items()}
         self.plain = {name for name in ports if not free[name]}
+        self.order = {name: i for i, name in enumerate(ports)}
         self.followers = {name: tuple(other for other in ports if name in free[other]) for name in ports}
         self.unsound = {name for name, value in self.si.items() if not math.isfinite(value)}
         self.unsound |= {limit[0] for limit in limits if not _inside(self.si[limit[0]], limit)}
@@ -77,8 +79,8 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
     concerned |= {
         name for name, (_, _, text) in given.items() if name not in declared.plain or text != ports[name].unit
     }
-    judged = {name for name in ports if name in given or name in concerned or name in declared.unsound}
-    for name in filter(judged.__contains__, ports):
+    judged = {*given, *concerned, *declared.unsound}
+    for name in sorted(judged, key=declared.order.__getitem__):
         fault = _unit_fault(ports[name], ports, given, si) if name in concerned else None
         if fault is None and not math.isfinite(si[name]):
             fault = Fault(name, _text(*texts[name]), "a finite number")
@@ -87,9 +89,9 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
     judged -= {fault.where for fault in faults}
     warnings = []
     for limit in declared.limits:
-        name, kind, *_, why = limit
-        if name not in judged or _inside(si[name], limit):
+        if limit[0] not in judged or _inside(si[limit[0]], limit):
             continue
+        name, kind, *_, why = limit
         found, allowed = _text(*texts[name]), _interval(limit, ports[name].unit)
         if kind == "defined":
             faults.append(Fault(name, found, f"a value in {allowed}", why))
