@@ -42,7 +42,6 @@ class Declared:
     si, texts  defaults in SI, and as (value, unit)
     followers  parameters whose unit depends on another one, by the name of that one
     plain  parameters whose unit depends on none
-    order  places of the parameters
     unsound  parameters whose default is no finite number, or outside a limit
     """
 
@@ -53,7 +52,6 @@ class Declared:
         self.texts = {name: (port.default, port.unit) for name, port in ports.items()}
         free = {name: unit.free_names for name, unit in units.items()}
         self.plain = {name for name in ports if not free[name]}
-        self.order = {name: i for i, name in enumerate(ports)}
         self.followers = {name: tuple(other for other in ports if name in free[other]) for name in ports}
         self.unsound = {name for name, value in self.si.items() if not math.isfinite(value)}
         self.unsound |= {limit[0] for limit in limits if not _inside(self.si[limit[0]], limit)}
@@ -80,7 +78,7 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
         name for name, (_, _, text) in given.items() if name not in declared.plain or text != ports[name].unit
     }
     judged = {*given, *concerned, *declared.unsound}
-    for name in sorted(judged, key=declared.order.__getitem__):
+    for name in filter(judged.__contains__, ports):
         fault = _unit_fault(ports[name], ports, given, si) if name in concerned else None
         if fault is None and not math.isfinite(si[name]):
             fault = Fault(name, _text(*texts[name]), "a finite number")

@@ -51,9 +51,7 @@ BESIDE, ROUGH = (
 SURE, UNSURE = 0.1, 10.0  # the same of dopri5, whose estimate here is of order 3, and of its steps at a surface
 TOGETHER = 10.0  # times COARSE tolerances, to which the errors of a call's steps may add up: thousands of a stiff run are alike
 NOISE = 1e-9  # of a state's scale over a parameter: derivatives so small are none
-SHORT = (
-    4500  # instructions up to which a step is written out: longer ones compile and run faster by calls of their stages
-)
+SHORT = 4500  # instructions up to which a step is written out: longer ones are faster by calls of their stages
 SMALL = 1000  # instructions of rates up to which their Jacobians are tried: of more these take long to build
 IDLE = 0  # kind of a link that does nothing; those of steps follow, the last one is linear
 

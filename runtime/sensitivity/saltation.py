@@ -30,7 +30,7 @@ from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.integrate.step.set_valued_friction import LANDING, grips_of, groups_of
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.sensitivity.chain import along
+from hertzwerk.runtime.sensitivity.chain import along, methods_of
 from hertzwerk.runtime.sensitivity.tangent import ARGUMENTS, PARTS, Directions, Tangent, rowwise, tangent
 from hertzwerk.runtime.solution.history import part_of_step
 
@@ -256,8 +256,8 @@ def _stopping(history: History, index: np.ndarray) -> np.ndarray:
 
 def tables_of_events(history: History, count: int) -> list[Rowwise]:
     """Return the functions that `events_of` calls row by row."""
-    model, methods = history.model, np.unique(history.part("method")[:-1])
-    steps = [part_of_step(model, history.engine, int(method)) for method in methods]
+    model = history.model
+    steps = [part_of_step(model, history.engine, method) for method in methods_of(history)]
     return [rowwise(model, watched, count), _rates(model), *steps]
 
 

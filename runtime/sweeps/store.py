@@ -35,7 +35,6 @@ from hertzwerk.runtime.sweeps.kept.kept_arrays import END, place_of
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, LOST, Row, Sweep
 
 DEFINITION, MODEL, ROWS, TABLE, LOCK = "definition.json", "model.py", "rows.sqlite", "table.csv", "lock"
-_GIVEN = json.JSONEncoder(default=shown).encode
 PICTURE = "sweep.png"
 OURS = {
     DEFINITION,
@@ -102,7 +101,10 @@ class Store:
         self._plan(keys, points)
 
     def _plan(self, keys: Sequence[str], points: Sequence[Mapping[str, Any]]) -> None:
-        given = [(i, key, _GIVEN(values)) for i, (key, values) in enumerate(zip(keys, points, strict=True))]
+        given = [
+            (i, key, json.dumps(values, default=shown))
+            for i, (key, values) in enumerate(zip(keys, points, strict=True))
+        ]
         if self._rows.execute("SELECT * FROM points ORDER BY number").fetchall() == given:
             return
         with self._transaction():

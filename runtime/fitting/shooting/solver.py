@@ -144,7 +144,9 @@ class Solver:
         segment = Segment(i, begin, begin, np.zeros(0, dtype=int), None, np.zeros(0))
         if chain:
             before = forward.run_of(chain[-1], self.x)
-            assert before is not None
+            if before is None:
+                self.closed.add(i)
+                return
             segment.start = np.array([before.final[name] for name in states])
         joint, times = math.nan, 0
         while math.isnan(joint):  # surfaces may touch throughout: longer
@@ -158,8 +160,7 @@ class Solver:
             last = segment.end >= end
             joint = end if last else farthest_apart(run, begin + (times - 1 + WINDOW[0]) * length)
         segment.end = joint
-        if not len(self.scale):
-            assert run is not None  # else it was closed
+        if run is not None and not len(self.scale):
             self.scale = np.array(run.scales.state[: len(states)])
         at = forward.observed[i].at + forward.offset(i, self.x)
         inside = (at >= begin) & ((at < segment.end) | (last & (at <= segment.end)))

@@ -155,9 +155,7 @@ def _newton(groups: Groups) -> Any:
     share, mean = ca.fmin(share, 1), ca.sum1(product) / k
     left = ca.sum1((push + share * dpush) * moved(dx, share)) / k
     mu = mean * ca.fmin(ca.fmax(left / mean, 0), 1) ** 3
-    second = share * (
-        dpush * dots(normal, dx) + push * squares(dx) / 2
-    )  # in full only where the first step was: else it may zigzag
+    second = share * (dpush * dots(normal, dx) + push * squares(dx) / 2)  # whole after a whole step: else it zigzags
     dx, dpush, share = step(mu - product + second)
     share = ca.fmin(INSIDE * share, 1)
     for _ in range(CUTS if bends else 0):

@@ -34,9 +34,7 @@ EXPECTED = 'NAME = VALUE, such as "main_bearing.angle = 0" or "floor.gap = 0 m f
 TURN = 2 * math.pi
 LEAST_PARTS, MOST_PARTS, SAMPLES = 4, 32, 4000  # of a step, in which one crossing is seen; wanted in a run
 BLOCK = 4096  # steps looked at together
-EDGE = (
-    1e-12  # of the time looked at: a crossing this close to its beginning is at it, on whichever side rounding has it
-)
+EDGE = 1e-12  # of the time looked at: a crossing this close to its beginning is at it, whatever rounding says
 WHOLE = 1e-9  # of a turn: an end this close to a return is one
 _WRITTEN = re.compile(r"\s*([^\s=]+)\s*=\s*(.+?)(?:\s+(rising|falling|both))?\s*")
 
