@@ -239,7 +239,8 @@ nu_1 [1]: Poisson's ratio of the first body
 E_2 [Pa]: Young's modulus of the second body
 nu_2 [1]: Poisson's ratio of the second body
 Source: quoted in Pereira, Ramalho, Ambrosio, Nonlinear Dyn. 63 (2011) 681
-Hertz's theory of line contact leaves the approach open; this is a law of the literature under his name.
+Hertz's theory of line contact leaves the approach open; this is a law of the literature under his name. It is about twice as compliant as
+johnson: with E/(1 - nu^2) of one material for E* the same formula is near it.
 """
 hertz_half_width: _StiffnessLaw_E_1_nu_1_E_2_nu_2
 """hertz_half_width(E_1, nu_1, E_2, nu_2): Hertz's half-width with the geometry of the chord (stiffness law, grade A).
@@ -463,10 +464,11 @@ E_1 [Pa]: Young's modulus of the first body
 nu_1 [1]: Poisson's ratio of the first body
 E_2 [Pa]: Young's modulus of the second body
 nu_2 [1]: Poisson's ratio of the second body
-c_b [1]: width of the contact b/sqrt(F R/(L E*))
+c_b [1]: whole width of the contact, b/sqrt(F R/(L E*))
 Source: Radzimovsky, Univ. Illinois Eng. Exp. Station Bulletin 408 (1953); Pereira, Ramalho, Ambrosio, Nonlinear Dyn. 63 (2011) 681
-c_b = 1.6, 1.128 and 2.257 are in circulation; 2/sqrt(pi) = 1.128 is Hertz's half-width, 2.257 the whole width, and 1.6 the whole width
-where diameters stand for radii.
+b is the whole width of the contact, c_b = 4/sqrt(pi) = 2.257; Roark's 1.60 sqrt(p K_D C_E) is the same, of diameters. In circulation are
+Hertz's half-width, 1.128, and 1.6 of radii: the force at 1 um is 15 and 8 % lower. The law is the compression of both cylinders to their
+centres under a parabola of pressure over b; johnson takes Hertz's ellipse.
 """
 ristow: _DampingLaw_gamma
 """ristow(gamma): Ristow; Lee and Herrmann (damping law, grade B).

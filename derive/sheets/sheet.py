@@ -51,7 +51,7 @@ RELEASES = {
     "force": "the contact ends where the normal force falls to zero",
     "gap": "the contact ends where the gap opens; the law may pull before",
 }
-EXAMPLE = {"E_1": "207e9", "E_2": "207e9", "nu_1": "0.3", "nu_2": "0.3", "c_b": "1.1283791670955126",
+EXAMPLE = {"E_1": "207e9", "E_2": "207e9", "nu_1": "0.3", "nu_2": "0.3",
           "R_1": "0.010", "R_2": "0.0095", "R_min": "0.0095", "L": "0.015"}  # fmt: skip
 EXAMPLES = {
     "pin_in_bush": ("pin in bush", {"dR": "0.0005", "R_eff": "0.19"}),
@@ -370,7 +370,7 @@ def _kind_of_example(pairs: tuple[str, ...]) -> str | None:
 def _example_text(law: Law) -> str:
     kind = _kind_of_example(law.pairs)
     where = "" if kind is None else EXAMPLES[kind][0]
-    c_b = ", c_b = 2/sqrt(pi)" if any(q.name == "c_b" for q in law.parameters) else ""
+    c_b = ", c_b = 4/sqrt(pi)" if any(q.name == "c_b" for q in law.parameters) else ""
     return f"steel (207 GPa, 0.3), {where}, R1/R2 = 10/9.5 mm, L = 15 mm{c_b}"
 
 

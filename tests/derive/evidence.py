@@ -41,15 +41,16 @@ from known_friction import (
     threlfall_published,
 )
 from known_stiffness import (
-    HALF_WIDTH,
     PAIRS,
     SEAM,
     SMALLER,
     THIN,
+    WHOLE_WIDTH,
     both_halves,
     chord,
     compression_agrees,
     digits,
+    ellipse,
     exponent_is,
     force_is,
     general_power,
@@ -61,8 +62,10 @@ from known_stiffness import (
     liu_formula,
     log_law,
     named_units,
+    near_johnson,
     other_units,
     palmgren_mm,
+    parabola,
     pereira_exponent,
     pereira_mm,
     persson_formula,
@@ -71,6 +74,7 @@ from known_stiffness import (
     popov,
     radzimovsky_roark,
     reach_is,
+    roark_width,
     sneddon_by_quadrature,
     stored_is_the_integral,
     strip_closed,
@@ -97,7 +101,7 @@ LOG = {
         "as quoted by Pereira et al.",
         lambda b, q: 2 * q / (mp.pi * b.star * b.L) * (2 * mp.log(2 * mp.sqrt(b.R * b.dR) / b.half_width(q)) - 1), {},
     ),
-    "radzimovsky": ("Roark's table", radzimovsky_roark, HALF_WIDTH),
+    "radzimovsky": ("Roark's table", radzimovsky_roark, WHOLE_WIDTH),
     "goldsmith": ("as quoted", goldsmith_quoted, {}),
     "goldsmith_m3": ("long strip", strip_closed, {}),
     "dubowsky_freudenstein": ("long strip", strip_closed, {}),
@@ -123,7 +127,7 @@ R = sp.Rational
 ELASTIC = Evidence(LIMIT, "the exact relation as e goes to 1", nearly_elastic)
 PLASTIC = Evidence(LIMIT, "the exact relation as e goes to 0", nearly_plastic)
 HALF_SPACE = Evidence(QUADRATURE, "Hertz's strip on a half-space", half_space_agrees)
-COMPRESSION = Evidence(QUADRATURE, "strains of cylinders pressed across", compression_agrees)
+COMPRESSION = Evidence(QUADRATURE, "strains of cylinders pressed across", compression_agrees(ellipse))
 PUBLISHED = Evidence(DIGITS, "forces of aluminium, 10 digits", johnson_published)
 UNITS = Evidence(EXACT, "the reference quantities are the units of the fit", named_units, of_the_force=False)
 SLOPE = Evidence(EXACT, "the slope at rest is the derivative", slope_at_rest, of_the_force=False)
@@ -171,14 +175,15 @@ EVIDENCE: dict[str, tuple[Evidence, ...]] = {
         local_exponent(k="4", C="500"),
     ),
     "palmgren": (in_millimetres(palmgren_mm, lambda b: mpf(10) / 9, PAIRS), SMALLER),
-    "palmgren_si": (force_is(TYPED, "as printed", palmgren_mm), Evidence(TYPED, "in other units", other_units), SMALLER, UNITS, local_exponent()),
+    "palmgren_si": (force_is(TYPED, "as printed", palmgren_mm), Evidence(TYPED, "in other units", other_units), SMALLER, UNITS, local_exponent(),
+                    near_johnson("side by side")),
     "pereira_internal": (in_millimetres(pereira_mm(True), pereira_exponent, (*PAIRS, THIN, *SEAM)), SMALLER, fitted_clearance()),
     "pereira_internal_si": (
         digits("pereira_internal_si"), force_is(TYPED, "as printed", pereira_mm(True), pairs=(*PAIRS, THIN, *SEAM)),
-        SMALLER, fitted_clearance(), UNITS, local_exponent(),
+        SMALLER, fitted_clearance(), UNITS, local_exponent(), near_johnson("inside"),
     ),
     "pereira_external": (in_millimetres(pereira_mm(False), lambda b: mpf("1.094"), PAIRS), SMALLER),
-    "pereira_external_si": (force_is(TYPED, "as printed", pereira_mm(False)), SMALLER, UNITS, local_exponent()),
+    "pereira_external_si": (force_is(TYPED, "as printed", pereira_mm(False)), SMALLER, UNITS, local_exponent(), near_johnson("side by side")),
     "lankarani_nikravesh_cylinders": (
         force_is(LIMIT, "Hertz at n = 3/2", hertz_by_quadrature, n="1.5"), exponents_of_cylinders(), local_exponent(n="1.1"),
     ),
@@ -197,7 +202,11 @@ EVIDENCE: dict[str, tuple[Evidence, ...]] = {
     "hertz_half_width": (force_is(EXACT, "Hertz's half-width is the chord", chord), SMALLER, local_exponent()),
     "johnson": (digits("johnson"), PUBLISHED, COMPRESSION, *_log("johnson")),
     "hertz_cylinder": _log("hertz_cylinder"),
-    "radzimovsky": (*_log("radzimovsky"), Evidence(EXACT, "the width is Hertz's", hertz_width, of_the_force=False)),
+    "radzimovsky": (
+        *_log("radzimovsky"), Evidence(QUADRATURE, "strains under a parabola of pressure over Hertz's width", compression_agrees(parabola)),
+        Evidence(EXACT, "b is Hertz's whole width", hertz_width, of_the_force=False),
+        Evidence(DIGITS, "Roark's width, of diameters", roark_width, of_the_force=False),
+    ),
     "goldsmith": _log("goldsmith"),
     "goldsmith_m3": (digits("goldsmith_m3"), HALF_SPACE, *_log("goldsmith_m3")),
     "dubowsky_freudenstein": (digits("dubowsky_freudenstein"), HALF_SPACE, *_log("dubowsky_freudenstein")),

@@ -37,3 +37,6 @@ LEAST_RESTITUTION = {"lankarani_nikravesh": "0.6630", "hunt_crossley": "0.4877"}
 JANKOWSKI = {"0.9": "0.8997", "0.7": "0.6977", "0.5": "0.4946", "0.3": "0.2917", "0.1": "0.0933"}
 
 KUWABARA_KONO = "1.15345"  # e = 1 - this (3/2) A (K/m_eff)^(2/5) v0^(1/5) + ...
+
+# Roark's table of line contact, of diameters: b in sqrt(p K_D C_E), in sqrt(p K_D/E) with nu = 0.3, largest stress in sqrt(p/(K_D C_E))
+ROARK_LINE = {"b": "1.60", "b of steel": "2.15", "stress": "0.798"}

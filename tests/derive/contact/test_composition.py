@@ -54,7 +54,7 @@ PAIRS = {
     "parallel_cylinders": (ParallelCylinders("joint", *PLACES, RADIUS, SMALL, Z, LENGTH), -RADIUS - SMALL),
 }
 GIVEN = {
-    "n": 1.5, "K": 2.4e9, "k": 2, "C": Parameter("profile", "1/m", 50), "c_b": 2.257,
+    "n": 1.5, "K": 2.4e9, "k": 2, "C": Parameter("profile", "1/m", 50),
     "e": 0.7, "gamma": 1e4, "A": 2e-6, "chi": 1e9, "m": 1.5,
     "mu": 0.2, "mu_k": 0.15, "mu_s": 0.25, "v_s": 1e-3, "v_S": 0.05, "v_a": 1e-3, "v_b": 1e-2, "v_r": 0.02, "c_v": 3, "N_t": 10, "xi": 20,
 }  # fmt: skip
