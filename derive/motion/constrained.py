@@ -29,14 +29,21 @@ class Loops:
         self._tape, self._constraints, self._mass = tape, constraints, mass
         self._names = [constraint.name.replace(".", "_") for constraint in constraints]
         each = list(zip(constraints, self._names, strict=True))
-        self._through = [  # M^-1 G^T, the response of each speed to a unit multiplier
+        through = (
             mass.solve({key: constraint.column.get(key, sp.S.Zero) for key in mass.names}, f"by_{name}")
             for constraint, name in each
-        ]
+        )
+        # M^-1 G^T: by constraint, the responses to a unit multiplier of the speeds that have one
+        self._through = [{key: value for key, value in one.items() if value != 0} for one in through]
         matrix: dict[tuple[str, str], Any] = {}
+        moved: dict[str, list[int]] = {}  # by speed, the constraints whose multiplier changes it
+        for j, through in enumerate(self._through):
+            for key in through:
+                moved.setdefault(key, []).append(j)
         for i, (constraint, name) in enumerate(each):
-            for other, through in zip(self._names[: i + 1], self._through, strict=False):
-                value = tape.let(_constraint_rate(constraint, through), f"W_{name}_{other}")
+            for j in sorted({j for key in constraint.column for j in moved.get(key, ()) if j <= i}):
+                other = self._names[j]
+                value = tape.let(_constraint_rate(constraint, self._through[j]), f"W_{name}_{other}")
                 if value != 0:
                     matrix[name, other] = matrix[other, name] = value
         self._sizes: dict[str, Any] = {}
@@ -91,11 +98,14 @@ class Loops:
             }
             corrections = self._factor.solve(residuals, label)
             multipliers = {name: tape.let(multipliers[name] + corrections[name], f"{name}_{label}") for name in names}
-            corrected = {}
-            for key, value in motion.items():
-                pushes = (corrections[name] * through[key] for name, through in zip(names, self._through, strict=True))
-                corrected[key] = tape.let(value + sp.Add(*pushes), f"{key.replace('.', '_')}_{label}")
-            motion = corrected
+            pushes: dict[str, list[Any]] = {key: [] for key in motion}
+            for name, through in zip(names, self._through, strict=True):
+                for key, response in through.items():
+                    pushes[key].append(corrections[name] * response)
+            motion = {
+                key: tape.let(value + sp.Add(*pushes[key]), f"{key.replace('.', '_')}_{label}")
+                for key, value in motion.items()
+            }
         return motion, list(multipliers.values())
 
 

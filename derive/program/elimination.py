@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from heapq import heappop, heappush
 from typing import Any
 
 import sympy as sp
@@ -16,33 +17,49 @@ class Factor:
     def __init__(self, tape: Tape, order: list[str], matrix: dict[tuple[str, str], Any]) -> None:
         self.names, self._tape = order, tape
         self._label = label = {name: name.replace(".", "_") for name in order}
-        self._lower: dict[tuple[str, str], Any] = {}
+        self._before: dict[str, dict[str, Any]] = {name: {} for name in order}  # row of L left of its diagonal
+        self._after: dict[str, dict[str, Any]] = {name: {} for name in order}  # column of L below its diagonal
         self.diagonal: dict[str, Any] = {}
-        work: dict[tuple[str, str], Any] = {}
-        for i, row in enumerate(order):
-            known: list[str] = []
-            for k in order[:i]:
-                terms = [product(self._lower[k, j], work[row, j]) for j in known if (k, j) in self._lower]
+        place = {name: i for i, name in enumerate(order)}
+        coupled: dict[str, list[int]] = {name: [] for name in order}
+        for row, k in matrix:
+            if place.get(k, len(order)) < place.get(row, -1):
+                coupled[row].append(place[k])
+        for row in order:
+            work: dict[str, Any] = {}
+            pending = sorted(coupled[row])  # a heap: columns of the matrix, then those that elimination fills in
+            seen = set(pending)
+            while pending:
+                k = order[heappop(pending)]
+                terms = [product(lower, work[j]) for j, lower in self._before[k].items() if j in work]
                 value = tape.let(less(matrix.get((row, k), sp.S.Zero), *terms), f"L_{label[row]}_{label[k]}")
-                if value != 0:
-                    known.append(k)
-                    work[row, k] = value
-                    self._lower[row, k] = tape.let(value / self.diagonal[k], f"l_{label[row]}_{label[k]}")
-            terms = [product(self._lower[row, j], work[row, j]) for j in known]
+                if value == 0:
+                    continue
+                work[k] = value
+                filled = {place[name] for name in self._after[k]} - seen
+                for column in filled:
+                    heappush(pending, column)
+                seen |= filled
+                quotient = tape.let(value / self.diagonal[k], f"l_{label[row]}_{label[k]}")
+                self._before[row][k] = self._after[k][row] = quotient
+            terms = [product(lower, work[k]) for k, lower in self._before[row].items()]
             self.diagonal[row] = tape.let(less(matrix[row, row], *terms), f"D_{label[row]}")
 
     def solve(self, right: dict[str, Any], label: str) -> dict[str, Any]:
         """Solve for one right-hand side by forward and back substitution."""
-        tape, order, lower = self._tape, self.names, self._lower
+        tape, zero = self._tape, sp.S.Zero
         solved: dict[str, Any] = {}
-        for i, row in enumerate(order):
-            terms = [product(lower[row, k], solved[k]) for k in order[:i] if (row, k) in lower]
-            solved[row] = tape.let(less(right[row], *terms), f"y_{self._label[row]}") if terms else right[row]
+        for row in self.names:
+            terms = [product(lower, solved[k]) for k, lower in self._before[row].items() if solved[k] is not zero]
+            value = less(right[row], *terms)
+            solved[row] = tape.let(value, f"y_{self._label[row]}") if self._before[row] and value is not zero else value
         result: dict[str, Any] = {}
-        for i in reversed(range(len(order))):
-            row = order[i]
-            terms = [product(lower[k, row], result[k]) for k in order[i + 1 :] if (k, row) in lower]
-            result[row] = tape.let(less(solved[row] / self.diagonal[row], *terms), f"{self._label[row]}_{label}")
+        for row in reversed(self.names):
+            terms = [product(lower, result[k]) for k, lower in self._after[row].items() if result[k] is not zero]
+            value = zero if solved[row] is zero else solved[row] / self.diagonal[row]
+            result[row] = (
+                tape.let(less(value, *terms), f"{self._label[row]}_{label}") if terms or value is not zero else value
+            )
         return result
 
 
