@@ -24,12 +24,19 @@ from hertzwerk.derive import (  # fmt: skip
     InputError,
     Material,
     Mechanism,
+    ParallelCylinders,
     Parameter,
+    PinInBush,
     Planar,
     Revolute,
     RimOnPlane,
     Scales,
     Scene,
+    SphereOnBox,
+    SphereOnCylinder,
+    SphereOnFace,
+    SphereOnPlane,
+    SphereOnSphere,
     Spherical,
     X,
     Y,
@@ -37,6 +44,7 @@ from hertzwerk.derive import (  # fmt: skip
     derive,
 )
 from hertzwerk.derive.laws import hertz_point, power, smooth_coulomb
+from hertzwerk.derive.mechanism.parameter import default_value
 
 LENGTH = 0.8  # of a bounded face
 OFF = (0.1, -0.2, 0.15)  # of a knob
@@ -315,6 +323,29 @@ def test_a_cylinder_that_may_tilt_is_refused_and_one_that_may_yaw_is_not():
     assert "RimOnPlane for each end" in faults(pair, Spherical("ball", GROUND, ROLLER))
     derive(scene(pair, Cylindrical("yaw", GROUND, ROLLER, axis=Y), effects=(Contact("touch", STIFF),)))
     assert "RimOnPlane for each end" in faults(pair, Revolute("tilt", GROUND, ROLLER, axis=Z))
+
+
+def test_relative_curvature_is_that_of_both_surfaces():
+    """R_eff = sqrt(R' R'') of the principal relative radii, concave ones negative (Johnson 1985, section 4.1), of cylinders that across; in mm."""
+    big, small, gap, mm = (Parameter(f"size_{k}", "mm", k) for k in (30, 20, 10, 15))
+    balls = {"R_min": 20, "R_1": 30, "R_2": 20}
+    side_by_side = {**balls, "R_eff": 1 / (1 / 20 + 1 / 30), "dR": 50}
+    hollow = {**balls, "R_eff": 1 / (1 / 20 - 1 / 30), "dR": 10}
+    flat = {"R_eff": 20, "R_min": 20, "R_2": 20}
+    cases = (
+        (SphereOnSphere("touch", HERE, THERE, big, small), side_by_side),
+        (ParallelCylinders("touch", HERE, THERE, big, small, Z, mm), {**side_by_side, "L": 15}),
+        (PinInBush("touch", HERE, THERE, Z, big, gap, length=mm), {**hollow, "L": 15}),
+        (BallInSocket("touch", HERE, THERE, big, gap), hollow),
+        (SphereOnPlane("touch", HERE, small, THERE, Y), flat),
+        (CylinderOnPlane("touch", HERE, X, small, mm, THERE, Y), {"R_eff": 20, "R_min": 20, "L": 15}),
+        (SphereOnBox("touch", HERE, small, THERE, big, big, big), flat),
+        (SphereOnFace("touch", HERE, small, THERE, Y, X, big, big), flat),
+        (SphereOnCylinder("touch", HERE, small, THERE, big, Z), {**balls, "R_eff": 1 / np.sqrt(1 / 20 * (1 / 20 + 1 / 30))}),
+    )  # fmt: skip
+    for pair, expected in cases:
+        found = {name: 1e3 * default_value(value) for name, value in pair.geometry.items()}
+        assert found == pytest.approx(expected, rel=1e-12), pair.kind
 
 
 def test_laws_ask_pairs_for_the_geometry_they_need():

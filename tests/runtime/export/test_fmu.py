@@ -38,6 +38,7 @@ from hertzwerk.runtime.run.request import Settings
 TOLERANCE, DURATION, MASS = 1e-8, 1.0, 0.5
 HEADERS = Path(fmpy.__file__).parent / "c-code"
 slug = Body("slug", Parameter("mass", "kg", MASS))
+size = Parameter("length_scale", "m", 0.01)
 PUSHED = Scene(
     Mechanism(
         "pushed",
@@ -50,7 +51,7 @@ PUSHED = Scene(
         EnergyLedger(),
     ),
     start=Start(position={"slide": Parameter("start_x", "m", 0.1)}),
-    scales=Scales(length=Parameter("length_scale", "m", 0.01), speed=Parameter("speed_scale", "m/s", 1.0)),
+    scales=Scales(length=size, speed=size * Parameter("pace", "rpm", 1000)),
 )  # fmt: skip
 UNKNOWNS = ("slide.travel", "slide.speed", "slide.acceleration")
 
@@ -138,6 +139,8 @@ def test_it_tells_units_starts_and_causality(pushed):
     units = {unit.name: unit.baseUnit for unit in pushed[1].unitDefinitions}
     assert (units["N"].kg, units["N"].m, units["N"].s) == (1, 1, -2)
     assert units["N/m^1.5"] is None
+    shown = {row.name: float(row.factor) for unit in pushed[1].unitDefinitions for row in unit.displayUnits}
+    assert shown == {"mm": 1000, "rpm": pytest.approx(60 / (2 * np.pi))}  # value shown = factor * value
     experiment = pushed[1].defaultExperiment
     assert (float(experiment.stopTime), float(experiment.tolerance)) == (DURATION, TOLERANCE)
 

@@ -65,6 +65,21 @@ def test_free_fall_is_a_regression(ball):
     assert found.known.correlation[0, 1] == pytest.approx(-slope[0, 1] / np.sqrt(slope[0, 0] * slope[1, 1]), rel=1e-4)
 
 
+def test_intervals_under_stated_noise_are_of_the_normal_distribution(ball):
+    """Of a regression: half-width over standard deviation is 1.95996; AICc is chi^2 + 2 sum ln sigma + 2 k + 2 k (k + 1)/(n - k - 1)."""
+    data = heights(simulate(ball, duration="0.45 s", tolerance=1e-11))
+    free = {"gravity": "9..11 m/s^2", TRAVEL: "0.9..1.3 m"}
+    found = fit(ball, data, free=free, map=HEIGHT["map"], noise={"height": "2 mm"}, starts=2)
+    design, y = np.column_stack([-(data.times**2) / 2, np.ones(60)]), data.si("height")
+    expected, square, *_ = np.linalg.lstsq(design, y, rcond=None)
+    deviations = 2e-3 * np.sqrt(np.diag(np.linalg.inv(design.T @ design)))
+    for name, value, deviation in zip(free, expected, deviations, strict=True):
+        interval = found[name].interval
+        assert (interval.high - value) / deviation == pytest.approx(1.95996, abs=1e-3)
+        assert (value - interval.low) / deviation == pytest.approx(1.95996, abs=1e-3)
+    assert found.criterion == pytest.approx(square[0] / 2e-3**2 + 120 * np.log(2e-3) + 4 + 12 / 57, abs=1e-6)
+
+
 def test_derivatives_are_those_of_the_predictions(ball):
     """Against differences: quantities, offset and gain, samples and impacts, of two runs."""
     runs = [simulate(ball, duration="1.6 s", tolerance=1e-11, parameters={"drop_height": f"{h} m"}) for h in (0.8, 1)]

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import Experiment, MeasuredImpacts, fit_laws, load, simulate
+from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit_laws, load, simulate
+from hertzwerk.runtime.fitting.fitting import read_fit
+from hertzwerk.runtime.fitting.law_ranking import ranked
 from hertzwerk.runtime.fitting.law_variants import split_laws
 
 NOISE = {"v": "0.01 m/s", "f": "100 N"}
@@ -52,6 +54,35 @@ def test_peak_forces_tell_the_form_of_damping_and_not_its_name(ball):
     assert abs(sum(law.weight for law in found.laws) - 1) < 1e-12
     told = fit_laws(ball, drops(ball), {"floor": ["tsuji", "flores"]}, noise=NOISE, **HOW)
     assert told.alike == () and "flores is told apart" in str(told)
+
+
+def test_weights_are_akaikes(ball):
+    """Two regressions on one fall, h = s - g t^2/2 with g free or held: weights of exp(-AICc/2), which add up to 1."""
+    t, sigma = np.linspace(0.02, 0.44, 40), 1e-3
+    y = 1.1 - 9.81 * t**2 / 2 + sigma * np.sin(37 * np.arange(40))
+    data = Measurement(t, {"height": y}, {"height": "m"})
+    given = {
+        "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
+        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "profile": False,
+    }  # fmt: skip
+    start = {"vertical.travel": "1..1.2 m"}
+    found = ranked({
+        "free": read_fit(ball, data, {"gravity": "9..11 m/s^2", **start}, parameters=None, **given),
+        "held": read_fit(ball, data, start, parameters={"gravity": "9.81 m/s^2"}, **given),
+    })  # fmt: skip
+
+    def aicc(*columns):
+        _, square, *_ = np.linalg.lstsq(np.column_stack(columns), y + (0 if len(columns) > 1 else 9.81 * t**2 / 2))
+        k, n = len(columns), len(t)
+        return square[0] / sigma**2 + 2 * k + 2 * k * (k + 1) / (n - k - 1)
+
+    ones = np.ones(40)
+    apart = aicc(ones, -(t**2) / 2) - aicc(ones)
+    weights = {law.name: law.weight for law in found.laws}
+    assert 1 < apart < 4
+    assert weights["held"] == pytest.approx(1 / (1 + np.exp(-apart / 2)), abs=1e-6)
+    assert weights["free"] == pytest.approx(1 / (1 + np.exp(apart / 2)), abs=1e-6)
+    assert [law.name for law in found.laws] == ["held", "free"]
 
 
 def test_bad_laws_are_one_error(ball):

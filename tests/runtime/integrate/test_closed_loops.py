@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from loops import four_bar, open_by, rad, turned
+from scipy.integrate import quad
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -50,6 +51,31 @@ def test_a02_is_one_pendulum():
     at = run.at(times)
     for post in range(3):
         assert at[f"foot_{post}.angle"] == pytest.approx([turned(2, t) for t in times], abs=1e-8)
+
+
+def test_a_quick_return_turns_as_its_one_freedom_equation_says():
+    """A crank pin on a block that slides along a turning arm, unforced: I(phi) phi'^2 stays, I = J_1 + m r^2 + (J_2 + J_3) (dpsi/dphi)^2."""
+    R, base, W = Parameter("r", "m", 0.1), Parameter("base", "m", 0.25), Parameter("w", "rad/s", 12.0)
+    mass = Parameter("mass", "kg", 0.8)
+    inertias = (("crank", 4e-3), ("arm", 3e-2), ("block", 1e-3))
+    crank, arm, block = (Body(name, mass, Parameter(f"J_{name}", "kg m^2", J)) for name, J in inertias)
+    joints = (
+        Revolute("main", GROUND, crank, axis=Z),
+        Revolute("pivot", GROUND.at(-base, 0, 0), arm, axis=Z),
+        Prismatic("slot", arm, block, axis=X),
+        Revolute("pin", crank.at(R, 0, 0), block, axis=Z),
+    )
+    start = Start(position={"slot": R + base}, speed={"main": W})
+    model = load(Scene(Mechanism("quick_return", joints), (EnergyLedger(),), Scales(R, R * W, R), start))
+    run = simulate(model, duration=0.6, tolerance=1e-10)
+
+    def inertia(phi):
+        r, c = 0.1, 0.25
+        k = (r**2 + r * c * np.cos(phi)) / (r**2 + c**2 + 2 * r * c * np.cos(phi))
+        return 4e-3 + 0.8 * r**2 + 3.1e-2 * k**2
+
+    needed, _ = quad(lambda phi: np.sqrt(inertia(phi) / inertia(0)) / 12.0, 0, run.final["main.angle"], epsabs=1e-12)
+    assert needed == pytest.approx(0.6, rel=1e-8)
 
 
 @pytest.mark.exhaustive

@@ -111,6 +111,24 @@ def test_reactions_of_the_ground_are_the_rate_of_momentum(crank_run):
     np.testing.assert_allclose(run["guide.force_y"], run["guide.reaction_y"], rtol=1e-12)  # its multiplier
 
 
+def test_acceleration_of_a_bead_on_a_driven_arm():
+    """x = 0.1 cosh(w t) along the arm: in ground axes nothing is left along it, and 2 w x' across."""
+    arm = Body("arm", Parameter("arm_mass", "kg", 1.0), Parameter("arm_inertia", "kg m^2", 0.1))
+    bead = Body("bead", Parameter("bead_mass", "kg", 0.2), Parameter("bead_inertia", "kg m^2", 1e-4))
+    joints = (Revolute("main", GROUND, arm, axis=Z), Prismatic("slot", arm, bead, axis=X))
+    scene = Scene(
+        Mechanism("bead_on_arm", joints),
+        (ConstantSpeed("drive", "main", Parameter("w", "rad/s", 3.0)),),
+        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
+        Start({"slot": Parameter("x_0", "m", 0.1)}),
+    )
+    run = simulate(load(scene), duration=0.7, tolerance=1e-11)
+    across = 2 * 3 * 0.3 * np.sinh(3 * run.t)
+    assert run["slot.travel"] == pytest.approx(0.1 * np.cosh(3 * run.t), rel=1e-9)
+    assert run["bead.x_acceleration"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
+    assert run["bead.y_acceleration"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
+
+
 def test_tension_of_a_pendulum():
     length, mass, lift = 0.7, 2.0, 1.2
     bob = Body("bob", Parameter("mass", "kg", mass), centre=(0, -Parameter("length", "m", length), 0))
