@@ -7,6 +7,7 @@ N/m^1.5: K*d**n is a force only for n = 3/2`.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -51,52 +52,82 @@ def _constant(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension
 
 
 def _power(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension) -> Offer | None:
-    """Another exponent on one factor: of a bare name first, d in E*sqrt(R)*d, then the least, L in L**2."""
-    powers: dict[Any, list[Any]] = {}
-    for name, exponent in _factors(culprit, sp.S.One):
-        powers.setdefault(name, []).append(exponent)
+    """Another exponent on one factor: of a bare name first, d in E*sqrt(R)*d, then the least, L in L**2.
+
+    What is offered is substituted, and has the expected dimension.
+    """
+    powers: dict[Any, list[_Factor]] = {}
+    for factor in _factors(culprit):
+        powers.setdefault(factor.name, []).append(factor)
     everywhere = [node.name for node in culprit.walk() if node.op == "name"]
     offers = []
     for place, (name, parts) in enumerate(powers.items()):
-        dimension, exponent = walk.table[name], sp.Add(*parts)
+        dimension, total = walk.table[name], sp.Add(*(part.exponent * part.outer for part in parts))
         if dimension.dimensionless or everywhere.count(name) > len(parts):  # it stands elsewhere too
             continue
-        step = _logarithm(missing, dimension)
+        step, outer = _logarithm(missing, dimension), parts[0].outer
         # a smaller or larger power, or the factor on the wrong side of the line; no other change of sign
-        if step is not None and ((step + exponent) * exponent > 0 or step == -2 * exponent):
-            offers.append((exponent == 1, -abs(step + exponent), place, name, step + exponent))
+        if step is None or not ((step + total) * total > 0 or step == -2 * total):
+            continue
+        if any(part.outer != outer for part in parts):
+            continue
+        changed = _with_exponent(culprit, parts[0].path, name, parts[0].exponent + step / outer)
+        if walk(changed) == expected:
+            offers.append(
+                (total == 1, -abs(step + total), place, parts, sp.Add(*(p.exponent for p in parts)) + step / outer)
+            )
     if not offers:
         return None
-    *_, name, exponent = max(offers, key=lambda offer: offer[:3])
-    if culprit.expr is not None:
-        for factor in _operands(culprit):
-            if factor.name == name or (factor.op == "**" and factor.args[0].name == name):
-                return exponent, _only_for(walk, culprit, factor, None, exponent, expected)
+    *_, parts, exponent = max(offers, key=lambda offer: offer[:3])
+    first, name = parts[0], parts[0].name
+    if culprit.expr is not None and len(parts) == 1 and first.node in _operands(culprit):
+        return exponent, _only_for(walk, culprit, first.node, None, exponent, expected)
     power = "" if exponent == 1 else f"**{exponent}" if exponent.is_Integer and exponent > 0 else f"**({exponent})"
-    total = " in all" if len(powers[name]) > 1 else ""
-    length = exponent == 2 and walk.table[name] == _LENGTH
+    total = " in all" if len(parts) > 1 else ""
+    stead = f" in place of {walk.tree.quote(first.node)}" if first.node.op == "sqrt" and not total else ""
+    length = exponent == 2 and first.outer == 1 and walk.table[name] == _LENGTH
     other = f", or with {name}{total} and a factor of unit m" if length else ""
-    return exponent, f"with {name}{power}{total} it is {_unit(expected)}{other}"
+    return exponent, f"with {name}{power}{total}{stead} it is {_unit(expected)}{other}"
 
 
 def _operands(node: Node) -> tuple[Node, ...]:
     return node.args if node.op == "product" else (node,)
 
 
-def _factors(node: Node, power: Any) -> Iterable[tuple[Any, Any]]:
-    """Yield (name, exponent) of the factors of a product that are powers of a name.
+@dataclass(frozen=True)
+class _Factor:
+    """A power of a name in a product: its node, the way to it, its exponent, and the power that all of it is raised to."""
 
-    As far as exponents are numbers.
-    """
-    if node.op == "name":
-        yield node.name, power
-    elif node.op in ("product", "neg"):
-        for factor in node.args:
-            yield from _factors(factor, power)
-    elif node.op in ("inverse", "sqrt"):
-        yield from _factors(node.args[0], power * (sp.S.NegativeOne if node.op == "inverse" else sp.S.Half))
+    name: Any
+    node: Node
+    path: tuple[int, ...]
+    exponent: Any
+    outer: Any
+
+
+def _factors(node: Node, outer: Any = sp.S.One, path: tuple[int, ...] = ()) -> Iterable[_Factor]:
+    """Yield the factors of a product that are powers of a name, as far as exponents are numbers."""
+    exponent = sp.S.One
+    if node.op in ("inverse", "sqrt"):
+        exponent = sp.S.NegativeOne if node.op == "inverse" else sp.S.Half
     elif node.op == "**" and node.args[1].number is not None:
-        yield from _factors(node.args[0], power * canonical(node.args[1].number))
+        exponent = canonical(node.args[1].number)
+    elif node.op not in ("name", "product", "neg"):
+        return
+    inner = node.args[0] if node.op in ("sqrt", "**") else node
+    if inner.op == "name":
+        yield _Factor(inner.name, node, path, exponent, outer)
+        return
+    for k, factor in enumerate(node.args[:1] if node.op == "**" else node.args):
+        yield from _factors(factor, outer * exponent, (*path, k))
+
+
+def _with_exponent(node: Node, path: tuple[int, ...], name: Any, exponent: Any) -> Node:
+    """The tree with a power of the name at the end of the path."""
+    if not path:
+        return Node("**", args=(Node("name", name=name), Node("number", number=exponent)))
+    changed = _with_exponent(node.args[path[0]], path[1:], name, exponent)
+    return replace(node, args=(*node.args[: path[0]], changed, *node.args[path[0] + 1 :]))
 
 
 def _only_for(walk: Walk, culprit: Node, factor: Node, symbol: Any, value: Any, expected: Dimension) -> str:

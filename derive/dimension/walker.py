@@ -106,7 +106,8 @@ class Walker:
     def alike(self, node: Node, args: Sequence[Node], expected: Dimension | None = None) -> Dimension:
         """Common dimension of all arguments; raises DimensionError if they differ.
 
-        The most frequent one is expected, in a tie not that of a number.
+        The most frequent one is expected, in a tie not that of a number, which may hide a unit; but the 1 of 1 + h*v is
+        right.
         """
         dimensions = self.dimensions(node, args)
         if dimensions and all(dimension is dimensions[0] for dimension in dimensions):
@@ -114,7 +115,9 @@ class Walker:
         counts = {dimension: dimensions.count(dimension) for dimension in dimensions if not dimension.every}
         if len(counts) <= 1:
             return next(iter(counts), ZERO)
-        expected = expected or max(counts, key=lambda dimension: (counts[dimension], dimension != ONE))
+        others = [arg for arg in args if not (arg.op == "number" and arg.number == 1)]
+        one = node.op == "sum" and len(others) < len(args) and all(arg.op != "name" for arg in others)
+        expected = expected or max(counts, key=lambda dimension: (counts[dimension], (dimension == ONE) == one))
         odd, found = next(pair for pair in zip(args, dimensions, strict=True) if not pair[1].matches(expected))
         other = next((d for d in dimensions if d == expected), next(d for d in counts if d != found))
         if node.op == "sum":  # up to the first term that does not fit
@@ -166,6 +169,8 @@ class Walker:
             ):  # a symbol by itself is never wrong: quote the sum or branch
                 self.alike(node, terms, expected)
             self.expect(term, expected)
+        if node.op == "product":
+            self.expect_sum(node, expected)
         found = self(node)
         if found.matches(expected):
             return None
@@ -180,6 +185,26 @@ class Walker:
         raise self.fault(
             node, found, expected, reason, node, [base for base in bases if base.op not in ("number", "pi")]
         )
+
+    def expect_sum(self, product: Node, expected: Dimension) -> None:
+        """Raise DimensionError at the term of a sum that is not what the other factors leave to it.
+
+        In K*d**n*(1 + h*v/t), a force, the 1 is right.
+        """
+        unlike = []
+        rest = expected
+        for factor in product.args:
+            try:
+                rest = rest / self(factor)
+            except DimensionError:
+                unlike.append(factor)
+        if len(unlike) != 1:
+            return
+        (factor,) = unlike
+        if factor.op == "inverse":
+            factor, rest = factor.args[0], ONE / rest
+        if factor.op == "sum" and any(dimension == rest for dimension in self.dimensions(factor, factor.args)):
+            self.expect(factor, rest)
 
     def never_at_fault(self, factor: Node) -> bool:
         """Whether a factor is a dimensionless sum, or a power of one."""

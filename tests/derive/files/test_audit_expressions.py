@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import re
 import subprocess
 import sys
 import textwrap
@@ -183,7 +184,11 @@ def test_only_a_literal_zero_has_every_dimension():
         ("E*d**1.5", "N", "2", "with d**2 it is N, or with d and a factor of unit m"),
         ("4/3*E*sqrt(d)*d", "N", "2", "with d**2 in all it is N, or with d in all and a factor of unit m"),
         ("log(L/(F*R*s_c))", None, "3", "with L**3 it is dimensionless"),
-        ("sqrt(c*m)", "1/s", "-1/2", "with m**(-1/2) it is 1/s"),
+        ("sqrt(c*m)", "1/s", "-1", "with m**(-1) it is 1/s"),
+        ("(E**2*d**3)**(1/2)", "N", "4", "with d**4 it is N"),
+        ("sqrt(E**2*d**3)*theta", "N", "4", "with d**4 it is N"),
+        ("E*sqrt(d)", "N", "2", "with d**2 in place of sqrt(d) it is N, or with d and a factor of unit m"),
+        ("d*sqrt(E**2*d)", "N", None, "a factor of unit m^0.5 is missing"),  # no one exponent of both
         ("Kn*d**(2*n - 1)", "N", "1", "consistent only with n = 1"),
         ("Kn*d**k", "N", "n", "consistent only with k = n"),
         ("Kn*d**n*v", "N", None, "a factor of unit s/m is missing"),
@@ -202,6 +207,34 @@ def test_only_a_literal_zero_has_every_dimension():
 def test_repairs(text, expect, exponent, repair):
     finding = audit_expression(text, UNITS, {}, expect)
     assert (finding.consistent_exponent, finding.repair) == (exponent, repair)
+
+
+@pytest.mark.parametrize("base", ["E**2*d**3", "E**2/d", "E**2*R*d", "E*d", "d/E**2"])
+@pytest.mark.parametrize("form", ["({})**(1/2)", "sqrt({})", "a*({})**2", "1/({})", "3/sqrt({})", "sqrt(sqrt({}))"])
+def test_a_repair_within_a_root_or_power_is_right_where_it_is_written(base, form):
+    """The power that is offered, put into the text in place of the name's, gives the unit expected."""
+    units = {"E": "Pa", "d": "m", "R": "m", "a": "1"}
+    text = form.format(base)
+    for expect in ("N", "N^2", "1/N", "N^0.5"):
+        repair = audit_expression(text, units, {}, expect).repair or ""
+        named = re.match(r"with (\w)(\*\*\S+)? it is", repair)
+        if named is not None:
+            put = re.sub(rf"\b{named[1]}\b(\*\*\d)?", named[0].split()[1], text)
+            assert audit_expression(put, units, {}, expect).verdict == "consistent", (text, repair)
+
+
+@pytest.mark.parametrize(
+    ("text", "expect", "blamed"),
+    [
+        ("Kn*d**n*(1 + 3*(1 - theta**2)/4*v/t)", "N", "3*(1 - theta**2)/4*v/t is m/s^2"),
+        ("Kn*d**n/(1 + v/t)", "N", "v/t is m/s^2"),
+        ("F*(m + x)", "J", "m is kg"),
+        ("1 + 3*v/t", None, "3*v/t is m/s^2"),
+        ("x + 1", None, "1 is 1"),
+    ],
+)
+def test_of_a_sum_the_term_is_blamed_that_the_other_factors_contradict(text, expect, blamed):
+    assert blamed in audit_expression(text, UNITS, {}, expect).reason
 
 
 EXPONENTS = st.fractions(min_value=-5, max_value=5, max_denominator=6)
