@@ -22,7 +22,7 @@ class NoText(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
 
 
 class Where(NoText):
-    """`Where(condition, a, b)`: a where the condition holds, else b. Not evaluated while symbols remain.
+    """`Where(condition, a, b)`: a where the condition holds, else b. Evaluated where the condition is true or false.
 
     The derivative is that of the branch taken, as a simulation needs that locates the kink as an event. SymPy's
     Piecewise, Max and Heaviside would rewrite themselves or bring in DiracDelta instead.
@@ -31,10 +31,11 @@ class Where(NoText):
     nargs = 3
 
     @classmethod
-    def eval(cls, condition: Any, a: Any, b: Any) -> None:
-        """Check the condition; never evaluate. Raises TypeError."""
+    def eval(cls, condition: Any, a: Any, b: Any) -> Any:
+        """Return the branch of a condition that is true or false. Raises TypeError for what is no condition."""
         if not isinstance(condition, Boolean) or isinstance(condition, sympy.Expr):
             raise TypeError(f"Where: found the condition {condition}, expected a comparison such as d > 0")
+        return a if condition == sympy.true else b if condition == sympy.false else None
 
     def fdiff(self, argindex: int = 2) -> Any:
         """Partial derivative with respect to a (2) or b (3)."""
@@ -52,11 +53,8 @@ class Where(NoText):
         return True if a.is_real and b.is_real else None
 
     def doit(self, **hints: Any) -> Any:
-        """The branch taken, once the condition is true or false."""
-        condition, a, b = (arg.doit(**hints) for arg in self.args)
-        if condition == sympy.true:
-            return a
-        return b if condition == sympy.false else Where(condition, a, b)
+        """The same of conditions and branches that are evaluated themselves."""
+        return Where(*(arg.doit(**hints) for arg in self.args))
 
 
 def with_pieces(expression: Any) -> Any:

@@ -57,7 +57,7 @@ def settling(groups: Groups) -> Any:
     now = stuck.call(asked)
     for _ in groups:
         now = lazy.call([now[2], *asked[:4], *now])
-    slip = directions.call([*asked[:3], asked[4], *now[:2]])
+    slip = directions.call([*asked[:3], *asked[4:], *now[:2]])
     return ca.Function("settled", asked, [*slip, now[3]])
 
 
@@ -188,18 +188,19 @@ def _found(groups: Groups) -> Any:
 
 
 def _directions(groups: Groups) -> Any:
-    """Build the function (W, b, open, slip, force, limit) -> slip: directions of what slides.
+    """Build the function (W, b, open, slip, bound, force, limit) -> slip: directions of what slides.
 
-    What sticks is held by the forces of least norm, as it will be from now on: who cannot hold his slides too.
+    What sticks is held by the forces of least norm, as it will be from now on: a pair that these exceed slides too. An
+    onset is located where they exceed the bound by less than the forces of the interior point are known to.
     """
-    given = _symbols(groups, "W b open slip force limit")
-    W, b, still, slip, force, limit = given
+    given = _symbols(groups, "W b open slip bound force limit")
+    W, b, still, slip, bound, force, limit = given
     edge = _on_edge(groups, still, force, limit)
     driven = ca.if_else(edge, force, 0)
     sticks = still * (1 - edge)
     held = solve_sticking(W, sticks, -(b + ca.mtimes(W, driven)))
     a = b + ca.mtimes(W, driven + held)
-    beyond = sticks * (_sizes(groups, held) > limit * (1 + ON_EDGE))
+    beyond = sticks * (_sizes(groups, held) > ca.fmin(limit * (1 + ON_EDGE), bound))
     found = ca.if_else(still, 0, slip)
     for group in map(list, groups):
         # without a limit the force is none, and the pair goes where the others make it, or nowhere

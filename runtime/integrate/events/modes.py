@@ -97,7 +97,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     booked = ca.Function(
         "booked",
         arguments,
-        [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, tolerance)],
+        [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, m, after, tolerance)],
     )
     y, m, busy = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm), ca.SX.sym("busy")
     end = right.at(after["t"], y, after["mode"], m, run["c"])
@@ -174,7 +174,8 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         end = right.at(t, y, touching, m, run["c"])
         spent = pulls(model, end["force"]) * (gap < -tol)
         mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
-    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_slip_tolerances(model, run, tolerance)]
+    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns)]
+    asking += _slip_tolerances(model, run, m, {**end, "t": t}, tolerance)
     touched = ca.Function("touched", [t, q, u, known, controls], [*asking, floored])
     given = touched.mx_in()
     *asked, booked = touched.call(given)
@@ -222,9 +223,9 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("first", [t, controls, mode, m, y, unsettled, floored], [vectors.state.join(start)])
 
 
-def _slip_tolerances(model: Model, run: Parts, tolerance: list[Any]) -> Sequence[Any]:
+def _slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tolerance: list[Any]) -> Sequence[Any]:
     """Return the tolerances of speeds and forces of the pairs with set-valued friction."""
-    return slip_tolerances(model, run, *tolerance) if model.ns else [ca.SX(0, 1)] * 2
+    return slip_tolerances(model, run, m, at, *tolerance) if model.ns else [ca.SX(0, 1)] * 2
 
 
 def is_finite(end: Parts) -> Any:

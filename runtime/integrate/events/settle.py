@@ -16,7 +16,7 @@ from hertzwerk.runtime.integrate.events.events import (
     tolerances,
 )
 from hertzwerk.runtime.integrate.events.jumps import due, time_to_event
-from hertzwerk.runtime.integrate.events.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
+from hertzwerk.runtime.integrate.events.modes import FINITE, Parts, all_of, any_of, is_finite, latch, next_modes, switch
 from hertzwerk.runtime.integrate.step.classes import IDLE, IN_CONTACT, class_of
 from hertzwerk.runtime.integrate.step.closing import LOST
 from hertzwerk.runtime.integrate.step.control import (
@@ -44,7 +44,12 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, turned, undecided_and_breaking
+from hertzwerk.runtime.integrate.step.set_valued_friction import (
+    margin_tolerances,
+    margins_ahead,
+    turned,
+    undecided_and_breaking,
+)
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.per_model import per_model
@@ -148,7 +153,10 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     away = ca.if_else(ca.fabs(end["gap"]) > tol, times, 0)
     delta = ca.mmin(ca.if_else(ca.fabs(times) <= near, away, 2 * near))
     alone = (theta >= 1 - 2 * NEAR) * (force >= NO_EVENT)  # a force that runs out is no surface
-    if model.ne:  # nor is an event that the move may pass
+    # nor is an event that the move may pass
+    if model.ns:
+        alone *= all_of(margins_ahead(model, old["mode"], end, near))
+    if model.ne:
         alone *= ca.mmin(end["event"] + near * end["event_rate"] > 0)
     within = (delta <= near) * (old["h"] + delta <= run["t_end"] - old["t"])
     within *= isinstance(table, RungeKutta)  # what is stiff is not moved by an explicit step

@@ -152,11 +152,11 @@ def groups_of(grips: Sequence[str]) -> list[list[int]]:
     return [[i for i, other in enumerate(grips) if other == grip] for grip in dict.fromkeys(grips)]
 
 
-def slip_tolerances(model: Model, run: Parts, tol_rate: Any, tol_force: Any) -> tuple[Any, Any]:
-    """Return the tolerance of the velocity and of the force of each slip (ns), from those of pairs (k).
+def slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> tuple[Any, Any]:
+    """Return the tolerances (ns each) of velocities and forces at a landing, from those of pairs (k).
 
     What sticks holds the forces of all pairs, and is as uncertain as the most uncertain one. Those of turning follow by
-    the scene's arm, which turns an angle into a way.
+    the scene's arm, which turns an angle into a way. No margin is known better than the time.
     """
     turning = [i for i, (name, *_) in enumerate(model.slips) if turns(name)]
     least = LANDING * run["tolerance"] * run["scales"]
@@ -166,7 +166,8 @@ def slip_tolerances(model: Model, run: Parts, tol_rate: Any, tol_force: Any) -> 
         fast = next(i for i, name in enumerate(model.speeds) if model.units[name] == "rad/s")
         arm = run["scales"][1] / run["scale"][model.nq + fast]
         rate[turning], force[turning] = rate[turning] / arm, force[turning] * arm
-    return rate, force
+    sticks, timing = sticking(model, m), time_rounding(at["t"], at["margin_rate"])
+    return ca.fmax(rate, ca.if_else(sticks, 0, timing)), ca.fmax(force, ca.if_else(sticks, timing, 0))
 
 
 def sticking(model: Model, m: Any) -> Any:
@@ -308,13 +309,9 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 
 
 def margin_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
-    """Return each margin's tolerance at a landing: a speed if slipping, a force if sticking.
-
-    No margin is known better than the time.
-    """
-    rate, force = slip_tolerances(model, run, tol_rate, tol_force)
-    small = ca.if_else(sticking(model, m), force, rate)
-    return ca.fmax(small, time_rounding(at["t"], at["margin_rate"]))
+    """Return each margin's tolerance (ns) at a landing: a speed if slipping, a force if sticking."""
+    rate, force = slip_tolerances(model, run, m, at, tol_rate, tol_force)
+    return ca.if_else(sticking(model, m), force, rate)
 
 
 def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
@@ -342,6 +339,12 @@ def undecided_and_breaking(
     rests = (margin < -small) + (margin <= small) * (margin_rate < 0) > 0
     asked = touches * (fresh + (1 - sticks) * rests > 0)
     return asked, touches * (1 - fresh) * sticks * (margin < -BREAKS * small)
+
+
+def margins_ahead(model: Model, mode: Any, end: Parts, time: Any) -> Any:
+    """Return which margins (ns) stay positive for a time [s] after a step, as they go on then; 1 for pairs apart."""
+    ahead = (end["margin"] > 0) * (end["margin"] + time * end["margin_rate"] > 0)
+    return ca.if_else(touching(model, mode), ahead, 1)
 
 
 def margins_positive(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
