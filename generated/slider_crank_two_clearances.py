@@ -32,7 +32,7 @@ EFFECTS = (
 UNCHECKED = ()
 
 ADVICE = (
-    "crank_pin, slider_pin: hertz_point is a law of point contact, and a pin in bush touches along a line; laws of line contact that fit: johnson, hertz_cylinder, radzimovsky, goldsmith_m3, dubowsky_freudenstein, esdu_78035, palmgren_si, pereira_internal_si, liu_with_length, bai_zhao_repaired, persson, popov_line, hertz_half_width, wang_liu_internal, wang_liu_secant, wang_liu_half_width, wang_liu_johnson",
+    "crank_pin, slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
 )
 
 PARAMETERS = (

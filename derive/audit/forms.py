@@ -28,16 +28,18 @@ def form_of(pair: Pair) -> str:
     return str(form)
 
 
+def laws_of_form(form: str) -> tuple[Law, ...]:
+    """Consistent laws made for a form of contact, but not for every form, in catalogue order."""
+    laws = (law for law in LAWS.values() if law.verdict == "consistent")
+    return tuple(law for law in laws if form in law.forms and law.forms != FORMS)
+
+
 def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> tuple[str, ...]:
     """Names of consistent laws of a kind that fit a pair's form and geometry, in catalogue order."""
-    form = form_of(pair)
     found = [
         law
-        for law in LAWS.values()
+        for law in laws_of_form(form_of(pair))
         if law.kind == kind
-        and law.verdict == "consistent"
-        and form in law.forms
-        and law.forms != FORMS
         and (not law.pairs or pair.kind in law.pairs)
         and all(quantity.name in offered for quantity in law.geometry())
     ]
@@ -67,9 +69,8 @@ def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]
     pair = next(pair for pair in scene.mechanism.pairs if pair.name in effect.pairs)
     form, own = form_of(pair), " or ".join(law.forms)
     offered = scene.geometry(pair.name) | ({} if long else {"L": None})
-    names = ", ".join(fitting_laws(law.kind, pair, offered)) or "none of the catalogue"
     given = "" if long or form != "line" else ", once the pair has a length"
-    return (
-        f"{', '.join(effects)}: {name} is a law of {own} contact, and a {kind.replace('_', ' ')} touches {_TOUCHES[form]}; "
-        f"laws of {form} contact that fit{given}: {names}"
-    )
+    listed = f"`hertzwerk laws --form {form}` lists others{given}"
+    way = listed if fitting_laws(law.kind, pair, offered) else "the catalogue has no other"
+    touches = f"a {kind.replace('_', ' ')} touches {_TOUCHES[form]}"
+    return f"{', '.join(effects)}: {touches}, and {name} is a law of {own} contact; {way}"

@@ -48,11 +48,16 @@ def _markdown() -> Iterator[str]:
 
 
 def _row(law: Law) -> str:
-    forms = "any contact" if set(law.forms) == set(FORMS) else f"{' or '.join(law.forms)} contact"
     what = [law.title, *filter(None, [_NOT_CONSISTENT.get(law.verdict), law.repair and f"repaired: `{law.repair}`"])]
     called = f"`{law.name}({', '.join(symbol.name for symbol in law.parameters)})`"
-    cells = (called, "; ".join(what), ", ".join(law.pairs) or forms, law.grade, law.source)
+    cells = (called, "; ".join(what), made_for(law), law.grade, law.source)
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def made_for(law: Law) -> str:
+    """Pairs, or form of contact, that a law is made for."""
+    forms = "any" if set(law.forms) == set(FORMS) else " or ".join(law.forms)
+    return ", ".join(law.pairs) or f"{forms} contact"
 
 
 def stub() -> str:

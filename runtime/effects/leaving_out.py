@@ -14,7 +14,7 @@ from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Me
 from hertzwerk.runtime.effects.scene_cost import cost_of, shares
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.effects.starts import driven_start
-from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
+from hertzwerk.runtime.effects.study import BELOW_ERROR, GONE, NEW, Change, Row, Study
 from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import build
@@ -252,7 +252,7 @@ class _Trials:
         if not found.outcome.finished:
             return found, {}
         if self.bench.same_motion(self.run, model):
-            same = Change(None, NONE_SEEN, noise=0.0)
+            same = Change(None, BELOW_ERROR, noise=0.0)
             return found, {o.name: same if o.name in found.numbers else _missing_change(found, o) for o in self.outputs}
         return found, {output.name: self._change(found, output) for output in self.outputs}
 
@@ -263,7 +263,7 @@ class _Trials:
         difference, noise = there.value - here.value, there.error + here.error
         size = abs(here.value)
         if abs(difference) <= noise:
-            return Change(None, NONE_SEEN, noise=noise / size if size else math.inf if noise else 0.0)
+            return Change(None, BELOW_ERROR, noise=noise / size if size else math.inf if noise else 0.0)
         if size <= here.error:
             return Change(None, NEW, f"it is {there.value:.3g} {output.unit} without it")
         return Change(difference / size, noise=noise / size)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.effects.smallest import Smallest
     from hertzwerk.runtime.solution.outcome import Outcome
 
-NONE_SEEN = "none seen"
+BELOW_ERROR = "below error"
 GONE = "gone"  # there is no such output without the effect
 NEW = "new"  # it is zero with the effect, to its error
 
@@ -23,7 +23,7 @@ NEW = "new"  # it is zero with the effect, to its error
 class Change:
     """Relative change of an output when something is left out; None with the reason.
 
-    why: NONE_SEEN, GONE or NEW, with the detail. noise: the errors of both scenes together, relative likewise, below
+    why: BELOW_ERROR, GONE or NEW, with the detail. noise: the errors of both scenes together, relative likewise, below
     which no change is seen; None where there is nothing to compare.
     """
 

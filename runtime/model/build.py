@@ -248,11 +248,20 @@ def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
     return findings, differing_verdicts(findings)
 
 
-def law_summaries() -> tuple[tuple[str, str, str, str, str], ...]:
-    """Return (kind, name, title, grade, verdict) of every law of the catalogue."""
-    from hertzwerk.derive.laws import LAWS
+def law_summaries(form: str | None) -> tuple[dict[str, str], ...]:
+    """Return kind, law, title, what it is made for, grade and verdict of laws of the catalogue.
 
-    return tuple((law.kind, law.name, law.title, law.grade, law.verdict) for law in LAWS.values())
+    form    only consistent laws made for this form of contact
+    """
+    from hertzwerk.derive.audit.forms import laws_of_form
+    from hertzwerk.derive.laws import LAWS
+    from hertzwerk.derive.laws.listing import made_for
+
+    laws = LAWS.values() if form is None else laws_of_form(form)
+    return tuple(
+        {"kind": law.kind, "law": law.name, "title": law.title, "made for": made_for(law), "grade": law.grade,
+         "verdict": law.verdict} for law in laws
+    )  # fmt: skip
 
 
 def law_listing(*, stub: bool) -> str:

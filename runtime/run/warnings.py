@@ -40,7 +40,7 @@ def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) 
     *_, begun, fastest = zip(*limited, strict=True)
     yield (
         f"{sum(over):.0f} of {sum(begun):.0f} impacts of {', '.join(pairs)} exceed the law's limit "
-        f"v0 <= 1e-5*sqrt(E/rho) = {min(least):.3g} m/s (worst {max(fastest):.3g} m/s)"
+        f"v0 <= 1e-5*sqrt(E/rho) = {min(least):.3g} m/s (worst {max(fastest):.3g} m/s): surfaces may yield; fit the law to measured impacts"
     )
 
 

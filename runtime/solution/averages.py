@@ -97,7 +97,7 @@ def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, floor: fl
     reason = (
         f"the means of {FEWEST} blocks are still correlated ({correlation:.2f}): the motion changes slowly, or the run is too short"
         if count >= FEWEST
-        else f"{count} of the at least {FEWEST} intervals needed after the transient: a longer run"
+        else f"{count} of at least {FEWEST} intervals after the transient: simulate longer"
     )
     return Estimate(float(values.sum() / weights.sum()), None, count // size, size, reason)
 

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 
 OPEN = 1e-12  # stiffness over the largest below which a freedom is indifferent
 SHARED = 1e-6  # singular value, and part of a vector, below which it counts as zero
+ROUNDING = 1e-15  # coordinate over its scale below which it is shown as 0
 REPORTED = 1e-8  # part of the forces that counts as unbalanced
 
 
@@ -116,15 +117,16 @@ class Equilibrium(Mapping[str, Value]):
         model = self.model
         if not self.found:
             return ()
-        units = drive_units(model)
+        units, sizes = drive_units(model), model.evaluate("scales", self.bound.p)[0]
         grips = dict.fromkeys(grip_names(model), "m")
         grips |= {slip.rpartition(".")[0]: "N m" if turns(slip) else "N" for slip, *_ in model.slips}
         found = [
-            ("coordinate", name, float(x), model.units[name]) for name, x in zip(model.coordinates, self.q, strict=True)
+            ("coordinate", name, float(x) if abs(x) > ROUNDING * size else 0.0, model.units[name])
+            for name, x, size in zip(model.coordinates, self.q, sizes, strict=False)
         ]
         found += [("normal force", name, x, "N") for name, x in self.contacts.items()]
         found += [("penetration", name, x, "m") for name, x in self.penetrations.items()]
-        found += [("drive", name, x, units[name]) for name, x in self.drives.items()]
+        found += [("drive", name, x + 0.0, units[name]) for name, x in self.drives.items()]  # -0 is 0
         found += [("sticks", name, x, grips[name]) for name, x in self.sticking.items()]
         return tuple(found)
 

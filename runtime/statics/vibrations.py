@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -76,16 +77,9 @@ class Mode:
         ratio = self.damping_ratio
         return f"{self.frequency:.4g} Hz" + (f", {100 * ratio:.3g} % damped" if abs(ratio) > SMALL else "")
 
-    def told(self, units: Mapping[str, str]) -> dict[str, str]:
-        """Return the shape as text, by coordinate, with its units."""
-        return {
-            name: f"{name} {_phasor(x)}{'' if units[name] == '1' else f' {units[name]}'}"
-            for name, x in self.shape.items()
-        }
-
     def __str__(self) -> str:
         if not self.eigenvalue:
-            return "nothing holds it"
+            return "free: nothing holds it"
         if not self.vibrates:
             return f"{'grows' if self.grows else 'decays'} by e in {1 / abs(self.eigenvalue.real):.6g} s"
         return f"{self.frequency:.9g} Hz, damping ratio {self.damping_ratio:.4g}{', grows' if self.grows else ''}"
@@ -176,10 +170,10 @@ class Modes(Sequence[Mode]):
         return f"<Modes {self.model.name}: {found or 'none that vibrates'}{more}{' Hz' if found else ''}{'' if self.stable else ', unstable'}>"
 
     def __str__(self) -> str:
-        lines = []
+        lines, units = [], self.model.units
         for i, mode in enumerate(self.modes, 1):
-            told = mode.told(self.model.units)
-            lines.append(f"{i}: {mode}; {', '.join(told[name] for name, x in mode.shape.items() if abs(x) > SMALL)}")
+            shape = (f"{name} {_phasor(x, units[name])}" for name, x in mode.shape.items() if abs(x) > SMALL)
+            lines.append(f"{i}: {mode}; {', '.join(shape)}")
         return "\n".join([*lines, *self.notes])
 
     def _repr_html_(self) -> str:
@@ -291,8 +285,9 @@ def _modes(
     return Modes(model, bound, t, q, tuple(found), linear.A, tuple(notes))
 
 
-def _phasor(x: complex) -> str:
-    """Return a deviation as a number, with its phase where it has one other than 0 or 180 deg."""
+def _phasor(x: complex, unit: str = "1") -> str:
+    """Return a deviation with its unit, and its phase where that is neither 0 nor 180 deg."""
+    behind = "" if unit == "1" else f" {unit}"
     if abs(x.imag) <= 1e-6 * abs(x):
-        return f"{x.real:.4g}"
-    return f"{abs(x):.4g} at {math.degrees(math.atan2(x.imag, x.real)):.1f} deg"
+        return f"{x.real:.4g}{behind}"
+    return f"{abs(x):.4g}{behind} at {math.degrees(cmath.phase(x)):.1f} deg"

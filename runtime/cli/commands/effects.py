@@ -72,7 +72,7 @@ DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
 def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
     """Leave out each effect of TARGET in turn: what it costs, and what it changes.
 
-    A change is of the scene without the effect, relative to the whole scene. One that is smaller than the error of both is none seen.
+    A change is of the scene without the effect, relative to the whole scene; one below the error of both is marked so.
     """
     wanted = out is not None or not as_json
     study = _study(target, out, quiet=as_json, wanted=wanted, **options)
@@ -169,7 +169,7 @@ def _report(study: Study) -> None:
     table((*columns, *(output.name for output in study.outputs)), [_cells(study, row) for row in study.rows])
     print_prose(
         "\nWhat an effect costs: operations of one evaluation, states, event functions, share of the time. "
-        "Then what leaving it out changes, relative to the whole scene; none seen: less than the error."
+        "Then what leaving it out changes, relative to the whole scene."
     )
     for row in study.rows:
         for note in _notes(row):
@@ -182,7 +182,7 @@ def _cells(study: Study, row: Row) -> list[str]:
     if row.cost is None:
         return [row.effect, *[""] * (5 + len(study.outputs))]
     pairs = zip(vars(row.cost).values(), vars(study.cost).values(), strict=True)
-    share = "" if row.share is None else percent(row.share.median, sign=False) if row.share.seen else "none seen"
+    share = "" if row.share is None else percent(row.share.median, sign=False) if row.share.seen else "below error"
     costs = (f"{cost} of {whole}" if cost else "-" for cost, whole in pairs)
     return [row.effect, *costs, share, *(_cell(row.changes.get(output.name)) for output in study.outputs)]
 

@@ -33,6 +33,11 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 
 @click.command()
 @click.argument("names", metavar="[NAME]...", nargs=-1)
+@click.option(
+    "--form",
+    type=click.Choice(["point", "line", "surface"]),
+    help="List only consistent laws made for this form of contact: a pin in a bush touches along a line.",
+)
 @click.option("--markdown", is_flag=True, help="Print the catalogue as Markdown: derive/laws/README.md.")
 @click.option("--stub", is_flag=True, help="Print the catalogue for type checkers: derive/laws/__init__.pyi.")
 @click.option(
@@ -58,6 +63,7 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 @reports_bad_input
 def laws(
     names: tuple[str, ...],
+    form: str | None,
     markdown: bool,
     stub: bool,
     restitution: bool,
@@ -73,6 +79,8 @@ def laws(
     """
     from hertzwerk.runtime.model import build
 
+    if form and (names or markdown or stub or restitution or picture is not None):
+        raise InputError("laws", [Fault("--form", f"{form} with other arguments", "it alone, or --json beside it")])
     if markdown or stub:
         if names or picture is not None or sum((markdown, stub, restitution, as_json)) > 1:
             found = f"--{'markdown' if markdown else 'stub'} with other arguments"
@@ -96,13 +104,12 @@ def laws(
             if picture is not None:
                 line("written", str(picture))
         return GOOD
-    rows, columns = build.law_summaries(), ("kind", "law", "title", "grade", "verdict")
+    rows = build.law_summaries(form)
     if as_json:
-        records = [dict(zip(columns, row, strict=True)) for row in rows]
-        click.echo(json.dumps({"laws": records}, indent=2, ensure_ascii=False))
+        click.echo(json.dumps({"laws": rows}, indent=2, ensure_ascii=False))
     else:
-        order = (1, 0, 3, 4, 2)
-        table([columns[i] for i in order], [[row[i] for i in order] for row in rows])
+        columns = ("law", "made for", "grade", "title") if form else ("law", "kind", "grade", "verdict", "title")
+        table(columns, [[row[name] for name in columns] for row in rows])
         print_prose("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
     return GOOD
 

@@ -36,11 +36,13 @@ from hertzwerk.runtime.cli.terminal import (
     line,
     report_missing,
     reports_bad_input,
+    table,
     written_or_none,
 )
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.simulation import Solution
+    from hertzwerk.runtime.solution.averages import Average
 
 STOPPED = (
     "interrupted",
@@ -147,8 +149,7 @@ def run(
         return report_missing(missing) if solution.outcome.finished else OTHER_OUTCOME
     _report(solution)
     if written is not None:
-        for average in written.averages:
-            line("average", str(average))
+        _report_averages(written.averages)
         for text in written.left_out:
             line("left out", text)
         line("written", f"{written.folder}/ ({', '.join(written.files)})")
@@ -230,6 +231,21 @@ def _simulate(
         duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits, sensitivities=sensitivities
     )
     return varied.solved(settled, faults, stopping, histories=histories, at_rest=start is not None)
+
+
+def _report_averages(averages: Sequence[Average]) -> None:
+    """Print averages as a table, and each reason for what is missing once."""
+    if not averages:
+        return
+    rows = [
+        [a.name, *("" if x is None else f"{x:.4g}" for x in (a.mean, a.half_width)), a.unit, f"{a.blocks or ''}"]
+        for a in averages
+    ]
+    table(("average", "mean", "+- 95 %", "unit", "blocks"), rows)
+    for reason in dict.fromkeys(a.reason for a in averages if a.reason):
+        of = [a.name for a in averages if a.reason == reason]
+        whose = f"{', '.join(of)}: " if len(of) < len(averages) else "all intervals: "
+        line("missing", f"{whose}{reason}")
 
 
 def _report(solution: Solution) -> None:

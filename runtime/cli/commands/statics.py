@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import cmath
 import io
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from hertzwerk.runtime.statics.equilibrium import Equilibrium
+    from hertzwerk.runtime.statics.vibrations import Modes
 
 MOVED = 1e-6  # part of a shape below which a coordinate is not printed
 EQUILIBRIUM = together(
@@ -51,10 +54,11 @@ def statics(out: Path | None, as_json: bool, **options: Any) -> int:
         }
         click.echo(json_text(record))
     else:
-        line(rest.model.name, f"{rest.outcome.name}: {rest.outcome.message}")
+        line(rest.model.name, rest.outcome.message)
         if rest.outcome.remedy:
             line("remedy", rest.outcome.remedy)
-        table(("what", "name", "value", "unit"), [(kind, name, f"{x:.9g}", unit) for kind, name, x, unit in rest.rows])
+        if rest.found:
+            table(("what", "name", "value", "unit"), [(kind, name, f"{x:.9g}", of) for kind, name, x, of in rest.rows])
         for note in rest.notes:
             line("note", note)
     if rest.found:
@@ -91,14 +95,14 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
         }
         click.echo(json_text(record))
     elif found is None:
-        line(rest.model.name, f"{rest.outcome.name}: {rest.outcome.message}")
+        line(rest.model.name, rest.outcome.message)
         line("remedy", rest.outcome.remedy)
     else:
-        line(rest.model.name, f"{rest.outcome.name}: {rest.outcome.message}; {len(found)} modes")
+        count = f"{len(found)} mode{'' if len(found) == 1 else 's'}"
+        line(rest.model.name, f"{rest.outcome.message}; {count}")
         for number, mode in enumerate(found, 1):
             line(f"mode {number}", str(mode))
-            told = mode.told(rest.model.units).items()
-            line("", ", ".join(text for name, text in told if abs(mode.shape[name]) > MOVED))
+        table(("mode", "coordinate", "amplitude", "unit", "phase [deg]"), list(_shapes(found)))
         for note in found.notes:
             line("note", note)
     if found is None:
@@ -106,6 +110,16 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
     if any(mode.eigenvalue for mode in found):
         _draw(out, found.plot, told=not as_json)
     return GOOD
+
+
+def _shapes(found: Modes) -> Iterator[tuple[str, ...]]:
+    """Yield mode, coordinate, amplitude, unit and phase [deg] of what moves in each mode."""
+    for number, mode in enumerate(found, 1):
+        moving = [name for name, x in mode.shape.items() if abs(x) > MOVED]
+        for i, name in enumerate(moving):
+            x = mode.shape[name]
+            phase = math.degrees(cmath.phase(complex(x.real, x.imag + 0.0)))
+            yield "" if i else str(number), name, f"{abs(x):.4g}", found.model.units[name], f"{phase:.4g}"
 
 
 def _read(

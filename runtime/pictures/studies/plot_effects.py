@@ -119,7 +119,7 @@ def _times(axis: Axes, study: Study, places: Any) -> None:
         colour = BLUE if share.seen else SHADE
         axis.barh(place, share.median, color=colour, height=0.55)
         axis.plot((share.low, share.high), (place, place), color=GREY, linewidth=1.2)
-        text = percent(share.median, sign=False) if share.seen else "none seen"
+        text = percent(share.median, sign=False) if share.seen else "below error"
         axis.text(
             max(share.high, 0), place, f"  {text}", va="center", fontsize=8.5, color="black" if share.seen else GREY
         )

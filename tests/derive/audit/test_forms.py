@@ -1,9 +1,11 @@
-"""Forms of contact: a law of point contact where surfaces touch along a line is told, once, with the laws that fit; and these run."""
+"""Forms of contact: a law of point contact where surfaces touch along a line is advised against once; the listed laws run."""
 
+import json
 from dataclasses import replace
 from importlib import import_module
 
 import pytest
+from click.testing import CliRunner
 
 from hertzwerk.derive import (
     GROUND,
@@ -31,6 +33,7 @@ from hertzwerk.derive.scenes import NAMES
 from hertzwerk.derive.scenes.slider_crank import scene as crank
 from hertzwerk.derive.scenes.slider_crank import steel
 from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.cli import main
 
 SCENES = {name: import_module(f"hertzwerk.derive.scenes.{name}").scene for name in NAMES}
 # what stands in the catalogue for a pin in a bush of some length, by the titles of the laws and the verdicts of their units
@@ -47,8 +50,16 @@ ADVISED = (
 
 def test_the_flagship_is_told_that_its_law_is_of_another_contact_and_which_laws_fit():
     (said,) = advice(crank)
-    assert said.startswith("slider_pin: hertz_point is a law of point contact, and a pin in bush touches along a line;")
-    assert set(said.split("fit: ")[1].split(", ")) == set(OF_PINS)
+    assert said == (
+        "slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; "
+        "`hertzwerk laws --form line` lists others"
+    )
+    (pair,) = crank.mechanism.pairs
+    assert set(fitting_laws("stiffness", pair, crank.geometry("slider_pin"))) == set(OF_PINS)
+    listed = CliRunner().invoke(main, ["laws", "--form", "line", "--json"])
+    rows = {row["law"]: row["made for"] for row in json.loads(listed.output)["laws"]}
+    assert {name for name, pairs in rows.items() if pairs in ("line contact", "pin_in_bush")} >= set(OF_PINS)
+    assert not {"hertz_point", "power", "goldsmith"} & set(rows)  # of points, of any form, inconsistent
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -61,7 +72,7 @@ def test_scenes_are_advised_once_and_only_where_law_and_pair_differ(name):
 
 def test_several_pairs_share_one_sentence():
     (said,) = advice(SCENES["slider_crank_three_clearances"])
-    assert said.startswith("main_bearing, crank_pin, slider_pin: hertz_point")
+    assert said.startswith("main_bearing, crank_pin, slider_pin: a pin in bush touches along a line")
 
 
 def test_advice_is_no_fault():
@@ -80,8 +91,7 @@ def test_a_pin_without_a_length_is_told_to_get_one():
     (pair,) = crank.mechanism.pairs
     bare = replace(crank, mechanism=replace(crank.mechanism, pairs=(replace(pair, length=None),)))
     (said,) = advice(bare)
-    assert "once the pair has a length: " in said
-    assert set(said.split("length: ")[1].split(", ")) == set(OF_PINS)
+    assert said.endswith("`hertzwerk laws --form line` lists others, once the pair has a length")
 
 
 def test_every_pair_and_every_law_says_its_form():
@@ -204,8 +214,9 @@ def test_hertz_on_a_lying_cylinder_is_advised_too():
         Start(position={"way": size}),
     )
     (said,) = advice(scene)
-    assert said.endswith(
-        "fit: goldsmith_m3, palmgren_si, popov_line, hertz_half_width, wang_liu_external, wang_liu_half_width"
+    assert said.endswith("`hertzwerk laws --form line` lists others")
+    assert fitting_laws("stiffness", pair, scene.geometry("touch")) == (
+        *("goldsmith_m3", "palmgren_si", "popov_line", "hertz_half_width", "wang_liu_external", "wang_liu_half_width"),
     )
 
 

@@ -34,7 +34,7 @@ def test_the_report(hertzwerk, studied, tmp_path):
     rows = {line.split("  ")[0]: line for line in done.output.splitlines()}
     assert "-100 %" in rows["floor"]
     assert "14 of 14" in rows["floor"]
-    assert rows["energy_ledger"].count("none seen") >= 3
+    assert rows["energy_ledger"].count("below error") >= 3
     assert "Smallest scene within 2 %: gravity, floor." in done.output
     assert "scenes tried" in done.output
     folder = tmp_path / "runs" / "bouncing_ball-effects-001"
@@ -51,7 +51,7 @@ def test_json_is_plain_and_writes_nothing(hertzwerk, tmp_path):
     assert set(gravity) >= {"effect", "operations", "states", "events", "time_share", "changes", "why"}
     assert gravity["changes"] == {"peak_acceleration": -1.0, "amplitude.hinge.angle": -1.0}
     assert ledger["changes"] == {"peak_acceleration": None, "amplitude.hinge.angle": None}
-    assert set(ledger["why"].values()) == {"none seen"}
+    assert set(ledger["why"].values()) == {"below error"}
     assert found["smallest"] == ["gravity"]
     assert list(tmp_path.iterdir()) == []
 
@@ -100,7 +100,7 @@ def test_the_picture_has_a_row_for_every_effect_and_shows_what_was_not_seen(stud
     panels = {axis.get_title(loc="left").split("\n")[0]: axis for axis in page.axes}
     for output in study.outputs:
         texts = [text.get_text() for text in panels[output.name].texts]
-        assert texts.count("none seen") == 1
+        assert texts.count("below error") == 1
         assert texts.count("−100 %") + texts.count("−100.0 %") >= 1
     page.canvas.draw()
     for axis in page.axes:

@@ -39,6 +39,7 @@ def test_the_list(hertzwerk):
         "kind": "damping",
         "law": "tsuji",
         "title": "Tsuji, Tanaka and Ishida",
+        "made for": "any contact",
         "grade": "A",
         "verdict": "consistent",
     } in listed

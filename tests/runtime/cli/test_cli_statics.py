@@ -17,7 +17,7 @@ def called(*words: str) -> tuple[int, str, str]:
 def test_statics_prints_and_draws(tmp_path):
     picture = tmp_path / "rest.png"
     code, text, _ = called("statics", "bouncing_ball", "--set", "mass=2 kg", "--out", str(picture))
-    assert code == 0 and "found" in text and "19.62" in text
+    assert code == 0 and "at rest" in text and "19.62" in text
     assert picture.read_bytes().startswith(b"\x89PNG")
     code, _, error = called("statics", "bouncing_ball", "--out", str(picture), "--set", "mass=2 m", "--at", "soon")
     assert code == 2
@@ -35,6 +35,38 @@ def test_modes_prints_numbers(tmp_path):
     assert found["modes"][0]["frequency"] == pytest.approx(math.sqrt(9.81) / (2 * math.pi))
     code, text, _ = called("modes", "pendulum", "--nearest", "--set", "start_angle=178 deg")
     assert code == 0 and "unstable" in text and "grows by e in 0.319275 s" in text
+
+
+def test_shapes_stand_in_columns_of_amplitude_and_phase():
+    """`modes slider_crank` said "crank_pin.angle 4.473e-06 at 51.5 deg rad"."""
+    code, text, _ = called("modes", "slider_crank")
+    assert code == 0 and "; 2 modes" in text
+    rows = [line.split() for line in text.splitlines()]
+    first = rows.index(["mode", "coordinate", "amplitude", "unit", "phase", "[deg]"]) + 1
+    assert [len(row) for row in rows[first : first + 4]] == [5, 4, 5, 4]
+    assert rows[first + 1] == ["guide.travel", "1", "m", "0"]
+    for (name, amplitude, unit, phase), x in zip(
+        (row[-4:] for row in rows[first : first + 2]),
+        json.loads(called("modes", "slider_crank", "--json")[1])["modes"][0]["shape"].values(),
+        strict=True,
+    ):
+        turned = float(amplitude) * math.e ** (1j * math.radians(float(phase)))
+        assert turned == pytest.approx(complex(*x), rel=1e-3), (name, unit)
+    assert "; 1 mode\n" in called("modes", "pendulum")[1]
+
+
+@pytest.mark.parametrize("scene", ["spatial_slider_crank", "journal_lubricated", "ball_in_socket"])
+def test_statics_shows_no_negative_zero(scene):
+    """A drive was held by "-0 N m", a ball lay at -5.7e-42 m."""
+    code, text, _ = called("statics", scene, "--json")
+    values = [row["value"] for row in json.loads(text)["values"]]
+    assert code == 0 and 0 in values
+    assert all(math.copysign(1, value) == 1 for value in values if abs(value) < 1e-30)
+
+
+def test_what_has_no_equilibrium_shows_no_empty_table():
+    code, text, _ = called("statics", "woodpecker")
+    assert code == 1 and "nothing holds" in text and "value" not in text
 
 
 def test_a_run_starts_at_rest(tmp_path):

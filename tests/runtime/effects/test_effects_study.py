@@ -103,7 +103,7 @@ def test_what_is_smaller_than_the_error_is_none_seen(springs):
     (row,) = (row for row in springs.rows if row.effect == "whisper")
     assert not row.notes
     change = row.changes[SPEED]
-    assert (change.relative, change.why) == (None, "none seen")
+    assert (change.relative, change.why) == (None, "below error")
     assert change.noise > WHISPER
 
 
@@ -139,7 +139,7 @@ def test_the_record_has_the_shape_that_is_promised(springs):
     assert set(row["changes"]) == {"peak_acceleration", SPEED, MEAN}
     assert row["why"] == {}
     assert record["rows"][-1]["changes"] == dict.fromkeys(row["changes"])
-    assert set(record["rows"][-1]["why"].values()) == {"none seen"}
+    assert set(record["rows"][-1]["why"].values()) == {"below error"}
     assert record["smallest"] is None  # not asked for
 
 
