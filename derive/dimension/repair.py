@@ -96,7 +96,10 @@ def _operands(node: Node) -> tuple[Node, ...]:
 
 @dataclass(frozen=True)
 class _Factor:
-    """A power of a name in a product: its node, the way to it, its exponent, and the power that all of it is raised to."""
+    """Power of a name in a product.
+
+    `path` leads to its `node`; `outer` is the power that the node is raised to in all.
+    """
 
     name: Any
     node: Node

@@ -180,7 +180,7 @@ MISTAKES = {
     "8 Stribeck speed as viscous coefficient": (
         own(friction=mu * N * sp.tanh(s / v_S) + v_S * s, slope=mu * N / v_S), "s*v_S", "m^2/s^2", "N", None,
     ),
-    "8 LuGre's z dimensionless": (own(friction=N * (s_0 * pure_z + s_1 * s), slope=N * s_1), "s*s_1 + s_0*z", "1", "1/m", None),
+    "8 LuGre's z dimensionless": (own(friction=N * (s_0 * pure_z + s_1 * s), slope=N * s_1), "s_0*z", "1/m", "1", None),
     "8 LuGre's z dimensionless, its rate": (
         own(friction=mu * N * sp.tanh(s / v_S), slope=mu * N / v_S, memory=((pure_z, s - s_0 * sp.Abs(s) * pure_z, mu),)),
         "s - s_0*z*Abs(s)", "m/s", "1/s", None,
