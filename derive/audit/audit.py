@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,6 +12,7 @@ from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault
+from hertzwerk.derive.dimension.frequencies import frequencies_as_angular
 from hertzwerk.derive.dimension.symbolic import Symbolic, reader, symbolic
 from hertzwerk.derive.dimension.walker import Walker, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
@@ -49,7 +50,9 @@ class Finding:
     grade: str = ""
     """Reliability of the law's formula, A to C; R is a reconstruction."""
     kind: str = ""
-    """Kind of the law (stiffness, damping, friction), or expression, program, form of contact."""
+    """Kind of the law (stiffness, damping, friction), or expression, program, form of contact, frequency."""
+    advice: str = ""
+    """Doubt of a consistent expression that units cannot show: a frequency taken as an angular speed."""
 
     @property
     def sound(self) -> bool:
@@ -72,7 +75,7 @@ class Finding:
             "source": self.source or None,
             "grade": self.grade or None,
         }
-        names = ("found", "expected", "subexpression", "reason", "consistent_exponent", "repair")
+        names = ("found", "expected", "subexpression", "reason", "consistent_exponent", "repair", "advice")
         return {**first, "verdict": verdict, **{name: getattr(self, name) or None for name in names}}
 
     def __str__(self) -> str:
@@ -142,10 +145,15 @@ def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
 
 
 def advice_findings(scene: Scene) -> tuple[Finding, ...]:
-    """Objections to the scene's laws other than their units."""
+    """Objections to the scene's laws other than their units, and frequencies taken as angular speeds."""
+    said = [("form of contact", text) for text in advice(scene)]
+    for slot in scene.slots():
+        value = sp.sympify(slot.value)
+        units = {symbol: symbol.unit for symbol in value.free_symbols if hasattr(symbol, "unit")}
+        said += [("frequency", f"{slot.where}: {text}") for text in _doubts(value, units)]
     return tuple(
-        Finding(scene.name, "form of contact", "", "", "", "advice", "", reason=text, kind="form of contact")
-        for text in advice(scene)
+        Finding(scene.name, kind, "", "", "", "advice", "", reason=text, kind=kind)
+        for kind, text in dict.fromkeys(said)
     )
 
 
@@ -285,6 +293,7 @@ def _law_finding(
         reason="" if fault is None else fault.reason,
         consistent_exponent=_exponent(general) if fault is not None else None,
         repair=None if fault is None or general is None else general.repair,
+        advice="" if fault else "; ".join(_doubts(expression, {q: q.unit for q in law.symbols()})),
     )
 
 
@@ -312,6 +321,11 @@ def _smallest(expression: Any, fault: DimensionFault | None) -> Any:
     if fault is None:
         return expression
     return next((node for node in sp.preorder_traversal(expression) if str(node) == fault.subexpression), expression)
+
+
+def _doubts(expression: sp.Expr, units: Mapping[sp.Symbol, str]) -> Iterator[str]:
+    """Yield what units cannot show of a consistent expression."""
+    return frequencies_as_angular(symbolic(expression), units, Symbolic().quote)
 
 
 def _exponent(fault: DimensionFault | None) -> str | None:

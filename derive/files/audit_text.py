@@ -17,6 +17,7 @@ from hertzwerk.derive.dimension.culprit import Row, culprits, powers_in
 from hertzwerk.derive.dimension.declared import Declared, dimension_of_unit, examine
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault
 from hertzwerk.derive.dimension.expression import Expression, TextError
+from hertzwerk.derive.dimension.frequencies import frequencies_as_angular
 from hertzwerk.derive.dimension.reader import NAMES_TOO, plain_name, read
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
@@ -158,8 +159,9 @@ def finding(expression: Expression, declared: Declared, expected: Dimension | No
         raise InputError(str(expression), [Fault(where, error.found, error.expected, error.remedy)]) from None
     if fault is None:
         shown = expected if expected is not None and dimension is not None and dimension.every else dimension
+        doubts = frequencies_as_angular(expression.root, declared.units, expression.quote)
         return Finding(verdict="consistent", expression=str(expression), found=str(shown), symbols=_symbols(expression, str(expression), declared),
-                       expected="" if expected is None else str(expected), **{**_NOWHERE, **place})  # fmt: skip
+                       expected="" if expected is None else str(expected), advice="; ".join(doubts), **{**_NOWHERE, **place})  # fmt: skip
     exponent = None if fault.consistent_exponent is None else str(fault.consistent_exponent)
     return Finding(
         verdict="inconsistent", expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from hertzwerk.derive.algebra.splines import Table
-from hertzwerk.derive.audit.forms import advice
+from hertzwerk.derive.audit.audit import advice_findings
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.nonholonomic import RollingWithoutSlip
 from hertzwerk.derive.effects.state_expression import tables_in
@@ -61,8 +61,8 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
 
 
 def _advice(scene: Scene) -> dict[str, tuple[str, ...]]:
-    """Table of objections to the scene's laws other than units, if there are any."""
-    said = advice(scene)
+    """Table of what the audit advises of a scene whose units are consistent, if there is any."""
+    said = tuple(finding.reason for finding in advice_findings(scene))
     return {"ADVICE": said} if said else {}
 
 

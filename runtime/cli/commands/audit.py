@@ -80,6 +80,7 @@ def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], ex
         _print_json([finding.record()])
     else:
         line(finding.verdict, finding.sentence)
+        _advise([finding])
     return GOOD if finding.verdict == "consistent" else OTHER_OUTCOME
 
 
@@ -124,9 +125,15 @@ def _report(every: Sequence[Finding]) -> None:
     else:
         program = ", and every assignment and output of the program" if any(f.effect for f in findings) else ""
         line("consistent", f"{len(findings)} law expression{'s' if len(findings) != 1 else ''}{program}")
-    for finding in every:
-        if finding.verdict == "advice":
-            line("advice", finding.reason)
+    _advise(every)
+
+
+def _advise(findings: Sequence[Finding]) -> None:
+    """Print what is to be heeded beside the units."""
+    for finding in findings:
+        text = finding.reason if finding.verdict == "advice" else finding.advice
+        if text:
+            line("advice", f"{finding.effect}: {text}" if finding.effect and finding.advice else text)
 
 
 def _print_json(records: list[dict[str, str | None]]) -> None:

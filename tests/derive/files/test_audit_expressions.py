@@ -334,7 +334,7 @@ def test_the_record_of_a_finding():
     assert json.loads(json.dumps(finding.record())) == {
         "law": None, "kind": "expression", "source": None, "grade": None, "verdict": "inconsistent", "found": "N/m^0.4", "expected": "N",
         "subexpression": "K*d**n", "reason": "K*d**n is N/m^0.4, expected N", "consistent_exponent": "3/2",
-        "repair": "consistent only with n = 3/2",
+        "repair": "consistent only with n = 3/2", "advice": None,
     }  # fmt: skip
     assert audit_expression("K*d", PAIR).record()["expected"] is None
 

@@ -53,6 +53,13 @@ def test_json_of_one_expression(hertzwerk):
     assert {"law", "kind", "source", "subexpression", "reason", "repair"} <= finding.keys()
 
 
+def test_a_frequency_taken_as_an_angular_speed_is_advice(hertzwerk):
+    done = hertzwerk("audit", "--expr", "J*f**2", "--unit", "J=kg m^2", "--unit", "f=1/s", "--expect", "J")
+    assert done.exit_code == 0
+    assert "advice        J*f**2 takes f [1/s] as an angular speed: write 2*pi*f if it counts turns" in done.output
+    assert "advice" not in hertzwerk("audit", "--expr", "w*t", "--unit", "w=rad/s", "--unit", "t=s").output
+
+
 def test_the_catalogue_has_the_verdicts_it_states(hertzwerk, monkeypatch):
     done = hertzwerk("audit", "--laws", "--json")
     verdicts = {finding["law"]: finding["verdict"] for finding in json.loads(done.output)["findings"]}
