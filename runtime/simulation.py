@@ -28,7 +28,7 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.run.accurate import run_to_accuracy, verdict_of
 from hertzwerk.runtime.run.continuation import parameters_of, resumable
 from hertzwerk.runtime.run.output_times import Output
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read, steps_faults
+from hertzwerk.runtime.run.request import METHOD, Compiled, Settings, read, steps_faults
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
 from hertzwerk.runtime.run.warnings import floored, lost_grip, open_forces, too_fast, unchecked, uncompiled, unsettled
 from hertzwerk.runtime.solution import solution as plain_solution
@@ -70,8 +70,8 @@ def simulate(
     inputs: Mapping[str, Input] | None = None,
     output: Output = "steps",
     compiled: Compiled = "auto",
-    max_steps: int = MAX_STEPS,
-    max_events: int = MAX_EVENTS,
+    max_steps: int | None = None,
+    max_events: int | None = None,
     wall_time: float | None = None,
     sensitivities: Sequence[str] = (),
     progress: Callable[[float], object] | None = None,
@@ -91,8 +91,8 @@ def simulate(
     output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
                 spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
     compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
-    max_steps (accepted; as many may be tried in vain), wall_time [s]    of all runs together, max_events (contacts begun) of each: where to stop,
-                with an outcome that says so
+    max_steps (accepted; as many may be rejected), max_events (contacts begun) of each run, wall_time [s] of the call, compiling included: where to
+                stop, with an outcome that says so. Without a max_steps a run ends as "stalled" where its steps get hardly any time ahead
     sensitivities    parameters and initial states: `run.sensitivity("slider_pin.normal_force", "restitution")` is then a history, and
                 `run.derivatives` has those of impacts; they are found after the run, from its steps
     progress    called now and then with the fraction done
@@ -162,11 +162,14 @@ def solving(
         begin, state = start
         given = replace(given, begin=begin, q=state[: model.nq], u=state[model.nq :], latches=0 * given.latches)
     # 4. run
-    run = set_up(model, settings, given, needs=needs)
+    run = set_up(model, settings, given, needs=needs, began=began)
     tolerance, asked = settings.tolerance, settings.accuracy or ACCURACY
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     yield
+    run = replace(
+        run, deadline=time.perf_counter() + settings.limits.wall_time - build_s
+    )  # other runs have been made meanwhile
     if tolerance is not None:
         trace = run.trace(tolerance, scales, times, progress=progress)
         yield
@@ -255,8 +258,8 @@ class Solution(plain_solution.Solution):
         model: plain.Model | None = None,
         output: Output = "steps",
         compiled: Compiled = "auto",
-        max_steps: int = MAX_STEPS,
-        max_events: int = MAX_EVENTS,
+        max_steps: int | None = None,
+        max_events: int | None = None,
         wall_time: float | None = None,
         progress: Callable[[float], object] | None = None,
     ) -> Solution:
@@ -290,7 +293,7 @@ class Solution(plain_solution.Solution):
         if given.seconds <= self.t_end:
             found, expected = f"{given.seconds:g} s", f"more than the {self.t_end:g} s that the run reached"
             raise InputError(live.name, [Fault("duration", found, expected, "it is of the whole motion")])
-        run = set_up(live, settings, given, kept.resume)
+        run = set_up(live, settings, given, kept.resume, began=began)
         build_s = time.perf_counter() - began
         rest = None if times is None else times[times >= run.begin]
         trace = run.trace(self.tolerance, self.scales, rest, progress=progress)

@@ -65,8 +65,10 @@ ACCURACY = click.option(
     metavar="NUMBER",
     help="Error asked for at the end, in the scene's scales, 1e-12..1e-1 (default: the scenario's).",
 )
-MAX_STEPS = click.option("--max-steps", metavar="NUMBER", help="Stop after so many accepted steps (default: 1000000).")
-WALL_TIME = click.option("--wall-time", metavar="TIME", help='Stop after so long on the clock, such as "10 min".')
+MAX_STEPS = click.option("--max-steps", metavar="NUMBER", help="Stop each run after so many accepted steps.")
+WALL_TIME = click.option(
+    "--wall-time", metavar="TIME", help='Stop after so long on the clock, compiling included, such as "10 min".'
+)
 GRID = click.option(
     "--grid",
     metavar="POINTS|TIME",

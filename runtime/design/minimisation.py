@@ -29,7 +29,7 @@ from hertzwerk.runtime.model.binding import Value, named_values, read_state, who
 from hertzwerk.runtime.model.free_quantities import Free, Freed, read_free, read_quantity
 from hertzwerk.runtime.model.ranges import starts_in
 from hertzwerk.runtime.model.si_values import si_of, si_units
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, duration_follows
+from hertzwerk.runtime.run.request import METHOD, Compiled, duration_follows
 from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import REACHED_END, Outcome
@@ -62,8 +62,8 @@ def minimise(
     tolerance: float | None = None,
     method: str = METHOD,
     compiled: Compiled = "auto",
-    max_steps: int = MAX_STEPS,
-    max_events: int = MAX_EVENTS,
+    max_steps: int | None = None,
+    max_events: int | None = None,
     wall_time: float | None = None,
     precision: float = 1e-6,
     max_runs: int = 200,

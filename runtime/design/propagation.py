@@ -25,7 +25,7 @@ from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.free_quantities import quantities
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, duration_follows
+from hertzwerk.runtime.run.request import METHOD, Compiled, duration_follows
 from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import REACHED_END
@@ -63,8 +63,8 @@ def propagate(
     tolerance: float | None = None,
     method: str = METHOD,
     compiled: Compiled = "auto",
-    max_steps: int = MAX_STEPS,
-    max_events: int = MAX_EVENTS,
+    max_steps: int | None = None,
+    max_events: int | None = None,
     wall_time: float | None = None,
     workers: int | None = None,
     client: Client | None = None,

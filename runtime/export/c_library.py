@@ -21,7 +21,6 @@ from hertzwerk.runtime.integrate.loop.compiled import LARGE
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step import layout
 from hertzwerk.runtime.model.signal import WIDTH
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS
 from hertzwerk.runtime.run.single_run import CLOSE, LEAST_STEPS
 from hertzwerk.runtime.solution.outcome import FRICTION_LOCKS, said_of
 from hertzwerk.runtime.start.assembly import CLOSED, ITERATIONS, RANK
@@ -40,6 +39,7 @@ IN_STATE = (
     *("rejected", "retaken", "evaluations"),
 )
 IN_CONTROLS = ("scale", "speed_limits", "tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
+MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000  # where none is set: a library recognises no stall by its progress
 DEEP = 10.0  # of the scene's length: overlap of surfaces at a start of one's own that is refused
 
 

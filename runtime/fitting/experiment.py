@@ -24,7 +24,7 @@ from hertzwerk.runtime.measured.measurement import (
     read_measurement,
 )
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.run.request import MAX_EVENTS, read_duration
+from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.solution.history import units_of
 from hertzwerk.runtime.start.start_values import split_values
 
@@ -83,10 +83,10 @@ class Observed:
         return isinstance(self.table, MeasuredImpacts)
 
     @property
-    def max_events(self) -> int:
-        """Number of contacts after which no more are needed."""
+    def max_events(self) -> int | None:
+        """Number of contacts after which no more are needed; None where all may be."""
         counted = self.by_impacts and all(c.history.startswith(IMPACTS) for c in self.channels)
-        return int(np.max(self.at)) + 1 if counted else MAX_EVENTS
+        return int(np.max(self.at)) + 1 if counted else None
 
     def cut(self, kept: NDArray[np.bool_]) -> Observed:
         """Return the measured run with the data (n,) that are kept, of a run that lasts as much less."""

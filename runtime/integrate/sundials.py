@@ -97,7 +97,7 @@ def march(
     controls: np.ndarray,
     keep: Callable[[np.ndarray], object],
     *,
-    wall_time: float = np.inf,
+    deadline: float = np.inf,
     progress: Callable[[float], object] | None = None,
     schedule: Schedule | None = None,
 ) -> Ending:
@@ -119,7 +119,7 @@ def march(
                 interrupts()
                 if progress is not None:
                     progress(run.t / run.t_end)
-                if time.perf_counter() - start > wall_time:
+                if time.perf_counter() > deadline:
                     status = WALL_TIME_LIMIT
                     break
             else:

@@ -19,12 +19,12 @@ from hertzwerk.runtime.accuracy.ladder import (
 )
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.step.layout import FINISHED, TOO_MANY_STEPS
-from hertzwerk.runtime.run.request import Limits
 from hertzwerk.runtime.run.single_run import SingleRun, Trace
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.outcome import Outcome, too_long, unknown, unreachable
 from hertzwerk.runtime.solution.scales import Scales
 
+MOST_STEPS = "the most steps of a run that checks another"
 STOPS = (INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, TOO_MANY_STEPS)  # statuses that end the search
 
 
@@ -35,25 +35,19 @@ def run_to_accuracy(
     asked: float,
     progress: Callable[[float], object] | None,
 ) -> LadderResult[Trace]:
-    """Run at falling tolerance until the requested error is met.
-
-    Limits of steps and time are for all runs together, the limit of events for each.
-    """
+    """Run at falling tolerance until the requested error is met."""
     model, seconds, limits = run.model, run.given.seconds, run.limits
     grid = np.linspace(0.0, seconds, POINTS)
-    made: list[tuple[float, int]] = []  # times [s] and steps spent
+    made: list[Trace] = []
 
     def one(tolerance: float, keep: bool, most: float) -> Rung[Trace]:
-        spent_s, steps = (sum(each) for each in zip(*made, strict=True)) if made else (0.0, 0)
-        of_all = max(limits.max_steps - int(steps), 1)
-        remaining = Limits(int(min(of_all, most)), limits.max_events, max(limits.wall_time - spent_s, 0.0))
+        given_up = most < limits.max_steps
+        own = replace(limits, max_steps=most, whose=MOST_STEPS) if given_up else limits
         shown = None if progress is None else _part(progress, len(made))
-        trace = replace(run, limits=remaining).trace(
-            tolerance, scales, times, progress=shown, further=grid, alone=not keep
-        )
-        made.append((trace.ending.wall_s, trace.counted["steps"]))
+        trace = replace(run, limits=own).trace(tolerance, scales, times, progress=shown, further=grid, alone=not keep)
+        made.append(trace)
         status = trace.ending.status
-        given_up = status == TOO_MANY_STEPS and most < of_all
+        given_up = given_up and status == TOO_MANY_STEPS
         end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
         states = trace.further.history.part("y")
         counted = trace.counted

@@ -28,7 +28,7 @@ class Engine:
 
     counters    rows of the state
     code        of the chunk
-    march       ([gear, integrator where there is code,] state, controls, keep, *, wall_time, progress)
+    march       ([gear, integrator where there is code,] state, controls, keep, *, deadline, progress)
     """
 
     integrator: Integrator
@@ -38,14 +38,17 @@ class Engine:
     march: Callable[..., Ending]
 
 
-def engine_for(model: Model, method: str, compiled: Compiled) -> Engine:
-    """Return the engine of a model and method, compiled if requested."""
+def engine_for(model: Model, method: str, compiled: Compiled, poll: Callable[[], object] = lambda: None) -> Engine:
+    """Return the engine of a model and method, compiled if requested.
+
+    poll: called meanwhile. Raises InputError without a compiler, and what `poll` raises.
+    """
     engine = _engine(model, method)
     if compiled is True and engine.code is not None:
         from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError
 
         try:
-            engine.code.compile()
+            engine.code.compile(poll)
         except NoCompilerError as error:
             way_out = "compiled=False runs the same functions, slower"
             raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error

@@ -29,7 +29,6 @@ from hertzwerk.runtime.start.start_values import dependent, overlaps, start_of
 
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
 METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
-MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000
 REMEMBERED = 64  # inputs of a model kept as read
 
 Compiled: TypeAlias = bool | Literal["auto"]
@@ -37,11 +36,15 @@ Compiled: TypeAlias = bool | Literal["auto"]
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of a run: steps, contacts begun, wall time [s]."""
+    """Limits of steps and of contacts of a run, and of wall time [s] of a call; infinite by default.
 
-    max_steps: int
-    max_events: int
+    whose    who limits the steps
+    """
+
+    max_steps: float
+    max_events: float
     wall_time: float
+    whose: str = "max_steps"
 
 
 @dataclass(frozen=True)
@@ -54,15 +57,20 @@ class Settings:
     method: str = METHOD
     compiled: Compiled = "auto"
     output: Output = "steps"
-    max_steps: int = MAX_STEPS
-    max_events: int = MAX_EVENTS
+    max_steps: int | None = None
+    max_events: int | None = None
     wall_time: float | None = None
     sensitivities: Sequence[str] = ()
 
     @property
     def limits(self) -> Limits:
-        """Limits of all runs together, but for the contacts, which are of each."""
-        return Limits(self.max_steps, self.max_events, math.inf if self.wall_time is None else self.wall_time)
+        """Limits of steps and contacts of each run, of the wall time of all runs together."""
+        steps, events, wall_time = (math.inf if limit is None else limit for _, limit in self._given_limits)
+        return Limits(steps, events, wall_time)
+
+    @property
+    def _given_limits(self) -> list[tuple[str, float | None]]:
+        return [("max_steps", self.max_steps), ("max_events", self.max_events), ("wall_time", self.wall_time)]
 
     def check(self, model: Model) -> None:
         """Raise InputError for input that is bad whatever the parameters of the run."""
@@ -109,8 +117,8 @@ class Settings:
             faults.append(Fault("method", shown(self.method), f"one of {', '.join(sorted(METHODS))}"))
         elif self.method not in METHODS:
             faults.append(unknown("method", self.method, sorted(METHODS)))
-        for name, limit in vars(self.limits).items():
-            if not (_real(limit) and limit > 0):
+        for name, limit in self._given_limits:
+            if limit is not None and not (_real(limit) and limit > 0):
                 faults.append(Fault(name, shown(limit), "a positive number"))
         if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
             faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))

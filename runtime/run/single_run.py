@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -12,7 +13,7 @@ import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import LOOSEST
 from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
-from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume
+from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume, TimeOverError, keep_to
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of
@@ -45,6 +46,7 @@ class SingleRun:
     provider: AutomaticCallers | None
     start: Resume | None = None  # what it goes on from; None: the start of the motion
     needs: Needs = Needs.STEPS
+    deadline: float = math.inf  # of `time.perf_counter` [s], of all its runs
 
     @property
     def begin(self) -> float:
@@ -127,6 +129,7 @@ class SingleRun:
             balance = Balance(error, moved, size, float(scales.scene[3]), counted["steps"] + 1)
         return Trace(
             tolerance=tolerance,
+            limits=self.limits,
             ending=ending,
             kept=kept,
             further=other,
@@ -141,7 +144,7 @@ class SingleRun:
 
     def outcome(self, trace: Trace) -> Outcome:
         """Return the outcome of a run."""
-        limits, ends, counted, status = self.limits, trace.kept.ends, trace.counted, trace.ending.status
+        limits, ends, counted, status = trace.limits, trace.kept.ends, trace.counted, trace.ending.status
         left = status == OUTSIDE_LAW_RANGE
         locked = _locked(self.model, ends) if status in (OUTSIDE_LAW_RANGE, NOT_FINITE, STEP_TOO_SMALL) else ""
         return outcome(
@@ -149,7 +152,7 @@ class SingleRun:
             self.method,
             trace.kept.history,
             steps=counted["steps"],
-            vain=counted["rejected"] + counted["retaken"],
+            rejected=counted["rejected"] + counted["retaken"],
             error=trace.ending.error,
             t=float(ends.t[-1]),
             where=locked or (_deepest(self.model, ends) if left else ""),
@@ -204,7 +207,7 @@ class SingleRun:
             if block != ENDS:
                 recorder.keep(attempts.compress(attempts[:, accepted] == 1, axis=0))
 
-        ending: Ending = loop(state, controls, keep, wall_time=self.limits.wall_time, progress=progress)
+        ending: Ending = loop(state, controls, keep, deadline=self.deadline, progress=progress)
         if block == ENDS:
             recorder.keep(np.stack([state, ending.last]))
         with suppress(Exception):  # told by the recorder
@@ -226,16 +229,28 @@ class SingleRun:
 
 
 def set_up(
-    model: Model, settings: Settings, given: Given, start: Resume | None = None, needs: Needs = Needs.STEPS
+    model: Model,
+    settings: Settings,
+    given: Given,
+    start: Resume | None = None,
+    needs: Needs = Needs.STEPS,
+    began: float = math.inf,
 ) -> SingleRun:
     """Return the requested run with its engine built.
 
+    began: time of `time.perf_counter` [s] from which its wall time counts, which is over for a compiler as well.
     Raises InputError where C is requested and there is no compiler.
     """
-    engine = engine_for(model.without_redundancy(given.dependent), settings.method, settings.compiled)
-    code, compiled = engine.code, settings.compiled
+    deadline, compiled = began + settings.limits.wall_time, settings.compiled
+    independent = model.without_redundancy(given.dependent)
+    try:
+        engine = engine_for(independent, settings.method, compiled, partial(keep_to, deadline))
+    except TimeOverError:
+        compiled = False
+        engine = engine_for(independent, settings.method, compiled)
+    code = engine.code
     provider = AutomaticCallers(code, compiled=compiled is True, changes=compiled == "auto") if code else None
-    return SingleRun(model, settings.method, engine, given, settings.limits, provider, start, needs)
+    return SingleRun(model, settings.method, engine, given, settings.limits, provider, start, needs, deadline)
 
 
 @dataclass(frozen=True)
@@ -243,6 +258,7 @@ class Trace:
     """Result of one run at one tolerance."""
 
     tolerance: float
+    limits: Limits
     ending: Ending
     kept: Steps | Grid
     further: Steps | Grid

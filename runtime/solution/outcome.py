@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.accuracy.ladder import ErrorEstimate, beyond_horizon, brief, horizon
-from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT
+from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, STALLED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     EVENT_LIMIT,
@@ -23,9 +23,14 @@ from hertzwerk.runtime.solution.remedies import of_accuracy, of_steps
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
-FRICTION_LOCKS = EXCEPTION + 1  # which is found of a run that left the range of a law, or has come to a halt
+FRICTION_LOCKS = STALLED + 1  # which is found of a run that left the range of a law, or has come to a halt
 REACHED_END = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # names
-STEPS = (STEP_TOO_SMALL, TOO_MANY_STEPS, WALL_TIME_LIMIT)  # statuses of runs whose steps were many or too small
+STEPS = (
+    STEP_TOO_SMALL,
+    TOO_MANY_STEPS,
+    WALL_TIME_LIMIT,
+    STALLED,
+)  # statuses of runs whose steps were many or too small
 
 
 @dataclass(frozen=True)
@@ -76,8 +81,8 @@ _OUTCOMES = {
     ),
     TOO_MANY_STEPS: (
         "too_many_steps",
-        "{steps:,} steps were taken, and {vain:,} tried in vain, by t = {t:.9g} s",
-        "raise max_steps, ask for less accuracy, or simulate a shorter time",
+        "the run at tolerance {tolerance:.2g} ended at t = {t:.9g} s: {steps:,} steps accepted, {rejected:,} rejected, {whose} = {max_steps:,.0f}",
+        "raise max_steps or leave it out, ask for less accuracy, or simulate a shorter time",
     ),
     INTERRUPTED: (
         "interrupted",
@@ -86,8 +91,13 @@ _OUTCOMES = {
     ),
     WALL_TIME_LIMIT: (
         "wall_time_limit",
-        "the run took longer than {wall_time:g} s and stopped at t = {t:.9g} s",
-        "raise wall_time, ask for less accuracy, or use compiled=True",
+        "wall_time = {wall_time:g} s was over when the run at tolerance {tolerance:.2g} was at t = {t:.9g} s",
+        "raise wall_time, ask for less accuracy, or simulate a shorter time",
+    ),
+    STALLED: (
+        "stalled",
+        "the run at tolerance {tolerance:.2g} stands still at t = {t:.9g} s, after {steps:,} accepted and {rejected:,} rejected steps",
+        'take method="esdirk" or "rodas", or another tolerance; a max_steps of your own, in place of this limit, lets it go on',
     ),
     EXCEPTION: (
         "exception",

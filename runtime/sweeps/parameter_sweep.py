@@ -31,8 +31,6 @@ from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.request import (
-    MAX_EVENTS,
-    MAX_STEPS,
     METHOD,
     Compiled,
     Settings,
@@ -88,8 +86,8 @@ def sweep(
     tolerance: float | None = None,
     method: str = METHOD,
     compiled: Compiled = "auto",
-    max_steps: int = MAX_STEPS,
-    max_events: int = MAX_EVENTS,
+    max_steps: int | None = None,
+    max_events: int | None = None,
     wall_time: float | None = None,
     workers: int | None = None,
     client: Client | None = None,

@@ -21,7 +21,7 @@ from hertzwerk.derive.files.tomlfile import read_toml
 from hertzwerk.runtime.inputs.choices import located_choices
 from hertzwerk.runtime.inputs.given import INPUTS, located
 from hertzwerk.runtime.model.build import is_file, located_laws
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD
+from hertzwerk.runtime.run.request import METHOD
 from hertzwerk.runtime.sweeps.parameter_sweep import sweep
 
 Quantity = str | float
@@ -55,8 +55,8 @@ class SweepFile(BaseModel):
     accuracy: float | None = None
     tolerance: float | None = None
     method: str = METHOD
-    max_steps: int = MAX_STEPS
-    max_events: int = MAX_EVENTS
+    max_steps: int | None = None
+    max_events: int | None = None
     wall_time: float | None = None
 
 

@@ -104,8 +104,10 @@ class AutomaticCallers:
             self.build_s += time.perf_counter() - began
             if self._compiled:
                 began = time.perf_counter()
-                code.compile(poll)
-                self.compile_s += time.perf_counter() - began
+                try:
+                    code.compile(poll)
+                finally:
+                    self.compile_s += time.perf_counter() - began
             self._use(code)
 
     def _use(self, code: Code) -> None:
@@ -128,8 +130,10 @@ class AutomaticCallers:
         if not self._changes or self.compiled or ahead < LOOK:
             return False
         began = time.perf_counter()
-        better = self._code.compiled_if_faster(elapsed, ahead, poll)
-        self.compile_s += time.perf_counter() - began
+        try:
+            better = self._code.compiled_if_faster(elapsed, ahead, poll)
+        finally:  # also where the time is over
+            self.compile_s += time.perf_counter() - began
         if better is None:
             return False
         self.callers = better

@@ -12,17 +12,36 @@ import numpy as np
 
 from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
-from hertzwerk.runtime.integrate.loop.choose import PATIENCE
+from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, PATIENCE
 from hertzwerk.runtime.integrate.loop.pieces import Pieces
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import CALM, FINISHED, RUNNING, SUSPECT, TOO_MANY_STEPS
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.signal import Schedule
 
 ROOM = 1.05  # of a step: if less is left to the end, the step may have been cut to end there
 SIZE = (16, 16)  # attempts per call, nested: calls of a function, attempts in it
 # statuses that only the loop can give
-INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2, TOO_MANY_STEPS + 3
+INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, STALLED = range(TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 5)
+STALL, HARDLY = (
+    100_000,
+    1e-6,
+)  # attempts that get ahead by less than this part of the time so far, or of the scene's own, are a stall
+# A chunk whose attempts are rejected to this part and get ahead by less than this part of the duration is one of a method that fails there;
+# where half of its attempts are rejected as contacts follow each other, geneva_drive gets ahead by a tenth.
+FAILING, STANDING, FAILED = 0.4, 1e-5, 2.0  # the last: such chunks in a row after which `auto` turns to implicit steps
+COMPILER_PART = 0.25  # of the time left to a limit: a compiler on a busy machine takes several times what is estimated
+
+
+class TimeOverError(Exception):
+    """The time that a call may take is over."""
+
+
+def keep_to(deadline: float) -> None:
+    """Raise TimeOverError after a time of `time.perf_counter` [s]."""
+    if time.perf_counter() > deadline:
+        raise TimeOverError
 
 
 def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
@@ -112,7 +131,7 @@ def march(
     controls: np.ndarray,
     keep: Callable[[np.ndarray], object],
     *,
-    wall_time: float = np.inf,
+    deadline: float = np.inf,
     progress: Callable[[float], object] | None = None,
     with_choice: bool = False,
     schedule: Schedule | None = None,
@@ -123,6 +142,7 @@ def march(
 
     keep    receives the states after the attempts in order, some at a time: rows (n, ns) that are overwritten after it returned,
             those that count are `accepted`
+    deadline   of `time.perf_counter` [s]: where it ends, after one call at least; a compiler is stopped
     with_choice   begin with steps that choose between methods
     schedule   of the inputs: where a piece ends a step does, and a row before it and one after it are kept
     """
@@ -132,6 +152,8 @@ def march(
 
     def poll() -> None:
         interrupts()
+        if run.status == RUNNING:
+            keep_to(deadline)
         if progress is not None:
             progress(run.done)
 
@@ -143,12 +165,14 @@ def march(
                 states, with_choice = run.attempts()
                 run.note_resume(states, with_choice)
                 keep(states)
-                run.stop_at_limits(wall_time)
+                run.stop_at_limits()
                 poll()
                 run.change_method(with_choice, poll)
-                run.compile_if_faster(wall_time, poll)
+                run.compile_if_faster(deadline, poll)
     except KeyboardInterrupt:
         run.status = INTERRUPTED
+    except TimeOverError:
+        run.status = WALL_TIME_LIMIT
     except Exception as raised:
         run.status, error = EXCEPTION, raised
     return run.end(error)
@@ -170,9 +194,14 @@ class _March:
         state, layouts, self._pieces = start.state, integrator.layouts, pieces
         self._provider, self._controls, self._at = provider, controls, layouts.state.places
         self._t_end, self._max_steps = (controls[layouts.controls.places[name]] for name in ("t_end", "max_steps"))
-        self._t_start, self._most_in_vain = state[self._at["t"]], self._max_steps - state[self._at["steps"]]
-        self._most_in_vain += self._in_vain(state)  # as many as steps may be accepted
+        self._t_start, self._most_rejected = state[self._at["t"]], self._max_steps - state[self._at["steps"]]
+        self._most_rejected += self._rejected(state)  # as many as steps may be accepted
+        length, speed = controls[layouts.controls["scales"]][:2]
+        self._least = min(length / speed, self._t_end - self._t_start)  # time [s] in which something happens
+        first, *others = integrator.tables
+        self._automatic, self._failing = bool(others) and isinstance(first, RungeKutta), 0
         self.status, self._state, self._resume = int(state[self._at["status"]]), state, start
+        self._stall = self._tried, self._t_start  # attempts and time from which progress is watched
         (self._tally,) = tally(integrator.model).first(state, controls)
         self._free = True  # of where the run is to end
         self._with_choice = False
@@ -216,8 +245,24 @@ class _March:
             states[-1, status] = RUNNING
             states = np.vstack([states, self._pieces.given(states[-1])])
             self.status = int(states[-1, status])
+        if self.status == RUNNING and self._automatic and self._fails(states):
+            states[-1, self._at["method"]], states[-1, self._at["pressure"]] = IMPLICIT, PATIENCE
+            chooses = True
         self._state, self._tally = states[-1].copy(), tallied.copy()
         return states, chooses
+
+    def _fails(self, states: np.ndarray) -> bool:
+        """Return whether explicit steps fail: chunk after chunk many are rejected and time stands still.
+
+        Where stability limits a contact's step, or it rests within the tolerance of its gap, a step too long ends in events that the motion does not
+        have; each is retaken up to there. Such steps are no plain ones, and too short for what tells of stiffness.
+        """
+        last, t = states[-1], self._at["t"]
+        rejected = self._rejected(last) - self._rejected(self._state) > FAILING * len(states)
+        stands = last[t] - self._state[t] < STANDING * (self._t_end - self._t_start)
+        fails = rejected and stands and last[self._at["method"]] == EXPLICIT
+        self._failing = self._failing + 1 if fails else 0
+        return bool(self._failing >= FAILED * (1 + last[self._at["wary"]]))
 
     def note_resume(self, states: np.ndarray, chooses: bool) -> None:
         """Note the last of the next states that is independent of where the run is to end."""
@@ -234,12 +279,15 @@ class _March:
         if last:
             self._resume = Resume(states[last - 1].copy(), chooses if self._free else self._with_choice)
 
-    def stop_at_limits(self, wall_time: float) -> None:
-        """End the run where its attempts in vain, or its time [s], have reached their limit."""
-        if self.status == RUNNING and self._in_vain(self._state) > self._most_in_vain:
+    def stop_at_limits(self) -> None:
+        """End the run where its rejected attempts reach their limit or, without one, where it stalls."""
+        if self.status == RUNNING and self._rejected(self._state) > self._most_rejected:
             self.status = TOO_MANY_STEPS
-        if self.status == RUNNING and self._elapsed > wall_time:
-            self.status = WALL_TIME_LIMIT
+        (tried, before), t = self._stall, self._state[self._at["t"]]
+        if self.status == RUNNING and self._tried >= tried + STALL:
+            self._stall = self._tried, t
+            if t - before < HARDLY * max(t - self._t_start, self._least) and self._max_steps == np.inf:
+                self.status = STALLED
 
     def change_method(self, chooses: bool, poll: Callable[[], object]) -> None:
         """Go on with steps that choose between methods, or with explicit ones alone."""
@@ -252,26 +300,27 @@ class _March:
             self._provider.begin()
         self._change_callers()
 
-    def compile_if_faster(self, wall_time: float, poll: Callable[[], object]) -> None:
-        """Go on compiled, if that saves more time [s] than it takes."""
+    def compile_if_faster(self, deadline: float, poll: Callable[[], object]) -> None:
+        """Go on compiled, if that saves more time [s] than it takes, before the deadline as well."""
         if self.status != RUNNING or not self._provider.may_switch:
             return
         pace = max(self.done, self._state[self._at["steps"]] / self._max_steps, 1e-9)
-        ahead = min(self._spent / pace - self._spent, wall_time - self._elapsed)
+        ahead = min(self._spent / pace - self._spent, COMPILER_PART * (deadline - time.perf_counter()))
         if self._provider.switch_if_faster(self._spent, ahead, poll):
             self._change_callers()
 
     def end(self, error: Exception | None) -> Ending:
         """Return how the run ended."""
         self._callers.give_back(self._call)
-        return Ending(self._state, self._tally, self.status, self._elapsed, self._resume, error)
+        wall_s = time.perf_counter() - self._began
+        return Ending(self._state, self._tally, self.status, wall_s, self._resume, error)
 
     @property
-    def _elapsed(self) -> float:
-        """Time [s] since the run began."""
-        return time.perf_counter() - self._began
+    def _tried(self) -> float:
+        """Number of attempts so far."""
+        return float(self._state[self._at["steps"]]) + self._rejected(self._state)
 
-    def _in_vain(self, state: np.ndarray) -> float:
+    def _rejected(self, state: np.ndarray) -> float:
         """Return the number of attempts that were not accepted."""
         return float(state[self._at["rejected"]] + state[self._at["retaken"]])
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, load, simulate, simulation
 from hertzwerk.runtime.integrate.loop import automatic, chunk, compiled
 
 
@@ -32,7 +32,9 @@ def clock(monkeypatch):
     def ticking():
         return itertools.count(step=0.01).__next__
 
-    monkeypatch.setattr(chunk, "time", SimpleNamespace(perf_counter=ticking(), thread_time=ticking()))
+    faked = SimpleNamespace(perf_counter=ticking(), thread_time=ticking())
+    for module in (chunk, simulation):
+        monkeypatch.setattr(module, "time", faked)
 
 
 def test_a_short_run_is_not_compiled(crank, clock, tmp_path):

@@ -179,4 +179,4 @@ def test_a_run_that_rejects_for_ever_ends(ball, monkeypatch):
     assert run.outcome.name == "too_many_steps"
     assert run.statistics.steps == 0
     assert 5000 < run.statistics.rejected <= 5256
-    assert f"0 steps were taken, and {run.statistics.rejected:,} tried in vain" in run.outcome.message
+    assert f": 0 steps accepted, {run.statistics.rejected:,} rejected, max_steps = 5,000" in run.outcome.message

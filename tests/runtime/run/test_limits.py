@@ -1,0 +1,187 @@
+"""Where a run ends before its end: a stall, a limit of its own, the time of the call, which compiling shares."""
+
+import time
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Direction,
+    Friction,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Planar,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    Y,
+)
+from hertzwerk.derive.laws import gonthier, power, smooth_coulomb
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.integrate.loop import automatic, compiled
+from hertzwerk.runtime.integrate.loop.chunk import STALL
+from hertzwerk.runtime.model import caller
+
+SLOW = 60.0  # s that the compiler takes
+SOON = 30.0  # s, far above what a run of SHORT takes, far below SLOW
+SHORT = {"duration": "10 s", "tolerance": 1e-8, "wall_time": 1.0}
+
+
+@pytest.fixture
+def crank(tmp_path, monkeypatch):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    return load("slider_crank_frictionless")
+
+
+@pytest.fixture
+def slow_compiler(tmp_path, monkeypatch):
+    """A compiler that takes a minute, to be started at once."""
+    script = tmp_path / "slow_cc"
+    script.write_text(f'#!/bin/sh\n[ "$1" = --version ] && echo 1.0 && exit 0\nsleep {SLOW}\n', encoding="utf-8")
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    compiled._compiler.cache_clear()
+    for name, value in (("LOOK", 0.0), ("GAIN", 1e9), ("SURE", 0.0)):
+        monkeypatch.setattr(automatic, name, value)
+    yield script
+    compiled._compiler.cache_clear()
+
+
+@pytest.mark.parametrize("given", [{"tolerance": 1e-8}, {"tolerance": None, "accuracy": 1e-6}])
+@pytest.mark.parametrize("how", ["auto", True])
+def test_a_compiler_is_stopped_when_the_time_of_the_call_is_over(crank, slow_compiler, how, given):
+    began = time.perf_counter()
+    run = simulate(crank, **SHORT | given, compiled=how)
+    assert time.perf_counter() - began < SOON
+    assert run.outcome.name == "wall_time_limit"
+    assert "wall_time = 1 s" in run.outcome.message
+    assert not run.compiled
+    assert run.t_end > 0
+    assert np.all(np.isfinite(run.history.rows))
+
+
+def test_the_time_is_that_of_all_runs_of_a_request(crank):
+    """Each of them takes less than the limit, all of them far more."""
+    one = simulate(crank, duration="0.2 s", tolerance=1e-9, compiled=False)
+    began = time.perf_counter()
+    run = simulate(crank, duration="0.2 s", accuracy=1e-9, compiled=False, wall_time=one.statistics.wall_s)
+    assert run.outcome.name == "wall_time_limit"
+    assert time.perf_counter() - began < 4 * one.statistics.wall_s + 1
+
+
+def test_max_steps_is_a_limit_of_each_run(crank):
+    asked = {"duration": "12 ms", "accuracy": 1e-5, "compiled": False}
+    whole = simulate(crank, **asked)
+    assert whole.error.runs > 1
+    steps = whole.statistics.steps
+    limited = simulate(crank, **asked, max_steps=2 * steps)  # all of them take more
+    assert limited.outcome.finished
+    assert np.array_equal(limited.history.rows, whole.history.rows)
+    cut = simulate(crank, **asked, max_steps=steps + 1)  # the run that checks it takes more
+    assert cut.outcome.name == "too_many_steps"
+    assert f"max_steps = {steps + 1:,}" in cut.outcome.message
+    assert f"the run at tolerance {whole.tolerance / 5:.2g}" in cut.outcome.message
+
+
+def test_without_a_limit_no_count_ends_a_run(monkeypatch):
+    """Two million steps are counted, more than were ever allowed, of a motion that goes on."""
+    ball, evaluate = load("bouncing_ball"), caller.Caller.__call__
+    given = {"duration": "5 s", "tolerance": 1e-12, "method": "dopri5", "compiled": False}
+    plain = simulate(ball, **given)
+    assert plain.statistics.steps > 1000
+    layout, counted = plain.history.integrator.layouts.state, 2_000_000
+
+    def counts(self):
+        results = evaluate(self)
+        states = results[0]
+        if states.shape[0] == 256 and states[0, layout["steps"]] < counted:
+            states[:, layout["steps"]] += counted
+        return results
+
+    monkeypatch.setattr(caller.Caller, "__call__", counts)
+    run = simulate(ball, **given)
+    assert run.outcome.finished
+    assert run.statistics.steps == plain.statistics.steps + counted
+
+
+def test_a_run_that_stands_still_is_stopped_as_a_stall(monkeypatch):
+    """Every attempt is rejected: nothing but the lack of progress can end it."""
+    ball, evaluate = load("bouncing_ball"), caller.Caller.__call__
+    given = {"duration": "1 s", "tolerance": 1e-6, "compiled": False, "method": "dop853"}
+    layout = simulate(ball, **given).history.integrator.layouts.state
+
+    def rejects(self):
+        results = evaluate(self)
+        states = results[0]
+        if states.shape[0] == 256:
+            states[:] = self.inputs[0]
+            states[:, layout["accepted"]] = 0
+            states[:, layout["rejected"]] += np.arange(1, 257)[:, None]
+        return results
+
+    monkeypatch.setattr(caller.Caller, "__call__", rejects)
+    run = simulate(ball, **given)
+    assert run.outcome.name == "stalled"
+    assert STALL <= run.statistics.rejected < STALL + 512
+    assert f"{run.statistics.rejected:,} rejected" in run.outcome.message
+    assert "esdirk" in run.outcome.remedy
+    counted = simulate(ball, **given, max_steps=2 * STALL)  # a limit of one's own holds in its place
+    assert counted.outcome.name == "too_many_steps"
+    assert counted.statistics.rejected > 2 * STALL
+
+
+# ---- where explicit steps fail -----------------------------------------------------------------------------------------
+
+
+def sphere():
+    """A sphere 4.3 mm deep in an inclined plane that opens: its force is released, and it is pressed anew."""
+    mass, inertia, radius = (
+        Parameter("mass", "kg", 0.0129),
+        Parameter("inertia", "kg m^2", 2.91e-4),
+        Parameter("radius", "m", 0.0855),
+    )
+    body = Body("ball", mass=mass, inertia=inertia)
+    plane = SphereOnPlane("floor", body.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Direction((-0.3948, 1, 0)))
+    return Scene(
+        Mechanism("pressed_sphere", (Planar("base", GROUND, body),), (plane,)),
+        (
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            Contact("floor", power(Parameter("stiffness", "N/m^2", 4.4065e8), 2), gonthier(Parameter("restitution", "1", 0.3377))),
+            Friction("rub", "floor", smooth_coulomb(Parameter("mu", "1", 0.2885), Parameter("v_s", "m/s", 0.01233))),
+        ),
+        Scales(length=radius, arm=radius, speed=Parameter("pace", "m/s", 1)),
+        Start(
+            position={"base.y": radius + Parameter("above", "mm", 1.757)},
+            speed={"base.x": Parameter("v_x", "m/s", -0.3019), "base.angle": Parameter("spin", "rad/s", 32.67)},
+        ),
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def pressed():
+    return load(sphere())
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8, 1e-10])
+def test_auto_turns_to_implicit_steps_where_explicit_ones_are_rejected(pressed, tolerance):
+    """esdirk and rodas take some 30 steps; explicit ones are rejected for phantom ends of the contact, 9 in 10 of them."""
+    given = {"duration": "0.19 s", "tolerance": tolerance, "compiled": False, "max_steps": 3000}
+    run, check = simulate(pressed, **given), simulate(pressed, **given, method="esdirk")
+    assert run.outcome.finished
+    assert check.outcome.finished
+    for name in ("base.x", "base.y", "base.angle"):
+        assert run.final[name] == pytest.approx(check.final[name], abs=1e3 * tolerance)
+    assert run.statistics.steps < 1000
+
+
+def test_the_remedy_of_explicit_steps_helps(pressed):
+    given = {"duration": "0.19 s", "tolerance": 1e-6, "compiled": False, "max_steps": 3000}
+    run = simulate(pressed, **given, method="dop853")
+    assert run.outcome.name == "too_many_steps"
+    assert 'method="auto"' in run.outcome.remedy
+    assert simulate(pressed, **given, method="auto").outcome.finished
