@@ -147,6 +147,7 @@ def undetermined(model: Model, bound: Bound, q: Array) -> tuple[str, ...]:
     return tuple(name for name, is_open in zip(model.constraints, unclosed, strict=True) if is_open)
 
 
+@np.errstate(all="ignore")
 def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
     """Return groups of constraints that are dependent at all positions within reach, not just at q.
 

@@ -92,9 +92,10 @@ def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap
     if rows is None:
         return -gap, 1.0
     (y,) = model.evaluate("outputs", 0.0, q, u, bound.c)
-    eccentricity = float(np.linalg.norm(y[list(rows)]))
-    reach = gap + math.hypot(gap, eccentricity)
-    return eccentricity - reach, eccentricity / reach
+    eccentricity = math.hypot(*y[list(rows)])
+    ratio = gap / eccentricity
+    slope = math.hypot(ratio, 1) - ratio  # eccentricity over clearance, of a gap (c^2 - e^2)/(2 c) below 0
+    return eccentricity - eccentricity / slope, slope
 
 
 def _size(model: Model, bound: Bound, j: int) -> float:

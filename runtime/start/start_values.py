@@ -29,6 +29,7 @@ def split_values(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, G
     return parameters, {name: value for name, value in values.items() if name in states}
 
 
+@np.errstate(all="ignore")  # what is not finite is a fault, or an outcome
 def start_of(
     model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: Sequence[Fault] = ()
 ) -> tuple[Bound, np.ndarray, np.ndarray]:
@@ -111,6 +112,7 @@ def assembled(
     return q, u
 
 
+@np.errstate(all="ignore")
 def overlaps(
     model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
 ) -> tuple[list[Fault], tuple[str, ...]]:

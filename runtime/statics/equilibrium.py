@@ -202,8 +202,9 @@ def equilibrium(
         wanted = {name: value for name, value in wanted.items() if name not in speeds}
     bound, q = start_at(model, still, given, wanted, t)
     search = Search(still, bound, t)
-    rest = search.nearest(q) if nearest else search.relaxed(q)
-    return _result(model, still, bound, t, search, rest)
+    with np.errstate(all="ignore"):  # what is not finite is no equilibrium
+        rest = search.nearest(q) if nearest else search.relaxed(q)
+        return _result(model, still, bound, t, search, rest)
 
 
 def inputs_at(model: Model, inputs: Mapping[str, Input] | None, t: float) -> Model:
@@ -233,7 +234,7 @@ def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, res
     touching = [j for j in range(model.k) if rest.closed[j]]
     held = np.where([grips.count(name) > 1 for name in grips], sizes_of(model, rest.mu), rest.mu)
     sticking = {name: float(held[i]) for i, name in enumerate(grips) if rest.closed[grip_pairs(model)[i]]}
-    least, indifferent = _least_stiffness(model, search, rest)
+    least, indifferent = _least_stiffness(model, search, rest) if rest.found else (0.0, ())
     return Equilibrium(
         model=model,
         bound=bound,

@@ -108,6 +108,8 @@ class Search:
         pull = float(np.max(np.abs(rest.balance.force * self.scale), initial=0.0)) or 1.0
         stretch, moved = FIRST / pull, 0.0  # pseudo-time over the weight 1/scale^2
         for count in range(1, STEPS + 1):
+            if not stretch > 0:  # no step is short enough, or no force is finite
+                break
             following = self._step(rest, stretch)
             if following is None:
                 stretch /= SHORTER
