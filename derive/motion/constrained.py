@@ -29,12 +29,12 @@ class Loops:
         self._tape, self._constraints, self._mass = tape, constraints, mass
         self._names = [constraint.name.replace(".", "_") for constraint in constraints]
         each = list(zip(constraints, self._names, strict=True))
-        through = (
+        responses = (
             mass.solve({key: constraint.column.get(key, sp.S.Zero) for key in mass.names}, f"by_{name}")
             for constraint, name in each
         )
         # M^-1 G^T: by constraint, the responses to a unit multiplier of the speeds that have one
-        self._through = [{key: value for key, value in one.items() if value != 0} for one in through]
+        self._through = [{key: value for key, value in one.items() if value != 0} for one in responses]
         matrix: dict[tuple[str, str], Any] = {}
         moved: dict[str, list[int]] = {}  # by speed, the constraints whose multiplier changes it
         for j, through in enumerate(self._through):
