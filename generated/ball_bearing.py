@@ -112,6 +112,12 @@ LIMITS = (
     ("pitch_diameter", "defined", 0, None, True, False, "scales, arm"),
 )
 
+SUM_LIMITS = (
+    ((("ball_diameter", -0.5), ("clearance", -0.5), ("pitch_diameter", 0.5)), "defined", 0, None, True, False, "pair inner_0, second radius"),
+    ((("ball_diameter", 0.5), ("clearance", 0.5), ("pitch_diameter", 0.5)), "defined", 0, None, True, False, "pair outer_0, socket radius"),
+    ((("clearance", 0.5), ("pitch_diameter", 0.5)), "defined", 0, None, True, False, "pair outer_0, clearance"),
+)
+
 COORDINATES = (
     ("shaft.x", "m"),
     ("shaft.y", "m"),

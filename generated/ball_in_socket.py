@@ -39,6 +39,10 @@ LIMITS = (
     ("stiffness", "defined", 0, None, True, False, "effect ball_joint, stiffness of power"),
 )
 
+SUM_LIMITS = (
+    ((("clearance", -1.0), ("socket_radius", 1.0)), "defined", 0, None, True, False, "pair ball_joint, ball radius (socket radius minus clearance)"),
+)
+
 COORDINATES = (
     ("float.x", "m"),
     ("float.y", "m"),

@@ -74,6 +74,10 @@ LIMITS = (
     ("coupler_length", "defined", 0, None, True, False, "scales, arm"),
 )
 
+SUM_LIMITS = (
+    ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair rocker_pin, pin radius (bush radius minus clearance)"),
+)
+
 COORDINATES = (
     ("crank_pin.angle", "rad"),
     ("rocker_bearing.angle", "rad"),

@@ -55,6 +55,10 @@ LIMITS = (
     ("friction_speed", "defined", 0, None, True, False, "effect bearing_friction, speed over which the friction force builds up of smooth_coulomb"),
 )
 
+SUM_LIMITS = (
+    ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair bearing, pin radius (bush radius minus clearance)"),
+)
+
 COORDINATES = (
     ("shaft.x", "m"),
     ("shaft.y", "m"),

@@ -55,6 +55,10 @@ LIMITS = (
     ("boundary_layer", "defined", 0, None, True, False, "effect oil, boundary layer"),
 )
 
+SUM_LIMITS = (
+    ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair bearing, pin radius (bush radius minus clearance)"),
+)
+
 COORDINATES = (
     ("shaft.x", "m"),
     ("shaft.y", "m"),

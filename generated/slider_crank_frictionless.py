@@ -66,6 +66,10 @@ LIMITS = (
     ("rod_length", "defined", 0, None, True, False, "scales, arm"),
 )
 
+SUM_LIMITS = (
+    ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair slider_pin, pin radius (bush radius minus clearance)"),
+)
+
 COORDINATES = (
     ("crank_pin.angle", "rad"),
     ("guide.travel", "m"),

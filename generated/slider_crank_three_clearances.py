@@ -80,6 +80,10 @@ LIMITS = (
     ("rod_length", "defined", 0, None, True, False, "scales, arm"),
 )
 
+SUM_LIMITS = (
+    ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair main_bearing, pin radius (bush radius minus clearance)"),
+)
+
 COORDINATES = (
     ("crank_plane.x", "m"),
     ("crank_plane.y", "m"),

@@ -76,6 +76,10 @@ LIMITS = (
     ("rod_length", "defined", 0, None, True, False, "scales, arm"),
 )
 
+SUM_LIMITS = (
+    ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair crank_pin, pin radius (bush radius minus clearance)"),
+)
+
 COORDINATES = (
     ("rod_plane.x", "m"),
     ("rod_plane.y", "m"),

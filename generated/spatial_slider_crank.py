@@ -70,6 +70,10 @@ LIMITS = (
     ("rod_length", "defined", 0, None, True, False, "scales, arm"),
 )
 
+SUM_LIMITS = (
+    ((("clearance", -1.0), ("socket_radius", 1.0)), "defined", 0, None, True, False, "pair crank_ball, ball radius (socket radius minus clearance)"),
+)
+
 COORDINATES = (
     ("guide.travel", "m"),
     ("slider_joint.angle_1", "rad"),

@@ -81,6 +81,11 @@ LIMITS = (
     ("sleeve_half_height", "defined", 0, None, True, False, "scales, arm"),
 )
 
+SUM_LIMITS = (
+    ((("hinge", 0.25), ("sleeve_radius", -0.25)), "defined", 0, None, True, False, "body sleeve, box, x"),
+    ((("hinge", 0.75), ("sleeve_radius", -0.75)), "defined", 0, None, True, False, "body sleeve, rod, length"),
+)
+
 COORDINATES = (
     ("fall.travel", "m"),
     ("tilt.angle", "rad"),

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+import sympy as sp
+
 from hertzwerk.derive.algebra.splines import Table
 from hertzwerk.derive.audit.audit import advice_findings
 from hertzwerk.derive.declare.scene import Scene
@@ -37,6 +39,7 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
             (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
         ),
         "LIMITS": tuple(_limits(scene)),
+        **_sum_limits(scene),
         **_inputs(scene),
         "COORDINATES": tuple((name, unit) for name, unit in system.coordinates),
         **({"QUATERNIONS": quaternions} if quaternions else {}),
@@ -206,6 +209,26 @@ def _limits(scene: Scene) -> list[tuple[Any, ...]]:
                 bounds = (interval.lower, interval.upper, interval.open_left, interval.open_right)
                 rows.setdefault((slot.value.name, kind, *bounds), slot.where)
     return [(*row, where) for row, where in rows.items()]
+
+
+def _sum_limits(scene: Scene) -> dict[str, tuple[Any, ...]]:
+    """Table of ranges of sums of parameters, if there are any.
+
+    Its rows are those of LIMITS, with (parameter, factor) of each term in place of the parameter.
+
+    A pin's radius is such a sum. Scales need none: where one is not positive, a run finds its own.
+    """
+    rows: dict[tuple[Any, ...], str] = {}
+    of_scales = {slot.where for slot in scene.scales.slots()}
+    for slot in scene.slots():
+        limit = None if slot.where in of_scales else slot.limit
+        terms = {} if limit is None else sp.sympify(slot.value).as_coefficients_dict()
+        if limit is None or len(terms) < 2 or not all(isinstance(term, Parameter) for term in terms):
+            continue
+        ordered = sorted((term.name, float(factor)) for term, factor in terms.items())
+        bounds = (limit.lower, limit.upper, limit.open_left, limit.open_right)
+        rows.setdefault((tuple(ordered), "defined", *bounds), slot.where)
+    return {"SUM_LIMITS": tuple((*row, where) for row, where in rows.items())} if rows else {}
 
 
 def meanings_of(scene: Scene) -> dict[str, str]:

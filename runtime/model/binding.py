@@ -13,7 +13,9 @@ from hertzwerk.derive.faults import Fault, shown, unknown
 from hertzwerk.derive.units import Unit, UnitError, parse_unit, rate_remedy, split_quantity
 
 Value: TypeAlias = str | float | tuple[float, str]  # "0.2 mm"; a bare number where dimensionless; (0.2, "mm")
-Limit: TypeAlias = tuple[str, str, float | None, float | None, bool, bool, str]  # a row of a module's LIMITS
+Range: TypeAlias = tuple[str, float | None, float | None, bool, bool, str]
+Limit: TypeAlias = tuple[str, *Range]  # a row of a module's LIMITS
+SumLimit: TypeAlias = tuple[tuple[tuple[str, float], ...], *Range]  # a row of its SUM_LIMITS
 
 
 @dataclass(frozen=True)
@@ -45,8 +47,8 @@ class Declared:
     unsound  parameters whose default is no finite number, or outside a limit
     """
 
-    def __init__(self, ports: Mapping[str, Port], limits: Sequence[Limit]) -> None:
-        self.ports, self.limits = ports, limits
+    def __init__(self, ports: Mapping[str, Port], limits: Sequence[Limit], sums: Sequence[SumLimit] = ()) -> None:
+        self.ports, self.limits, self.sums = ports, limits, sums
         units = {name: parse_unit(port.unit) for name, port in ports.items()}
         self.si = {name: unit.to_si(ports[name].default) for name, unit in units.items()}
         self.texts = {name: (port.default, port.unit) for name, port in ports.items()}
@@ -81,7 +83,7 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
     for name in filter(judged.__contains__, ports):
         fault = _unit_fault(ports[name], ports, given, si) if name in concerned else None
         if fault is None and not math.isfinite(si[name]):
-            fault = Fault(name, _text(*texts[name]), "a finite number")
+            fault = Fault(name, quantity_text(*texts[name]), "a finite number")
         if fault is not None:
             faults.append(fault)
     judged -= {fault.where for fault in faults}
@@ -90,11 +92,21 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
         if limit[0] not in judged or _inside(si[limit[0]], limit):
             continue
         name, kind, *_, why = limit
-        found, allowed = _text(*texts[name]), _interval(limit, ports[name].unit)
+        found, allowed = quantity_text(*texts[name]), _interval(limit, ports[name].unit)
         if kind == "defined":
             faults.append(Fault(name, found, f"a value in {allowed}", why))
         else:
             warnings.append(f"{name} = {found} is outside the recommended {allowed}: {why}")
+    for sum_limit in declared.sums:
+        terms, *_, what = sum_limit
+        names = [name for name, _ in terms]
+        value = sum(factor * si[name] for name, factor in terms)
+        if judged.isdisjoint(names) or _inside(value, sum_limit) or not math.isfinite(value):
+            continue
+        declared_in = ports[names[0]].unit
+        of = " and ".join(f"{name} = {quantity_text(*texts[name])}" for name in names)
+        found = f"{quantity_text(value, str(parse_unit(declared_in)))}, of {of}"
+        faults.append(Fault(what, found, f"a value in {_interval(sum_limit, declared_in)}", "Change one of them."))
     return Reading(si, texts, tuple(warnings), tuple(faults))
 
 
@@ -117,7 +129,9 @@ def _unit_fault(
     if unit.free_names:
         named = [name for name in unit.free_names if name in given or name not in ports]
         if named:
-            return Fault(port.name, _text(value, text), f"a number for {named[0]}, such as {declared.at(exponents)}")
+            return Fault(
+                port.name, quantity_text(value, text), f"a number for {named[0]}, such as {declared.at(exponents)}"
+            )
         unit = unit.at(_exponents(ports))
     expected = declared.at(exponents)
     if unit.exponents == expected.exponents:
@@ -126,7 +140,7 @@ def _unit_fault(
         return _wrong_unit(port.name, value, unit, text, port.unit)
     follows = ", ".join(f"{name} = {number:g}" for name, number in exponents.items())
     remedy = f"the exponent follows {follows}; set both so that they agree"
-    return Fault(port.name, f"{_text(value, text)}, which is {unit}", f"a value in {expected}", remedy)
+    return Fault(port.name, f"{quantity_text(value, text)}, which is {unit}", f"a value in {expected}", remedy)
 
 
 def named_values(where: str, values: object, faults: list[Fault]) -> Mapping[str, Value]:
@@ -149,7 +163,7 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
     if mistaken is not None:
         return math.nan, mistaken
     finite = math.isfinite(si := unit.to_si(number))
-    return si, None if finite else Fault(name, _text(number, text), "a finite number")
+    return si, None if finite else Fault(name, quantity_text(number, text), "a finite number")
 
 
 def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> float:
@@ -201,7 +215,7 @@ def _wrong_unit(name: str, value: float, unit: Unit, text: str, declared: str) -
         found = f"{value:g}, a number without a unit"
         remedy = f'write "{value:g} {declared}", or the unit that is meant'
     else:
-        found, remedy = f"{_text(value, text)}, which is {unit}", ""
+        found, remedy = f"{quantity_text(value, text)}, which is {unit}", ""
     return Fault(name, found, _value_in(declared), remedy)
 
 
@@ -210,21 +224,21 @@ def _angle_fault(name: str, value: float, unit: Unit, text: str, declared: str) 
     if not unit.mistaken_for(parse_unit(declared)):
         return None
     what = "an angular speed" if unit.angle else "a frequency"
-    return Fault(name, f"{_text(value, text)}, {what}", _value_in(declared), rate_remedy(unit, value))
+    return Fault(name, f"{quantity_text(value, text)}, {what}", _value_in(declared), rate_remedy(unit, value))
 
 
 def _value_in(unit: str) -> str:
     return "a number" if unit == "1" else f"a value in {unit}"
 
 
-def _inside(value: float, limit: Limit) -> bool:
+def _inside(value: float, limit: Limit | SumLimit) -> bool:
     _, _, lower, upper, lower_open, upper_open, _ = limit
     above = lower is None or (value > lower if lower_open else value >= lower)
     below = upper is None or (value < upper if upper_open else value <= upper)
     return above and below
 
 
-def _interval(limit: Limit, unit: str) -> str:
+def _interval(limit: Limit | SumLimit, unit: str) -> str:
     """Format bounds in SI: "(0, 1]"."""
     _, _, lower, upper, lower_open, upper_open, _ = limit
     left = "(-inf" if lower is None else f"{'(' if lower_open else '['}{lower:g}"
@@ -233,5 +247,6 @@ def _interval(limit: Limit, unit: str) -> str:
     return f"{left}, {right}{'' if si == '1' else ' ' + si}"
 
 
-def _text(value: float, unit: str) -> str:
+def quantity_text(value: float, unit: str) -> str:
+    """Format a value with its unit."""
     return f"{value:g}" if unit == "1" else f"{value:g} {unit}"

@@ -13,11 +13,12 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.model.binding import Declared, Port, Value, read_parameters
+from hertzwerk.runtime.model.binding import Declared, Port, Value, quantity_text, read_parameters
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.generated_text import module_of, text_of
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.model.signal import WIDTH, Schedule, Signal
+from hertzwerk.runtime.model.undefined import origin
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -159,7 +160,7 @@ class Model:
     @cached_property
     def declared(self) -> Declared:
         """Parameters and their limits, with the defaults in SI."""
-        return Declared(self.parameters, self.module.LIMITS)
+        return Declared(self.parameters, self.module.LIMITS, getattr(self.module, "SUM_LIMITS", ()))
 
     @cached_property
     def joints(self) -> Model:
@@ -170,7 +171,7 @@ class Model:
         given = {
             name: getattr(module, name) for name in ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "start")
         }
-        given |= {"INPUTS": getattr(module, "INPUTS", ())}
+        given |= {name: getattr(module, name, ()) for name in ("INPUTS", "SUM_LIMITS")}
         given |= {
             name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
         }
@@ -355,24 +356,29 @@ class Model:
         for i, signal in enumerate(map(self.signals.get, self.inputs)):
             if signal is not None:  # without a value it is zero, as where a scene is drawn
                 c[self.nc - self.npieces + WIDTH * i :][:WIDTH] = signal.pieces(np.zeros(1))[0]
-        faults = [] if np.isfinite(c).all() else list(dict.fromkeys(
-            self._undefined(name, unit, float(value))
-            for (name, unit), value in zip(self.module.CONSTANTS, c, strict=True)
-            if not math.isfinite(value)
-        ))  # fmt: skip
+        faults = [] if np.isfinite(c).all() else self._undefined(p, c, reading.texts)
         return (None, faults) if faults else (Bound(p, c, reading.texts, reading.warnings), [])
 
-    def _undefined(self, constant: str, unit: str, value: float) -> Fault:
-        """Return the fault of a constant that is not finite; for an unchecked law one for all of them."""
-        for effect, text in self.module.UNCHECKED:
-            if constant.startswith(f"{effect}_"):
-                remedy = ("an unchecked law takes SI values as they are, and its formula has no value for them: take its consistent form, "
-                          "whose hidden units are named (`hertzwerk laws NAME` says which)")  # fmt: skip
-                return Fault(
-                    f"effect {effect}", f"{text} without a value at these parameters", "a law that has one", remedy
-                )
-        cause = "it follows from the parameters alone; look for values far from each other in size"
-        return Fault(constant, f"{value!r} {unit}", "a finite constant", cause)
+    def _undefined(self, p: np.ndarray, c: np.ndarray, texts: Mapping[str, tuple[float, str]]) -> list[Fault]:
+        """Return the faults of constants that are not finite: one for each unchecked law, one for all others."""
+        rows = [(*row, float(x)) for row, x in zip(self.module.CONSTANTS, c, strict=True) if not math.isfinite(x)]
+        remedy = ("an unchecked law takes SI values as they are, and its formula has no value for them: take its consistent form, "
+                  "whose hidden units are named (`hertzwerk laws NAME` says which)")  # fmt: skip
+        faults = {}
+        for name, unit, value in rows:
+            law = next(((e, text) for e, text in self.module.UNCHECKED if name.startswith(f"{e}_")), None)
+            if law is not None:
+                found = f"{law[1]} without a value at these parameters"
+                faults[law[0]] = Fault(f"effect {law[0]}", found, "a law that has one", remedy)
+            elif "" not in faults:
+                faults[""] = Fault(name, f"{value!r} {unit}", "a finite constant", "It follows from the parameters.")
+        source = origin(self.module, p) if "" in faults else None
+        if source is not None:
+            at = ", ".join(f"{name} = {value:.6g}" for name, value in source.operands.items())
+            given = ", ".join(f"{name} = {quantity_text(*texts[name])}" for name in source.parameters)
+            found = f"{source.value!r}, the value of {source.expression} at {at}"
+            faults[""] = Fault(source.name, found, "a finite constant", f"It follows from {given}.")
+        return list(faults.values())
 
 
 def _restored(

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from mpmath import mp, mpf
 from scipy.linalg import eigh
 from scipy.spatial.transform import Rotation
 
@@ -32,6 +33,7 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
+from hertzwerk.derive.effects.loads.frames import ARCS, BENDS, NEAR
 from hertzwerk.runtime import load, modes, simulate
 
 p = Parameter
@@ -180,6 +182,34 @@ def test_a_spherical_spring_swings_by_its_angle(coordinates):
     run = simulate(load(scene), duration=1.0, tolerance=1e-9)
     assert run["spring.rotation_z"] == pytest.approx(amplitude * np.cos(omega * run.t), abs=1e-6)
     assert run.energy_residual < 1e-7
+
+
+def test_a_damper_opposes_the_angular_velocity_at_any_rotation():
+    """Of a body alike about all axes w = w_0 exp(-c t/J), whatever it is turned by: here 1.2 rad about another axis."""
+    J, c, turned = 0.03, 0.2, 1.2
+    body = Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", J),) * 3)
+    damper = SphericalSpring("spring", body.at(0, 0, 0), GROUND.at(0, 0, 0), 0, p("c", "N m s/rad", c))
+    start = Start(
+        {"pivot.q0": p("q0", "1", np.cos(turned / 2)), "pivot.q2": p("q2", "1", np.sin(turned / 2))},
+        {"pivot.angular_speed_x": p("w0", "rad/s", 5)},
+    )
+    joints = (Spherical("pivot", GROUND, body),)
+    run = simulate(
+        load(Scene(Mechanism("ball", joints), (damper, EnergyLedger()), SCALES, start)), duration=0.3, tolerance=1e-10
+    )
+    assert run["pivot.angular_speed_x"] == pytest.approx(5 * np.exp(-c * run.t / J), abs=1e-7)
+    assert np.abs([run[f"pivot.angular_speed_{k}"] for k in "yz"]).max() < 1e-7
+
+
+def test_series_beside_no_rotation_are_those_of_the_arc_and_its_bend():
+    """asin(s)/s and (1 - asin(s) sqrt(1 - s^2)/s)/s^2, up to where the quotients take over."""
+    with mp.workdps(30):
+        for square in (mpf(NEAR.p) / NEAR.q, mpf("1e-3"), mpf("1e-9")):
+            s = mp.sqrt(square)
+            arc = mp.asin(s) / s
+            for known, exact in ((ARCS, arc), (BENDS, (1 - arc * mp.sqrt(1 - square)) / square)):
+                found = sum(mpf(k.p) / k.q * square**i for i, k in enumerate(known))
+                assert abs(found / exact - 1) < mpf("2e-15")
 
 
 def test_three_stiffnesses_are_a_bushing_and_an_energy():

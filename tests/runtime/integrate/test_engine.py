@@ -479,7 +479,38 @@ def test_outside_the_recommended_range_is_a_warning(crank):
 
 
 def test_a_derived_constant_without_a_value_is_bad_input(crank):
-    assert any("finite constant" in text for text in faults_of(crank, parameters={"clearance": "11 mm"}).values())
+    """K = 4/3 E* sqrt(R): of a modulus near the largest double it is none, and that is where all that follow from it come from."""
+    ((where, text),) = faults_of(crank, parameters={"youngs_modulus": "1.7e308 Pa"}).items()
+    assert where == "slider_pin_K"
+    for part in ("finite constant", "inf, the value of 4 * slider_pin_E_eff * ca.sqrt(slider_pin_R_eff) / 3 at ", "slider_pin_R_eff = 0.19",
+                 "follows from youngs_modulus = 1.7e+308 Pa, poissons_ratio = 0.3, clearance = 0.5 mm, bush_radius = 10 mm"):  # fmt: skip
+        assert part in text
+
+
+@pytest.mark.parametrize(
+    ("scene", "given", "found"),
+    [
+        ("slider_crank", {"clearance": "0.5 m"}, "-0.49 m, of bush_radius = 10 mm and clearance = 0.5 m"),
+        (
+            "slider_crank",
+            {"clearance": "6 mm", "bush_radius": "5 mm"},
+            "-0.001 m, of bush_radius = 5 mm and clearance = 6 mm",
+        ),
+        ("ball_in_socket", {"clearance": "1 m"}, "-0.975 m, of clearance = 1 m and socket_radius = 25 mm"),
+        ("ball_bearing", {"ball_diameter": "1 m"}, "ball_diameter = 1 m and clearance = "),
+    ],
+)
+def test_geometry_that_cannot_be_names_both_lengths(scene, given, found):
+    """A pin, a ball or a race without a radius, with and without a law that would notice."""
+    ((where, text), *_) = faults_of(load(scene), parameters=given).items()
+    assert "radius" in where and where.startswith("pair ")
+    assert found in text and "(0, inf) m" in text
+
+
+def test_geometry_that_can_just_be_is_accepted(crank):
+    assert crank.check({"clearance": "9.999 mm"})[0] is not None
+    assert crank.check({"clearance": "10 mm", "bush_radius": "10.001 mm"})[0] is not None
+    assert crank.check({"clearance": "10 mm"})[0] is None  # a pin of no radius
 
 
 # ---- the solution ----------------------------------------------------------------------------------------------------
