@@ -54,6 +54,8 @@ def test_a_linear_output_is_told_by_both(fallen):
     assert place.std == pytest.approx(place.linear, rel=0.03)
     assert place.mean == pytest.approx(1 - G * 0.4**2 / 2, abs=2e-4)
     assert place.high - place.low == pytest.approx(2 * 1.96 * place.linear, rel=0.1)
+    assert place.mean_error == pytest.approx(place.std / math.sqrt(256), rel=1e-12)
+    assert place.std_error == pytest.approx(place.std / math.sqrt(2 * 256), rel=0.15)  # of a normal distribution
     assert fallen.warnings == ()
     assert fallen.draws == 256
     panels = fallen.plot().axes

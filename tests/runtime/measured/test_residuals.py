@@ -4,10 +4,12 @@ import math
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
+from scipy.stats import chi2
 
 from hertzwerk.runtime.measured.residuals import residual_of
 from hertzwerk.runtime.measured.spectra import series_of, spectrum_of
-from hertzwerk.runtime.measured.statistics import by_chance, statistics_of
+from hertzwerk.runtime.measured.statistics import Estimated, Statistic, by_chance, statistics_of
 
 T = np.arange(4000) * 1e-3
 
@@ -25,6 +27,20 @@ def test_noise_of_the_stated_size_is_explained_and_a_larger_one_is_not(smooth):
     refused = sum(not residual_of(T, noise(seed, smooth), zero, 1.0).explained for seed in range(200))
     assert refused <= 8
     assert not any(residual_of(T, 3 * noise(seed, smooth), zero, 1.0).explained for seed in range(20))
+
+
+def test_limits_of_the_noise_are_those_of_chi_squared():
+    """1 % of all draws of n independent samples lie above sqrt(chi2/n) deviations, and 1 % below; n by Bartlett's formula."""
+    found = residual_of(T, noise(1), np.zeros(len(T)), 0.5)
+    n = found.independent
+    assert n == pytest.approx(len(T), rel=0.05)
+    assert found.largest == pytest.approx(0.5 * math.sqrt(chi2.isf(0.01, n) / n), rel=1e-9)
+    assert found.least == pytest.approx(0.5 * math.sqrt(chi2.isf(0.99, n) / n), rel=1e-9)
+    series = (
+        lfilter([1.0], [1.0, -0.8], noise(seed)) for seed in range(20)
+    )  # n (1 - phi^2)/(1 + phi^2) tell the variance
+    worth = [residual_of(T, x, np.zeros(len(T)), None).independent for x in series]
+    assert np.mean(worth) == pytest.approx(len(T) * 0.36 / 1.64, rel=0.05)
 
 
 def test_noise_that_is_overstated_is_told():
@@ -85,6 +101,13 @@ def test_statistics_of_the_same_process_rarely_differ_and_of_another_do():
     assert louder == {
         "mean": False, "rms": True, "5% quantile": True, "50% quantile": False, "95% quantile": True, "excursions": True,
     }  # fmt: skip
+
+
+@pytest.mark.parametrize(("apart", "differs"), [(1.40, False), (1.43, True)])
+def test_independent_intervals_of_the_same_width_differ_beyond_root_two_of_it(apart, differs):
+    one, other = Estimated(3.0, 2.0, 4.0), Estimated(3.0 + apart, 2.0 + apart, 4.0 + apart)
+    assert Statistic("mean", "m", one, other).differs is differs
+    assert Statistic("mean", "m", other, one).differs is differs
 
 
 def test_excursions_are_counted_once_each():

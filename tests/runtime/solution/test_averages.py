@@ -38,6 +38,13 @@ def test_an_interval_holds_the_mean_as_often_as_it_says(phi, n, low):
     assert known > 0.95
 
 
+def test_the_interval_of_thirty_values_is_student_s():
+    """Of 30 values, 1 and -1 in turn: t s/sqrt(n) with t = 2.04523 of 29 degrees and s^2 = 30/29."""
+    found = estimate(np.resize([1.0, -1.0], 30))
+    assert (found.mean, found.blocks) == (0, 30)
+    assert found.half_width == pytest.approx(2.04523 / np.sqrt(29), rel=1e-5)
+
+
 def test_blocks_that_are_not_joined_would_not():
     series = correlated(0.6, 240)
     half_width = 1.96 * series.std(axis=1, ddof=1) / np.sqrt(series.shape[1])

@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from scipy.stats import linregress
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, sweep
+from hertzwerk.runtime.sensitivity.regression import slope_of
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.sweep_table import Row, Sweep
 
@@ -85,6 +87,14 @@ def test_a_slope_of_scattered_rows_is_within_its_interval_19_times_of_20():
         inside += abs(found.value - 1.5) <= found.half_width
     assert (found.unit, found.name, found.rows) == ("N/m", "d(y)/d(x)", 30)
     assert 180 <= inside <= 198
+
+
+def test_the_slope_of_few_rows_has_the_interval_of_the_textbook():
+    """Of a line through six rows: Student's t of 4 degrees, 2.776445, times the standard error."""
+    x, y = np.array([0, 0, 1, 1, 2, 2.0]), np.array([0.1, -0.2, 1.3, 0.8, 1.9, 2.2])
+    found, expected = slope_of("slope", "1", x, y), linregress(x, y)
+    assert found.value == pytest.approx(expected.slope, rel=1e-12)
+    assert found.half_width == pytest.approx(2.776445 * expected.stderr, rel=1e-6)
 
 
 def test_a_slope_needs_rows_and_names():
