@@ -183,7 +183,7 @@ class Forces:
 
 def _across(vector: Vector, wanted: list[tuple[Vector, Any]]) -> Vector:
     """Vector with wanted components along one or two axes in place of its own; zero for three."""
-    if not wanted or is_zero(vector):
+    if not wanted or (is_zero(vector) and all(value == 0 for _, value in wanted)):
         return vector
     if len(wanted) == 1:
         ((axis, value),) = wanted

@@ -1,5 +1,7 @@
 """Readings of a run against closed forms, textbook equations, and the multipliers of absolute coordinates."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -11,6 +13,7 @@ from hertzwerk.derive import (
     EnergyLedger,
     Gravity,
     InputError,
+    Joint,
     JointSpring,
     Mechanism,
     Parameter,
@@ -127,6 +130,35 @@ def test_acceleration_of_a_bead_on_a_driven_arm():
     assert run["slot.travel"] == pytest.approx(0.1 * np.cosh(3 * run.t), rel=1e-9)
     assert run["bead.x_acceleration"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
     assert run["bead.y_acceleration"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
+
+
+@dataclass(frozen=True, init=False)
+class Polar(Joint):
+    """A turn about Z, then a slide along X: `angle`, `travel`."""
+
+    def __init__(self, name, parent, child):
+        super().__init__(name, parent, child)
+
+    @property
+    def freedoms(self):
+        return self.turn(Z), self.slide(X)
+
+
+def test_a_slide_beyond_a_turn_is_held_by_a_force_and_a_couple_that_do_no_work():
+    """x = 0.1 cosh(w t): the force across is 2 m w x'; about the axis, which the drive turns, the joint has no moment."""
+    bead = Body("bead", Parameter("bead_mass", "kg", 0.2), Parameter("bead_inertia", "kg m^2", 1e-4))
+    scene = Scene(
+        Mechanism("polar", (Polar("arm", GROUND, bead),)),
+        (ConstantSpeed("drive", "arm.angle", Parameter("w", "rad/s", 3.0)),),
+        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
+        Start({"arm.travel": Parameter("x_0", "m", 0.1)}),
+    )
+    run = simulate(load(scene), duration=0.7, tolerance=1e-11)
+    x, across = 0.1 * np.cosh(3 * run.t), 0.2 * 2 * 3 * 0.3 * np.sinh(3 * run.t)
+    assert run["arm.reaction_x"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
+    assert run["arm.reaction_y"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
+    assert run["arm.reaction_moment_z"] == pytest.approx(-x * across, abs=1e-8)
+    assert run["drive.torque"] == pytest.approx(x * across, abs=1e-8)
 
 
 def test_tension_of_a_pendulum():
