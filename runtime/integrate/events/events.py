@@ -189,7 +189,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
             rows = [ca.if_else(ends, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
             aim = ca.if_else(ends, small / 2, aim)
     if model.ns:
-        margins_of.append(_slipping(model, run, start, end, *tolerance[1:]))
+        margins_of.append(_slipping(model, run, start, end))
     if model.ne:
         margins_of.append(falls(run, start, end))
     for ends, cubic, small in margins_of:
@@ -206,7 +206,7 @@ def _beside_pairs(
 ) -> Any:
     """Return whether the modes of pairs end (k), followed by whether frictions change and events happen."""
     if model.ns:
-        found = ca.vertcat(found, _slipping(model, run, start, end, *tolerances(model, run, end)[1:])[0])
+        found = ca.vertcat(found, _slipping(model, run, start, end)[0])
     return ca.vertcat(found, falls(run, start, end)[0]) if model.ne else found
 
 
@@ -226,15 +226,16 @@ def _endings(
 
 
 def _slipping(
-    model: Model,
-    run: Mapping[str, Any],
-    start: Mapping[str, Any],
-    end: Mapping[str, Any],
-    tol_rate: Any,
-    tol_force: Any,
+    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]
 ) -> tuple[Any, list[Any], Any]:
-    """Return, for the slip and stick margins (ns): falls below zero, cubic's coefficients, tolerance."""
-    small = margin_tolerances(model, run, start["m"], end, tol_rate, tol_force)
+    """Return, for the slip and stick margins (ns): falls below zero, cubic's coefficients, tolerance.
+
+    The tolerance is the larger one of both ends: where a contact opens, that of the start decides whether its margin is above zero.
+    """
+    first, last = (
+        margin_tolerances(model, run, start["m"], side, *tolerances(model, run, side)[1:]) for side in (start, end)
+    )
+    small = ca.fmax(first, last)
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
     falls = touching(model, start["mode"]) * (cubic[0] > -small / 2) * (lowest < -small)

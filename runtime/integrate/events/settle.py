@@ -207,8 +207,9 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         _, *tolerance = tolerances(model, run, end)
         small = margin_tolerances(model, run, old["m"], end, *tolerance)
         turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
-        switched = switched + accepted * any_of(sum(turns)) > 0
-        m = ca.if_else(accepted, turned(model, m, end["friction"], end["margin"]), m)
+        following, some = turned(model, m, end["friction"], end["margin"])
+        switched = switched + accepted * (any_of(sum(turns)) + some) > 0
+        m = ca.if_else(accepted, following, m)
     arrived = accepted * ((1 - moved) * (old["h"] >= run["t_end"] - old["t"]) + (end["t"] >= run["t_end"]) > 0)
     t, steps = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"]), old["steps"] + accepted
     happened = ca.SX(0)

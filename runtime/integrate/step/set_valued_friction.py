@@ -49,6 +49,9 @@ STICK = 0.0  # slip of a pair that sticks
 # across the slip are of the tolerance, and would turn friction near rest if it were smaller
 AHEAD = 1000.0
 FAR = 10.0  # of that size: speed from which the slip follows the direction of sliding
+TURNED = 1e-3  # of that size: least that a slip turns by
+GROWTH = 10.0  # from rest, of the sliding speed beside that size: most in a step
+COURSE = 0.25  # of the speed: most that its rates may leave of its change in a step
 REDUNDANT = 1e-6  # relative shift of the diagonal that makes W regular: contacts of one body may share one force
 REFINEMENTS = 2  # iterations that remove the shift's effect where W is regular
 BREAKS = 0.25  # of the landing tolerance: excess of lambda over the holding force at which a pair breaks loose; landings aim at half
@@ -315,15 +318,19 @@ def margin_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any
 
 
 def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
-    """Return m with the slips in two directions turned to those of sliding, but near rest."""
-    m, first = ca.SX(m), slips_in(model).start
-    for group in groups_of(grips_of(model)):
-        if len(group) > 1:
-            rows, force = [first + i for i in group], friction[group]
-            size = size_of(m[rows])
-            follows = (size > 0) * (margin[group[0]] > FAR * size) * (ca.sumsqr(force) > 0)
-            m[rows] = ca.if_else(follows, size * outward(-force), m[rows])
-    return m
+    """Return m with the slips in two directions turned to those of sliding, but near rest, and whether one turned.
+
+    Margins are speeds along slips: they are evaluated anew where one turned.
+    """
+    m, first, some = ca.SX(m), slips_in(model).start, ca.SX(0)
+    for group in directed(model):
+        rows, force = [first + i for i in group], friction[group]
+        size, way = size_of(m[rows]), outward(-force)
+        follows = (size > 0) * (margin[group[0]] > FAR * size) * (ca.sumsqr(force) > 0)
+        follows *= ca.mmax(ca.fabs(size * way - m[rows])) > TURNED * size
+        m[rows] = ca.if_else(follows, size * way, m[rows])
+        some = ca.fmax(some, follows)
+    return m, some
 
 
 def undecided_and_breaking(
@@ -339,6 +346,29 @@ def undecided_and_breaking(
     rests = (margin < -small) + (margin <= small) * (margin_rate < 0) > 0
     asked = touches * (fresh + (1 - sticks) * rests > 0)
     return asked, touches * (1 - fresh) * sticks * (margin < -BREAKS * small)
+
+
+def directed(model: Model) -> list[list[int]]:
+    """Return the places of each grip among the slips that may slide in two directions, or more."""
+    return [group for group in groups_of(grips_of(model)) if len(group) > 1]
+
+
+def unresolved_sliding(model: Model, start: Parts, end: Parts, h: Any) -> Any:
+    """Return how badly a step of h [s] resolves sliding in two directions from near rest; above 1 it has to be shorter.
+
+    Friction turns the faster the slower a grip slides. An implicit step from rest takes that rate for all of its course, and sees no
+    error in a direction that does not turn; an explicit one beyond its stability can repeat a state. What tells are the growth of the
+    speed, beside the size of the slip, and whether its change is that of its rates.
+    """
+    slips, worst = start["m"][slips_in(model)], 0
+    for group in directed(model):
+        i, size = group[0], ca.sqrt(ca.sumsqr(slips[group]))
+        (s0, rate0), (s1, rate1) = ((side["margin"][i], side["margin_rate"][i]) for side in (start, end))
+        growth = (s1 + size) / (GROWTH * (ca.fmax(s0, 0) + size))
+        error = ca.fabs(s1 - s0 - h / 2 * (rate0 + rate1))
+        course = error / (COURSE * (ca.fmax(ca.fabs(s0), ca.fabs(s1)) + size))
+        worst = ca.fmax(worst, ca.if_else(size > 0, ca.fmax(growth, course), 0))
+    return worst
 
 
 def margins_ahead(model: Model, mode: Any, end: Parts, time: Any) -> Any:

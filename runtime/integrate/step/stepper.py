@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+import casadi as ca
+
 from hertzwerk.runtime.integrate.step import explicit, implicit
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
+from hertzwerk.runtime.integrate.step.set_valued_friction import directed, unresolved_sliding
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
@@ -24,6 +27,21 @@ def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any]
     """
     right, within = explicit.flow(model, contacts), relax_redundant(model)
     if isinstance(table, RungeKutta):
-        return lambda start, run, h: explicit.explicit_step(table, right, start, within(start, run), h, seen)
-    take = implicit.stepper(model, table, right, contacts)
-    return lambda start, run, h: take(start, within(start, run), h, seen)
+
+        def take(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
+            return explicit.explicit_step(table, right, start, within(start, run), h, seen)
+    else:
+        implicitly = implicit.stepper(model, table, right, contacts)
+
+        def take(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
+            return implicitly(start, within(start, run), h, seen)
+
+    if not directed(model):
+        return take
+
+    def resolved(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
+        trial = take(start, run, h)
+        unseen = unresolved_sliding(model, start, trial, h)
+        return {**trial, "error": ca.if_else(unseen > ca.fmax(trial["error"], 1), unseen, trial["error"])}
+
+    return resolved
