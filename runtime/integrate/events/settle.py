@@ -155,7 +155,7 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     alone = (theta >= 1 - 2 * NEAR) * (force >= NO_EVENT)  # a force that runs out is no surface
     # nor is an event that the move may pass
     if model.ns:
-        alone *= all_of(margins_ahead(model, old["mode"], end, near))
+        alone *= all_of(margins_ahead(model, old["mode"], old["m"], end, near))
     if model.ne:
         alone *= ca.mmin(end["event"] + near * end["event_rate"] > 0)
     within = (delta <= near) * (old["h"] + delta <= run["t_end"] - old["t"])

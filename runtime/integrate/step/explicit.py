@@ -37,7 +37,7 @@ class Flow:
     rates:  dy/dt (ny)
     ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0
             unless in contact); in_range (k, and 1 of loads by reactions, if any); of the pairs with set-valued
-            friction (ns each, 0 unless in contact): force along the tangent, margin, rate of the margin; of the effects'
+            friction (ns each, 0 unless in contact): force along the tangent, margin, its rate, size of the forces; of the effects'
             events (ne): margin [1] and its rate [1/s]; kinetic and potential energy (1 each, none without a ledger),
             touching surfaces included; time to a singular position (1, none in a tree)
     holding: constraint forces of the loops (nl) [N or N m]; forces of drives, and reactions that loads read
@@ -91,7 +91,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         dz += masked(active, dz_j)
         forces[j] = masked(active, normal)
         in_range[j] = masked(active, valid, 1)
-    friction, margin, margin_rate = (ca.SX.zeros(model.ns) for _ in range(3))
+    friction, margin, margin_rate, grip_force = (ca.SX.zeros(model.ns) for _ in range(4))
     grip = grips(model, contacts, t, y, mode, m, c) if may_slip(model, contacts) else None
     fed = None
     if grip is not None and model.fed:
@@ -122,13 +122,13 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     if grip is not None:
-        reserve = grip.reserve(found) if fed is None else fed.reserve
+        hold, grip_force[grip.places] = grip.hold(found, 1 if fed is None else fed.pressing)
         gaps = at_slips(model, gap, ca.SX(-1))[grip.places]
-        reserve_rate = ca.if_else(gaps < 0, ca.jtimes(reserve, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
+        hold_rate = ca.if_else(gaps < 0, ca.jtimes(hold, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
         sliding = grip.pace(grip.drift + ca.mtimes(grip.across, a))
         friction[grip.places] = found
-        margin[grip.places] = ca.if_else(grip.sticks, reserve, grip.pace(grip.velocity))
-        margin_rate[grip.places] = ca.if_else(grip.sticks, reserve_rate, sliding)
+        margin[grip.places] = ca.if_else(grip.sticks, hold, grip.pace(grip.velocity))
+        margin_rate[grip.places] = ca.if_else(grip.sticks, hold_rate, sliding)
     event = model.function("margins")(t, q, u, c) if model.ne else ca.SX(0, 1)
     event_rate = ca.jtimes(event, ca.vertcat(t, y), ca.vertcat(1, dy)) if model.ne else event
     arguments, names = [t, y, mode, m, c], ARGUMENTS.split()
@@ -142,7 +142,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
                 [
                     dy,
                     *(gap, gap_rate, gap_acceleration, forces, force_rate, in_range),
-                    *(friction, margin, margin_rate),
+                    *(friction, margin, margin_rate, grip_force),
                     *(event, event_rate),
                     *_energies(model, contacts, mode, (t, q, u, c)),
                     time_to_singular(model, t, q, dq, c),

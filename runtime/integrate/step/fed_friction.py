@@ -30,14 +30,12 @@ SETTLED = 1e-9  # of the terms of a sliding acceleration: most that a solution l
 class Solved:
     """Frictions of a state, and what follows from them.
 
-    `held` (n): forces of what sticks [N]; `friction` (n): all [N]; `reserve` (n): what they hold beyond that [N]; f: all generalised
-    forces; `pressing` (n): what limits are multiplied with, the reactions of joints; `rate` (n): sliding accelerations, and the size of
+    `held` (n): forces of what sticks [N]; `friction` (n): all [N]; f: all generalised forces; `pressing` (n): what limits are multiplied with, the reactions of joints; `rate` (n): sliding accelerations, and the size of
     their `terms`; `settled`: 1 where what sticks has none.
     """
 
     held: Any
     friction: Any
-    reserve: Any
     f: Any
     pressing: Any
     rate: Any
@@ -54,11 +52,10 @@ def solved(model: Model, grip: Grips, t: Any, q: Any, u: Any, f: Any, c: Any) ->
     a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
     pressing = _pressing(model, grip, t, q, u, reactions, c)
     friction = held + slides * pressing
-    reserve = ca.if_else(grip.touching, grip.holding * pressing - ca.fabs(friction), 0)
     rate = grip.drift + ca.mtimes(grip.across, a)
     terms = ca.fabs(grip.drift) + ca.mtimes(ca.fabs(grip.across), ca.fabs(free) + ca.fabs(a))
     left = ca.mmax(ca.if_else(grip.sticks, ca.fabs(rate) - SETTLED * terms, 0))
-    return Solved(held, friction, reserve, f, pressing, rate, terms, left <= 0)
+    return Solved(held, friction, f, pressing, rate, terms, left <= 0)
 
 
 def booked(model: Model, grip: Grips, friction: Any) -> Any:

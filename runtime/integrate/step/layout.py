@@ -114,7 +114,7 @@ SUSPECT = -1.0  # status of explicit steps that look stiff, of implicit ones nea
 # kind of a step: nothing speaks against it; a pair that was not asked may be near; something may happen in it; it failed
 PLAIN, NEAR, SPECIAL, REJECTED = range(4)
 PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial
-GRIP_PARTS = ("friction", "margin", "margin_rate")  # likewise, of the pairs with set-valued friction
+GRIP_PARTS = ("friction", "margin", "margin_rate", "grip_force")  # likewise, of the pairs with set-valued friction
 EVENT_PARTS = (
     "event",
     "event_rate",
@@ -134,8 +134,8 @@ def layouts(model: Model) -> Layouts:
     """Return the layouts for a model.
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate,
-    gap_acceleration and force, force_rate of each pair, friction, margin and margin_rate of those with set-valued
-    friction (see `friction`) [SI]; event, event_rate of each event of an effect (see `jumps`); kinetic and potential
+    gap_acceleration and force, force_rate of each pair, friction, margin, margin_rate and grip_force of those with
+    set-valued friction (see `set_valued_friction`) [SI]; event, event_rate of each event of an effect (see `jumps`); kinetic and potential
     energy [J] where a ledger is booked; ahead [s], the time to a singular position, where loops are closed (see
     `singular`); pieces of the inputs, and stop [s], where they end;
     h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status;

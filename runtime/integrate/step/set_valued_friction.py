@@ -3,8 +3,9 @@
 A pair with such friction has a slip sigma in m: the sign of its sliding velocity s along its tangent, 0 while it
 sticks. The friction force along the tangent is -sigma times the sliding force; of all sticking pairs together it is
 the lambda of W lambda = -b, with W = D^T M^-1 D, D the generalised forces per newton and b the sliding accelerations
-without lambda. A pair sticks while its margin, the largest holding force less |lambda|, is positive; it slips while
-sigma s is. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
+without lambda. A pair slips while its margin sigma s is positive. It sticks while (h^2 - lambda^2)/(h^2 + lambda^2) is, with h the
+largest holding force: smooth where lambda changes its sign, and a ratio, for both forces vanish together where a contact opens.
+Near zero it is (h - |lambda|)/h, so that a tolerance of forces is one of the margin, beside their size. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
 
 A pair that may slide in two directions has two tangents, and vectors of two entries along them for s, lambda and
 sigma. The direction of sliding has no value at rest, so sigma has one: at the onset of slip that in which the pair
@@ -95,13 +96,17 @@ class Grips:
         """Return the friction forces (n) [N] of the pairs that slide."""
         return -self.direction * self.sliding
 
-    def reserve(self, friction: Any) -> Any:
-        """Return what the pairs hold beyond friction forces (n), shape (n) [N]; 0 for pairs apart."""
-        size = ca.fabs(friction)
+    def hold(self, friction: Any, pressing: Any = 1) -> tuple[Any, Any]:
+        """Return the margins (n) [1] of grips that stick, and the forces (n) [N] that they are differences beside.
+
+        0 for pairs apart. friction (n) [N]; pressing: factor of the holding forces.
+        """
+        needed, held = ca.fabs(friction), self.holding * pressing
         for group in self.groups:
             if len(group) > 1:
-                size[group] = gauge(friction[group])
-        return ca.if_else(self.touching, self.holding - size, 0)
+                needed[group] = gauge(friction[group])
+        total = self.touching * (held**2 + needed**2)
+        return (held**2 - needed**2) * self.touching / positive(total), ca.sqrt(total / 2)
 
     def pace(self, velocity: Any) -> Any:
         """Return the speeds (n) along their slips of pairs that slide, of velocities (n) or their rates."""
@@ -170,7 +175,7 @@ def slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, 
         arm = run["scales"][1] / run["scale"][model.nq + fast]
         rate[turning], force[turning] = rate[turning] / arm, force[turning] * arm
     sticks, timing = sticking(model, m), time_rounding(at["t"], at["margin_rate"])
-    return ca.fmax(rate, ca.if_else(sticks, 0, timing)), ca.fmax(force, ca.if_else(sticks, timing, 0))
+    return ca.fmax(rate, ca.if_else(sticks, 0, timing)), ca.fmax(force, ca.if_else(sticks, timing, 0) * at["grip_force"])
 
 
 def sticking(model: Model, m: Any) -> Any:
@@ -312,9 +317,9 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 
 
 def margin_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
-    """Return each margin's tolerance (ns) at a landing: a speed if slipping, a force if sticking."""
+    """Return each margin's tolerance (ns) at a landing: a speed if slipping, a part of its forces if sticking."""
     rate, force = slip_tolerances(model, run, m, at, tol_rate, tol_force)
-    return ca.if_else(sticking(model, m), force, rate)
+    return ca.if_else(sticking(model, m), force / positive(at["grip_force"]), rate)
 
 
 def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
@@ -371,10 +376,14 @@ def unresolved_sliding(model: Model, start: Parts, end: Parts, h: Any) -> Any:
     return worst
 
 
-def margins_ahead(model: Model, mode: Any, end: Parts, time: Any) -> Any:
-    """Return which margins (ns) stay positive for a time [s] after a step, as they go on then; 1 for pairs apart."""
+def margins_ahead(model: Model, mode: Any, m: Any, end: Parts, time: Any) -> Any:
+    """Return which margins (ns) stay positive for a time [s] after a step, as they go on then; 1 for pairs apart.
+
+    That of a pair that sticks falls the steeper the nearer its contact is to its opening: it may not.
+    """
     ahead = (end["margin"] > 0) * (end["margin"] + time * end["margin_rate"] > 0)
-    return ca.if_else(touching(model, mode), ahead, 1)
+    of_pairs = ca.DM([pair != NO_PAIR for pair in pairs_of(model)])
+    return ca.if_else(touching(model, mode), ahead * (1 - of_pairs * sticking(model, m)), 1)
 
 
 def margins_positive(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
