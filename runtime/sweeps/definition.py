@@ -7,6 +7,8 @@ parameters and the start in SI, the settings, the outputs with the code of own f
 from __future__ import annotations
 
 import hashlib
+import json
+import shlex
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
@@ -16,6 +18,7 @@ from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.units import UnitError
+from hertzwerk.runtime.host.sealed import is_sealed
 from hertzwerk.runtime.inputs.choices import Choices, Labels
 from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.model.build import derive_digest, is_file, law_files
@@ -55,7 +58,20 @@ ARGUMENTS = (  # of `sweep`, and names in a definition
     *("section", "after", "grid", "histories", "continued"),
     *("duration", "accuracy", "tolerance", "method", "max_steps", "max_events", "wall_time"),
 )
-FOLLOW = ("columns", "varied", "axes", "arrays")  # from the rest
+FOLLOW = ("columns", "varied", "axes", "arrays", "points", "target_file", "digest")  # from the rest, or of no numbers
+DEFINITION = "definition.json"
+_NUMBER, _NONE = (str, int, float), type(None)
+ENTRIES: dict[str, type | tuple[type, ...]] = {  # of a definition, and their types
+    **dict.fromkeys(("scene", "sampler", "method", "text", "readings", "signals", "digest"), str),
+    **dict.fromkeys(("laws", "law_files", "over", "inputs", "values", "functions"), dict),
+    **dict.fromkeys(("versions", "columns", "axes", "arrays", "choices"), dict),
+    **dict.fromkeys(("without", "outputs", "histories", "varied"), list),
+    **dict.fromkeys(("seed", "points"), int),
+    **dict.fromkeys(("target", "target_file", "coordinates", "section", "continued"), (str, _NONE)),
+    **dict.fromkeys(("after", "grid", "duration", "accuracy", "tolerance", "wall_time"), (*_NUMBER, _NONE)),
+    "zip": bool,
+    **dict.fromkeys(("sample", "max_steps", "max_events"), (int, _NONE)),
+}
 LIBRARIES = ("hertzwerk", "casadi", "numpy", "scipy")
 WIDEN = "widen=True, or --widen, keeps the rows that are the same and computes the others; or take another folder"
 
@@ -79,11 +95,22 @@ def target_of(target: object, model: Model) -> dict[str, Any]:
     place = str(Path(named).resolve()) if isinstance(named, str | Path) and is_file(named) else named
     return {
         "target": place if isinstance(place, str) else None,
+        "target_file": _file_digest(place),
         "without": [] if origin is None else list(origin.without),
         "laws": laws,
         "law_files": law_files(laws),
         "coordinates": None if origin is None else origin.coordinates,
     }
+
+
+def _file_digest(target: object) -> str | None:
+    """Return the digest of the file that a target names, None where it names none."""
+    if not isinstance(target, str | Path) or not is_file(target):
+        return None
+    try:
+        return hashlib.sha256(Path(target).read_bytes()).hexdigest()
+    except OSError:
+        return None
 
 
 def as_text(value: Any) -> str:
@@ -182,7 +209,10 @@ def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Sequen
 
 
 def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Return the arguments of `sweep` that go on with a definition; raises InputError for one of Python."""
+    """Return the arguments of `sweep` that go on with a definition.
+
+    Raises InputError for one of Python, and where the file of its scene is another now: nobody has named that.
+    """
     faults = []
     way_out = f"go on in Python, by the same call: sweep(..., into={str(folder)!r})"
     if definition["functions"]:
@@ -197,6 +227,49 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
         )
     if definition["target"] is None:
         faults.append(Fault(str(folder), "a scene made in Python", "the name of a scene, or its file", way_out))
+    elif _file_digest(definition["target"]) != definition["target_file"]:
+        expected = "the file as the sweep executed it"
+        changed = f"hertzwerk sweep {shlex.quote(definition['target'])} ... --into {shlex.quote(str(folder))} --widen"
+        way_out = f"restore it, or accept it: {changed}, with the whole definition, executes it and keeps the rows that are the same"
+        faults.append(Fault(definition["target"], "another content, or none: it is not executed", expected, way_out))
     if faults:
         raise InputError("sweep", faults)
     return {name: definition[name] for name in ARGUMENTS}
+
+
+# -- its file ----------------------------------------------------------------------------------------------------------
+
+
+def read_definition(folder: Path) -> dict[str, Any] | None:
+    """Return the definition in a folder with its digest, None where there is none.
+
+    Raises InputError with every fault of one that is not as it was written.
+    """
+    file = folder / DEFINITION
+    way_out = (
+        f"the call that began it, with its whole definition and widen=True (hertzwerk sweep TARGET ... --into {shlex.quote(str(folder))} --widen), "
+        "writes it anew and keeps the rows"
+    )
+    try:
+        if not file.is_file():
+            return None
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as error:
+        raise InputError("sweep", [Fault(str(file), str(error), "a definition as a sweep wrote it", way_out)]) from None
+    if not isinstance(found, dict):
+        raise InputError("sweep", [Fault(str(file), shown(found), "a definition as a sweep wrote it", way_out)])
+    faults = []
+    for name, kinds in ENTRIES.items():
+        if name not in found:
+            faults.append(Fault(f"{file}: {name}", "no entry", "one, as the sweep wrote it", way_out))
+        elif not isinstance(found[name], kinds):
+            faults.append(Fault(f"{file}: {name}", shown(found[name]), "the entry as the sweep wrote it", way_out))
+    extra = [name for name in found if name not in ENTRIES]
+    faults += [Fault(f"{file}: {name}", "an entry", "none of this name", way_out) for name in extra]
+    if not faults and not is_sealed(found):
+        faults.append(
+            Fault(str(file), "entries that do not fit its digest", "a definition as a sweep wrote it", way_out)
+        )
+    if faults:
+        raise InputError("sweep", faults)
+    return found

@@ -181,7 +181,9 @@ def sweep(
         with opened(Path(into)) as store:
             store.define(definition, text_of(model.module), keys, sets, widen=widen)
             outcome = _stored(plan, batch, store, keys, progress)
-            table = _written(replace(table, rows=tuple(read_rows(store.folder)[0]), outcome=outcome), store.folder)
+            rows, _ = read_rows(store.folder, store.plan)
+            damage = "" if store.damage is None else store.damage.said(keys)
+            table = _written(replace(table, rows=tuple(rows), outcome=outcome, damage=damage), store.folder)
     return replace(table, compiled=batch.compiled, wall_s=time.perf_counter() - began)
 
 
@@ -221,6 +223,7 @@ def _definition(
         **{"columns": plan.columns, "varied": list(plan.varied), "axes": plan.axes},
         "arrays": {} if kept is None else kept.columns,
         "choices": plan.choices.digests(),
+        "points": len(plan.sets),
     }
     keys = keys_of(model, plan.sets, plan.settings, same, plan.choices)
     return definition, keys if plan.chains is None else plan.chains.keys(keys)

@@ -89,6 +89,7 @@ class Sweep:
     arrays    unit text of arrays by what they are of, "section" or "histories", and name
     place    phrase: where arrays were kept
     outcome    "finished", or the reason why rows are missing, with a remedy
+    damage    sentence: what was damaged where rows were stored, and was computed again; else empty
     """
 
     scene: str
@@ -99,6 +100,7 @@ class Sweep:
     axes: Mapping[str, tuple[float | str, ...]] = field(default_factory=dict)
     arrays: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     place: str = ""
+    damage: str = ""
     workers: int = 0  # of a table that was loaded
     compiled: bool = False
     wall_s: float = math.nan

@@ -197,8 +197,7 @@ def _arguments(
             from hertzwerk.runtime.sweeps.sweep_file import read_sweep
 
             return read_sweep(Path(str(target)))
-        from hertzwerk.runtime.sweeps.definition import arguments_of
-        from hertzwerk.runtime.sweeps.store import read_definition
+        from hertzwerk.runtime.sweeps.definition import arguments_of, read_definition
 
         definition = read_definition(resume)
         if definition is None:
@@ -278,6 +277,7 @@ def _record(found: Sweep) -> dict[str, Any]:
         "outcome": found.outcome.name,
         "message": found.outcome.message,
         "remedy": found.outcome.remedy,
+        "damage": found.damage,
         "rows": len(found),
         "outcomes": found.counts(),
         "units": dict(found.columns),
@@ -310,6 +310,8 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
     warned = sum(bool(row.warnings) for row in found)
     if warned:
         line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} some: the last column of the table")
+    if found.damage:
+        line("damage", found.damage)
     if not found.outcome.finished:
         line(found.outcome.name, found.outcome.message)
         line("remedy", found.outcome.remedy)

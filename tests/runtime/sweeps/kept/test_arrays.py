@@ -170,7 +170,6 @@ def test_a_store_keeps_arrays_with_their_rows_bitwise(ball, tmp_path):
     with sqlite3.connect(tmp_path / "a" / store.ROWS) as rows:
         (key,) = rows.execute("SELECT key FROM points WHERE number = 2").fetchone()
         rows.execute("DELETE FROM rows WHERE key = ?", (key,))
-        rows.execute("DELETE FROM arrays WHERE key = ?", (key,))
     for name in texts:
         (tmp_path / "a" / name).unlink()
     sweep(ball, over, into=tmp_path / "a", **how)
@@ -181,20 +180,6 @@ def test_a_store_keeps_arrays_with_their_rows_bitwise(ball, tmp_path):
     sweep(ball, over, into=tmp_path / "a", widen=True, **{**how, "after": "0.1 s"})
     with sqlite3.connect(tmp_path / "a" / store.ROWS) as rows:
         assert rows.execute("SELECT count(*) FROM rows").fetchone() == (8,)
-
-
-def test_a_row_and_its_arrays_are_stored_together_or_not_at_all(ball, tmp_path):
-    """Nothing of a row is left where a part of it cannot be stored."""
-    how = {"section": "floor.gap = 0 falling", **BALL, "into": tmp_path / "a"}
-    sweep(ball, {"drop_height": "1 m"}, **how)
-    with sqlite3.connect(tmp_path / "a" / store.ROWS) as rows:
-        rows.execute("DELETE FROM rows")  # the array is there, so that its insertion fails
-    table = sweep(ball, {"drop_height": "1 m"}, **how)
-    assert table.outcome.name == "not_stored"
-    with sqlite3.connect(tmp_path / "a" / store.ROWS) as rows:
-        assert rows.execute("SELECT count(*) FROM rows").fetchone() == (0,)
-        rows.execute("DELETE FROM arrays")
-    assert sweep(ball, {"drop_height": "1 m"}, **how).outcome.finished
 
 
 def test_files_open_without_hertzwerk(ball, tmp_path):
