@@ -93,17 +93,22 @@ def _of_design(name: str, command: str, folder: Path, _: str | None) -> str:
 
 def _of_sweep(folder: Path, _: str | None) -> str:
     from hertzwerk.runtime.report.sweep_report import sweep_page
-    from hertzwerk.runtime.sweeps.sweep_table import Sweep
+    from hertzwerk.runtime.sweeps.definition import FOLLOW, read_definition
+    from hertzwerk.runtime.sweeps.sweep_table import Sweep, shared_warnings
 
-    sweep, definition = Sweep.load(folder), _told(folder / "definition.json")
-    rows = [[row[name] for name in sweep.names] for row in sweep]
-    settings = {
-        name: value for name, value in definition.items() if name not in ("columns", "versions", "axes", "arrays")
-    }
+    sweep, definition = Sweep.load(folder), read_definition(folder) or {}
+    columns, rows = sweep.as_given()
+    settings = {name: value for name, value in definition.items() if name not in (*FOLLOW, "versions")}
     command = str(definition.get("command", f"hertzwerk sweep --resume {shlex.quote(str(folder))}"))
     origin = _origin(definition, command)
     whole = str(folder / "table.csv")
-    return sweep_page(sweep.scene, sweep.outcome, sweep.columns, rows, settings, origin, whole, sweep.plot)
+    warnings = shared_warnings(sweep.rows)
+    column = sweep.names.index("warnings")
+    for row, entries in zip(sweep, rows, strict=True):
+        entries[column] = ", ".join(str(i) for i, each in enumerate(warnings, 1) if row.index in each.rows)
+    return sweep_page(
+        sweep.scene, sweep.outcome, columns, rows, list(map(str, warnings)), settings, origin, whole, sweep.plot
+    )
 
 
 def _origin(told: Mapping[str, Any], command: str) -> Origin:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.html.markup import Markup, joined
 from hertzwerk.runtime.report import scene_sections
-from hertzwerk.runtime.report.html_page import Origin, Section, facts, page, paragraphs, verdict
+from hertzwerk.runtime.report.html_page import Origin, Section, bullets, facts, page, paragraphs, verdict
 from hertzwerk.runtime.report.html_table import Cell, number_text, table
 from hertzwerk.runtime.solution.outcome import Outcome
 
@@ -25,6 +25,7 @@ def sweep_page(
     outcome: Outcome,
     columns: Mapping[str, str],
     rows: Sequence[Sequence[str | float]],
+    warnings: Sequence[str],
     definition: Mapping[str, Any],
     origin: Origin,
     whole: str,
@@ -33,6 +34,7 @@ def sweep_page(
     """Return the page of a sweep.
 
     columns    unit by name of column; `rows` have an entry for each
+    warnings    those of the rows, whose column has their numbers
     definition    what the sweep computes, as plain data
     draw    draws it
     whole    where all rows are, beyond those that are listed
@@ -45,6 +47,7 @@ def sweep_page(
     ])  # fmt: skip
     sections = [
         Section("Picture", scene_sections.drawn(draw, "sweep", f"Outputs of {scene} over what was varied")),
+        *([Section("Warnings", bullets([f"({i}) {text}" for i, text in enumerate(warnings, 1)]))] if warnings else []),
         Section("Rows", _table(columns, rows, whole)),
         Section("Ranges", _ranges(columns, rows)),
         Section("Definition", _definition(definition)),

@@ -5,8 +5,9 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -79,6 +80,41 @@ class Row:
 
 
 @dataclass(frozen=True)
+class SharedWarning:
+    """Warning that rows share but for its numbers: `text` that of the worst row, `where` which that is."""
+
+    text: str
+    where: str
+    rows: frozenset[int]
+
+    def __str__(self) -> str:
+        return f"{len(self.rows):,} row{'s' * (len(self.rows) > 1)}{self.where}: {self.text}"
+
+
+_NUMBER = r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?"
+
+
+def shared_warnings(rows: Iterable[Row]) -> tuple[SharedWarning, ...]:
+    """Return the warnings of rows, each once.
+
+    Its text is that of the row that states the largest "worst" value.
+    """
+    found: dict[str, list[tuple[float, int, str]]] = {}
+    for row in rows:
+        for text in row.warnings:
+            worst = re.search(f"worst ({_NUMBER})", text)
+            size = math.nan if worst is None else float(worst[1])
+            found.setdefault(re.sub(_NUMBER, "#", text), []).append((size, row.index, text))
+    shared = []
+    for each in found.values():
+        size, index, text = max(each, key=lambda one: one[0])
+        alike = len({other for *_, other in each}) == 1
+        where = "" if alike else f", such as row {index}" if math.isnan(size) else f", worst in row {index}"
+        shared.append(SharedWarning(text, where, frozenset(index for _, index, _ in each)))
+    return tuple(shared)
+
+
+@dataclass(frozen=True)
 class Sweep:
     """Rows in the order of the design; `sweep["peak_force"]` is a column, in SI, `sweep.names` lists all.
 
@@ -116,8 +152,9 @@ class Sweep:
         return f"<Sweep {self.scene}: {self._summary()}>"
 
     def _repr_html_(self) -> str:
-        header = [f"{name} [{unit}]" if (unit := self.unit(name)) else name for name in self.names]
-        rows = [[_cell(row[name]) for name in self.names] for row in self.rows[:SHOWN]]
+        columns, entries = self.as_given(SHOWN)
+        header = [f"{name} [{unit}]" if unit else name for name, unit in columns.items()]
+        rows = [[_cell(entry) for entry in row] for row in entries]
         more = tag("p", f"and {len(self) - SHOWN:,} more rows") if len(self) > SHOWN else None
         name = self.outcome.name
         head = heading(self.scene, name, f": {self._summary()}", good=name == "finished")
@@ -152,6 +189,22 @@ class Sweep:
     def _is_text(self, name: str) -> bool:
         """Return whether a column has texts, as that of an input whose rows choose by label."""
         return name in TEXTS or (name in self.varied and any(isinstance(row[name], str) for row in self.rows))
+
+    def as_given(self, most: int | None = None) -> tuple[dict[str, str], list[list[float | str]]]:
+        """Return units by column, and the first rows, for people.
+
+        What was varied is in the unit that it was given in, where that is one in all rows.
+        """
+        units: dict[str, str] = {}
+        for name in self.varied:
+            unit, *others = {_given_with_unit(row.given.get(name))[1] for row in self.rows} or {""}
+            if unit and not others:
+                units[name] = unit
+        rows = [
+            [_given_with_unit(row.given.get(name))[0] if name in units else row[name] for name in self.names]
+            for row in self.rows[:most]
+        ]
+        return {**self.columns, **units}, rows
 
     @property
     def section(self) -> Arrays:
@@ -277,6 +330,13 @@ class Sweep:
 def columns_of(varied: Mapping[str, str], results: Mapping[str, str]) -> dict[str, str]:
     """Return the columns of a table with their units: varied values, outcome, results, texts."""
     return {**varied, "outcome": "", **results, "message": "", "warnings": ""}
+
+
+def _given_with_unit(value: Value | None) -> tuple[float, str]:
+    """Return a number and the unit that it was given with, empty where there is none."""
+    if isinstance(value, tuple) and len(value) == 2 and isinstance(value[0], int | float) and value[1] != "1":
+        return value[0], value[1]
+    return math.nan, ""
 
 
 def _given(value: Value) -> str:

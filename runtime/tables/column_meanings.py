@@ -32,6 +32,20 @@ _REDUCED = {
 }
 
 
+_NONE = {
+    **dict.fromkeys(("impact_rate", "mean_force", "mean_largest_force"), "fewer than two intervals"),
+    **dict.fromkeys(("dissipated_power", "input_power"), "fewer than two intervals"),
+    "mean_peak_force": "fewer than two intervals, or no impact after the transient",
+    "half_width": "fewer than eight independent intervals after the transient",
+    "error": "runs at a given tolerance have no estimate of their error",
+}
+
+
+def reason_of_none(name: str) -> str:
+    """Return why a column has no number in rows that ran; empty where that depends on the run."""
+    return _NONE.get(name.rpartition(".")[2], "")
+
+
 def meaning_of(name: str, *, varied: bool) -> str:
     """Return what a column is; empty for a user's own function."""
     if varied:

@@ -304,12 +304,13 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         click.echo()
         table(("output", "unit", "least", "largest"), [_extremes(found, name) for name in outputs])
         click.echo()
+        _report_undetermined(found, outputs)
     for name in found.arrays:
         arrays = found.arrays_of(name)
         line(name, f"{arrays.points:,} points of {', '.join(arrays.units)}")
     warned = sum(bool(row.warnings) for row in found)
     if warned:
-        line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} some: the last column of the table")
+        line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} warnings (column `warnings`)")
     if found.damage:
         line("damage", found.damage)
     if not found.outcome.finished:
@@ -332,8 +333,22 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
 
 def _extremes(found: Sweep, name: str) -> Sequence[str]:
     values = sorted(value for value in found[name].tolist() if value == value)
-    ends = (f"{values[0]:.6g}", f"{values[-1]:.6g}") if values else ("none", "none")
+    ends = (f"{values[0]:.6g}", f"{values[-1]:.6g}") if values else ("-", "-")
     return (name, found.unit(name), *ends)
+
+
+def _report_undetermined(found: Sweep, outputs: Sequence[str]) -> None:
+    """Print each reason why outputs have no number in any row that ran, once."""
+    from hertzwerk.runtime.tables.column_meanings import reason_of_none
+
+    if not any(row.outputs for row in found):
+        return
+    reasons: dict[str, list[str]] = {}
+    for name in outputs:
+        if all(value != value for value in found[name].tolist()):
+            reasons.setdefault(reason_of_none(name), []).append(name)
+    for reason, names in reasons.items():
+        line("output", f"{', '.join(names)} not determined{reason and f': {reason}'}")
 
 
 def _time(seconds: float) -> str:

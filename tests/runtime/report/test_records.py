@@ -11,7 +11,7 @@ from pages import Outline
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.report.html_page import Origin
 from hertzwerk.runtime.report.sweep_report import sweep_page
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><path d="M 0 0"/><script>alert(1)</script></svg>'
 HOSTILE = "</style><script>alert(1)</script> & <b>"
@@ -81,7 +81,7 @@ def test_more_columns_than_fit_are_tables_side_by_side(alike, keys):
     outputs, same = [f"final.x{i}" for i in range(14)], [f"same_{i}" for i in range(alike)]
     columns = {**dict.fromkeys([*same, "mass"], "kg"), "outcome": "", **dict.fromkeys(outputs, "m"), "message": ""}
     rows = [[*[7.0] * alike, float(i), "finished", *(i + j / 100 for j in range(14)), ""] for i in (1, 2)]
-    page = sweep_page("s", COMPLETE, columns, rows, {}, Origin("x"), "table.csv", lambda: Figure())
+    page = sweep_page("s", COMPLETE, columns, rows, [], {}, Origin("x"), "table.csv", lambda: Figure())
     tables = Outline(page).tables["Rows"]
     heads = [[name.partition(" [")[0] for name in head] for head, *_ in tables]
     assert all(head[: len(keys)] == keys and len(head) <= 7 for head in heads)
@@ -89,6 +89,30 @@ def test_more_columns_than_fit_are_tables_side_by_side(alike, keys):
     assert [name for head in heads for name in head[len(keys) :]] == others
     found = [cell for _, _, second in tables for cell in second[len(keys) :]]
     assert [float(cell) for cell in found[-14:]] == pytest.approx([2 + j / 100 for j in range(14)])
+
+
+def test_warnings_that_rows_share_are_stated_once_and_values_in_their_units(report, tmp_path):
+    """Three clearances given in mm: one warning of speeds in all rows, one of a restitution in those that have it."""
+    over = ("--over", "clearance=0.1..0.5 mm:3", "--over", "restitution=0.5,0.9")
+    how = ("--duration", "1 rev", "--tolerance", "1e-4", "--output", "slider_pin.impact_rate", "--into", "rows")
+    done = report("sweep", "slider_crank", *over, *how, "--workers", "1")
+    text = " ".join(done.output.split())
+    assert "6 rows have warnings (column `warnings`)" in text
+    assert "output slider_pin.impact_rate not determined: fewer than two intervals" in text
+    assert " none " not in text
+    assert report("report", "rows", "--out", "rows.html").exit_code == 0
+    outline = Outline((tmp_path / "rows.html").read_text("utf-8"))
+    assert "clearance [mm]" in outline.tables["Rows"][0][0]
+    (restitution,) = (text for text in outline.texts["li"] if "restitution = 0.5" in text)
+    (speeds,) = (text for text in outline.texts["li"] if "impacts of slider_pin exceed" in text)
+    assert "3 rows: " in restitution
+    worst = Sweep.load(tmp_path / "rows").rows[int(speeds.partition(", worst in row ")[2].partition(":")[0])]
+    assert "6 rows" in speeds
+    assert worst.given["clearance"] == (0.5, "mm")
+    assert worst.warnings[-1] in speeds
+    head, *rows = outline.tables["Rows"][-1]
+    numbers = [row[head.index("warnings")] for row in rows]
+    assert sorted(map(len, numbers)) == [1, 1, 1, 4, 4, 4]  # "2", "1, 2"
 
 
 def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
