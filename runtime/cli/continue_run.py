@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -87,10 +86,11 @@ def output_of(grid: str | None) -> str | int:
 
 def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
     """Return the run in a folder and its request; raises InputError."""
+    from hertzwerk.runtime.host.sealed import read_sealed
     from hertzwerk.runtime.simulation import Solution
 
     try:
-        record = json.loads((folder / "run.json").read_text(encoding="utf-8"))
+        record = read_sealed(folder / "run.json")
         request = record["request"]
         names = ("target", "without", "laws", "coordinates", "grid")
         request = {**{name: request[name] for name in names}, "inputs": request.get("inputs", [])}

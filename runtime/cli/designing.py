@@ -83,7 +83,7 @@ def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> 
 
 def keep(found: Propagated | Minimum, folder: Path, name: str) -> list[str]:
     """Write the record and the picture of a result into a folder; return what could not be made."""
-    from hertzwerk.runtime.cli.run_folder import json_text
+    from hertzwerk.runtime.cli.run_folder import record_text
     from hertzwerk.runtime.cli.target import command_line
     from hertzwerk.runtime.host.folder import failures_of
     from hertzwerk.runtime.host.versions import versions
@@ -91,5 +91,5 @@ def keep(found: Propagated | Minimum, folder: Path, name: str) -> list[str]:
 
     content = {**found.record(), "command": command_line(), "versions": versions()}
     folder.mkdir(parents=True, exist_ok=True)
-    write(folder / f"{name}.json", (json_text(content) + "\n").encode(), overwrite=True)
+    write(folder / f"{name}.json", record_text(content).encode(), overwrite=True)
     return failures_of(f"{name}.png", lambda: found.plot().savefig(folder / f"{name}.png"))

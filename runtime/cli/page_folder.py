@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.run_folder import json_text
+from hertzwerk.runtime.cli.run_folder import record_text
 from hertzwerk.runtime.host.folder import failures_of, made_folder, new_folder
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
+from hertzwerk.runtime.host.sealed import read_sealed
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.studies.page import Cell, Page, Table, Verdict
 
@@ -35,7 +35,7 @@ class StudyFolder:
         if self.path is None:
             self.path = made_folder(self._name, self._out)
             (self.path / ROWS).mkdir()
-            write_atomically(self.path / ROWS / ASKED, (json_text(self._asked) + "\n").encode())
+            write_atomically(self.path / ROWS / ASKED, record_text(self._asked).encode())
         return self.path / ROWS
 
     def write(self, page: Page, about: Mapping[str, Any], missing: list[str]) -> tuple[Path, list[str]]:
@@ -62,10 +62,9 @@ def asked_of(folder: Path) -> dict[str, Any]:
     if (folder / "study.json").exists():
         raise InputError("study", [Fault("--resume", f"{folder}, whose study is done", expected)])
     try:
-        found: dict[str, Any] = json.loads((folder / ROWS / ASKED).read_text(encoding="utf-8"))
+        return read_sealed(folder / ROWS / ASKED)
     except (OSError, ValueError) as error:
         raise InputError("study", [Fault("--resume", f"{folder} ({error})", expected)]) from error
-    return found
 
 
 def _fill(folder: Path, page: Page, about: Mapping[str, Any], missing: list[str]) -> list[str]:
@@ -78,7 +77,7 @@ def _fill(folder: Path, page: Page, about: Mapping[str, Any], missing: list[str]
     for chart in page.charts:
         missing += failures_of(f"{chart.name}.svg", lambda chart=chart: files.extend(save(chart, folder)))  # type: ignore[misc]
     record = {**about, "versions": versions(), **page.record()}
-    texts = {"study.json": json_text(record) + "\n", "study.md": markdown(page)}
+    texts = {"study.json": record_text(record), "study.md": markdown(page)}
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
     return ["study.md", *files, "study.json"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import assignments
+from hertzwerk.runtime.host.sealed import read_sealed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.loading import Model
@@ -122,13 +122,9 @@ def _origin(told: Mapping[str, Any], command: str) -> Origin:
 def _told(path: Path) -> dict[str, Any]:
     """Return the content of a record; raises InputError."""
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-        if isinstance(content, dict):
-            return content
-        found = f"{path}: {type(content).__name__}"
+        return read_sealed(path)
     except (OSError, ValueError) as error:
-        found = f"{path}: {error}"
-    raise InputError("report", [Fault("RUN", found, "the record that the command wrote")])
+        raise InputError("report", [Fault("RUN", f"{path}: {error}", "the record as the command wrote it")]) from error
 
 
 def _of_run(states: Path, told: Mapping[str, Any], scene: str | None) -> str:

@@ -16,6 +16,7 @@ import numpy as np
 
 from hertzwerk.runtime.host.folder import failures_of, new_folder
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
+from hertzwerk.runtime.host.sealed import sealed
 from hertzwerk.runtime.host.versions import versions
 
 if TYPE_CHECKING:
@@ -92,6 +93,11 @@ def record(solution: Solution) -> dict[str, Any]:
 def json_text(content: dict[str, Any]) -> str:
     """Return standard JSON; numbers that are not finite are null."""
     return json.dumps(_finite(content), indent=2, allow_nan=False)
+
+
+def record_text(content: dict[str, Any]) -> str:
+    """Return the content of a file of JSON that is read back, with its digest."""
+    return json_text(sealed(_finite(content))) + "\n"
 
 
 def write_study(
@@ -297,7 +303,7 @@ def _text(
     content = record(solution)
     content |= {"averages": [asdict(average) for average in averages]} if averages else {}
     content |= {"request": dict(request)} if request is not None else {}
-    return (json_text({**content, "warnings": [*content["warnings"], *lost]}) + "\n").encode()
+    return record_text({**content, "warnings": [*content["warnings"], *lost]}).encode()
 
 
 def _finite(value: Any) -> Any:

@@ -5,19 +5,31 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from hashlib import blake2b
+from pathlib import Path
 from typing import Any
 
 DIGEST = "digest"
 
 
 def sealed(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return plain data with the digest of the rest as its last entry."""
-    return {**record, DIGEST: _digest(record)}
+    """Return plain data, as JSON has it, with the digest of the rest as its last entry."""
+    plain = json.loads(json.dumps(record))
+    return {**plain, DIGEST: _digest(plain)}
 
 
 def is_sealed(record: Mapping[str, Any]) -> bool:
     """Return whether the digest of plain data is that of the rest."""
     return record.get(DIGEST) == _digest(record)
+
+
+def read_sealed(path: Path) -> dict[str, Any]:
+    """Return the record in a file; raises OSError, and ValueError for one that is not as it was written."""
+    found = json.loads(path.read_text(encoding="utf-8"))
+    if not isinstance(found, dict):
+        raise ValueError(f"found {type(found).__name__}")
+    if not is_sealed(found):
+        raise ValueError("another content than was written: its digest does not fit")
+    return found
 
 
 def _digest(record: Mapping[str, Any]) -> str:

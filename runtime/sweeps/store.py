@@ -137,7 +137,7 @@ class Store:
 
         Raises InputError with every difference where there is another definition that is not to be widened.
         """
-        now = json.loads(json.dumps(sealed(definition)))
+        now = sealed(definition)
         try:
             before = read_definition(self.folder)
         except InputError:
@@ -424,10 +424,20 @@ def read_rows(folder: Path, plan: str) -> tuple[list[Row], bool]:
 def _row_entry(key: str, row: Row) -> Entry:
     """Return the entry of a row; its arrays follow each other in one column, as wide as `sizes` says."""
     si, outputs = (json.dumps(_nulled(part)) for part in (row.values, row.outputs))
-    sizes = json.dumps({name: [packed.shape, len(packed.data)] for name, packed in row.arrays.items()})
+    sizes = {name: [packed.shape, len(packed.data)] for name, packed in row.arrays.items()}
     arrays = b"".join(packed.data for packed in row.arrays.values())
     wall_s = None if math.isnan(row.wall_s) else float(row.wall_s)
-    rest = (key, row.outcome, row.message, si, outputs, json.dumps(row.warnings), wall_s, sizes, arrays)
+    rest = (
+        key,
+        row.outcome,
+        row.message,
+        si,
+        outputs,
+        json.dumps(row.warnings),
+        wall_s,
+        json.dumps(sizes) if sizes else "{}",
+        arrays,
+    )
     return (digest_of(rest), *rest)
 
 

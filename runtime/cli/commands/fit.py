@@ -345,7 +345,7 @@ def _arguments(
 def _write(
     found: Fitted | FittedMoments, ranking: Ranking | None, into: Path | None, missing: list[str], *, plots: bool
 ) -> tuple[Path, list[str]]:
-    from hertzwerk.runtime.cli.run_folder import json_text
+    from hertzwerk.runtime.cli.run_folder import record_text
     from hertzwerk.runtime.cli.target import command_line
     from hertzwerk.runtime.fitting.moments.moment_fit import FittedMoments
     from hertzwerk.runtime.host.folder import failures_of, new_folder
@@ -354,14 +354,14 @@ def _write(
     def fill(folder: Path) -> list[str]:
         about = {"command": command_line(), "versions": versions()}
         texts = {
-            "fit.json": json_text({**found.record(), **about}) + "\n",
+            "fit.json": record_text({**found.record(), **about}),
         }
         if isinstance(found, FittedMoments):
             texts["fit.md"] = "".join(f"- {label}: {text}\n" for label, text in found.lines())
         else:
             texts |= {"fit.csv": found.csv(), "fit.md": found.markdown()}
         if ranking is not None:
-            texts |= {"laws.json": json_text({**ranking.record(), **about}) + "\n", "laws.md": ranking.markdown()}
+            texts |= {"laws.json": record_text({**ranking.record(), **about}), "laws.md": ranking.markdown()}
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8")
         if not plots:

@@ -101,11 +101,12 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
 def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:
     """Return the distribution that a fit wrote into a folder; bad input is appended to `faults`."""
     from hertzwerk.runtime.design.correlated import Correlated
+    from hertzwerk.runtime.host.sealed import read_sealed
 
     if beside:
         faults.append(Fault("--fitted", "beside --uncertain or --correlation", "one of the two"))
     try:
-        found = json.loads((folder / "fit.json").read_text(encoding="utf-8"))["distribution"]
+        found = read_sealed(folder / "fit.json")["distribution"]
         return Correlated(**found)
     except (OSError, ValueError, KeyError, TypeError) as error:
         expected = "a folder that `hertzwerk fit` wrote, of a fit whose data tell all its quantities"

@@ -23,9 +23,8 @@ Entry: TypeAlias = tuple[Any, ...]
 def digest_of(rest: Entry, plan: str = "") -> bytes:
     """Return the digest of the other columns, of which the last may be bytes; of a point with its plan."""
     *plain, last = rest
-    digest = blake2b(repr(plain).encode(), digest_size=SIZE)
-    digest.update(last if isinstance(last, bytes) else f"{last!r} {plan}".encode())
-    return digest.digest()
+    content = last if isinstance(last, bytes) else f"{last!r} {plan}".encode()
+    return blake2b(repr(plain).encode() + content, digest_size=SIZE).digest()
 
 
 def is_whole(entry: Entry, plan: str = "") -> bool:

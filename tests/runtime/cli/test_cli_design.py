@@ -7,6 +7,7 @@ from click.testing import CliRunner
 from pages import Outline
 
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.host.sealed import sealed
 
 FILE = """
 target = "bouncing_ball"
@@ -82,7 +83,10 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
     assert outline.tables["Values"][0][1][0] == "gravity"
     assert outline.tables["Constraints"][0][1][-1] == "is kept"
     assert len(outline.tables["Runs"][0]) == 1 + len(json.loads((kept / "minimum.json").read_text())["trials"])
-    (kept / "minimum.json").write_text("{}")
+    record = (kept / "minimum.json").read_text()
+    (kept / "minimum.json").write_text(record.replace("1", "3", 1))
+    assert "digest does not fit" in " ".join(run("report", str(kept), "--overwrite").output.split())
+    (kept / "minimum.json").write_text(json.dumps(sealed({})))
     assert "a record that `hertzwerk minimise` wrote" in run("report", str(kept), "--overwrite").output
 
 

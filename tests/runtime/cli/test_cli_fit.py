@@ -9,6 +9,7 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.host.sealed import sealed
 
 HOW = ("--map", "height=vertical.travel", "--noise", "height=1 mm", "--starts", "2")
 
@@ -60,7 +61,7 @@ def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     text = (tmp_path / "fitted" / "report.html").read_text()
     for expected in ("explained", "p-value", "linear: curvature", "data:image/png", "Correlation"):
         assert expected in text
-    (tmp_path / "fitted" / "fit.json").write_text('{"explained": true, "untold": []}')
+    (tmp_path / "fitted" / "fit.json").write_text(json.dumps(sealed({"explained": True, "untold": []})))
     broken = CliRunner().invoke(main, ("report", "fitted", "--overwrite"), catch_exceptions=False)
     assert broken.exit_code == 2 and "a record that `hertzwerk fit` wrote" in " ".join(broken.output.split())
     again = hertzwerk(*both, *HOW, "--free", "restitution", "--into", "fitted")

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from pages import Outline
 
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.host.sealed import sealed
 from hertzwerk.runtime.report.html_page import Origin
 from hertzwerk.runtime.report.sweep_report import sweep_page
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep
@@ -51,7 +52,7 @@ def report(tmp_path, monkeypatch):
 def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
     folder = tmp_path / "study"
     folder.mkdir()
-    (folder / "study.json").write_text(json.dumps(STUDY))
+    (folder / "study.json").write_text(json.dumps(sealed(STUDY)))
     (folder / "f.svg").write_text(SVG)
     (tmp_path / "away.svg").write_text(SVG)
     assert report("report", "study").exit_code == 0
@@ -69,7 +70,7 @@ def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
 @pytest.mark.parametrize("broken", [{}, {**STUDY, "tables": 3}, {**STUDY, "figures": [1]}, {**STUDY, "verdicts": None}])
 def test_what_is_no_study_is_refused(report, tmp_path, broken):
     (tmp_path / "study").mkdir()
-    (tmp_path / "study" / "study.json").write_text(json.dumps(broken))
+    (tmp_path / "study" / "study.json").write_text(json.dumps(sealed(broken)))
     done = report("report", "study")
     assert (done.exit_code, "expected a record that `hertzwerk study` wrote" in done.output) == (2, True)
     assert not (tmp_path / "study" / "report.html").exists()

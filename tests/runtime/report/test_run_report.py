@@ -9,6 +9,7 @@ from pages import Outline
 
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.host.sealed import sealed
 from hertzwerk.runtime.model.build import scene_from
 from hertzwerk.runtime.report import run_report
 
@@ -149,7 +150,7 @@ def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path
     told = json.loads((tmp_path / "runs/soft_ball-001/run.json").read_text())
     told["request"]["target"] = str(tmp_path / "never.py")  # a file is executed only where it is named
     (tmp_path / "never.py").write_text("raise SystemExit(7)")
-    (tmp_path / "runs/soft_ball-001/run.json").write_text(json.dumps(told))
+    (tmp_path / "runs/soft_ball-001/run.json").write_text(json.dumps(sealed(told)))
     assert hertzwerk("report", "runs/soft_ball-001", "--out", "b.html").exit_code == 0
     assert "holds no declaration" in (tmp_path / "b.html").read_text("utf-8")
 
