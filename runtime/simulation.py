@@ -30,7 +30,17 @@ from hertzwerk.runtime.run.continuation import parameters_of, resumable
 from hertzwerk.runtime.run.output_times import Output
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings, read, steps_faults
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
-from hertzwerk.runtime.run.warnings import floored, lost_grip, open_forces, too_fast, unchecked, uncompiled, unsettled
+from hertzwerk.runtime.run.warnings import (
+    floored,
+    left_law,
+    lost_grip,
+    open_forces,
+    released,
+    too_fast,
+    unchecked,
+    uncompiled,
+    unsettled,
+)
 from hertzwerk.runtime.solution import solution as plain_solution
 from hertzwerk.runtime.solution.checkpoint import checkpoint_of
 from hertzwerk.runtime.solution.findings import Needs
@@ -226,8 +236,9 @@ def _solution_of(
         warnings=(
             *unchecked(model),
             *open_forces(model, bound, run.given.q),
-            *(run.given.warnings if run.start is None else bound.warnings),
+            *((*run.given.warnings, *released(model, trace.kept.ends)) if run.start is None else bound.warnings),
             *floored(counted["floored"], run.floor),
+            *left_law(model, trace.findings.lasting, trace.kept.ends),
             *unsettled(counted["unsettled"]),
             *lost_grip(model, bound, trace.kept.history),
             *too_fast(model, run.given.speed_limits, trace.tally),

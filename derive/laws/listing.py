@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator
 
 from hertzwerk.derive.laws.catalogue import LAWS
-from hertzwerk.derive.laws.law import FORMS, GRADES, Law
+from hertzwerk.derive.laws.law import FORMS, GRADES, DampingLaw, FrictionLaw, Law, Quantity
 from hertzwerk.derive.laws.stiffness import MATERIALS
 
 _HEADINGS = {
@@ -58,6 +58,14 @@ def made_for(law: Law) -> str:
     """Pairs, or form of contact, that a law is made for."""
     forms = "any" if set(law.forms) == set(FORMS) else " or ".join(law.forms)
     return ", ".join(law.pairs) or f"{forms} contact"
+
+
+def remembered(law: Law) -> Iterator[Quantity]:
+    """Yield what a law remembers of its contact, such as v0, the approach speed."""
+    if isinstance(law, DampingLaw):
+        yield from law.memory
+    elif isinstance(law, FrictionLaw):
+        yield from (symbol for symbol, *_ in law.memory)
 
 
 def stub() -> str:

@@ -33,6 +33,7 @@ from hertzwerk.derive.laws.law import (
     v,
     v0,
 )
+from hertzwerk.derive.laws.listing import remembered
 from hertzwerk.derive.laws.smoothing import begun
 from hertzwerk.derive.mechanism.parameter import Interval
 from hertzwerk.derive.program.expression_text import expression_text
@@ -201,7 +202,7 @@ def sheet(law: Law) -> Sheet:
         definitions=tuple(_formula(s.name, s.unit, s.meaning, e, latex_name(s)) for s, e in _definitions(law)),
         symbols=tuple(_entries(law)),
         exponent=("n" if damps and law.factor is not None else "") if exponent is None else str(exponent),  # type: ignore[attr-defined]
-        memory=tuple(_memory(law)),
+        memory=tuple(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in remembered(law)),
         modes=law.modes if isinstance(law, FrictionLaw) else (),
         release=RELEASES[law.release] if isinstance(law, DampingLaw) else "",
         local_exponent=_constant_exponent(law) if isinstance(law, StiffnessLaw) else "",
@@ -323,13 +324,6 @@ def _entries(law: Law) -> Iterator[Entry]:
 
 def _range_text(interval: Interval | None) -> str:
     return "" if interval is None else str(interval)
-
-
-def _memory(law: Law) -> Iterator[str]:
-    if isinstance(law, DampingLaw):
-        yield from (f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in law.memory)
-    elif isinstance(law, FrictionLaw):
-        yield from (f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol, *_ in law.memory)
 
 
 # -- local exponent ----------------------------------------------------------------------------------------------------

@@ -249,18 +249,18 @@ def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
 
 
 def law_summaries(form: str | None) -> tuple[dict[str, str], ...]:
-    """Return kind, law, title, what it is made for, grade and verdict of laws of the catalogue.
+    """Return kind, law, title, what it is made for, grade, verdict and memory of laws of the catalogue.
 
     form    only consistent laws made for this form of contact
     """
     from hertzwerk.derive.audit.forms import laws_of_form
     from hertzwerk.derive.laws import LAWS
-    from hertzwerk.derive.laws.listing import made_for
+    from hertzwerk.derive.laws.listing import made_for, remembered
 
     laws = LAWS.values() if form is None else laws_of_form(form)
     return tuple(
         {"kind": law.kind, "law": law.name, "title": law.title, "made for": made_for(law), "grade": law.grade,
-         "verdict": law.verdict} for law in laws
+         "verdict": law.verdict, "memory": ", ".join(symbol.name for symbol in remembered(law))} for law in laws
     )  # fmt: skip
 
 

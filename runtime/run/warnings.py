@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import Code
+from hertzwerk.runtime.integrate.step.layout import RELEASED
 from hertzwerk.runtime.model.model import Bound, Model
 from hertzwerk.runtime.solution.history import History, constraint_force
+from hertzwerk.runtime.solution.watch import Lasting
 
 
 def unchecked(model: Model) -> tuple[str, ...]:
@@ -68,12 +70,39 @@ def lost_grip(model: Model, bound: Bound, history: History) -> Iterator[str]:
                    f"more than {limit:.3g}: it would slip")  # fmt: skip
 
 
+def released(model: Model, first: History) -> Iterator[str]:
+    """Yield a warning of surfaces that overlap at the start while they open, where their law would pull."""
+    for pair in (pair for pair, mode in zip(model.pairs, first.part("mode")[0], strict=True) if mode == RELEASED):
+        yield (
+            f"{pair} starts {first[f'{pair}.penetration'][0]:.3g} m deep and opening, where its law would pull: no force acts until it closes "
+            "again; start with a gap or at rest"
+        )
+
+
 def floored(count: int, floor: float) -> Iterator[str]:
     """Yield a warning of contacts slower than the least latched approach speed [m/s]."""
     if not count:
         return
     contacts = "one contact began" if count == 1 else f"{count} contacts began"
     yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law took for the approach speed"
+
+
+def left_law(model: Model, found: Sequence[Lasting], ends: History) -> Iterator[str]:
+    """Yield one warning of contacts that left their damping law, with their share of what it dissipates."""
+    if not found:
+        return
+    worst, pairs = max(found, key=lambda each: each.ratio), list(dict.fromkeys(each.pair for each in found))
+    share = ""
+    if model.has_ledger:
+        booked = [model.nq + model.nu + model.module.DISSIPATED[model.pairs.index(pair)] for pair in pairs]
+        spent = float((ends.part("y")[-1, booked] - ends.part("y")[0, booked]).sum())
+        share = f" ({sum(each.dissipated for each in found) / spent:.0%} of its dissipation)" if spent > 0 else ""
+    of = f" of {', '.join(pairs)}"
+    which = f"{len(found)} contacts{of}, the worst" if len(found) > 1 else f"a contact{of},"
+    yield (
+        f"{which} since t = {worst.since:.4g} s, left the law of damping{share}: gap rates up to {worst.ratio:.2g} times the approach speed v0; "
+        "take a law without v0 (`hertzwerk laws`), or raise approach_floor, the least v0"
+    )
 
 
 def unsettled(count: int) -> Iterator[str]:

@@ -19,7 +19,7 @@ from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
 from hertzwerk.runtime.solution.history import part_of_step
 from hertzwerk.runtime.solution.impacts import crest
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
-from hertzwerk.runtime.solution.watch import Watch, impacts_of
+from hertzwerk.runtime.solution.watch import Lasting, LastingContacts, Watch, impacts_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.attempt import Integrator
@@ -104,7 +104,7 @@ class Choices:
 
 
 class Findings:
-    """Impacts, choices and sums of a run.
+    """Impacts, contacts that left their law, choices and sums of a run.
 
     Found as the run proceeds, what is needed of them, or, where steps are kept, on demand.
 
@@ -128,6 +128,7 @@ class Findings:
         self._steps: list[History] = []
         self._watch = Watch(model) if model.k and Needs.IMPACTS in self._needs else None
         self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
+        self._lasting = LastingContacts(model) if self._needs and model.latches else None
         self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
 
     @classmethod
@@ -149,7 +150,7 @@ class Findings:
         if self._later:
             self._steps.append(block)
             return
-        for observer in (self._watch, self._choices, self._summing):
+        for observer in (self._watch, self._choices, self._lasting, self._summing):
             if observer is not None:
                 observer.take(block, fresh)
 
@@ -180,6 +181,11 @@ class Findings:
         """Every contact in the order of its onset."""
         self._needed(Needs.IMPACTS)
         return () if self._watch is None else self._observed(self._watch).impacts()
+
+    @cached_property
+    def lasting(self) -> tuple[Lasting, ...]:
+        """Every contact that left its law, none where nothing is needed of the steps."""
+        return () if self._lasting is None else self._observed(self._lasting).found
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:

@@ -1,4 +1,9 @@
-"""Contacts of runs, found block by block among their steps, of several short runs at once."""
+"""Contacts of runs, found block by block among their steps, of several short runs at once.
+
+In an impact the gap rate never exceeds the approach speed v0, and a damping factor over v0 is made for that. In a contact that
+lasts, which loads press and shake, it does: a force h F v/v0 then refers to a speed that has nothing to do with the motion. Such
+contacts are found from the accepted steps, as impacts are: 25 us for a short run, a ten-thousandth of a long one's time.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from hertzwerk.runtime.integrate.step.layout import CONTACT, RELEASED
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.solution.impacts import KINDS, Impact, peaks
 
 if TYPE_CHECKING:
@@ -22,6 +27,7 @@ FEW = (
     2**11
 )  # rows of a block that may wait for those of other runs: more leave the cache, and their memory is given back
 BESIDE = np.array([-1, 0, 1])
+BEYOND = 1.1  # gap rate over approach speed from which a contact has left its law; rounding and steps make an impact's no larger than 1.001
 
 Piece: TypeAlias = tuple["History", slice]
 """Block of a run, and the rows of it that are to be followed."""
@@ -93,6 +99,84 @@ class Watch:
         """
         (found,) = impacts_of([self])
         return found
+
+
+class Lasting(NamedTuple):
+    """Contact of a pair that left its law.
+
+    since        its onset [s]; speed: the approach speed that is latched [m/s]
+    ratio        largest gap rate over that
+    dissipated   by the pair's contact since then [J], nan without a ledger
+    """
+
+    pair: str
+    since: float
+    speed: float
+    ratio: float
+    dissipated: float
+
+
+class LastingContacts:
+    """Observer of contacts whose gap rates exceed the latched approach speed."""
+
+    def __init__(self, model: Model) -> None:
+        latched = [(pair, row) for row, (*_, pair) in enumerate(model.module.LATCHES)]
+        self._model, self._pairs, self._rows = model, [pair for pair, _ in latched], [row for _, row in latched]
+        self._booked = [model.nq + model.nu + row for row in model.module.DISSIPATED] if model.has_ledger else []
+        self._open: dict[
+            int, Lasting
+        ] = {}  # contacts that are not over, by pair; dissipated: what was booked at the onset
+        self._ended: list[Lasting] = []
+        self._now: dict[int, float] = {}  # booked for pairs by now [J]
+
+    def take(self, block: History, fresh: int) -> None:
+        """Take the next accepted steps; see `Observer`."""
+        if not self._pairs:
+            return
+        modes, speeds = block.part("mode")[fresh:, self._pairs], block.part("m")[fresh:, self._rows]
+        ratios = np.where(modes == CONTACT, np.abs(block.part("gap_rate")[fresh:, self._pairs]) / speeds, 0.0)
+        beyond: np.ndarray = np.any(ratios > BEYOND, axis=0)
+        for i, j in enumerate(self._pairs):
+            if beyond[i] or j in self._open or modes[-1, i] != FLIGHT:
+                self._follow(j, block, fresh, modes[:, i], ratios[:, i], speeds[:, i])
+
+    def _follow(
+        self, j: int, block: History, fresh: int, modes: np.ndarray, ratios: np.ndarray, speeds: np.ndarray
+    ) -> None:
+        """Follow the contacts of a pair through rows of which some leave their law, or which they outlast."""
+        known, last = self._open.pop(j, None), len(modes) - 1
+        booked = block.part("y")[fresh:, self._booked[j]] if self._booked else np.full(len(modes), math.nan)
+        self._now[j] = float(booked[last])
+        is_open = np.concatenate([[False], goes_on(modes, known is not None), [False]])
+        edges = np.flatnonzero(is_open[1:] != is_open[:-1])
+        begins, ends = edges[::2], edges[1::2]
+        if known is not None and not (begins.size and begins[0] == 0):
+            self._end(known, float(booked[0]))
+            known = None
+        largest = np.maximum.reduceat(ratios, begins) if begins.size else np.zeros(0)
+        for n in range(len(begins)):
+            begin, end = int(begins[n]), int(ends[n])
+            if largest[n] <= BEYOND and end <= last and (n or known is None):
+                continue
+            contact = known if not n and known is not None else None
+            contact = contact or Lasting(
+                self._model.pairs[j], float(block.t[fresh + begin]), float(speeds[begin]), 0.0, float(booked[begin])
+            )
+            contact = contact._replace(ratio=max(contact.ratio, float(largest[n])))
+            if end > last:
+                self._open[j] = contact
+            else:
+                self._end(contact, float(booked[end]))
+
+    def _end(self, contact: Lasting, booked: float) -> None:
+        if contact.ratio > BEYOND:
+            self._ended.append(contact._replace(dissipated=booked - contact.dissipated))
+
+    @property
+    def found(self) -> tuple[Lasting, ...]:
+        """Every contact that left its law, in the order in which they end, those that go on last."""
+        last = (each._replace(dissipated=self._now[j] - each.dissipated) for j, each in self._open.items())
+        return (*self._ended, *(each for each in last if each.ratio > BEYOND))
 
 
 def impacts_of(watches: Sequence[Watch]) -> list[tuple[Impact, ...]]:

@@ -108,8 +108,13 @@ def laws(
     if as_json:
         click.echo(json.dumps({"laws": rows}, indent=2, ensure_ascii=False))
     else:
-        columns = ("law", "made for", "grade", "title") if form else ("law", "kind", "grade", "verdict", "title")
+        columns = (
+            ("law", "made for", "grade", "title") if form else ("law", "kind", "grade", "verdict", "memory", "title")
+        )
         table(columns, [[row[name] for name in columns] for row in rows])
+        print_prose(
+            "Memory: v0 is the approach speed, latched at the onset of a contact; where contacts last, take a damping law without it."
+        )
         print_prose("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
     return GOOD
 

@@ -165,7 +165,7 @@ def _judged(
     if choosing is Choosing.EVERY_STEP:
         new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept, seen.get("J"))
     elif choosing is Choosing.ON_SUSPICION:
-        new |= suspicion(model, contacts, old, run, end, seen)
+        new |= suspicion(model, contacts, old, run, end, kept, seen)
     judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (NEAR - SPECIAL + apart * (PLAIN - NEAR)))
     verdict = {"kind": judged, "error": error, "in_range": in_range}
     return [vectors.state.join(new), vectors.verdict.join(verdict)]

@@ -92,9 +92,13 @@ def suspicion(
     old: Mapping[str, Any],
     run: Mapping[str, Any],
     end: Mapping[str, Any],
+    kept: Any,
     seen: Mapping[str, Any],
 ) -> dict[str, Any]:
     """Return the state's `pressure` and `status` after an explicit step, by its last two stages.
+
+    kept [s]: the step to continue with, by which a step is judged that was cut to an event which did not come: beyond the limit of
+    stability a damped force swings to and fro through zero, and the steps cut to that are stable.
 
     Both stages are at the end of the step. Their accelerations differ by the reaction of stiff forces to their
     difference in speed (damping) or position (vibration). In a motion that limits the step by accuracy the smaller of
@@ -116,12 +120,13 @@ def suspicion(
         ca.sumsqr((end[name][part] - seen[of][part]) * seen["weights"][part])
         for name, of, part in (("y", "stage", positions), ("y", "stage", speeds), ("dy", "slope", accelerated))
     )
-    h2, (length, pace) = old["h"] * old["h"], ca.vertsplit(run["scales"][:2])
+    h = ca.if_else(old["retakes"] > 0, kept, old["h"]) if model.k else old["h"]
+    h2, (length, pace) = h * h, ca.vertsplit(run["scales"][:2])
     damping = h2 * acceleration > STIFF**2 * speed
     vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
     stiff = damping * vibration
     if fading:
-        stiff = stiff + (old["h"] * _fading(model, end, run) > STIFF) > 0
+        stiff = stiff + (h * _fading(model, end, run) > STIFF) > 0
     pressure = ca.fmax(old["pressure"] + ca.if_else(stiff, 1, -1), 0)
     return {
         "pressure": pressure,

@@ -31,7 +31,9 @@ STALL, HARDLY = (
 # A chunk whose attempts are rejected to this part and get ahead by less than this part of the duration is one of a method that fails there;
 # where half of its attempts are rejected as contacts follow each other, geneva_drive gets ahead by a tenth.
 FAILING, STANDING, FAILED = 0.4, 1e-5, 2.0  # the last: such chunks in a row after which `auto` turns to implicit steps
-COMPILER_PART = 0.25  # of the time left to a limit: a compiler on a busy machine takes several times what is estimated
+COMPILER_PART = (
+    0.25  # of the processor's time left to a limit: a compiler takes up to twice what is estimated, and is to pay
+)
 
 
 class TimeOverError(Exception):
@@ -206,9 +208,8 @@ class _March:
         self._free = True  # of where the run is to end
         self._with_choice = False
         self._began = time.perf_counter()
-        self._spent = (
-            0.0  # s of the processor on attempts alone: neither what else it does nor what is built tells the pace
-        )
+        # s of the processor on attempts alone, and on the clock: neither what else it does nor what is built tells the pace
+        self._spent = self._clocked = 0.0
         provider.begin()
         self._take_callers()
 
@@ -230,9 +231,11 @@ class _March:
         """
         status, timed = self._at["status"], self._provider.may_switch
         self._call.inputs[0][:], self._call.inputs[2][:] = self._state, self._tally
-        began = time.thread_time() if timed else 0.0
+        began, clock = (time.thread_time(), time.perf_counter()) if timed else (0.0, 0.0)
         states, (tallied,) = self._call()
-        self._spent += time.thread_time() - began if timed else 0.0
+        if timed:
+            self._spent += time.thread_time() - began
+            self._clocked += time.perf_counter() - clock
         self.status, chooses = int(states[-1, status]), self._with_choice
         if self.status != RUNNING:  # attempts after the end repeat it
             states = states[: np.flatnonzero(states[:, status] != RUNNING)[0] + 1]
@@ -305,7 +308,10 @@ class _March:
         if self.status != RUNNING or not self._provider.may_switch:
             return
         pace = max(self.done, self._state[self._at["steps"]] / self._max_steps, 1e-9)
-        ahead = min(self._spent / pace - self._spent, COMPILER_PART * (deadline - time.perf_counter()))
+        left = (deadline - time.perf_counter()) * min(
+            self._spent / max(self._clocked, 1e-9), 1.0
+        )  # others share the processor
+        ahead = min(self._spent / pace - self._spent, COMPILER_PART * left)
         if self._provider.switch_if_faster(self._spent, ahead, poll):
             self._change_callers()
 

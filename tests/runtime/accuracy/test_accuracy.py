@@ -385,7 +385,7 @@ def test_a_run_longer_than_its_horizon_says_so():
     far = horizon(run.error.times, run.error.values, 1e-6)
     assert 0 < far < run.error.horizon
     assert f"no longer than {far:.4g} s" in run.outcome.remedy
-    assert all("exceed" in text for text in run.warnings)  # the law's limit
+    assert all("the law" in text for text in run.warnings)  # its limit of v0, and contacts that left it
     shorter = simulate(run.model, duration=far, accuracy=1e-6, output=2)  # the remedy helps
     assert shorter.outcome.finished
 

@@ -42,8 +42,16 @@ def test_the_list(hertzwerk):
         "made for": "any contact",
         "grade": "A",
         "verdict": "consistent",
+        "memory": "",
     } in listed
-    assert len(listed) == len(rows) - 2
+    assert {
+        **{row["law"]: row["memory"] for row in listed},
+        "flores": "v0",
+        "tsuji": "",
+        "kelvin_voigt": "",
+        "lugre": "z",
+    } == {row["law"]: row["memory"] for row in listed}
+    assert len(listed) == len(rows) - 3
 
 
 def test_a_sheet(hertzwerk):

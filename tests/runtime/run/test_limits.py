@@ -179,6 +179,16 @@ def test_auto_turns_to_implicit_steps_where_explicit_ones_are_rejected(pressed, 
     assert run.statistics.steps < 1000
 
 
+@pytest.mark.parametrize("output", ["steps", 2])
+def test_an_overlap_that_opens_is_warned_of(pressed, output):
+    """It is no faster than this scene, so that nothing else is said of it."""
+    given = {"duration": "0.1 ms", "tolerance": 1e-6, "output": output, "parameters": {"pace": "100 m/s"}}
+    (text,) = (text for text in simulate(pressed, **given).warnings if text.startswith("floor starts"))
+    assert "0.00434 m deep and opening" in text
+    still = simulate(pressed, **given, initial={"base.x": "-1 m"})  # far above the plane
+    assert not any("deep" in text for text in still.warnings)
+
+
 def test_the_remedy_of_explicit_steps_helps(pressed):
     given = {"duration": "0.19 s", "tolerance": 1e-6, "compiled": False, "max_steps": 3000}
     run = simulate(pressed, **given, method="dop853")

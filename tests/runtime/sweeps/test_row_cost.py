@@ -79,7 +79,8 @@ def test_what_the_loop_finds_is_bitwise_what_a_run_with_its_steps_has(model):
         run.final["guide.travel"],
         run.final["slider_pin_friction.dissipated"],
     ]
-    assert row.warnings == run.warnings
+    of_steps = [text for text in run.warnings if "left the law of damping" in text]  # found where steps are looked at
+    assert [*of_steps, *row.warnings] == list(run.warnings)
     assert any("exceed the law's limit" in text for text in row.warnings)
 
 
