@@ -7,10 +7,22 @@ its own: of short runs whose steps are kept that is a tenth of all time.
 from __future__ import annotations
 
 import ctypes
+import math
 import sys
+from pathlib import Path
 
 BLOCK, KEPT = 2**25, 2**26  # bytes: largest block that is not given back, as large as may be; most that is kept unused
 _TRIM, _MMAP = -1, -3  # M_TRIM_THRESHOLD, M_MMAP_THRESHOLD of malloc.h
+
+
+def available() -> float:
+    """Return the memory that is left to new data [bytes], infinite where the system does not say."""
+    try:
+        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
+        (found,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))
+    except (OSError, ValueError):
+        return math.inf
+    return 1024.0 * int(found)
 
 
 def keep_freed() -> None:

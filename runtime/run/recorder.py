@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.host.heap import available
 from hertzwerk.runtime.host.lazy import cached_property
 
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 
 BLOCK = 2**23  # bytes: enough rows that costs per block are negligible
 ENDS = 0  # bytes: the first and the last state alone
+MANY, AGAIN = 2**28, 1.1  # bytes kept from which the memory left is looked at, and how much more until the next look
 OVERLAP = 2  # known rows repeated at a block's start: events show between rows
 
 
@@ -32,14 +34,19 @@ class Recorder:
         self.error: Exception | None = None
         self._parts: list[np.ndarray] = []
         self._known = self._new = self._bytes = 0
+        self._look: float = MANY
 
     def keep(self, rows: np.ndarray) -> None:
-        """Take the next accepted rows (n, ns)."""
+        """Take the next accepted rows (n, ns); raises MemoryError before they fill the memory."""
         self._parts.append(rows)
         self._new += len(rows)
         self._bytes += rows.nbytes
         if self._block is not None and self._bytes >= self._block:
             self.flush()
+        elif self._block is None and self._bytes > self._look:
+            self._look = AGAIN * self._bytes
+            if available() < self._bytes:  # to join them takes as much again
+                raise MemoryError(f"{self._bytes / 1e9:.1f} GB of steps are kept, more than are left")
 
     def flush(self) -> None:
         """Pass the gathered rows to the observers; call once more at the end."""

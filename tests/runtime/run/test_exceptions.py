@@ -12,6 +12,7 @@ from click.testing import CliRunner
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.model import caller
+from hertzwerk.runtime.run import recorder
 from hertzwerk.runtime.run.engine import engine_for
 from hertzwerk.runtime.run.recorder import Recorder
 from hertzwerk.runtime.solution import findings
@@ -116,15 +117,31 @@ def test_a_recorder_short_of_memory_keeps_the_first_rows(monkeypatch):
         def take(self, block, known):
             taken.append(block)
 
-    recorder = Recorder(lambda rows: rows, [Keeps()], None)
+    kept = Recorder(lambda rows: rows, [Keeps()], None)
     for i in range(10):
-        recorder.keep(np.full((1, 2), float(i)))
+        kept.keep(np.full((1, 2), float(i)))
     monkeypatch.setattr(np, "concatenate", most)
     with pytest.raises(MemoryError):
-        recorder.flush()
+        kept.flush()
     assert [row[0] for row in taken[0]] == [0, 1]
-    recorder.flush()
+    kept.flush()
     assert len(taken) == 1
+
+
+def test_a_run_ends_before_its_steps_fill_the_memory(monkeypatch):
+    """Half a megabyte is left: where the system hands out more than it has, no allocation fails."""
+    given = {"duration": "50 ms", "tolerance": 1e-9, "compiled": False}
+    crank = load("slider_crank")
+    whole = simulate(crank, **given)
+    monkeypatch.setattr(recorder, "MANY", 2**18)
+    monkeypatch.setattr(recorder, "available", lambda: 2.0**19)
+    run = simulate(crank, **given)
+    assert run.outcome.name == "exception"
+    assert "MemoryError" in run.outcome.message
+    assert "keep a grid" in run.outcome.remedy
+    assert 2**19 < run.history.rows.nbytes < 2**20
+    assert np.array_equal(run.history.rows, whole.history.rows[: len(run.t)])
+    assert simulate(crank, **given, output=100).outcome.finished
 
 
 @pytest.mark.slow
