@@ -98,6 +98,8 @@ class Choices:
                 reason = f"step x fastest rate fell to {stiffness[i]:.2g}: implicit steps save less than they cost"
             elif stiffness[i] > STIFF:
                 reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
+            elif stiffness[i] == 0:
+                reason = "explicit steps were rejected again and again, and got hardly any time ahead"
             else:
                 reason = "step after step crossed the layer in which friction reverses: the pair sticks"
             self.made.append(Choice(float(block.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))

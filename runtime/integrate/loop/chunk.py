@@ -24,13 +24,11 @@ ROOM = 1.05  # of a step: if less is left to the end, the step may have been cut
 SIZE = (16, 16)  # attempts per call, nested: calls of a function, attempts in it
 # statuses that only the loop can give
 INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, STALLED = range(TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 5)
-STALL, HARDLY = (
-    100_000,
-    1e-6,
-)  # attempts that get ahead by less than this part of the time so far, or of the scene's own, are a stall
-# A chunk whose attempts are rejected to this part and get ahead by less than this part of the duration is one of a method that fails there;
-# where half of its attempts are rejected as contacts follow each other, geneva_drive gets ahead by a tenth.
-FAILING, STANDING, FAILED = 0.4, 1e-5, 2.0  # the last: such chunks in a row after which `auto` turns to implicit steps
+# A stall: so many attempts get ahead by less than this part of the time so far, or of the scene's own.
+STALL, HARDLY = 100_000, 1e-6
+# Explicit steps fail where so many chunks in a row have more than this part of their attempts rejected and get ahead by less than this part
+# of the duration. Half of the attempts are rejected in geneva_drive too, as contacts follow each other, but it gets ahead by a tenth.
+FAILED, FAILING, STANDING = 2.0, 0.4, 1e-5
 COMPILER_PART = (
     0.25  # of the processor's time left to a limit: a compiler takes up to twice what is estimated, and is to pay
 )
@@ -249,7 +247,8 @@ class _March:
             states = np.vstack([states, self._pieces.given(states[-1])])
             self.status = int(states[-1, status])
         if self.status == RUNNING and self._automatic and self._fails(states):
-            states[-1, self._at["method"]], states[-1, self._at["pressure"]] = IMPLICIT, PATIENCE
+            for name, value in (("method", IMPLICIT), ("pressure", PATIENCE), ("stiffness", 0.0)):
+                states[-1, self._at[name]] = value
             chooses = True
         self._state, self._tally = states[-1].copy(), tallied.copy()
         return states, chooses
