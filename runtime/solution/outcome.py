@@ -96,8 +96,8 @@ _OUTCOMES = {
     ),
     STALLED: (
         "stalled",
-        "the run at tolerance {tolerance:.2g} stands still at t = {t:.9g} s, after {steps:,} accepted and {rejected:,} rejected steps",
-        'take method="esdirk" or "rodas", or another tolerance; a max_steps of your own, in place of this limit, lets it go on',
+        "the run at tolerance {tolerance:.2g} hardly gets ahead at t = {t:.9g} s, after {steps:,} accepted and {rejected:,} rejected steps",
+        'take method="esdirk" or "rodas", or another tolerance; give a relay that chatters a hysteresis; with a max_steps of your own it goes on',
     ),
     EXCEPTION: (
         "exception",

@@ -24,8 +24,8 @@ ROOM = 1.05  # of a step: if less is left to the end, the step may have been cut
 SIZE = (16, 16)  # attempts per call, nested: calls of a function, attempts in it
 # statuses that only the loop can give
 INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, STALLED = range(TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 5)
-# A stall: so many attempts get ahead by less than this part of the time so far, or of the scene's own.
-STALL, HARDLY = 100_000, 1e-6
+# A stall: so many attempts get ahead by less than this part of the time in which the scene's speed covers its length, or of the duration.
+STALL, HARDLY = 1_000_000, 0.1
 # Explicit steps fail where so many chunks in a row have more than this part of their attempts rejected and get ahead by less than this part
 # of the duration. Half of the attempts are rejected in geneva_drive too, as contacts follow each other, but it gets ahead by a tenth.
 FAILED, FAILING, STANDING = 2.0, 0.4, 1e-5
@@ -197,7 +197,7 @@ class _March:
         self._t_start, self._most_rejected = state[self._at["t"]], self._max_steps - state[self._at["steps"]]
         self._most_rejected += self._rejected(state)  # as many as steps may be accepted
         length, speed = controls[layouts.controls["scales"]][:2]
-        self._least = min(length / speed, self._t_end - self._t_start)  # time [s] in which something happens
+        self._least = HARDLY * min(length / speed, self._t_end - self._t_start)  # s
         first, *others = integrator.tables
         self._automatic, self._failing = bool(others) and isinstance(first, RungeKutta), 0
         self.status, self._state, self._resume = int(state[self._at["status"]]), state, start
@@ -288,7 +288,7 @@ class _March:
         (tried, before), t = self._stall, self._state[self._at["t"]]
         if self.status == RUNNING and self._tried >= tried + STALL:
             self._stall = self._tried, t
-            if t - before < HARDLY * max(t - self._t_start, self._least) and self._max_steps == np.inf:
+            if t - before < self._least and self._max_steps == np.inf:
                 self.status = STALLED
 
     def change_method(self, chooses: bool, poll: Callable[[], object]) -> None:
