@@ -12,12 +12,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.faults import Fault
-from hertzwerk.runtime.model.caller import Rowwise
-from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.solution.history import acceleration_of, unknown_histories
 from hertzwerk.runtime.solution.samples import Samples
 
@@ -177,29 +174,12 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
     fine = Samples(samples.run, WAY_SAMPLES)
 
     def speeds(history: History) -> np.ndarray:
-        rates = _output_rates(history)
+        rates = history.output_rates()
         columns = ([model.outputs.index(part) for part in parts] for parts in journals)
         found: np.ndarray = np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
         return found
 
     return fine.integral(speeds)
-
-
-def _output_rates(history: History) -> np.ndarray:
-    """Return the time derivatives (rows, outputs) of outputs that depend on time and coordinates alone."""
-    model, y = history.model, history.part("y")
-    (rates,) = _rates_of_outputs(model)(
-        history.controls[: model.nc], history.part("t"), y[:, : model.nq], y[:, model.nq : model.nq + model.nu]
-    )
-    return rates
-
-
-@per_model
-def _rates_of_outputs(model: Model) -> Rowwise:
-    t, q, u, c = (ca.SX.sym(*of) for of in (("t",), ("q", model.nq), ("u", model.nu), ("c", model.nc)))
-    moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
-    rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q), moves)
-    return Rowwise(ca.Function("output_rates", [t, q, u, c], [ca.densify(rates)]), constant=3)
 
 
 def _coordinates(model: Model) -> list[str]:

@@ -11,11 +11,13 @@ from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
-from hertzwerk.runtime.pictures.sampling import Rows, dense, end_of
+from hertzwerk.runtime.pictures.sampling import Rows, between, dense, end_of, has_steps
+from hertzwerk.runtime.run.continuation import parameters_of
 from hertzwerk.runtime.solution.history import acceleration_of
 from hertzwerk.runtime.start.ideal import IdealMotion, has_clearance, ideal_motion, unknown_because
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.pictures.between_steps import BetweenSteps
     from hertzwerk.runtime.solution.history import History
     from hertzwerk.runtime.solution.impacts import Impact
     from hertzwerk.runtime.solution.solution import Solution
@@ -50,7 +52,7 @@ class Curves:
 
     run: Solution
     t: Array
-    sampled: History | Rows
+    sampled: History | BetweenSteps | Rows
     time: Scale
 
     @classmethod
@@ -71,7 +73,7 @@ class Curves:
             raise ValueError(
                 f"found no rows to draw: the run stopped at t = {run.t_end:g} s, before the first time asked for"
             )
-        sampled = dense(run) if run.history.steps else Rows(run)
+        sampled = dense(run) if has_steps(run) else Rows(run)
         return cls(run, sampled.t, sampled, scale_of("s", run.t[-1]))
 
     def __getitem__(self, name: str) -> Array:
@@ -80,24 +82,32 @@ class Curves:
     @property
     def notes(self) -> tuple[str, ...]:
         """Remarks on how the curves were found, and why there is no ideal mechanism beside them."""
-        from_rows = () if self.run.history.steps else (FROM_ROWS,)
+        from_rows = () if has_steps(self.run) else (FROM_ROWS,)
         return (*from_rows, *([self.no_ideal] if self.no_ideal else []))
 
     @cached_property
     def ideal(self) -> IdealMotion | None:
-        """The ideal mechanism at the same times; None where there is none, and for a saved run."""
+        """The ideal mechanism at the same times; None where there is none, and for a model without functions."""
         run = self.run
-        if run.history.integrator is None:
+        if not self._evaluates:
             return None
         start = np.array([run[name][0] for name in run.model.coordinates])
         knots = self.t if len(self.t) <= KNOTS else np.linspace(self.t[0], self.t[-1], KNOTS)
-        found = ideal_motion(run.model, knots, start, run.history.controls[: run.model.nc])
+        live = run.history.integrator is not None
+        c = run.history.controls if live else run.model.bind(parameters_of(run, run.model)).c
+        found = ideal_motion(run.model, knots, start, c[: run.model.nc])
         return found if found is None or knots is self.t else _between(found, self.t)
+
+    @property
+    def _evaluates(self) -> bool:
+        """Whether the functions of the run's model, and its inputs, are known."""
+        model = self.run.model
+        return model.has("outputs") and (self.run.history.integrator is not None or not model.inputs)
 
     @property
     def no_ideal(self) -> str:
         """Explain why a run with clearance is not compared with the ideal mechanism; empty where it is."""
-        if self.ideal is not None or self.run.history.integrator is None or not has_clearance(self.run.model):
+        if self.ideal is not None or not self._evaluates or not has_clearance(self.run.model):
             return ""
         why = unknown_because(self.run.model) or "it cannot be assembled, or locks on the way"
         return f"No ideal mechanism to compare with: {why}."
@@ -155,11 +165,11 @@ def _between(ideal: IdealMotion, t: Array) -> IdealMotion:
 def impact_curves(run: Solution, impact: Impact) -> tuple[Array, Array, Array]:
     """Return time since the onset [s], normal force [N] and penetration [m] of one impact."""
     end = end_of(impact, run)
-    if not run.history.steps:
-        chosen = np.flatnonzero((run.t >= impact.t) & (run.t <= end))
-        t, sampled = run.t[chosen], run.history
-    else:
+    if has_steps(run):
         t = np.linspace(impact.t, end, IMPACT_SAMPLES)
-        sampled, chosen = run.at(t), np.arange(IMPACT_SAMPLES)
+        sampled, chosen = between(run, t), np.full(IMPACT_SAMPLES, fill_value=True)
+    else:
+        chosen = (run.t >= impact.t) & (run.t <= end)
+        t, sampled = run.t[chosen], run.history
     force, penetration = (sampled[f"{impact.contact}.{name}"][chosen] for name in ("normal_force", "penetration"))
     return t - impact.t, force, penetration

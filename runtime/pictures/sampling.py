@@ -1,12 +1,14 @@
-"""Dense histories of a run for pictures: within every step, and through the peak of every impact."""
+"""Samples of a run for pictures: as dense as a picture resolves, through the peak of every impact."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+
+from hertzwerk.runtime.pictures.between_steps import BetweenSteps
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
@@ -15,19 +17,30 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-SAMPLES = 2000  # of the whole run, equally spaced
-WITHIN_STEPS = 6000  # further ones, equally many in each step...
-MOST, MANY = 24, 20_000  # ... at most so many; of more steps than this some are left out, none with a largest force
+RESOLVED = 1e-3  # of a curve's range: what a picture resolves
+EVEN = 2000  # samples equally spaced
+FEWEST, MOST = 500, 10_000  # rows to begin with, and at most
+PARTS = 40  # most between two of them
 NEAR_PEAK = 16  # between the samples beside the largest
 TOLD_APART = 1000  # parts of a run in which a picture shows one impact of each pair
 
 
-def dense(run: Solution) -> History:
-    """Return histories of a run with its steps, fine enough for a smooth picture with every peak."""
-    found = run.at(_times(run))
-    peaks = np.setdiff1d(np.concatenate([np.zeros(0), *_near_peaks(run, found)]), found.t)
-    rows = np.concatenate([found.rows, run.at(peaks).rows]) if len(peaks) else found.rows
-    return found.of(rows[np.argsort(rows[:, found.columns("t").start], kind="stable")])
+def has_steps(run: Solution) -> bool:
+    """Return whether a run is known between its rows, which are its steps."""
+    return run.history.steps or bool(run.history.rates)
+
+
+def between(run: Solution, times: Array) -> History | BetweenSteps:
+    """Return histories of a run between its steps, at times [s]: by its method, or a saved run by Hermite."""
+    return run.at(times) if run.history.integrator is not None else BetweenSteps(run.history, times)
+
+
+def dense(run: Solution) -> History | BetweenSteps:
+    """Return histories of a run with its steps, fine enough for smooth pictures with every peak."""
+    steps = _Steps(run)
+    times = np.unique(np.concatenate([*steps.resolved(), np.linspace(run.t[0], run.t[-1], EVEN)]))
+    peaks = np.concatenate([times, *_near_peaks(run, between(run, times))])
+    return between(run, np.unique(peaks))
 
 
 def hardest(run: Solution) -> list[Impact]:
@@ -47,27 +60,69 @@ def end_of(impact: Impact, run: Solution) -> float:
     return last if impact.duration is None else min(impact.t + impact.duration, last)
 
 
-def _times(run: Solution) -> Array:
-    t = run.t
-    if len(t) > MANY:
-        t = t[_thinned(run.history, run.model.pairs)]
-    parts = int(np.clip(WITHIN_STEPS // max(len(t) - 1, 1), 1, MOST))
-    within = t[:-1, None] + np.diff(t)[:, None] * (np.arange(parts) / parts)
-    return np.unique(np.concatenate([within.ravel(), t[-1:], np.linspace(t[0], t[-1], SAMPLES)]))
+class _Steps:
+    """Steps of a run and the curves that pictures show of them, in parts of what a picture resolves."""
+
+    def __init__(self, run: Solution) -> None:
+        model = run.model
+        names = (*model.coordinates, *model.speeds, *model.outputs, *(f"{pair}.normal_force" for pair in model.pairs))
+        self._run, self._t = run, run.t
+        sizes = {name: float(np.ptp(values)) for name in names if np.isfinite(values := run[name]).all()}
+        self._sizes = {name: size * RESOLVED for name, size in sizes.items() if size > 0}
+
+    def resolved(self) -> Iterator[Array]:
+        """Yield times of rows, and within steps, between which every curve is straight to the eye."""
+        kept, level = self._rows()
+        t = self._t[kept]
+        yield t
+        parts = np.clip(np.ceil(np.sqrt(self._bent(kept) / level)), 1, PARTS)
+        for count in np.unique(parts):
+            here = np.flatnonzero(parts == count)
+            yield (t[here][:, None] + np.outer(t[here + 1] - t[here], np.arange(1, count) / count)).ravel()
+
+    def _rows(self) -> tuple[NDArray[np.intp], float]:
+        """Return rows between which straight lines miss others by at most a level (Douglas and Peucker).
+
+        That is 1 but for more than MOST rows.
+        """
+        last, level = len(self._t) - 1, 64.0
+        kept = np.unique([*np.linspace(0, last, FEWEST).round().astype(int), *_hardest_rows(self._run)])
+        while len(kept) < MOST:
+            off = np.zeros(last + 1)
+            for name, size in self._sizes.items():
+                values = self._run[name]
+                np.maximum(off, np.abs(values - np.interp(self._t, self._t[kept], values[kept])) / size, out=off)
+            off[kept] = 0
+            parts = np.split(off, kept[1:-1])
+            more = [
+                begin + int(np.argmax(part)) for begin, part in zip(kept, parts, strict=False) if part.max() > level
+            ]
+            if not more and level <= 1:
+                break
+            level = level if more else level / 2
+            kept = np.union1d(kept, more).astype(int)
+        return kept, level
+
+    def _bent(self, kept: NDArray[np.intp]) -> Array:
+        """Return the largest deviation of a curve from each chord, at thirds of its time."""
+        t, off = self._t[kept], np.zeros(len(kept) - 1)
+        for third in (1 / 3, 2 / 3):
+            found = between(self._run, t[:-1] + third * np.diff(t))
+            for name, size in self._sizes.items():
+                values = self._run[name][kept]
+                np.fmax(off, np.abs(found[name] - values[:-1] - third * np.diff(values)) / size, out=off)
+        return off
 
 
-def _thinned(history: History, pairs: Sequence[str]) -> NDArray[np.intp]:
-    """Return some rows of many: of every stretch the first, and those with the largest force of a pair."""
-    size = -(-len(history.t) // SAMPLES)
-    starts = np.arange(0, len(history.t), size)
-    kept = [starts, np.array([len(history.t) - 1])]
-    if pairs:
-        forces = history.part("force")
-        kept += [begin + np.argmax(forces[begin : begin + size], axis=0) for begin in starts]
-    return np.unique(np.concatenate(kept))
+def _hardest_rows(run: Solution) -> Iterator[int]:
+    """Yield the row with the largest force of each of the hardest impacts."""
+    for impact in hardest(run):
+        begin, stop = np.searchsorted(run.t, (impact.t, end_of(impact, run)))
+        if stop > begin:
+            yield int(begin) + int(np.argmax(run[f"{impact.contact}.normal_force"][begin:stop]))
 
 
-def _near_peaks(run: Solution, found: History) -> Iterator[Array]:
+def _near_peaks(run: Solution, found: History | BetweenSteps) -> Iterator[Array]:
     """Yield times between the samples, and the steps, beside the largest sampled force of an impact."""
     t, steps, last = found.t, run.t, len(run.t) - 1
     for impact in hardest(run):

@@ -47,6 +47,8 @@ def run_page(
     if derived is not None:
         sensitivities = derived.record(run.states, run.t_end)
     declared = model if model is not None else run.model
+    if run.history.integrator is None:
+        run = run.with_model(declared)
     readable, why = scene_sections.readable_of(declared)
     sections = [
         _heed(run),

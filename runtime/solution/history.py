@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
+from types import MappingProxyType
 
+import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, unknown
@@ -48,14 +50,21 @@ class History:
         self.rows, self.controls, self.integrator = rows, controls, integrator
         self.steps = steps and integrator is not None
         self.p, self.beside = p, beside
+        self.rates: dict[str, np.ndarray] = {}  # of a saved run, by which it is known between its steps
         self._found: dict[str, np.ndarray] = {}
 
     @classmethod
-    def stored(cls, model: Model, histories: Mapping[str, np.ndarray]) -> History:
-        """Restore saved histories; there are no rows behind them."""
+    def stored(
+        cls, model: Model, histories: Mapping[str, np.ndarray], rates: Mapping[str, np.ndarray] = MappingProxyType({})
+    ) -> History:
+        """Restore saved histories, with rates where they are those of steps; there are no rows behind them."""
         history = cls(model, np.zeros((0, 0)), np.zeros(0), None)
-        history._found = dict(histories)
+        history._found, history.rates = dict(histories), dict(rates)
         return history
+
+    def with_model(self, model: Model) -> History:
+        """Return saved histories with the model that they are of."""
+        return History.stored(model, self._found, self.rates)
 
     @cached_property
     def units(self) -> Units:
@@ -193,6 +202,13 @@ class History:
     def pieces(self) -> list[np.ndarray]:
         """Pieces of the inputs at the rows (rows, npieces), for `Model.with_pieces`; none without inputs."""
         return [self.part("pieces")] if self.model.inputs else []
+
+    def output_rates(self) -> np.ndarray:
+        """Return the time derivatives of the outputs, shape (rows, outputs)."""
+        model, moving = self.model, slice(0, self.model.nq + self.model.nu)
+        tables = (self.part("t"), self.part("y")[:, moving], self.part("dy")[:, moving])
+        found: np.ndarray = _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
+        return found
 
     def touches(self, pair: int) -> np.ndarray:
         """Return whether the surfaces of a pair touch, shape (rows,)."""
@@ -346,6 +362,15 @@ def _constraint_forces(model: Model) -> Rowwise:
 @per_model
 def _settling(model: Model) -> Rowwise:
     return Rowwise(model.with_pieces(flow(model).settling, 4), constant=4)
+
+
+@per_model
+def _output_rates(model: Model) -> Rowwise:
+    t, q, u, c = model.symbols("t q u c")
+    x, at, moves = ca.vertcat(q, u), *(ca.SX.sym(name, model.nq + model.nu) for name in ("x", "moves"))
+    rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q, u), ca.vertcat(1, moves))
+    found = ca.Function("output_rates", [t, at, moves, c], [ca.substitute(ca.densify(rates), x, at)])
+    return Rowwise(model.with_pieces(found, 3), constant=3)
 
 
 @per_model

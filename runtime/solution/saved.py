@@ -8,11 +8,16 @@ import json
 import zipfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.solution.history import acceleration_of
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.history import History
 
 FORMAT = "hertzwerk run 1"
 _OWN = ("about", "digest")
@@ -48,6 +53,24 @@ def unpacked(path: Path, read: Callable[[dict[str, Any], dict[str, np.ndarray]],
         return read(json.loads(text), histories)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         _refuse(path, f"entries that cannot be read ({error})", "a run saved by this version")
+
+
+def rates(history: History) -> np.ndarray:
+    """Return the time derivatives (rows, n) of the histories that have none among them."""
+    model, of_states = history.model, history.part("dy")
+    coordinates, memory = of_states[:, : model.nq], of_states[:, model.nq + model.nu :]
+    return np.hstack([coordinates, memory, history.output_rates(), history.part("force_rate")])
+
+
+def rates_by_name(rates: np.ndarray | None, model: Model, histories: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Return saved rates by their histories' names, those that are histories too; none without steps."""
+    if rates is None:
+        return {}
+    forces = (f"{pair}.normal_force" for pair in model.pairs)
+    names = (*model.coordinates, *model.memory, *model.outputs, *forces)
+    known = {name: histories[acceleration_of(name)] for name in model.speeds}
+    known |= {f"{pair}.gap": histories[f"{pair}.gap_rate"] for pair in model.pairs if pair not in model.journals}
+    return known | dict(zip(names, rates.T, strict=True))
 
 
 def _digest(text: str, histories: Mapping[str, np.ndarray]) -> str:

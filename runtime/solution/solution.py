@@ -28,6 +28,7 @@ from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.sums import Sums
 
 CHECKPOINT = "checkpoint"  # name in a file, beside the histories
+RATES = "rates"  # likewise, of a run with its steps
 SAMPLE = 1000  # rows from which the size of a CSV is estimated
 
 __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
@@ -139,6 +140,10 @@ class Solution:
         """
         return replace(self, history=self.history.with_names(names))
 
+    def with_model(self, model: Model) -> Self:
+        """Return a saved run with the functions of its model, by which pictures show the ideal mechanism too."""
+        return replace(self, history=self.history.with_model(model))
+
     def at(self, times: Sequence[float] | np.ndarray) -> History:
         """Return histories at any times [s] of the run, interpolated by the method's own step and order.
 
@@ -232,6 +237,8 @@ class Solution:
         histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
         if self.checkpoint is not None:
             histories[CHECKPOINT] = self.checkpoint.resume.state
+        if self.history.steps:
+            histories[RATES] = saved.rates(self.history)
         return write(Path(path), saved.packed(about, histories), overwrite=overwrite)
 
     def _beside(self) -> dict[str, Any]:
@@ -252,7 +259,7 @@ class Solution:
 
     @classmethod
     def _of(cls, about: dict[str, Any], histories: dict[str, np.ndarray]) -> Self:
-        state = histories.pop(CHECKPOINT, None)
+        state, rates = histories.pop(CHECKPOINT, None), histories.pop(RATES, None)
         module = ModuleType(f"saved_{about['scene']['NAME']}")
         for name, table in about["scene"].items():
             setattr(module, name, _tuples(table))
@@ -260,7 +267,7 @@ class Solution:
             module.ledger = None  # type: ignore[attr-defined]
         model = cls.model_type(module)
         return cls(
-            history=History.stored(model, histories),
+            history=History.stored(model, histories, saved.rates_by_name(rates, model, histories)),
             ends=History.stored(model, {name: np.array(values) for name, values in about["ends"].items()}),
             findings=Findings.saved(
                 model,

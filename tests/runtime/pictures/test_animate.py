@@ -188,7 +188,7 @@ def test_friction_is_that_of_its_law_and_acts_against_the_slip(crank):
         point, normal = contact_of(stage.drawing.parts, kind, marks, j)
         slip = slip_of(places, marks, point, j)
         tangent = np.cross([0, 0, 1], normal)
-        assert slip @ tangent == pytest.approx(velocity[m], rel=0.02)  # positive: the pin turns in the bush
+        assert slip @ tangent == pytest.approx(velocity[m], rel=0.05)  # by differences; positive: the pin turns
     seen = [found for k in range(1, 40) for found in [stage._friction("slider_pin", k, int(stage.at[k]))] if found]
     assert len(seen) > 3
     for k in range(40):
