@@ -257,7 +257,8 @@ def _checked(folder: Path, plan: str | None = None) -> Iterator[Entry]:
         with closing(sqlite3.connect(f"{file.resolve().as_uri()}?mode=ro", PATIENCE, 0, None, uri=True)) as connection:
             connection.execute("BEGIN")  # all of one moment
             tables = dict(connection.execute("SELECT name, sql FROM sqlite_master WHERE type = 'table'").fetchall())
-            if not tables and file.stat().st_size + (log.stat().st_size if log.exists() else 0) <= PAGE:
+            empty = file.stat().st_size + (log.stat().st_size if log.exists() else 0) <= PAGE
+            if not tables and empty and not (folder / DEFINITION).exists():
                 return  # whose process was killed before it wrote any
             if tables != TABLES or connection.execute("PRAGMA integrity_check(1)").fetchone() != ("ok",):
                 raise DamagedError

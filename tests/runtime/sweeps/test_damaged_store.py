@@ -47,7 +47,7 @@ def whole(ball, tmp_path_factory):
         with one:
             one.executemany(f"INSERT INTO rows VALUES ({', '.join('?' * len(kept[0]))})", kept)
         killed = folder.with_name("killed")
-        shutil.copytree(folder, killed, ignore=shutil.ignore_patterns("*-shm"))
+        shutil.copytree(folder, killed, ignore=shutil.ignore_patterns("*-shm", "*.csv"))
     assert (killed / f"{store.ROWS}-wal").stat().st_size > 20000
     with closing(sqlite3.connect(f"file:{killed / store.ROWS}?mode=ro", uri=True)) as connection:
         assert connection.execute("SELECT min(length(arrays)) FROM rows").fetchone()[0] > 4096  # in pages of their own
@@ -89,6 +89,7 @@ def by_sqlite(folder, elsewhere, rows):
     shutil.copytree(folder, elsewhere)
     found = {}
     with suppress(sqlite3.Error), closing(sqlite3.connect(elsewhere / store.ROWS)) as connection:
+        connection.execute("PRAGMA synchronous=OFF")
         for order in ("ASC", "DESC"):
             with suppress(sqlite3.Error, UnicodeError, OverflowError):
                 for entry in connection.execute(f"SELECT * FROM rows NOT INDEXED ORDER BY rowid {order}"):
@@ -220,6 +221,18 @@ def test_a_file_that_is_none_of_sqlite_is_set_aside_with_its_rows_kept(whole, fo
     with store.opened(folder) as opened:
         assert len(opened.stored) == ROWS
     assert (folder / "rows.damaged-001.sqlite").read_bytes() == content
+
+
+def test_a_file_that_is_empty_now_is_damaged_and_one_of_a_process_killed_at_once_is_not(folder, tmp_path):
+    checkpointed(folder)
+    (folder / store.ROWS).write_bytes(b"")
+    assert "is damaged" in Sweep.load(folder).outcome.message
+    with store.opened(folder) as opened:
+        assert opened.damage.kept == 0
+    (tmp_path / "new").mkdir()
+    (tmp_path / "new" / store.ROWS).write_bytes(b"")
+    with store.opened(tmp_path / "new") as opened:
+        assert opened.damage is None
 
 
 def test_a_process_killed_between_the_two_files_loses_nothing(whole, folder):
