@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 import pytest
+from scipy.stats import linregress
 
-from hertzwerk.runtime.accuracy.horizon import SATURATED, crossing, growth
+from hertzwerk.runtime.accuracy.horizon import SATURATED, _line, crossing, growth
 from hertzwerk.runtime.accuracy.ladder import VALID
 
 T = np.linspace(0.0, 6.0, 601)
@@ -83,3 +84,11 @@ def test_the_limit_is_crossed_between_two_samples_by_the_logarithm():
     assert crossing(T, np.full(len(T), VALID)) == math.inf
     assert crossing(T, np.full(len(T), 1.0)) == 0.0
     assert crossing(T, np.where(T > 3.005, np.nan, 1e-9)) == pytest.approx(3.0)
+
+
+def test_the_error_of_a_rate_is_that_of_a_regression():
+    x, y = np.array([0.0, 1.0, 2.0, 3.0, 4.0]), np.array([0.1, 0.9, 2.2, 2.8, 4.1])
+    expected = linregress(x, y)
+    slope, error, miss = _line(x, y)
+    assert (slope, error) == pytest.approx((expected.slope, expected.stderr), rel=1e-12)
+    assert miss == pytest.approx((1 - expected.rvalue**2) * np.sum((y - y.mean()) ** 2), rel=1e-9)

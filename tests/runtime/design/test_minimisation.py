@@ -20,6 +20,13 @@ def yoke():
     return load(scotch_yoke())
 
 
+def test_a_derivative_that_is_a_tenth_too_large_is_seen(yoke, monkeypatch):
+    right = OutputDerivatives.__getitem__
+    monkeypatch.setattr(OutputDerivatives, "__getitem__", lambda self, name: 1.1 * right(self, name))
+    found = minimise(yoke, BEARING, {"counterweight": "0.01..5 kg"}, max_runs=4, **TURN)
+    assert found.checked == pytest.approx(1 - 1 / 1.1, rel=1e-3)
+
+
 def test_half_of_what_reciprocates_is_balanced(yoke):
     """A harmonic force m r w^2 cos: (1 - k)^2 + k^2 of its square is least at k = 1/2."""
     found = minimise(yoke, BEARING, {"counterweight": "0.01..5 kg"}, **TURN)

@@ -9,6 +9,7 @@ from shaken import shaken
 from hertzwerk.derive import InputError, Table
 from hertzwerk.runtime import Samples, simulate
 from hertzwerk.runtime.inputs.given import signals_of, with_inputs
+from hertzwerk.runtime.inputs.sampled import sampled
 from hertzwerk.runtime.model.signal import Schedule
 
 TIMES = np.array([0.0, 0.3, 0.5, 2.0])
@@ -152,3 +153,11 @@ def test_inputs_are_kept_by_the_model_that_has_them():
     assert model.known is shaken().known  # what is built is shared
     assert simulate(model, duration="1 ms")["push"][-1] == 3
     assert simulate(model, duration="1 ms", inputs={"push": "4 N"})["push"][-1] == 4
+
+
+@pytest.mark.parametrize(("power", "smooth"), [(0, -1), (1, 0), (2, 1), (3, 2)])
+def test_a_function_is_as_smooth_as_its_kink_between_two_pieces_leaves_it(power, smooth):
+    """|t - 0.5|^k, halved before: k - 1 of its derivatives are continuous; pieces end at 0.5."""
+    signal = sampled(lambda t: abs(t - 0.5) ** power * (1 if t > 0.5 else -0.5), 1.0, "a kink")
+    assert 0.5 in signal.begins or power == 0
+    assert signal.smooth == smooth

@@ -232,6 +232,15 @@ def test_surfaces_deep_in_each_other_are_named_with_what_brings_them_apart(scene
     assert abs(touching[f"{pair}.gap"][0]) < 1e-9
 
 
+def test_the_depth_that_is_allowed_is_that_of_hertz_at_five_times_the_speed():
+    """sqrt(K d^2.5/m) = 5 sqrt(2 g h): d = 0.00083979 m, of K = 2.4e10 N/m^1.5, m = 1 kg, h = 1 m."""
+    ((_, text),) = (
+        (fault.where, str(fault)) for fault in faults_of(load("bouncing_ball"), {"vertical.travel": "20 mm"})
+    )
+    assert "a penetration of 0.08 m" in text
+    assert "at most about 0.00084 m" in text
+
+
 def test_a_start_one_clearance_deep_is_allowed_and_told():
     """Stiffness alone throws it apart at twice the crank's speed: an impact might press so deep, a slip of the pen as well."""
     crank = load("slider_crank")
