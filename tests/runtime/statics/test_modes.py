@@ -68,6 +68,7 @@ def test_a_damped_oscillator():
     assert mode.damping_ratio == pytest.approx(z, rel=1e-12)
     assert 2 * math.pi * mode.frequency == pytest.approx(w * math.sqrt(1 - z * z), rel=1e-12)
     assert 2 * math.pi * mode.natural_frequency == pytest.approx(w, rel=1e-12)
+    assert list(mode.shape.values()) == pytest.approx([1])  # its largest, with no phase
     over = modes(point(push=lambda t, x, v: -4 * w * v - w * w * x))
     assert sorted(m.eigenvalue.real for m in over) == pytest.approx([-w * (2 + math.sqrt(3)), -w * (2 - math.sqrt(3))])
     assert not any(mode.vibrates for mode in over)
