@@ -54,6 +54,7 @@ from hertzwerk.derive.mechanism.outline import Arc, Line, Outline
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.scenes.hard.cone_and_resistances import AT_LIMITS
 from hertzwerk.derive.scenes.hard.coupled_shafts import COUPLED
+from hertzwerk.derive.scenes.hard.slips_at_lift_off import LATE_SLIPS
 from hertzwerk.derive.sheets.impact import impact_scene
 
 _MASS = Parameter("mass", "kg", 1)
@@ -532,6 +533,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "unlike_masses": unlike_masses,
     **COUPLED,
     **AT_LIMITS,
+    **LATE_SLIPS,
     "incline_coulomb": lambda: incline(coulomb(_FRICTION, _STATIC)),
     "incline_lugre": lambda: incline(_BRISTLES),
     "incline_smooth_coulomb": lambda: incline(smooth_coulomb(_FRICTION, _LAYER)),

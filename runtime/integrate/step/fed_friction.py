@@ -30,8 +30,9 @@ SETTLED = 1e-9  # of the terms of a sliding acceleration: most that a solution l
 class Solved:
     """Frictions of a state, and what follows from them.
 
-    `held` (n): forces of what sticks [N]; `friction` (n): all [N]; f: all generalised forces; `pressing` (n): what limits are multiplied with, the reactions of joints; `rate` (n): sliding accelerations, and the size of
-    their `terms`; `settled`: 1 where what sticks has none.
+    `held` (n): forces of what sticks [N]; `friction` (n): all [N]; f: all generalised forces; `pressing` (n): what limits are
+    multiplied with, the reactions of joints; `rate` (n): sliding accelerations, and the size of their `terms`;
+    `settled`: 1 where what sticks has none.
     """
 
     held: Any

@@ -5,7 +5,8 @@ sticks. The friction force along the tangent is -sigma times the sliding force; 
 the lambda of W lambda = -b, with W = D^T M^-1 D, D the generalised forces per newton and b the sliding accelerations
 without lambda. A pair slips while its margin sigma s is positive. It sticks while (h^2 - lambda^2)/(h^2 + lambda^2) is, with h the
 largest holding force: smooth where lambda changes its sign, and a ratio, for both forces vanish together where a contact opens.
-Near zero it is (h - |lambda|)/h, so that a tolerance of forces is one of the margin, beside their size. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
+Near zero it is (h - |lambda|)/h, so that a tolerance of forces is one of the margin, beside their size. Pfeiffer, Glocker,
+Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
 
 A pair that may slide in two directions has two tangents, and vectors of two entries along them for s, lambda and
 sigma. The direction of sliding has no value at rest, so sigma has one: at the onset of slip that in which the pair
@@ -175,7 +176,9 @@ def slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, 
         arm = run["scales"][1] / run["scale"][model.nq + fast]
         rate[turning], force[turning] = rate[turning] / arm, force[turning] * arm
     sticks, timing = sticking(model, m), time_rounding(at["t"], at["margin_rate"])
-    return ca.fmax(rate, ca.if_else(sticks, 0, timing)), ca.fmax(force, ca.if_else(sticks, timing, 0) * at["grip_force"])
+    return ca.fmax(rate, ca.if_else(sticks, 0, timing)), ca.fmax(
+        force, ca.if_else(sticks, timing, 0) * at["grip_force"]
+    )
 
 
 def sticking(model: Model, m: Any) -> Any:

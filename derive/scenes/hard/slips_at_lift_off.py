@@ -1,0 +1,81 @@
+"""Hard scenes of balls that stick in an impact and slip again just before they lift off.
+
+Derived when run, never committed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
+from hertzwerk.derive.declare.scales import Scales
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.declare.start import Start
+from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.effects.gravity import Gravity
+from hertzwerk.derive.laws import coulomb, hunt_crossley, power
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
+from hertzwerk.derive.mechanism.joints.free import Free
+from hertzwerk.derive.mechanism.joints.planar import Planar
+from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.mechanism.parameter import Parameter
+
+_GRAVITY = Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y)
+_PACE = Parameter("pace", "m/s", 1)
+
+
+def ball_on_diagonal() -> Scene:
+    """A ball in space that falls on a plane of 45 degrees."""
+    inertia, radius = Parameter("inertia", "kg m^2", 1e-3), Parameter("radius", "m", 0.05)
+    ball = Body("ball", mass=Parameter("mass", "kg", 1), inertia=(inertia,) * 3)
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Direction((1, 1, 0)))
+    friction = Parameter("friction_coefficient", "1", 0.3)
+    return Scene(
+        Mechanism("ball_on_diagonal", (Free("flight", GROUND, ball),), (floor,)),
+        effects=(
+            _GRAVITY,
+            Contact("floor", power(Parameter("stiffness", "N/m^1.5", 1e7), 1.5)),
+            Friction("rub", "floor", coulomb(friction, friction)),
+            EnergyLedger(),
+        ),
+        start=Start(position={"flight.y": Parameter("height", "m", 0.3)}),
+        scales=Scales(length=radius, speed=_PACE, arm=radius),
+        summary="a ball that sticks in an impact and slips before it lifts off",
+    )
+
+
+def ball_beside_wall() -> Scene:
+    """A spinning ball in plane motion that falls on an incline, and a wall that it never touches."""
+    radius = Parameter("radius", "m", 0.0605589)
+    ball = Body("ball", mass=Parameter("mass", "kg", 0.0508701), inertia=Parameter("inertia", "kg m^2", 1.87915e-5))
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Direction((0.3949301626, 1, 0)))
+    far = GROUND.at(Parameter("distance", "m", 2), 0, 0)
+    wall = SphereOnPlane("wall", ball.at(0, 0, 0), radius, far, -X)
+    friction = Parameter("friction_coefficient", "1", 0.580968)
+    return Scene(
+        Mechanism("ball_beside_wall", (Planar("flight", GROUND, ball, normal=Z),), (floor, wall)),
+        effects=(
+            _GRAVITY,
+            Contact(
+                "floor",
+                power(Parameter("stiffness", "N/m", 36263.5), 1),
+                hunt_crossley(Parameter("restitution", "1", 0.743093)),
+            ),
+            Friction("rub", "floor", coulomb(friction, friction)),
+            Contact("wall", power(Parameter("wall_stiffness", "N/m^1.5", 1e7), 1.5)),
+            EnergyLedger(),
+        ),
+        start=Start(
+            position={"flight.y": radius + Parameter("drop", "m", 0.0885309)},
+            speed={
+                "flight.x": Parameter("approach", "m/s", -0.930101),
+                "flight.angle": Parameter("spin", "rad/s", -29.8337),
+            },
+        ),
+        scales=Scales(length=radius, speed=_PACE, arm=radius),
+        summary="a ball that slips before it lifts off, beside a wall out of reach",
+    )
+
+
+LATE_SLIPS: dict[str, Callable[[], Scene]] = {scene.__name__: scene for scene in (ball_on_diagonal, ball_beside_wall)}
