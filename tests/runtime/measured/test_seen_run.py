@@ -84,3 +84,9 @@ def test_a_start_is_forgotten_after_the_settling_time():
 def test_a_run_of_too_many_cells_is_refused(ball):
     with pytest.raises(InputError, match="shorter run"):
         SeenRun(ball, [NAME], Instrument(1e6), 1.0)
+
+
+def test_a_causal_filter_has_seen_the_first_value_for_ever():
+    """A constant passes it unchanged from the first sample on."""
+    constant = np.full((50, 1), 3.0)
+    assert Instrument(20.0, order=3).filtered(constant, 1e-3) == pytest.approx(constant, rel=1e-12)
