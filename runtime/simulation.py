@@ -28,7 +28,7 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.run.accurate import run_to_accuracy, verdict_of
 from hertzwerk.runtime.run.continuation import parameters_of, resumable
 from hertzwerk.runtime.run.output_times import Output
-from hertzwerk.runtime.run.request import METHOD, Compiled, Settings, read, steps_faults
+from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, Request, Settings, read, steps_faults
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
 from hertzwerk.runtime.run.warnings import (
     floored,
@@ -64,7 +64,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.sensitivity.lyapunov import Lyapunov
     from hertzwerk.runtime.sensitivity.sensitivities import Derivative, Sensitivities
 
-ACCURACY = 1e-6  # where none is asked for
+ACCURACY = Request(1e-6)  # where none is requested
 REPEATABLE = 100_000  # most steps of a run that is made again for a picture
 
 
@@ -72,7 +72,7 @@ def simulate(
     model: plain.Model,
     *,
     duration: str | float | None = None,
-    accuracy: float | None = None,
+    accuracy: Accuracy | None = None,
     tolerance: float | None = None,
     method: str = METHOD,
     parameters: Mapping[str, Value] | None = None,
@@ -88,9 +88,10 @@ def simulate(
 ) -> Solution:
     """Run a model from its start for a duration (seconds, or text such as "24 ms", "2 rev").
 
-    accuracy    the error asked for at the end, in the scene's scales, 1e-12..1e-1, by default 1e-6: runs at falling tolerance are made until the
-                error of one, by comparison with a tighter one, is known to be so small. `Solution.error` says what it is; where it is more
-                than was asked for, the outcome is "accuracy_unreachable", or "beyond_horizon"; where it is not known, "accuracy_unknown"
+    accuracy    largest error of the whole run, in the scene's scales, 1e-12..1e-1, by default 1e-6, or "1e-6 at the end" of its end alone: runs at
+                falling tolerance are made until the error of one, by comparison with a tighter one, is known to be so small. `Solution.error`
+                has it; where it exceeds the request, the outcome is "accuracy_unreachable" or "beyond_horizon", where it is not known,
+                "accuracy_unknown"
     tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
     method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
@@ -173,7 +174,7 @@ def solving(
         given = replace(given, begin=begin, q=state[: model.nq], u=state[model.nq :], latches=0 * given.latches)
     # 4. run
     run = set_up(model, settings, given, needs=needs, began=began)
-    tolerance, asked = settings.tolerance, settings.accuracy or ACCURACY
+    tolerance, asked = settings.tolerance, settings.request or ACCURACY
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     yield
@@ -197,7 +198,7 @@ def _solution_of(
     trace: Trace,
     scales: Scales,
     build_s: float,
-    asked: float | None = None,
+    asked: Request | None = None,
     ladder_result: LadderResult[Trace] | None = None,
 ) -> Solution:
     """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
@@ -210,7 +211,10 @@ def _solution_of(
         result, found = verdict_of(run, ladder_result, asked, result)
     if trace.ending.status == FINISHED and trace.balance is not None:
         result = (
-            not_closed(trace.balance.unclosed, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
+            not_closed(
+                trace.balance.unclosed, asked.error if asked else trace.tolerance, trace.tolerance, counted["steps"]
+            )
+            or result
         )
     return Solution(
         history=trace.kept.history,
@@ -218,7 +222,7 @@ def _solution_of(
         findings=trace.findings,
         outcome=result,
         duration=run.given.seconds,
-        accuracy=asked,
+        accuracy=asked and asked.error,
         tolerance=trace.tolerance,
         method=run.method,
         compiled=trace.compiled,

@@ -1,16 +1,17 @@
-"""End error of a run, estimated by runs at falling tolerance, and the tolerance that meets a request.
+"""Error of a run, estimated by runs at falling tolerance, and the tolerance that meets a request.
 
-A run's error is its difference to a run at a CHECK times smaller tolerance, and a little more for that run's own. It
-cannot be had for less, from looser runs: the end error is the sum of a few local errors, each amplified by the
-motion, and now and then they nearly cancel. Errors are proportional to the tolerance only on average, and of two
-draws from one normal distribution the ratio is Cauchy distributed, within a factor of 10 in 87 % of cases. Measured
-over the built-in scenes, a looser run's error scaled down is within 10 of the truth in 92 %, the difference to a
-tighter run in 99 % (CHECK = 10 or 5) or 97 % (3). See tests/benchmarks/honesty.py.
+The request holds for the whole run, or for its end alone. A run's error is its difference to a run at a CHECK times
+smaller tolerance, and a little more for that run's own. It cannot be had for less, from looser runs: an error is the sum
+of a few local errors, each amplified by the motion, and now and then they nearly cancel. Errors are proportional to the
+tolerance only on average, and of two draws from one normal distribution the ratio is Cauchy distributed, within a factor
+of 10 in 87 % of cases. Measured over the built-in scenes, a looser run's error scaled down is within 10 of the truth in
+92 %, the difference to a tighter run in 99 % (CHECK = 10 or 5) or 97 % (3). See tests/benchmarks/honesty.py.
 
 That difference is too small where both errors have one sign, by a factor of 1.5 often enough that of 11,791 requests
 met, of all built-in scenes by four methods, 92 were missed, by up to 1.38. A third run tells: it is made where the
 error is within DOUBTED of the request, one request in seven. Two of these misses are left, by 2 %, for 7 % of all
-steps. Where all three runs err alike, nothing tells.
+steps. Where all three runs err alike, nothing shows it. Two runs that take the same steps err alike: where no error holds
+steps down but the limit on their growth, any two would. So each run that checks another begins with a shorter step.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ import numpy as np
 
 CHECK = 5.0  # tolerance of a run over that of the run that checks it
 LEAST, LOOSEST = 1e-13, 1e-4  # tolerances of a run that is kept; looser ones chatter at contact
-POINTS = 201  # of the grid on which runs are compared
+POINTS = 50  # equally spaced, at which runs are compared, beside steps of their own
 VALID = 0.01  # of the scales: largest error of a valid trajectory
 CARRIED = (10.0, 1000.0)  # limits of the ratio of end error to tolerance assumed for the first run
 MARGIN = 6.0  # ratio of the request to the error the next run aims at: errors scatter, 90 % of such runs meet it
@@ -33,7 +34,8 @@ DOUBTED = 2.5  # ratio of the request to the error below which a third run confi
 SCATTERED = 2.0  # ratio of a third run's error to what is expected of it, as errors scatter, that is allowed for
 HALVED = 4.0  # spacing of doubles over the mean rounding error
 IN_VAIN = 10.0  # times the request: error expected at the least tolerance above which the search ends (errors scatter)
-STUCK = 100.0  # if the tolerance fell by this factor and the error by less than 2, rounding dominates
+STUCK = 100.0  # factor by which the tolerance fell, from which on an error that fell by less than its power FALLS no longer falls
+FALLS = 1 / 3
 SLACK = 3.0  # factor by which a tighter run may get farther than the fitted growth says (errors grow intermittently)
 PER_STEP = 4.0  # rounding error of a step, in roundings of the state; the motion amplifies it as it does the tolerance
 # where rounding dominates two runs may agree by chance: their error may exceed their difference by this factor
@@ -45,23 +47,27 @@ MORE_ROUNDED = 2.0  # the same where rounding dominates
 DETECTABLE = 1e-3  # of the tolerance: smaller differences of two runs are rounding
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ErrorEstimate:
     """Error of a run in the scene's scales (`scales.error`), by comparison with tighter runs.
 
-    end           error at the end of the run, never below 1e-13; nan where no tighter run got there
+    worst         largest error along the run, never below 1e-13, at the time `when` [s]; nan where no tighter run reached the end
+    end           error at the end of the run, as `worst`
+    at_end        whether the end alone was to meet the request
     times, values (n,)   error along the run, times [s], as far as both runs got
-    horizon       time [s] up to which the error stays within 1 % of the scales; None: the whole run. A single time of `times` above is ignored:
-                  there one run has had an impact that the other is about to have.
+    parts         largest difference of each coordinate, speed and normal force along the run, but for the shift in time, in SI
+    horizon       time [s] up to which the error stays within 1 % of the scales; None: the whole run. A single time of `times` above is ignored
     growth        rate [1/s] of the error up to the horizon: the slope of its logarithm
     decade_cost   factor of evaluations for a tolerance, and so on average an error, ten times smaller
-    floor         least error at the end that was found, or is expected, at any tolerance, where none seems to meet the request
+    floor         least error that was found, or is expected, at any tolerance, where none seems to meet the request
     runs          runs made, this one included; pilot_s the time [s] that the others took
     """
 
     end: float
+    at_end: bool
     times: np.ndarray
     values: np.ndarray
+    parts: Mapping[str, float]
     horizon: float | None
     growth: float | None
     decade_cost: float | None
@@ -70,24 +76,58 @@ class ErrorEstimate:
     pilot_s: float
 
     @property
+    def worst(self) -> float:
+        """Largest error along the run; nan where it is not known to the end."""
+        return max(float(np.max(self.values)), self.end) if self.known else math.nan
+
+    @property
+    def when(self) -> float:
+        """Time [s] of the largest error that is known."""
+        return float(self.times[np.argmax(self.values)])
+
+    @property
+    def judged(self) -> float:
+        """Error that the request is for: the largest, or that at the end."""
+        return self.end if self.at_end else self.worst
+
+    @property
     def known(self) -> bool:
-        """Return whether the error at the end is known."""
+        """Return whether the error is known up to the end."""
         return math.isfinite(self.end)
+
+    def of(self, history: str) -> float:
+        """Return the largest error of a coordinate, a speed or a normal force along the run, in SI.
+
+        A shift in time, as of an impact that is a nanosecond late, is not in it. Raises KeyError for another name.
+        """
+        if history not in self.parts:
+            raise KeyError(f"no error of {history!r} is known; there are those of {', '.join(self.parts)}")
+        return self.parts[history]
 
     @property
     def numbers(self) -> dict[str, Any]:
         """All fields as lists and plain numbers."""
-        return {**vars(self), "times": self.times.tolist(), "values": self.values.tolist()}
+        return {
+            **vars(self),
+            "times": self.times.tolist(),
+            "values": self.values.tolist(),
+            "parts": dict(self.parts),
+        }
 
     @classmethod
-    def of(cls, numbers: Mapping[str, Any]) -> ErrorEstimate:
+    def from_numbers(cls, numbers: Mapping[str, Any]) -> ErrorEstimate:
         """Restore an estimate from `numbers`."""
         return cls(**{**numbers, "times": np.array(numbers["times"]), "values": np.array(numbers["values"])})
 
     def __str__(self) -> str:
         if not self.known:
             return f"not known from t = {self.times[-1]:.4g} s on"
-        return brief(self.end)
+        if self.worst <= LEAST:
+            return f"below {brief(LEAST)}"
+        return f"{brief(self.worst)} at t = {self.when:.4g} s, {brief(self.end)} at the end"
+
+    def __repr__(self) -> str:
+        return f"<ErrorEstimate {self}>"
 
 
 def brief(error: float, digits: int = 1) -> str:
@@ -117,10 +157,14 @@ Kept = TypeVar("Kept")
 
 @dataclass(frozen=True)
 class Rung(Generic[Kept]):
-    """One run of the ladder: tolerance, end, states (n, ny) at the first grid times, cost, kept data."""
+    """One run of the ladder: tolerance, end, states (n, ny) at times (n,) [s], cost, kept data.
+
+    The times are its own, as far as it got, or the first of those of the run that it checks.
+    """
 
     tolerance: float
     end: End
+    times: np.ndarray
     states: np.ndarray
     steps: int
     evaluations: int
@@ -165,58 +209,76 @@ def first_tolerance(asked: float, seconds: float, length: float, speed: float) -
 
 @dataclass(frozen=True)
 class _Checked(Generic[Kept]):
-    """A run and its error (n,) along the grid, as far as the comparison runs got.
+    """A run and its differences (n, m) along its times, as far as the comparison runs got.
 
-    last: tighter runs fail.
+    The first column is its error. last: tighter runs fail.
     """
 
     run: Rung[Kept]
-    values: np.ndarray
+    found: np.ndarray
     whole: bool
     last: bool
 
     @property
-    def end(self) -> float:
+    def values(self) -> np.ndarray:
+        """Error along the run (n,)."""
+        return self.found[:, 0]
+
+    @property
+    def times(self) -> np.ndarray:
+        """Times [s] of the values (n,)."""
+        return self.run.times[: len(self.found)]
+
+    def error(self, *, at_end: bool) -> float:
+        """Return the error that a request is for; nan where it is not known."""
         # at rest runs agree to more digits than are true
-        return max(float(self.values[-1]), LEAST) if self.whole else math.nan
+        size = float(self.values[-1] if at_end else np.max(self.values))
+        return max(size, LEAST) if self.whole else math.nan
 
 
 class Ladder(Generic[Kept]):
     """Search by runs at falling tolerance until one meets a requested error.
 
-    run       makes a run, given its tolerance, whether it may be returned (otherwise only its states on the grid are needed), and the number of
-              steps after which it is given up as failed
-    differ    error (n,) of states (n, ny) against others
+    run       makes a run, given its tolerance, None or the run that it checks and how many check that already, and the number of steps
+              after which it is given up as failed
+    differ    differences (n, m) of the first n states of a run from those of another that checks it, the first column their error
     rounding  one rounding of states (n, ny), as an error
-    times     (m,) of the grid [s], from the start to the end
-    asked     requested error at the end
+    end       of the run [s]
+    asked     requested error
+    at_end    whether it is requested at the end alone
+    names     of the other columns
     """
 
     def __init__(
         self,
-        run: Callable[[float, bool, float], Rung[Kept]],
-        differ: Callable[[np.ndarray, np.ndarray], np.ndarray],
+        run: Callable[[float, tuple[Rung[Kept], int] | None, float], Rung[Kept]],
+        differ: Callable[[Rung[Kept], Rung[Kept], int], np.ndarray],
         rounding: Callable[[np.ndarray], float],
-        times: np.ndarray,
+        end: float,
         asked: float,
+        *,
+        at_end: bool = False,
+        names: Sequence[str] = (),
     ) -> None:
-        self._run, self._differ, self._rounding, self._times, self._asked = run, differ, rounding, times, asked
+        self._run, self._differ, self._rounding, self._end, self._asked = run, differ, rounding, end, asked
+        self._at_end, self._names = at_end, names
         self._costs: list[tuple[float, int]] = []  # tolerances and evaluations of the runs that reached the end
         self._runs, self._wall_s = 0, 0.0
-        self._found: list[tuple[float, float]] = []  # tolerances and errors at the end
-        self._foreseen = math.inf  # error at the end expected of the least tolerance, where it is not tried
+        self._found: list[tuple[float, float]] = []  # tolerances and errors
+        self._foreseen = math.inf  # error expected of the least tolerance, where it is not tried
         self._least = LEAST  # tolerance that is worth a run: by so much the start is off already, as it is rounded
 
     def search(self, tolerance: float) -> LadderResult[Kept]:
         """Search from an initial tolerance."""
         best: _Checked[Kept] | None = None
         while True:
-            run = self._make(tolerance, keep=True)
+            run = self._make(tolerance)
             if run.end is End.FAILED:
-                failed, run = run, self._make(run.tolerance / CHECK, keep=True)
+                failed, run = run, self._make(run.tolerance / CHECK)
                 if run.end is End.FAILED:  # not for its tolerance, then
-                    farther, other = (run, failed) if len(run.states) >= len(failed.states) else (failed, run)
-                    return self._result(best or self._checked(farther, other), Verdict.UNKNOWN, run)
+                    farther = run if len(run.states) >= len(failed.states) else failed
+                    check = self._make(farther.tolerance / CHECK, (farther, 0))
+                    return self._result(best or self._checked(farther, check), Verdict.UNKNOWN, run)
             if run.end is End.STOPPED:
                 return (
                     LadderResult(run, None, Verdict.STOPPED)
@@ -226,22 +288,29 @@ class Ladder(Generic[Kept]):
             self._least = max(LEAST, self._rounding(run.states[:1]) / HALVED)
             comparisons = self._comparison_runs(run)
             checked = self._checked(run, *comparisons)
-            if self._asked / DOUBTED < checked.end <= self._asked and self._tells(comparisons, run):
-                comparisons.append(self._make(comparisons[-1].tolerance / CHECK, most=MORE * run.steps))
+            error = self._error(checked)
+            if self._asked / DOUBTED < error <= self._asked and self._tells(comparisons, run):
+                comparisons.append(
+                    self._make(comparisons[-1].tolerance / CHECK, (run, len(comparisons)), most=MORE * run.steps)
+                )
                 if comparisons[-1].end is not End.FAILED:
                     checked = self._confirmed(run, *comparisons)
-            if not math.isfinite(checked.end):
+                    error = self._error(checked)
+            if not math.isfinite(error):
                 verdict = Verdict.STOPPED if comparisons[-1].end is End.STOPPED else Verdict.UNKNOWN
                 return self._result(best or checked, verdict, comparisons[-1])
-            self._found.append((run.tolerance, checked.end))
-            if best is None or checked.end < best.end or best.end > VALID:  # above VALID its size is chance
+            self._found.append((run.tolerance, error))
+            if best is None or error < self._error(best) or self._error(best) > VALID:  # above VALID its size is chance
                 best = checked
             found = self._verdict(checked)
-            if found is Verdict.BEYOND and best.end <= VALID:  # chance: the best run stays valid to its end
+            if found is Verdict.BEYOND and self._error(best) <= VALID:  # chance: the best run stays valid to its end
                 found = Verdict.UNREACHABLE
             if found is not None:
                 return self._result(best, found)
-            tolerance = max(run.tolerance * self._asked / (MARGIN * checked.end), self._least)
+            tolerance = max(run.tolerance * self._asked / (MARGIN * error), self._least)
+
+    def _error(self, checked: _Checked[Kept]) -> float:
+        return checked.error(at_end=self._at_end)
 
     def _comparison_runs(self, run: Rung[Kept]) -> list[Rung[Kept]]:
         """Make the runs that estimate the error of one: a tighter one, or one of nearly the same tolerance.
@@ -251,19 +320,21 @@ class Ladder(Generic[Kept]):
         """
         rounded = self._rounding_factor(run) > ROUNDED
         check = run
-        for _ in range(1 if rounded else 2):
-            check = self._make(check.tolerance / CHECK, most=(MORE_ROUNDED if rounded else MORE) * run.steps)
+        for i in range(1 if rounded else 2):
+            check = self._make(check.tolerance / CHECK, (run, i), most=(MORE_ROUNDED if rounded else MORE) * run.steps)
             if check.end is not End.FAILED:
                 break
         if check.end is End.STOPPED or (check.end is End.REACHED and not rounded):
             return [check]
-        near = self._make(run.tolerance * NEAR)
+        near = self._make(run.tolerance * NEAR, (run, 1))
         if near.end is not End.REACHED:
             return [check]
         return [check, near] if check.end is End.REACHED else [near]
 
-    def _make(self, tolerance: float, *, keep: bool = False, most: float = math.inf) -> Rung[Kept]:
-        run = self._run(tolerance, keep, most)
+    def _make(
+        self, tolerance: float, checks: tuple[Rung[Kept], int] | None = None, most: float = math.inf
+    ) -> Rung[Kept]:
+        run = self._run(tolerance, checks, most)
         self._runs, self._wall_s = self._runs + 1, self._wall_s + run.wall_s
         if run.end is End.REACHED and run.evaluations:  # SUNDIALS' are not counted
             self._costs.append((tolerance, run.evaluations))
@@ -271,13 +342,13 @@ class Ladder(Generic[Kept]):
 
     def _checked(self, run: Rung[Kept], *others: Rung[Kept]) -> _Checked[Kept]:
         n = min(len(each.states) for each in (run, *others))
-        values = np.zeros(n)
+        found = np.zeros((n, 1))
         for other in others:
             part = abs(1 - other.tolerance / run.tolerance)  # of the error that shows, if errors are as tolerances
             unseen = self._rounding_factor(run) if other.tolerance < run.tolerance else 1.0
-            values = np.maximum(values, self._differ(run.states[:n], other.states[:n]) / part * unseen)
+            found = np.maximum(found, self._differ(run, other, n) / part * unseen)
         whole = all(each.end is End.REACHED for each in (run, *others))
-        return _Checked(run, values, whole, whole and all(other.tolerance > run.tolerance for other in others))
+        return _Checked(run, found, whole, whole and all(other.tolerance > run.tolerance for other in others))
 
     def _tells(self, comparisons: Sequence[Rung[Kept]], run: Rung[Kept]) -> bool:
         """Return whether a run tighter than the one comparison run would tell more of the error than rounding."""
@@ -290,9 +361,9 @@ class Ladder(Generic[Kept]):
         The latter is taken from the comparison run's, as errors are proportional to tolerances, but for their scatter.
         """
         n = min(len(each.states) for each in (run, check, third))
-        of_run, of_check = (self._differ(each.states[:n], third.states[:n]) for each in (run, check))
-        values = (of_run + SCATTERED * of_check / (CHECK - 1)) * self._rounding_factor(run)
-        return _Checked(run, values, third.end is End.REACHED, last=False)
+        of_run, of_check = (self._differ(each, third, n) for each in (run, check))
+        found = (of_run + SCATTERED * of_check / (CHECK - 1)) * self._rounding_factor(run)
+        return _Checked(run, found, third.end is End.REACHED, last=False)
 
     def _rounding_factor(self, run: Rung[Kept]) -> float:
         """Return the factor by which rounding may hide error from a comparison with a tighter run.
@@ -304,14 +375,17 @@ class Ladder(Generic[Kept]):
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
         """Return the outcome of the request; None where a smaller tolerance may meet it."""
-        tolerance, error, least = checked.run.tolerance, checked.end, self._least
+        tolerance, error, least = checked.run.tolerance, self._error(checked), self._least
         if error <= self._asked:
             return Verdict.MET
-        times = self._times[: len(checked.values)]
+        times = checked.times
         valid = horizon(times, checked.values)
         foreseen = error * least / tolerance
         lost = valid is not None and error > VALID  # its size then says nothing about smaller tolerances
-        stuck = any(before >= STUCK * tolerance and error > found / 2 for before, found in self._found)
+        stuck = any(
+            before >= STUCK * tolerance and error > found * (tolerance / before) ** FALLS
+            for before, found in self._found
+        )
         if stuck or tolerance <= least or (checked.last and self._rounding_factor(checked.run) > ROUNDED):
             return Verdict.BEYOND if lost else Verdict.UNREACHABLE
         if valid is None or not lost:
@@ -321,19 +395,21 @@ class Ladder(Generic[Kept]):
             return Verdict.UNREACHABLE
         rate = growth(times, checked.values, tolerance)
         farther = math.inf if rate is None or rate <= 0 else math.log(tolerance / least) / rate
-        in_vain = foreseen > self._asked or valid + SLACK * farther < self._times[-1]
+        in_vain = foreseen > self._asked or valid + SLACK * farther < self._end
         return Verdict.BEYOND if in_vain else None
 
     def _result(
         self, checked: _Checked[Kept], verdict: Verdict, incomplete: Rung[Kept] | None = None
     ) -> LadderResult[Kept]:
-        times = self._times[: len(checked.values)]
+        times = checked.times
         in_vain = verdict is Verdict.UNREACHABLE or (verdict is Verdict.UNKNOWN and self._found)
         reached = min((found for _, found in self._found), default=math.inf)
         error = ErrorEstimate(
-            end=checked.end,
+            end=checked.error(at_end=True),
+            at_end=self._at_end,
             times=times,
             values=checked.values,
+            parts=dict(zip(self._names, checked.found[:, 1:].max(axis=0).tolist(), strict=True)),
             horizon=horizon(times, checked.values),
             growth=growth(times, checked.values, checked.run.tolerance),
             decade_cost=decade_cost(self._costs),

@@ -53,7 +53,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
         ],
         "final": solution.final,
         "energy_residual": solution.energy_residual,
-        "error_estimate": error and error.end,
+        "error_estimate": error and error.judged,
         "horizon": error and error.horizon,
         "growth": error and error.growth,
         "decade_cost": error and error.decade_cost,

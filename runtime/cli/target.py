@@ -63,7 +63,7 @@ VARIATION = together(SET, INPUT, WITHOUT, LAW, COORDINATES)
 ACCURACY = click.option(
     "--accuracy",
     metavar="NUMBER",
-    help="Error asked for at the end, in the scene's scales, 1e-12..1e-1 (default: the scenario's).",
+    help="Largest error of the whole run in the scene's scales, 1e-12..1e-1, or '1e-6 at the end' (default: the scenario's).",
 )
 MAX_STEPS = click.option("--max-steps", metavar="NUMBER", help="Stop each run after so many accepted steps.")
 WALL_TIME = click.option(

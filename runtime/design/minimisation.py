@@ -29,7 +29,7 @@ from hertzwerk.runtime.model.binding import Value, named_values, read_state, who
 from hertzwerk.runtime.model.free_quantities import Free, Freed, read_free, read_quantity
 from hertzwerk.runtime.model.ranges import starts_in
 from hertzwerk.runtime.model.si_values import si_of, si_units
-from hertzwerk.runtime.run.request import METHOD, Compiled, duration_follows
+from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import REACHED_END, Outcome
@@ -58,7 +58,7 @@ def minimise(
     values: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
     duration: str | float | None = None,
-    accuracy: float | None = None,
+    accuracy: Accuracy | None = None,
     tolerance: float | None = None,
     method: str = METHOD,
     compiled: Compiled = "auto",

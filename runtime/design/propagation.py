@@ -25,7 +25,7 @@ from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.free_quantities import quantities
-from hertzwerk.runtime.run.request import METHOD, Compiled, duration_follows
+from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import REACHED_END
@@ -59,7 +59,7 @@ def propagate(
     inputs: Mapping[str, Input] | None = None,
     functions: Mapping[str, Callable[[Solution], float]] | None = None,
     duration: str | float | None = None,
-    accuracy: float | None = None,
+    accuracy: Accuracy | None = None,
     tolerance: float | None = None,
     method: str = METHOD,
     compiled: Compiled = "auto",

@@ -100,7 +100,7 @@ def _facts(run: Solution) -> Markup:
         "impacts": number_text(len(run.impacts)),
         "steps": number_text(statistics.steps),
         "method, local tolerance": f"{run.method}, {brief(run.tolerance, 2)}",
-        "error at the end": "not estimated" if error is None else str(error),
+        "error of the run": "not estimated" if error is None else str(error),
         "trajectory valid": "not known" if error is None else _horizon(run),
         "energy closed to": "no ledger" if run.energy_residual is None else brief(run.energy_residual, 2),
         "computed in": _quantity(statistics.wall_s, "s"),
@@ -142,8 +142,8 @@ def _accuracy(run: Solution) -> Section:
         told.append(f"One run at the local tolerance {brief(run.tolerance, 2)}; its error was not estimated.")
     else:
         told.append(
-            f"Asked for an error of {brief(run.accuracy, 3)} at the end, in the scene's scales; it is {error}, known from "
-            f"{error.runs} runs, which took {_quantity(error.pilot_s, 's')} more."
+            f"Requested: an error of at most {brief(run.accuracy, 3)}{' at the end' if error.at_end else ''}, in the scene's scales; it is "
+            f"{error}, known from {error.runs} runs, which took {_quantity(error.pilot_s, 's')} more."
         )
         if error.horizon is None:
             told.append(f"The trajectory is valid throughout: its error stays below {VALID:.0%} of the scales.")

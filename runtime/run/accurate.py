@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import (
-    POINTS,
     End,
     Ladder,
     LadderResult,
@@ -19,11 +18,14 @@ from hertzwerk.runtime.accuracy.ladder import (
 )
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.step.layout import FINISHED, TOO_MANY_STEPS
-from hertzwerk.runtime.run.single_run import SingleRun, Trace
+from hertzwerk.runtime.run.difference import compared_histories, differences
+from hertzwerk.runtime.run.request import Request
+from hertzwerk.runtime.run.single_run import Check, SingleRun, Trace
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.outcome import Outcome, too_long, unknown, unreachable
 from hertzwerk.runtime.solution.scales import Scales
 
+SHORTER = 0.577  # of a first step: that of a run that checks another; between steps that grow threefold, as far from either as can be
 MOST_STEPS = "the most steps of a run that checks another"
 STOPS = (INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, TOO_MANY_STEPS)  # statuses that end the search
 
@@ -32,32 +34,44 @@ def run_to_accuracy(
     run: SingleRun,
     scales: Scales,
     times: np.ndarray | None,
-    asked: float,
+    asked: Request,
     progress: Callable[[float], object] | None,
 ) -> LadderResult[Trace]:
     """Run at falling tolerance until the requested error is met."""
     model, seconds, limits = run.model, run.given.seconds, run.limits
-    grid = np.linspace(0.0, seconds, POINTS)
     made: list[Trace] = []
 
-    def one(tolerance: float, keep: bool, most: float) -> Rung[Trace]:
+    def one(tolerance: float, checks: tuple[Rung[Trace], int] | None, most: float) -> Rung[Trace]:
         given_up = most < limits.max_steps
         own = replace(limits, max_steps=most, whose=MOST_STEPS) if given_up else limits
         shown = None if progress is None else _part(progress, len(made))
-        trace = replace(run, limits=own).trace(tolerance, scales, times, progress=shown, further=grid, alone=not keep)
+        limited = replace(run, limits=own)
+        if checks is None:
+            trace = limited.trace(tolerance, scales, times, progress=shown, compared=True)
+        else:
+            check = Check(checks[0].times, SHORTER ** (1 + checks[1]))
+            trace = limited.trace(tolerance, scales, times, progress=shown, checks=check)
         made.append(trace)
         status = trace.ending.status
         given_up = given_up and status == TOO_MANY_STEPS
         end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
-        states = trace.further.history.part("y")
-        counted = trace.counted
-        return Rung(tolerance, end, states, counted["steps"], counted["evaluations"], trace.ending.wall_s, trace)
+        history, counted = trace.compared.history, trace.counted
+        y = history.part("y")
+        return Rung(tolerance, end, history.t, y, counted["steps"], counted["evaluations"], trace.ending.wall_s, trace)
 
-    def differ(y: np.ndarray, reference: np.ndarray) -> np.ndarray:
-        return scaling.error(model, scales, y, reference)
+    def differ(one: Rung[Trace], other: Rung[Trace], n: int) -> np.ndarray:
+        return differences(model, scales, one.kept, other.kept, n)
 
-    ladder = Ladder(one, differ, lambda y: scaling.rounding(model, scales, y), grid, asked)
-    return ladder.search(first_tolerance(asked, seconds, *scales.scene[:2]))
+    ladder = Ladder(
+        one,
+        differ,
+        lambda y: scaling.rounding(model, scales, y),
+        seconds,
+        asked.error,
+        at_end=asked.at_end,
+        names=compared_histories(model),
+    )
+    return ladder.search(first_tolerance(asked.error, seconds, *scales.scene[:2]))
 
 
 def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
@@ -66,7 +80,7 @@ def _part(progress: Callable[[float], object], before: int) -> Callable[[float],
 
 
 def verdict_of(
-    run: SingleRun, ladder_result: LadderResult[Trace], asked: float, result: Outcome
+    run: SingleRun, ladder_result: LadderResult[Trace], asked: Request, result: Outcome
 ) -> tuple[Outcome, tuple[str, ...]]:
     """Return outcome and warnings of a run for an accuracy; a missed or unknown one is not `finished`."""
     error, verdict = ladder_result.error, ladder_result.verdict
@@ -77,9 +91,11 @@ def verdict_of(
         result = Outcome(other.name, message, other.remedy)
     elif result.finished and error is not None and verdict is not Verdict.MET:
         if verdict is Verdict.BEYOND:
-            return too_long(asked, error), ()
+            return too_long(asked.error, error), ()
         if error.floor is not None:
-            result = unreachable(asked, error.floor, run.method, other, foreseen=ladder_result.foreseen)
+            end = None if asked.at_end else error.end
+            foreseen = ladder_result.foreseen
+            result = unreachable(asked.error, error.floor, run.method, other, foreseen=foreseen, end=end)
         elif other is not None:
-            result = unknown(asked, other)
+            result = unknown(asked.error, other)
     return result, (beyond_horizon(error),) if lost and error is not None else ()

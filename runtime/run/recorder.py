@@ -124,3 +124,46 @@ class Grid:
     def ends(self) -> History:
         """Histories whose first and last row are those of the run."""
         return self._last.of(np.concatenate([self._first, self._last.rows]))
+
+
+class Sampled:
+    """Observer that keeps the states at which a run is compared with others.
+
+    That is at its start and end, at `count` times between, and in the middle of its own steps, which lie close where much
+    happens: of every one, or every second, fourth, ... where they are more than MOST. At an end of a step an event may
+    change a state at once, and another run may have it a rounding later.
+    """
+
+    MOST = 200
+
+    def __init__(self, begin: float, end: float, count: int) -> None:
+        between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
+            end - begin
+        )  # no event of a period meets them
+        self._grid = Grid(np.concatenate([[begin], between, [end]]))
+        self._kept: list[np.ndarray] = []
+        self._count, self._stride, self._seen = 0, 1, 0
+
+    def take(self, block: History, fresh: int) -> None:
+        """Take the next accepted steps; see `Observer`."""
+        self._grid.take(block, fresh)
+        first = max(fresh - 1, 0)
+        begins = first + np.flatnonzero(np.diff(block.t[first:]) > 0)
+        number = self._seen + np.arange(len(begins))
+        self._seen += len(begins)
+        while self._count + np.count_nonzero(number % self._stride == 0) > self.MOST:
+            self._stride *= 2
+            self._kept = [np.concatenate(self._kept)[::2]] if self._kept else []
+            self._count = sum(map(len, self._kept))
+        begins = begins[number % self._stride == 0]
+        rows = block.between(begins, (block.t[begins + 1] - block.t[begins]) / 2).rows
+        self._kept.append(rows)
+        self._count += len(rows)
+
+    @cached_property
+    def history(self) -> History:
+        """Histories at the times that the run reached, once it has ended."""
+        grid = self._grid.history
+        rows = np.concatenate([*self._kept, grid.rows])
+        column = grid.columns("t").start
+        return grid.of(rows[np.unique(rows[:, column], return_index=True)[1]])

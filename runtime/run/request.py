@@ -32,6 +32,17 @@ METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is s
 REMEMBERED = 64  # inputs of a model kept as read
 
 Compiled: TypeAlias = bool | Literal["auto"]
+Accuracy: TypeAlias = float | str
+"""Largest error of a whole run, 1e-6, or of its end alone, "1e-6 at the end", in the scene's scales."""
+AT_END = " at the end"
+
+
+@dataclass(frozen=True)
+class Request:
+    """Accuracy as read: the largest error, and whether it is requested at the end alone."""
+
+    error: float
+    at_end: bool = False
 
 
 @dataclass(frozen=True)
@@ -52,7 +63,7 @@ class Settings:
     """Arguments of `simulate` but for parameters and start, as given by the user."""
 
     duration: str | float | None
-    accuracy: float | None
+    accuracy: Accuracy | None
     tolerance: float | None
     method: str = METHOD
     compiled: Compiled = "auto"
@@ -61,6 +72,11 @@ class Settings:
     max_events: int | None = None
     wall_time: float | None = None
     sensitivities: Sequence[str] = ()
+
+    @property
+    def request(self) -> Request | None:
+        """The accuracy as read; None where there is none, or no sound one."""
+        return None if self.accuracy is None else read_accuracy(self.accuracy)
 
     @property
     def limits(self) -> Limits:
@@ -101,15 +117,16 @@ class Settings:
     @cached_property
     def _faults(self) -> list[Fault]:
         faults: list[Fault] = []
-        for name, value, (low, high) in (
-            ("accuracy", self.accuracy, ACCURACIES),
-            ("tolerance", self.tolerance, TOLERANCES),
-        ):
-            if value is not None and not (_real(value) and low <= value <= high):
-                way_out = "it is measured in the scene's scales"
-                faults.append(Fault(name, shown(value), f"a number in {low:g}..{high:g}", way_out))
+        low, high = ACCURACIES
+        if self.accuracy is not None and (self.request is None or not low <= self.request.error <= high):
+            expected = f'a number in {low:g}..{high:g}, or "1e-6{AT_END}"'
+            faults.append(Fault("accuracy", shown(self.accuracy), expected, "it is measured in the scene's scales"))
+        low, high = TOLERANCES
+        if self.tolerance is not None and not (_real(self.tolerance) and low <= self.tolerance <= high):
+            way_out = "it is measured in the scene's scales"
+            faults.append(Fault("tolerance", shown(self.tolerance), f"a number in {low:g}..{high:g}", way_out))
         if self.accuracy is not None and self.tolerance is not None:
-            way_out = "accuracy bounds the error at the end of the run, tolerance the local error, without an estimate"
+            way_out = "accuracy bounds the error of the whole run, tolerance the local error, without an estimate"
             faults.append(
                 Fault("tolerance", f"{self.tolerance!r} and accuracy={self.accuracy!r}", "one of the two", way_out)
             )
@@ -123,6 +140,17 @@ class Settings:
         if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
             faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))
         return faults
+
+
+def read_accuracy(value: object) -> Request | None:
+    """Read an accuracy, a number or text such as "1e-6" or "1e-6 at the end"; None for anything else."""
+    if isinstance(value, str):
+        text = value.strip()
+        try:
+            return Request(float(text.removesuffix(AT_END)), text.endswith(AT_END))
+        except ValueError:
+            return None
+    return Request(float(value)) if _real(value) else None  # type: ignore[arg-type]  # a real number
 
 
 def steps_faults(what: str, method: str) -> list[Fault]:

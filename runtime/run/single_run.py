@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from hertzwerk.runtime.accuracy.ladder import LOOSEST
+from hertzwerk.runtime.accuracy.ladder import LOOSEST, POINTS
 from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume, TimeOverError, keep_to
 from hertzwerk.runtime.integrate.loop.tally import tally
@@ -19,7 +19,7 @@ from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANG
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
-from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Grid, Recorder, Steps
+from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Grid, Recorder, Sampled, Steps
 from hertzwerk.runtime.run.request import Given, Limits, Settings
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.energy_balance import Balance
@@ -32,6 +32,14 @@ APPROACH_FLOOR = 1e-3  # m/s, default for models with latches but without this p
 LEAST_STEPS = 10  # least steps of a run in contact: at rest, steps grow until a short push would go unnoticed
 CLOSE = 1e-3  # margin of a reaction that counts as none: nearer, its solution may not be found
 ROUGH = LOOSEST  # tolerance of a run that only determines scales
+
+
+@dataclass(frozen=True)
+class Check:
+    """How a run differs that checks another: times [s] at which the two are compared, and `shorter` (see `observe`)."""
+
+    times: np.ndarray
+    shorter: float
 
 
 @dataclass(frozen=True)
@@ -90,16 +98,19 @@ class SingleRun:
         times: np.ndarray | None,
         *,
         progress: Callable[[float], object] | None = None,
-        further: np.ndarray | None = None,
-        alone: bool = False,
+        compared: bool = False,
+        checks: Check | None = None,
     ) -> Trace:
         """Run and keep the states at some times [s], or every step, or the ends alone, with what is needed.
 
-        further: times [s] whose states are kept as well; alone: keep only these.
+        compared: states are kept as well at which other runs are to be compared; checks: keep only those that such a run
+        is compared at, and impacts.
         """
         needs, given = self.needs, self.given
-        if alone:
-            times = further
+        if checks is not None:
+            times, needs = checks.times, Needs.IMPACTS if self.model.k else Needs.ENDS
+        elif compared and self.model.k:
+            needs |= Needs.IMPACTS
         if times is not None and Needs.STEPS in needs:
             needs = EVERYTHING
         kept = Steps() if times is None and Needs.STEPS in needs else Grid(np.zeros(0) if times is None else times)
@@ -111,15 +122,15 @@ class SingleRun:
             period=given.period,
             begin=self.begin,
         )
-        other = kept if further is None or alone else Grid(further)
-        observers: list[Observer] = [kept] if alone else [kept, findings]
+        other = Sampled(self.begin, given.seconds, POINTS) if compared else kept
+        observers: list[Observer] = [kept, findings]
         if other is not kept:
             observers.append(other)
         block = None if isinstance(kept, Steps) else BLOCK
         if other is kept and needs is Needs.ENDS and times is None:
             block = ENDS
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
-        ending = self.observe(tolerance, scales, observers, block, progress)
+        ending = self.observe(tolerance, scales, observers, block, progress, 1.0 if checks is None else checks.shorter)
         compile_s, build_s = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         counted = {name: int(ending.last[row]) - self.initial_count(name) for name, row in self.engine.counters.items()}
         tallied = tally(self.model).layout.split(ending.tally)
@@ -132,7 +143,7 @@ class SingleRun:
             limits=self.limits,
             ending=ending,
             kept=kept,
-            further=other,
+            compared=other,
             findings=findings,
             counted=counted,
             tally=tallied,
@@ -167,10 +178,12 @@ class SingleRun:
         observers: Sequence[Observer],
         block: int | None = BLOCK,
         progress: Callable[[float], object] | None = None,
+        shorter: float = 1.0,
     ) -> Ending:
         """Run, passing the accepted steps to observers in blocks of so many bytes (see `Recorder`).
 
         block    None: all at once; ENDS: the first and the last state alone
+        shorter  part of its length that the first step has, and the longest in contact
         """
         integrator = self.engine.integrator
         layout = integrator.layouts.controls
@@ -182,7 +195,7 @@ class SingleRun:
             "speed_limits": self.given.speed_limits,
             "tolerance": tolerance,
             "t_end": self.given.seconds,
-            "h_max": self.given.seconds / LEAST_STEPS,
+            "h_max": shorter * self.given.seconds / LEAST_STEPS,
             "floor": self.floor,
             "max_events": self.limits.max_events + self.initial_count("events"),
             "max_steps": self.limits.max_steps + self.initial_count("steps"),
@@ -190,6 +203,8 @@ class SingleRun:
         for name, value in numbers.items():
             controls[layout[name]] = value
         state = self._initial_state(controls) if self.start is None else self.start.state.copy()
+        for name in ("h", "h_flight", "h_contact"):
+            state[integrator.layouts.state[name]] *= shorter
         loop = self.engine.march if self.provider is None else partial(self.engine.march, self.provider, integrator)
         if self.start is not None:
             loop = partial(loop, with_choice=self.start.with_choice)
@@ -261,7 +276,7 @@ class Trace:
     limits: Limits
     ending: Ending
     kept: Steps | Grid
-    further: Steps | Grid
+    compared: Steps | Grid | Sampled
     findings: Findings
     counted: Mapping[str, int]
     tally: Mapping[str, np.ndarray]  # by the names of its layout

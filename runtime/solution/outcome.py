@@ -108,21 +108,29 @@ _OUTCOMES = {
 
 
 def unreachable(
-    asked: float, floor: float, method: str, tighter: Outcome | None = None, *, foreseen: bool = False
+    asked: float,
+    floor: float,
+    method: str,
+    tighter: Outcome | None = None,
+    *,
+    foreseen: bool = False,
+    end: float | None = None,
 ) -> Outcome:
     """Return the outcome of a complete run whose requested error no tolerance meets.
 
-    tighter: outcome of a run with a smaller tolerance; foreseen: the floor is expected of a tolerance that was not tried.
+    tighter: outcome of a run with a smaller tolerance; foreseen: the floor is expected of a tolerance that was not tried;
+    end: the error at the end, where that of the whole run was requested.
     """
     better = of_accuracy(method)
     gives = "is expected to give" if foreseen else "gives"
     by, why = (f" of {method}", "") if better else ("", ": the motion amplifies what rounding leaves")
     if tighter is not None:
         why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
+    alone = f', or "{brief(asked, 3)} at the end", which this run meets' if end is not None and end <= asked else ""
     return Outcome(
         "accuracy_unreachable",
-        f"no tolerance{by} {gives} an error at the end below {brief(floor, 2)}, {brief(asked, 3)} was asked for{why}",
-        _first(better, f"ask for an accuracy above {brief(floor, 2)}, or simulate a shorter time"),
+        f"no tolerance{by} {gives} an error below {brief(floor, 2)}{' at the end' if end is None else ''}, {brief(asked, 3)} was requested{why}",
+        _first(better, f"request an accuracy above {brief(floor, 2)}{alone}, or simulate a shorter time"),
     )
 
 
@@ -141,7 +149,7 @@ def too_long(asked: float, error: ErrorEstimate) -> Outcome:
     known = horizon(error.times, error.values, asked)
     return Outcome(
         "beyond_horizon",
-        f"an error of {brief(asked, 3)} at the end is out of reach: {beyond_horizon(error)}",
+        f"an error of {brief(asked, 3)}{' at the end' if error.at_end else ''} is out of reach: {beyond_horizon(error)}",
         f"simulate no longer than {known:.4g} s, up to which this run is so accurate; for statistics take this run, or tolerance= in place of "
         "accuracy=",
     )

@@ -38,18 +38,63 @@ class Scales:
     state: np.ndarray
     scene: np.ndarray
 
+    @property
+    def pace(self) -> float:
+        """Speed over length [1/s], by which a shift in time counts."""
+        return float(self.scene[1] / self.scene[0])
+
     @cached_property
     def sound(self) -> bool:
         """Return whether every scale is a positive number."""
         return bool(_sound(self.state).all() and _sound(self.scene).all())
 
 
-def error(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """Return the error of a state as accuracy counts it: the largest scaled difference of q and u.
+def error(
+    model: Model,
+    scales: Scales,
+    y: np.ndarray,
+    reference: np.ndarray,
+    dy: np.ndarray | None = None,
+    reference_dy: np.ndarray | None = None,
+) -> np.ndarray:
+    """Return the error of a state as accuracy counts it: the largest scaled difference of q and u, but for a shift in time.
 
-    y, reference (..., ny) as recorded, or their first nq + nu entries; returns (...,). Memory (z) does not count.
+    y, reference (..., ny) as recorded, or their first nq + nu entries; dy, reference_dy (..., ny) their rates, without
+    which no shift is allowed for; returns (...,). Memory (z) does not count. See `distance`.
     """
-    return _largest(model.nq + model.nu, scales, y, reference)
+    n = model.nq + model.nu
+    apart = (y[..., :n] - reference[..., :n]) / scales.state[:n]
+    if dy is None or reference_dy is None:
+        found: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
+        return found
+    rates = (part[..., :n] / scales.state[:n] for part in (dy, reference_dy))
+    return np.minimum(*(distance(apart, rate, scales.pace)[0] for rate in rates))
+
+
+def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the distance of states from a motion, each (...,), and the shifts in time [s] that make it least.
+
+    With the scaled differences e = `apart` and the scaled rates f of the motion, both (..., n), it is
+
+        min over tau of max(pace |tau|, |e_1 - f_1 tau|, ..., |e_n - f_n tau|):
+
+    a state that the motion has a moment later is off by that moment, counted by `pace` [1/s], the scene's speed over its
+    length, and not by how far the motion gets in it, which is much in an impact. Each term is an interval of tau about
+    e_i/f_i, of radius d/|f_i|; all meet where any two do, so that d is the largest of |e_i f_j - e_j f_i| / (|f_i| + |f_j|),
+    with e_0 = 0, f_0 = pace.
+    """
+    sizes = np.abs(rates)
+    found = np.max(np.abs(apart) * pace / (sizes + pace), axis=-1, initial=0.0)
+    for i in range(apart.shape[-1]):
+        e, f, size = (part[..., i : i + 1] for part in (apart, rates, sizes))
+        both = np.maximum(size + sizes, np.finfo(float).tiny)
+        found = np.maximum(found, np.max(np.abs(e * rates - apart * f) / both, axis=-1, initial=0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        centres, radii = np.where(sizes > 0, apart / rates, 0.0), np.where(sizes > 0, found[..., None] / sizes, np.inf)
+    first = np.max(centres - radii, axis=-1, initial=-np.inf)
+    last = np.min(centres + radii, axis=-1, initial=np.inf)
+    reach = found / pace
+    return found, (np.maximum(first, -reach) + np.minimum(last, reach)) / 2
 
 
 def departure(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:

@@ -63,7 +63,7 @@ class Solution:
     findings: Findings = field(repr=False)
     outcome: Outcome
     duration: float
-    accuracy: float | None  # asked for at the end; None for a run at a tolerance
+    accuracy: float | None  # requested, see `error.at_end`; None for a run at a tolerance
     tolerance: float  # local, of this run
     method: str
     compiled: bool
@@ -287,7 +287,7 @@ class Solution:
             warnings=tuple(about["warnings"]),
             scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
             energy_residual=about["energy_residual"],
-            error=about["error"] and ErrorEstimate.of(about["error"]),
+            error=about["error"] and ErrorEstimate.from_numbers(about["error"]),
             checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
         )
 

@@ -166,7 +166,7 @@ def _cases(plan: Plan, sweeps: Sweeps, progress: Progress) -> Iterator[Case]:
 
 def _trajectory_table(trajectories: Sequence[Trajectory]) -> Table:
     columns = (
-        *(("law", ""), ("friction", ""), ("outcome", ""), ("horizon", "ms"), ("error at the end", ""), ("error growth", "1/s")),
+        *(("law", ""), ("friction", ""), ("outcome", ""), ("horizon", "ms"), ("largest error", ""), ("error growth", "1/s")),
         *(("impacts", ""), ("largest force", "kN"), ("position off ideal", "mm"), ("steps", "")),
     )  # fmt: skip
     title = f"Trajectories: {DRAWN_TURNS} revolutions, {DRAWN_SPEED:g} rpm, {DRAWN_CLEARANCE:g} mm; error in parts of the clearance"
@@ -175,7 +175,7 @@ def _trajectory_table(trajectories: Sequence[Trajectory]) -> Table:
 
 def _trajectory_cells(x: Trajectory) -> Iterator[Cell]:
     yield from (x.law, "yes" if x.friction else "no", x.run.outcome.name, x.horizon * 1e3)
-    yield from (None, None) if x.run.error is None else (x.run.error.end, x.run.error.growth)
+    yield from (None, None) if x.run.error is None else (x.run.error.worst, x.run.error.growth)
     yield from (len(x.run.impacts), max(impact.peak_force for impact in x.run.impacts) * 1e-3)
     ideal = x.curves.ideal
     yield None if ideal is None else float(np.max(np.abs(x.curves["guide.travel"] - ideal["guide.travel"]))) * 1e3

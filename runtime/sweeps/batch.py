@@ -15,7 +15,7 @@ from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.si_values import si_units
-from hertzwerk.runtime.run.request import METHOD, Compiled, Settings, read_duration
+from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, Settings, read_duration
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.processes import Processes
@@ -51,7 +51,7 @@ def simulate_many(
     parameter_sets: Iterable[Mapping[str, Value]],
     *,
     duration: str | float | None = None,
-    accuracy: float | None = None,
+    accuracy: Accuracy | None = None,
     tolerance: float | None = None,
     method: str = METHOD,
     inputs: Mapping[str, Input] | None = None,

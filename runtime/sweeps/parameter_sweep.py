@@ -32,6 +32,7 @@ from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.request import (
     METHOD,
+    Accuracy,
     Compiled,
     Settings,
     check,
@@ -82,7 +83,7 @@ def sweep(
     continued: str | None = None,
     functions: Mapping[str, Callable[[Solution], float]] | None = None,
     duration: str | float | None = None,
-    accuracy: float | None = None,
+    accuracy: Accuracy | None = None,
     tolerance: float | None = None,
     method: str = METHOD,
     compiled: Compiled = "auto",

@@ -242,7 +242,7 @@ def _final(name: str, state: str, unit: str) -> Output:
 
 _ENERGY_RESIDUAL = _number("energy_residual", "", Needs.ENDS, lambda measured: measured.run.energy_residual)
 _OF_RUN = (
-    _number("error", "", Needs.ENDS, lambda m: None if m.run.error is None else m.run.error.end),
+    _number("error", "", Needs.ENDS, lambda m: None if m.run.error is None else m.run.error.judged),
     _number("steps", "", Needs.ENDS, lambda m: m.run.statistics.steps),
     _number("rhs_evaluations", "", Needs.ENDS, lambda m: m.run.statistics.rhs_evaluations),
 )

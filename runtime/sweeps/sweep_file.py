@@ -21,7 +21,7 @@ from hertzwerk.derive.files.tomlfile import read_toml
 from hertzwerk.runtime.inputs.choices import located_choices
 from hertzwerk.runtime.inputs.given import INPUTS, located
 from hertzwerk.runtime.model.build import is_file, located_laws
-from hertzwerk.runtime.run.request import METHOD
+from hertzwerk.runtime.run.request import METHOD, Accuracy
 from hertzwerk.runtime.sweeps.parameter_sweep import sweep
 
 Quantity = str | float
@@ -52,7 +52,7 @@ class SweepFile(BaseModel):
     histories: list[str] = []
     continued: str | None = None
     duration: Quantity = Field(description='a time or revolutions, such as "24 ms" or "200 rev"')
-    accuracy: float | None = None
+    accuracy: Accuracy | None = None
     tolerance: float | None = None
     method: str = METHOD
     max_steps: int | None = None

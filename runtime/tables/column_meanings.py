@@ -11,7 +11,7 @@ _WHOLE = {
     "max_penetration": "largest penetration of a contact",
     "impulse": "impulse of the normal force",
     "energy_residual": "largest error of the energy balance, of the energy that moves",
-    "error": "estimated error at the end, in the scene's scales",
+    "error": "estimated error of the run, the largest or at the end as requested, in the scene's scales",
     "steps": "accepted steps",
     "rhs_evaluations": "evaluations of the equations of motion",
     "wall_s": "time that the row took",

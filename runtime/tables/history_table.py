@@ -18,7 +18,7 @@ def history_table(run: Solution) -> LabelledTable:
         "outcome": run.outcome.name,
         "method": run.method,
         "tolerance": run.tolerance,
-        **({} if run.error is None else {"error": run.error.end}),
+        **({} if run.error is None else {"error": run.error.judged}),
         "hertzwerk": versions()["hertzwerk"],
     }
     given = {f"parameter.{name}": _parameter(run, name) for name in run.parameters}

@@ -20,6 +20,7 @@ from hertzwerk.runtime.solution import scales as scaling
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
     from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.scales import Scales
 
 Array = NDArray[np.float64]
 
@@ -68,7 +69,7 @@ class NoReferenceError(Exception):
 class Reference:
     """Run taken as the true one, and its partner, at times t (n,) [s] from start to end.
 
-    y, other       their states, shape (n, ny)
+    y, other       their states and rates, shape (n, 2 ny)
     levels         tolerance and difference at the end, as the two were tightened
     """
 
@@ -81,7 +82,7 @@ class Reference:
 
     def error(self, run: Solution) -> Array:
         """Return the error of a run at the times of the reference, shape (n,); nan after its end."""
-        return self._along(run, scaling.error)
+        return self._along(run, difference)
 
     def departure(self, run: Solution) -> Array:
         """Return the error of the coordinates alone."""
@@ -96,7 +97,7 @@ class Reference:
     @cached_property
     def floor(self) -> Array:
         """Difference of the two runs, shape (n,), below which no error can be measured."""
-        return scaling.error(self.run.model, self.run.scales, self.other, self.y)
+        return difference(self.run.model, self.run.scales, self.other, self.y)
 
     @cached_property
     def floor_of_departure(self) -> Array:
@@ -105,8 +106,8 @@ class Reference:
 
     @property
     def uncertainty(self) -> float:
-        """Uncertainty of the state at the end, no less than rounding."""
-        return max(at_end(self.floor), float(np.finfo(float).eps))
+        """Uncertainty of the motion as far as it is known, no less than rounding."""
+        return max(float(np.max(self.floor[self.t <= self.known])), float(np.finfo(float).eps))
 
     @property
     def horizon(self) -> float:
@@ -131,9 +132,15 @@ def at_end(difference: Array) -> float:
 
 
 def states(run: Solution, t: Array) -> Array:
-    """Return states (n, ny) at times [s] (n,) within a run."""
-    found: Array = run.at(t).part("y")
-    return found
+    """Return states and their rates (n, 2 ny) at times [s] (n,) within a run."""
+    history = run.at(t)
+    return np.hstack([history.part("y"), history.part("dy")])
+
+
+def difference(model: Model, scales: Scales, y: Array, reference: Array) -> Array:
+    """Return the error (n,) of states with rates (n, 2 ny), see `scales.error`."""
+    (a, da), (b, db) = (np.split(part, 2, axis=-1) for part in (y, reference))
+    return scaling.error(model, scales, a, b, da, db)
 
 
 def reference(problem: Problem, progress: Callable[[float], object] = lambda _: None) -> Reference:
@@ -165,18 +172,16 @@ def reference(problem: Problem, progress: Callable[[float], object] = lambda _: 
         found = {method: states(run, t) for method, run in runs.items()}
         (one, a), (two, b) = found.items()
         change = {
-            method: at_end(scaling.error(problem.model, runs[one].scales, y, before[method]))
-            if method in before
-            else 0.0
+            method: at_end(difference(problem.model, runs[one].scales, y, before[method])) if method in before else 0.0
             for method, y in found.items()
         }
         if change[one] > change[two]:
             (one, a), (two, b) = (two, b), (one, a)
-        difference = at_end(scaling.error(problem.model, runs[one].scales, b, a))
-        levels.append((tolerance, difference))
-        if best is None or difference <= best.uncertainty:
+        apart = at_end(difference(problem.model, runs[one].scales, b, a))
+        levels.append((tolerance, apart))
+        if best is None or apart <= at_end(best.floor):
             best = Reference(runs[one], runs[two], t, a, b, tuple(levels))
-        if difference <= AGREED:
+        if apart <= AGREED:
             break
         before = found
     if best is None:

@@ -37,7 +37,7 @@ NOT_TRIED = "not_tried"
 class Row:
     """One run of a study: accuracy requested, error reached, time taken.
 
-    error       true error at the end, in the scene's scales; None where the run did not get there
+    error       true error of the whole run, in the scene's scales; None where the run did not get there
     estimate    the run's own estimate of it
     time        [s] the whole call takes its user, median of several; None where it was not tried
     floor       least error that the run found to be possible, where that is more than was asked for
@@ -291,7 +291,7 @@ def _row(this: TimedRun, held: Reference, grows: Growth) -> Row:
         accuracy=by.accuracy,
         outcome=this.outcome.name,
         message=this.outcome.message,
-        error=float(this.error[-1]) if this.reached else None,
+        error=float(np.max(this.error)) if this.reached else None,
         estimate=this.estimate,
         steps=this.steps,
         rhs_evaluations=this.rhs_evaluations,

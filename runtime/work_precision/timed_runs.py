@@ -113,7 +113,7 @@ def make(by: RunSpec, held: Reference) -> TimedRun:
         reached=run.t_end == held.t[-1],
         error=held.error(run),
         departure=held.departure(run),
-        estimate=run.error.end if run.error is not None and run.error.known else None,
+        estimate=run.error.worst if run.error is not None and run.error.known else None,
         floor=None if run.error is None else run.error.floor,
         tolerance=run.tolerance,
         steps=run.statistics.steps,

@@ -106,7 +106,10 @@ def _report(found: Study) -> None:
     from hertzwerk.runtime.work_precision import report
 
     held = found.reference
-    line(found.problem.model.name, f"{report.seconds(float(held.t[-1]))}, errors in the scene's scales at the end")
+    line(
+        found.problem.model.name,
+        f"{report.seconds(float(held.t[-1]))}, largest errors of the runs, in the scene's scales",
+    )
     table(report.COLUMNS, report.rows(found))
     line(
         "reference",

@@ -26,7 +26,7 @@ TOLERANCE = 1e-6  # local; finer than a picture shows
 @click.option(
     "--accuracy",
     metavar="NUMBER",
-    help="Error asked for at the end, in the scene's scales (default: a local tolerance of 1e-6, finer than a picture shows).",
+    help="Largest error of the run, in the scene's scales (default: a local tolerance of 1e-6, finer than a picture shows).",
 )
 @BY_METHOD
 @GRID

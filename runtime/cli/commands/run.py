@@ -266,7 +266,10 @@ def _report(solution: Solution) -> None:
 
         cost = solution.error.decade_cost
         more = "" if cost is None else f"; ten times more would cost about {cost:.1f} x the time"
-        line("accuracy", f"asked {brief(solution.accuracy, 3)}, estimated {solution.error}{more}")
+        line(
+            "accuracy",
+            f"requested {brief(solution.accuracy, 3)}{' at the end' if solution.error.at_end else ''}, estimated {solution.error}{more}",
+        )
     if not outcome.finished:
         line("", outcome.message)
         line("remedy", outcome.remedy)

@@ -70,7 +70,7 @@ def figure(study: Study) -> Figure:
 
 
 def _work(axis: Axes, study: Study) -> None:
-    """Draw the error at the end over time: a line per method, as C and in the virtual machine.
+    """Draw the largest error of the run over time: a line per method, as C and in the virtual machine.
 
     Errors too small to be measured lie on the floor.
     """
@@ -107,7 +107,7 @@ def _work(axis: Axes, study: Study) -> None:
     axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axis.xaxis.set_minor_formatter(NullFormatter())
-    axis.set_title("Error at the end, in the scene's scales")
+    axis.set_title("Largest error of the run, in the scene's scales")
     _legend(axis, handles, 5)
 
 
