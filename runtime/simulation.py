@@ -222,7 +222,7 @@ def _solution_of(
         findings=trace.findings,
         outcome=result,
         duration=run.given.seconds,
-        accuracy=asked and asked.error,
+        accuracy=None if asked is None else asked.error,
         tolerance=trace.tolerance,
         method=run.method,
         compiled=trace.compiled,

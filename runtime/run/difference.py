@@ -39,10 +39,13 @@ def differences(model: Model, scales: Scales, one: Trace, other: Trace, n: int) 
     table = np.where(found[0][:, :1] <= found[1][:, :1], *found)
     until = float(rows.t[-1])
     for j, pair in enumerate(model.pairs):
-        lists = ([i for i in trace.findings.impacts if i.contact == pair and i.t <= until] for trace in (one, other))
-        for t, error, force in _of_impacts(*lists, scales):
-            row = min(int(np.searchsorted(rows.t, t)), n - 1)
-            table[row, [0, 1 + m + j]] = np.maximum(table[row, [0, 1 + m + j]], (error, force))
+        of_one, of_other = (
+            [impact for impact in trace.findings.impacts if impact.contact == pair and impact.t <= until]
+            for trace in (one, other)
+        )
+        for t, off, force in _of_impacts(of_one, of_other, scales):
+            at = min(int(np.searchsorted(rows.t, t)), n - 1), [0, 1 + m + j]
+            table[at] = np.maximum(table[at], np.array([off, force]))
     return table
 
 
@@ -57,7 +60,7 @@ def _of_impacts(one: Sequence[Impact], other: Sequence[Impact], scales: Scales) 
     force = max([scales.scene[2], *(impact.peak_force for impact in other)])
 
     def alone(impact: Impact) -> float:
-        return max(impact.speed / speed, impact.peak_force / force)
+        return float(max(impact.speed / speed, impact.peak_force / force))
 
     i = k = 0
     while i < len(one) or k < len(other):

@@ -67,8 +67,9 @@ def error(
     if dy is None or reference_dy is None:
         found: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
         return found
-    rates = (part[..., :n] / scales.state[:n] for part in (dy, reference_dy))
-    return np.minimum(*(distance(apart, rate, scales.pace)[0] for rate in rates))
+    first, second = (distance(apart, part[..., :n] / scales.state[:n], scales.pace)[0] for part in (dy, reference_dy))
+    least: np.ndarray = np.minimum(first, second)
+    return least
 
 
 def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
