@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,6 +17,20 @@ if TYPE_CHECKING:
 SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
 NORMS = {"norm8": 8, "norm32": 32}  # even orders of smooth stand-ins for the largest magnitude
 POINTS, ZOOMS = 17, 4  # points around the largest sample, and refinements, of an extreme
+
+
+class Extremes(NamedTuple):
+    """Least and largest value of a history within a run, in SI, and their times [s]."""
+
+    lowest: float
+    lowest_t: float
+    highest: float
+    highest_t: float
+
+    @property
+    def magnitude(self) -> float:
+        """Largest absolute value."""
+        return max(abs(self.lowest), abs(self.highest))
 
 
 class Samples:
@@ -50,6 +64,12 @@ class Samples:
             if np.max(values) > found[1]:
                 found = times[np.argmax(values)], np.max(values)
         return float(found[0]), float(found[1])
+
+    def extremes(self, name: str) -> Extremes:
+        """Return the extremes of a history."""
+        at_low, low = self.top(lambda history: -history[name])
+        at_high, high = self.top(lambda history: history[name])
+        return Extremes(-low, at_low, high, at_high)
 
     def integral(self, of: Callable[[History], np.ndarray]) -> float:
         """Integrate a quantity over time [s], by Simpson's rule; it may jump where a step ends."""

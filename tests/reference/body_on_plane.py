@@ -144,7 +144,12 @@ def program(quad: bool = False, *flags: str, source: Path = SOURCE) -> Path:
 
 
 def motions(
-    bodies: Iterable[Body], perturbed: float = 0.0, *, quad: bool = False, command: Sequence[str] = (), by: Path | None = None
+    bodies: Iterable[Body],
+    perturbed: float = 0.0,
+    *,
+    quad: bool = False,
+    command: Sequence[str] = (),
+    by: Path | None = None,
 ) -> list[Motion]:
     """Return the motion of each body."""
     bodies = list(bodies)
@@ -160,6 +165,8 @@ def motions(
             continue
         *state, mode, steps, least, wrong = rest
         body = bodies[len(found)]
-        found.append(Motion(body, tuple(events), tuple(map(float, state)), int(mode), int(steps), float(least), int(wrong)))
+        found.append(
+            Motion(body, tuple(events), tuple(map(float, state)), int(mode), int(steps), float(least), int(wrong))
+        )
         events = []
     return found

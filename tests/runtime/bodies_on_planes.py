@@ -14,7 +14,6 @@ from functools import cache
 
 import numpy as np
 import sympy as sp
-from reference.body_on_plane import Body, Motion, motions
 
 from hertzwerk import load, simulate
 from hertzwerk.derive import (  # fmt: skip
@@ -37,6 +36,7 @@ from hertzwerk.derive import (  # fmt: skip
     laws,
 )
 from hertzwerk.derive import Body as RigidBody
+from reference.body_on_plane import Body, Motion, motions
 
 SEED, GRAVITY, RUB_SPEED = 20261124, 9.81, 1e-3
 RESTITUTIONS = {  # of each law by restitution: what it is tried with
@@ -320,7 +320,9 @@ def judged(body: Body, requests: Sequence[float] = REQUESTS, *, smooth: bool = T
         try:
             found = run(body, accuracy=accuracy, **more)
         except Exception as raised:
-            yield Finding(body, accuracy, "exception", *[math.nan] * 3, 0, 0, 0, f"{type(raised).__name__}: {raised}"[:300])
+            yield Finding(
+                body, accuracy, "exception", *[math.nan] * 3, 0, 0, 0, f"{type(raised).__name__}: {raised}"[:300]
+            )
             continue
         seconds = time.process_time() - begun
         if found.outcome.name == "exception":

@@ -8,7 +8,7 @@ import pytest
 
 from hertzwerk.derive import GROUND, Body, Gravity, Mechanism, Parameter, Scales, Scene, Start, Universal, X, Y, Z
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import load, simulate, sweep
 from hertzwerk.runtime.run import accurate
 from hertzwerk.runtime.run.difference import _of_impacts
 from hertzwerk.runtime.run.request import Request, read_accuracy
@@ -136,3 +136,21 @@ def test_two_runs_of_the_same_steps_are_no_estimate(method, monkeypatch):
     if method == "dop853":
         monkeypatch.setattr(accurate, "SHORTER", 1.0)  # the seeded fault
         assert ratio() < 0.1
+
+
+def test_extremes_are_found_within_the_steps_as_a_sweep_finds_them():
+    """On the old code the largest of the steps was all there was, .4 to 2 % below the peak."""
+    crank = load("slider_crank")
+    run = simulate(crank, duration="5 ms", accuracy=1e-5, compiled=False)
+    found = run.extremes("slider_pin.normal_force")
+    peak = max(run.impacts, key=lambda impact: impact.peak_force)
+    assert found.highest == pytest.approx(peak.peak_force, rel=1e-7)
+    assert peak.t < found.highest_t < peak.t + peak.duration
+    assert found.highest > run["slider_pin.normal_force"].max()
+    swept = sweep(
+        crank, {}, outputs=["slider_pin.normal_force.max", "guide.travel.min"], duration="5 ms", accuracy=1e-5
+    )
+    assert swept["slider_pin.normal_force.max"][0] == found.highest
+    assert swept["guide.travel.min"][0] == run.extremes("guide.travel").lowest
+    with pytest.raises(KeyError, match="did you mean"):
+        run.extremes("slider_pin.normal_forc")
