@@ -46,6 +46,7 @@ from hertzwerk.runtime.solution.checkpoint import checkpoint_of
 from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import not_closed
+from hertzwerk.runtime.solution.samples import Extremes, Samples
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.solution import Statistics
 from hertzwerk.runtime.tables import notebook
@@ -265,6 +266,14 @@ class Solution(plain_solution.Solution):
 
     model_type = Model
     derivatives: Sensitivities | None = None
+
+    def extremes(self, name: str) -> Extremes:
+        """Return the least and the largest value of a history, and their times, found within the steps.
+
+        As a sweep's `.min` and `.max`: `run[name]` has values at the steps alone, which may be some per cent lower.
+        Raises KeyError for an unknown name, ValueError for a run that kept a grid or was saved.
+        """
+        return Samples(self).extremes(name)
 
     def continued(
         self,

@@ -36,7 +36,11 @@ ROUGH = LOOSEST  # tolerance of a run that only determines scales
 
 @dataclass(frozen=True)
 class Check:
-    """How a run differs that checks another: times [s] at which the two are compared, and `shorter` (see `observe`)."""
+    """Differences of a run that checks another.
+
+    times    [s] at which the two are compared
+    shorter    see `SingleRun.observe`
+    """
 
     times: np.ndarray
     shorter: float

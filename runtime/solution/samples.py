@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -12,25 +12,11 @@ from hertzwerk.runtime.host.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
+    from hertzwerk.runtime.solution.solution import Solution
 
 SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
 NORMS = {"norm8": 8, "norm32": 32}  # even orders of smooth stand-ins for the largest magnitude
 POINTS, ZOOMS = 17, 4  # points around the largest sample, and refinements, of an extreme
-
-
-class Stepped(Protocol):
-    """A run whose histories are known between its steps: a `Solution`."""
-
-    history: History
-
-    @property
-    def t(self) -> np.ndarray:
-        """Times [s] of the accepted steps."""
-        ...
-
-    def at(self, times: np.ndarray) -> History:
-        """Return histories at other times [s]."""
-        ...
 
 
 class Extremes(NamedTuple):
@@ -50,7 +36,7 @@ class Extremes(NamedTuple):
 class Samples:
     """Histories of a run over times `t` (n,) that divide every step into an even number of parts."""
 
-    def __init__(self, run: Stepped, wanted: int = SAMPLES) -> None:
+    def __init__(self, run: Solution, wanted: int = SAMPLES) -> None:
         self.run = run
         ends = np.unique(run.t)  # an event may leave two rows at its time
         self._steps = np.diff(ends)

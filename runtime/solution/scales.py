@@ -57,7 +57,7 @@ def error(
     dy: np.ndarray | None = None,
     reference_dy: np.ndarray | None = None,
 ) -> np.ndarray:
-    """Return the error of a state as accuracy counts it: the largest scaled difference of q and u, but for a shift in time.
+    """Return the error of a state: the largest scaled difference of q and u, up to a shift in time.
 
     y, reference (..., ny) as recorded, or their first nq + nu entries; dy, reference_dy (..., ny) their rates, without
     which no shift is allowed for; returns (...,). Memory (z) does not count. See `distance`.
@@ -73,7 +73,7 @@ def error(
 
 
 def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the distance of states from a motion, each (...,), and the shifts in time [s] that make it least.
+    """Return the distances (...,) of states from a motion, and the shifts in time [s] that make them least.
 
     With the scaled differences e = `apart` and the scaled rates f of the motion, both (..., n), it is
 

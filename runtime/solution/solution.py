@@ -24,7 +24,6 @@ from hertzwerk.runtime.solution.findings import Choice, Findings
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.impacts import Impact
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.solution.samples import Extremes, Samples
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.sums import Sums
 
@@ -152,14 +151,6 @@ class Solution:
         the rows of a run that kept a grid or was saved.
         """
         return self.history.at(np.asarray(times, dtype=float))
-
-    def extremes(self, name: str) -> Extremes:
-        """Return the least and the largest value of a history, and their times, found within the steps.
-
-        As a sweep's `.min` and `.max`: `run[name]` has values at the steps alone, which may be some per cent lower.
-        Raises KeyError for an unknown name, ValueError for a run that kept a grid or was saved.
-        """
-        return Samples(self).extremes(name)
 
     @property
     def initial(self) -> dict[str, float]:
