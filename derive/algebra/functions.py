@@ -22,7 +22,7 @@ class NoText(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
 
 
 class Where(NoText):
-    """`Where(condition, a, b)`: a where the condition holds, else b; evaluated if the condition is constant.
+    """`Where(condition, a, b)`: a where the condition holds, else b. Evaluated where that is known.
 
     The derivative is that of the branch taken, as a simulation needs that locates the kink as an event. SymPy's
     Piecewise, Max and Heaviside would rewrite themselves or bring in DiracDelta instead.

@@ -18,7 +18,6 @@ from hertzwerk.runtime.hard_cases.cases import (
     shaken,
     single_impacts,
     sliding,
-    slips_at_lift_off,
 )
 
 CASES: tuple[HardCase, ...] = (
@@ -36,6 +35,5 @@ CASES: tuple[HardCase, ...] = (
     *geneva.CASES,
     *shaken.CASES,
     *edge_of_friction.CASES,
-    *slips_at_lift_off.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

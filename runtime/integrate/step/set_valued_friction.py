@@ -98,7 +98,7 @@ class Grips:
         return -self.direction * self.sliding
 
     def hold(self, friction: Any, pressing: Any = 1) -> tuple[Any, Any]:
-        """Return the margins (n) [1] of grips that stick, and the forces (n) [N] that they are differences beside.
+        """Return the margins (n) [1] of grips that stick, and the size (n) [N] of their forces.
 
         0 for pairs apart. friction (n) [N]; pressing: factor of the holding forces.
         """
@@ -320,13 +320,13 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 
 
 def margin_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
-    """Return each margin's tolerance (ns) at a landing: a speed if slipping, a part of its forces if sticking."""
+    """Return each margin's tolerance (ns) at a landing: a speed if slipping, a ratio if sticking."""
     rate, force = slip_tolerances(model, run, m, at, tol_rate, tol_force)
     return ca.if_else(sticking(model, m), force / positive(at["grip_force"]), rate)
 
 
 def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
-    """Return m with the slips in two directions turned to those of sliding, but near rest, and whether one turned.
+    """Turn slips in two directions to those of sliding, but near rest; return m and if one turned.
 
     Margins are speeds along slips: they are evaluated anew where one turned.
     """
@@ -362,11 +362,11 @@ def directed(model: Model) -> list[list[int]]:
 
 
 def unresolved_sliding(model: Model, start: Parts, end: Parts, h: Any) -> Any:
-    """Return how badly a step of h [s] resolves sliding in two directions from near rest; above 1 it has to be shorter.
+    """Return how badly a step of h [s] resolves sliding in two directions near rest.
 
-    Friction turns the faster the slower a grip slides. An implicit step from rest takes that rate for all of its course, and sees no
-    error in a direction that does not turn; an explicit one beyond its stability can repeat a state. What tells are the growth of the
-    speed, beside the size of the slip, and whether its change is that of its rates.
+    Above 1 it has to be shorter. Friction turns the faster the slower a grip slides. An implicit step from rest takes that rate for
+    all of its course, and sees no error in a direction that does not turn; an explicit one beyond its stability can repeat a state.
+    The growth of the speed beside the size of the slip shows the one, a change of the speed that its rates do not explain the other.
     """
     slips, worst = start["m"][slips_in(model)], 0
     for group in directed(model):
@@ -380,9 +380,9 @@ def unresolved_sliding(model: Model, start: Parts, end: Parts, h: Any) -> Any:
 
 
 def margins_ahead(model: Model, mode: Any, m: Any, end: Parts, time: Any) -> Any:
-    """Return which margins (ns) stay positive for a time [s] after a step, as they go on then; 1 for pairs apart.
+    """Return which margins (ns) stay positive for a time [s] after a step.
 
-    That of a pair that sticks falls the steeper the nearer its contact is to its opening: it may not.
+    They go on as at its end; 1 for pairs apart. That of a pair that sticks falls the steeper the nearer its contact is to its opening: it may not.
     """
     ahead = (end["margin"] > 0) * (end["margin"] + time * end["margin_rate"] > 0)
     of_pairs = ca.DM([pair != NO_PAIR for pair in pairs_of(model)])
