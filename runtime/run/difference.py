@@ -46,13 +46,15 @@ def differences(model: Model, scales: Scales, one: Trace, other: Trace, n: int) 
         of_one, of_other = (
             [impact for impact in each if impact.contact == pair and impact.t <= until] for each in lists
         )
-        for t, off, force in _of_impacts(of_one, of_other, scales):
+        for t, off, force in impact_differences(of_one, of_other, scales):
             at = min(int(np.searchsorted(rows.t, t)), n - 1), [0, 1 + m + j]
             table[at] = np.maximum(table[at], np.array([off, force]))
     return table
 
 
-def _of_impacts(one: Sequence[Impact], other: Sequence[Impact], scales: Scales) -> Iterator[tuple[float, float, float]]:
+def impact_differences(
+    one: Sequence[Impact], other: Sequence[Impact], scales: Scales
+) -> Iterator[tuple[float, float, float]]:
     """Yield time [s], error and difference of the peak forces [N] of the impacts of one pair in two runs.
 
     Approach speeds count by the scene's speed, peak forces by its force or the largest; onsets and durations by the

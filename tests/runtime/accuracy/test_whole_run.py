@@ -10,7 +10,7 @@ from hertzwerk.derive import GROUND, Body, Gravity, Mechanism, Parameter, Scales
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, sweep
 from hertzwerk.runtime.run import accurate
-from hertzwerk.runtime.run.difference import _of_impacts
+from hertzwerk.runtime.run.difference import impact_differences
 from hertzwerk.runtime.run.request import Request, read_accuracy
 from hertzwerk.runtime.solution.impacts import Impact
 from hertzwerk.runtime.solution.scales import Scales as SolutionScales
@@ -49,7 +49,7 @@ def test_impacts_count_by_speed_force_and_the_time_in_which_their_length_is_cove
     true = Impact("floor", 0.1, 1.0, 50.0, 1e-4, 1e-5)
 
     def errors(*other, one=(true,)):
-        return [error for _, error, _ in _of_impacts(one, other, scales)]
+        return [error for _, error, _ in impact_differences(one, other, scales)]
 
     assert errors(true) == [0.0]
     assert errors(true._replace(t=0.1 + 1e-6)) == pytest.approx([1e-3])  # 1 m/s for 1 us, of 1 mm
