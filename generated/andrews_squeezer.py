@@ -16,8 +16,7 @@ SOURCE = "derive/scenes/andrews_squeezer.py"
 SUMMARY = "seven bodies in three loops, the benchmark of solvers of constrained motion"
 
 EFFECTS = (
-    ("motor", "force", "force on beta = mom"),
-    ("spring", "spring", "linear spring between K3 and ground"),
+    ("motor", "force", "force on beta = mom"), ("spring", "spring", "linear spring between K3 and ground"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -98,28 +97,16 @@ LIMITS = (
 )
 
 COORDINATES = (
-    ("beta.angle", "rad"),
-    ("Theta.angle", "rad"),
-    ("gamma.angle", "rad"),
-    ("delta.angle", "rad"),
-    ("Phi.angle", "rad"),
-    ("epsilon.angle", "rad"),
-    ("Omega.angle", "rad"),
+    ("beta.angle", "rad"), ("Theta.angle", "rad"), ("gamma.angle", "rad"), ("delta.angle", "rad"), ("Phi.angle", "rad"),
+    ("epsilon.angle", "rad"), ("Omega.angle", "rad"),
 )
 
 SPEEDS = (
-    ("beta.speed", "rad/s"),
-    ("Theta.speed", "rad/s"),
-    ("gamma.speed", "rad/s"),
-    ("delta.speed", "rad/s"),
-    ("Phi.speed", "rad/s"),
-    ("epsilon.speed", "rad/s"),
-    ("Omega.speed", "rad/s"),
+    ("beta.speed", "rad/s"), ("Theta.speed", "rad/s"), ("gamma.speed", "rad/s"), ("delta.speed", "rad/s"), ("Phi.speed", "rad/s"),
+    ("epsilon.speed", "rad/s"), ("Omega.speed", "rad/s"),
 )
 
-MEMORY = (
-    ("motor.input", "J"),
-)
+MEMORY = (("motor.input", "J"),)
 
 LATCHES = ()
 
@@ -130,131 +117,77 @@ RELEASES = ()
 DISSIPATED = ()
 
 CONSTRAINTS = (
-    ("knee_3.apart_x", "m"),
-    ("knee_3.apart_y", "m"),
-    ("knee_4.apart_x", "m"),
-    ("knee_4.apart_y", "m"),
-    ("knee_6.apart_x", "m"),
+    ("knee_3.apart_x", "m"), ("knee_3.apart_y", "m"), ("knee_4.apart_x", "m"), ("knee_4.apart_y", "m"), ("knee_6.apart_x", "m"),
     ("knee_6.apart_y", "m"),
 )
 
-GIVEN = (
-    "beta.angle",
-)
+GIVEN = ("beta.angle",)
 
 OUTPUTS = ()
 
-BODIES = (
-    "K1",
-    "K2",
-    "K3",
-    "K5",
-    "K4",
-    "K7",
-    "K6",
-)
+BODIES = ("K1", "K2", "K3", "K5", "K4", "K7", "K6")
 
 LANDMARKS = (
-    ("beta", "revolute", "parent", "ground", ("axis",)),
-    ("beta", "revolute", "child", "K1", ("axis",)),
-    ("Theta", "revolute", "parent", "K1", ("axis",)),
-    ("Theta", "revolute", "child", "K2", ("axis",)),
-    ("gamma", "revolute", "parent", "ground", ("axis",)),
-    ("gamma", "revolute", "child", "K3", ("axis",)),
-    ("delta", "revolute", "parent", "ground", ("axis",)),
-    ("delta", "revolute", "child", "K5", ("axis",)),
-    ("Phi", "revolute", "parent", "K5", ("axis",)),
-    ("Phi", "revolute", "child", "K4", ("axis",)),
-    ("epsilon", "revolute", "parent", "ground", ("axis",)),
-    ("epsilon", "revolute", "child", "K7", ("axis",)),
-    ("Omega", "revolute", "parent", "K7", ("axis",)),
-    ("Omega", "revolute", "child", "K6", ("axis",)),
-    ("knee_3", "revolute", "parent", "K2", ("axis",)),
-    ("knee_3", "revolute", "child", "K3", ("axis",)),
-    ("knee_4", "revolute", "parent", "K2", ("axis",)),
-    ("knee_4", "revolute", "child", "K4", ("axis",)),
-    ("knee_6", "revolute", "parent", "K2", ("axis",)),
-    ("knee_6", "revolute", "child", "K6", ("axis",)),
-    ("motor", "turn_force", "child", "K1", ("axis",)),
-    ("spring", "spring", "first", "K3", ()),
-    ("spring", "spring", "second", "ground", ()),
-    ("K1", "body", "centre", "K1", ()),
-    ("K2", "body", "centre", "K2", ()),
-    ("K3", "body", "centre", "K3", ()),
-    ("K5", "body", "centre", "K5", ()),
-    ("K4", "body", "centre", "K4", ()),
-    ("K7", "body", "centre", "K7", ()),
-    ("K6", "body", "centre", "K6", ()),
+    ("beta", "revolute", "parent", "ground", ("axis",)), ("beta", "revolute", "child", "K1", ("axis",)),
+    ("Theta", "revolute", "parent", "K1", ("axis",)), ("Theta", "revolute", "child", "K2", ("axis",)),
+    ("gamma", "revolute", "parent", "ground", ("axis",)), ("gamma", "revolute", "child", "K3", ("axis",)),
+    ("delta", "revolute", "parent", "ground", ("axis",)), ("delta", "revolute", "child", "K5", ("axis",)),
+    ("Phi", "revolute", "parent", "K5", ("axis",)), ("Phi", "revolute", "child", "K4", ("axis",)),
+    ("epsilon", "revolute", "parent", "ground", ("axis",)), ("epsilon", "revolute", "child", "K7", ("axis",)),
+    ("Omega", "revolute", "parent", "K7", ("axis",)), ("Omega", "revolute", "child", "K6", ("axis",)),
+    ("knee_3", "revolute", "parent", "K2", ("axis",)), ("knee_3", "revolute", "child", "K3", ("axis",)),
+    ("knee_4", "revolute", "parent", "K2", ("axis",)), ("knee_4", "revolute", "child", "K4", ("axis",)),
+    ("knee_6", "revolute", "parent", "K2", ("axis",)), ("knee_6", "revolute", "child", "K6", ("axis",)),
+    ("motor", "turn_force", "child", "K1", ("axis",)), ("spring", "spring", "first", "K3", ()),
+    ("spring", "spring", "second", "ground", ()), ("K1", "body", "centre", "K1", ()), ("K2", "body", "centre", "K2", ()),
+    ("K3", "body", "centre", "K3", ()), ("K5", "body", "centre", "K5", ()), ("K4", "body", "centre", "K4", ()),
+    ("K7", "body", "centre", "K7", ()), ("K6", "body", "centre", "K6", ()),
 )
 
 CONSTANTS = (
-    ("e", "m"),
-    ("zf", "m"),
-    ("rr", "m"),
-    ("xb", "m"),
-    ("yb", "m"),
-    ("xa", "m"),
-    ("ya", "m"),
-    ("zt", "m"),
-    ("u", "m"),
-    ("d", "m"),
-    ("ss", "m"),
-    ("mom", "J"),
-    ("sd", "m"),
-    ("sc", "m"),
-    ("c0", "N/m"),
-    ("l0", "m"),
-    ("xc_minus_xb", "m"),
-    ("yc_minus_yb", "m"),
-    ("l0_squared", "m^2"),
-    ("K2_h_x", "kg m"),
-    ("K4_h_y", "kg m"),
-    ("K6_h_x", "kg m"),
-    ("K2_I_z_z", "kg m^2"),
-    ("K1_I_z_z_plus_K2_I_z_z", "kg m^2"),
-    ("K4_I_z_z", "kg m^2"),
-    ("K4_I_z_z_plus_K5_I_z_z", "kg m^2"),
-    ("K6_I_z_z", "kg m^2"),
-    ("K6_I_z_z_plus_K7_I_z_z", "kg m^2"),
-    ("inverse_K6_I_z_z", "1/(kg m^2)"),
-    ("inverse_K4_I_z_z", "1/(kg m^2)"),
-    ("inverse_K2_I_z_z", "1/(kg m^2)"),
-    ("inverse_K3_I_z_z", "1/(kg m^2)"),
-    ("half_K1_I_z_z_2", "kg m^2"),
-    ("half_K2_I_z_z", "kg m^2"),
-    ("half_K3_I_z_z", "kg m^2"),
-    ("half_K4_I_z_z", "kg m^2"),
-    ("half_K5_I_z_z_2", "kg m^2"),
-    ("half_K6_I_z_z", "kg m^2"),
-    ("half_K7_I_z_z_2", "kg m^2"),
-    ("half_m2", "kg"),
-    ("half_m4", "kg"),
-    ("half_m6", "kg"),
-    ("knee_3_apart_x_softness", "1"),
-    ("knee_3_apart_y_softness", "1"),
-    ("knee_4_apart_x_softness", "1"),
-    ("knee_4_apart_y_softness", "1"),
-    ("knee_6_apart_x_softness", "1"),
+    ("e", "m"), ("zf", "m"), ("rr", "m"), ("xb", "m"), ("yb", "m"), ("xa", "m"), ("ya", "m"), ("zt", "m"), ("u", "m"), ("d", "m"),
+    ("ss", "m"), ("mom", "J"), ("sd", "m"), ("sc", "m"), ("c0", "N/m"), ("l0", "m"), ("xc_minus_xb", "m"), ("yc_minus_yb", "m"),
+    ("l0_squared", "m^2"), ("K2_h_x", "kg m"), ("K4_h_y", "kg m"), ("K6_h_x", "kg m"), ("K2_I_z_z", "kg m^2"),
+    ("K1_I_z_z_plus_K2_I_z_z", "kg m^2"), ("K4_I_z_z", "kg m^2"), ("K4_I_z_z_plus_K5_I_z_z", "kg m^2"), ("K6_I_z_z", "kg m^2"),
+    ("K6_I_z_z_plus_K7_I_z_z", "kg m^2"), ("inverse_K6_I_z_z", "1/(kg m^2)"), ("inverse_K4_I_z_z", "1/(kg m^2)"),
+    ("inverse_K2_I_z_z", "1/(kg m^2)"), ("inverse_K3_I_z_z", "1/(kg m^2)"), ("half_K1_I_z_z_2", "kg m^2"), ("half_K2_I_z_z", "kg m^2"),
+    ("half_K3_I_z_z", "kg m^2"), ("half_K4_I_z_z", "kg m^2"), ("half_K5_I_z_z_2", "kg m^2"), ("half_K6_I_z_z", "kg m^2"),
+    ("half_K7_I_z_z_2", "kg m^2"), ("half_m2", "kg"), ("half_m4", "kg"), ("half_m6", "kg"), ("knee_3_apart_x_softness", "1"),
+    ("knee_3_apart_y_softness", "1"), ("knee_4_apart_x_softness", "1"), ("knee_4_apart_y_softness", "1"), ("knee_6_apart_x_softness", "1"),
     ("knee_6_apart_y_softness", "1"),
 )
 
 OPERATIONS = (
-    ("constants", 65),
-    ("start", 0),
-    ("scales", 11),
-    ("coordinate_rates", 0),
-    ("gaps", 0),
-    ("gap_accelerations", 0),
-    ("applied", 24),
-    ("accelerations", 990),
-    ("constraints", 98),
-    ("projection", 632),
-    ("ledger", 1),
-    ("energy", 112),
-    ("poses", 35),
-    ("outputs", 0),
+    ("constants", 65), ("start", 0), ("scales", 11), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 24),
+    ("accelerations", 990), ("constraints", 98), ("projection", 632), ("ledger", 1), ("energy", 112), ("poses", 35), ("outputs", 0),
     ("landmarks", 12),
 )
+
+
+def revolute_apart(cos, sin, first_arm_x, first_arm_y, first_arm_rate_x, first_arm_rate_y, parent_arm_x, parent_arm_y, parent_arm_rate_x,
+        parent_arm_rate_y, second_arm_y, child_arm_y, first_speed, second_speed, e, xa, ya, zt):
+    """Return apart_x [m], apart_y [m], apart_rate_x [m/s], apart_rate_y [m/s]."""
+    second_arm_x = zt*cos
+    second_arm_rate_x = -second_arm_y*first_speed
+    second_arm_rate_y = first_speed*second_arm_x
+    rate_z = second_speed + first_speed
+    x = xa + second_arm_x
+    y = ya + second_arm_y
+    child_arm_x = e*sin
+    child_arm_rate_x = -rate_z*child_arm_y
+    child_arm_rate_y = rate_z*child_arm_x
+    apart_x = x + child_arm_x - first_arm_x - parent_arm_x
+    apart_y = y + child_arm_y - first_arm_y - parent_arm_y
+    apart_rate_x = second_arm_rate_x + child_arm_rate_x - first_arm_rate_x - parent_arm_rate_x
+    apart_rate_y = second_arm_rate_y + child_arm_rate_y - first_arm_rate_y - parent_arm_rate_y
+    return apart_x, apart_y, apart_rate_x, apart_rate_y
+
+
+def revolute_apart_apart(W_apart_x_apart_x, y, W_apart_x_raised):
+    """Return apart_x_apart_x [1], apart_y_apart [1]."""
+    apart_x_apart_x = W_apart_x_apart_x/W_apart_x_raised
+    apart_y_apart = y/W_apart_x_raised
+    return apart_x_apart_x, apart_y_apart
 
 
 def constants(p):
@@ -262,55 +195,16 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (48,): e, zf, rr, xb, yb, xa, ya, zt, u, d, ss, mom, sd, sc, c0, l0, xc_minus_xb, yc_minus_yb, l0_squared,
-            K2_h_x, K4_h_y, K6_h_x, K2_I_z_z, K1_I_z_z_plus_K2_I_z_z, K4_I_z_z, K4_I_z_z_plus_K5_I_z_z, K6_I_z_z,
-            K6_I_z_z_plus_K7_I_z_z, inverse_K6_I_z_z, inverse_K4_I_z_z, inverse_K2_I_z_z, inverse_K3_I_z_z,
-            half_K1_I_z_z_2, half_K2_I_z_z, half_K3_I_z_z, half_K4_I_z_z, half_K5_I_z_z_2, half_K6_I_z_z,
-            half_K7_I_z_z_2, half_m2, half_m4, half_m6, knee_3_apart_x_softness, knee_3_apart_y_softness,
+        c (48,): e, zf, rr, xb, yb, xa, ya, zt, u, d, ss, mom, sd, sc, c0, l0, xc_minus_xb, yc_minus_yb, l0_squared, K2_h_x, K4_h_y, K6_h_x,
+            K2_I_z_z, K1_I_z_z_plus_K2_I_z_z, K4_I_z_z, K4_I_z_z_plus_K5_I_z_z, K6_I_z_z, K6_I_z_z_plus_K7_I_z_z, inverse_K6_I_z_z,
+            inverse_K4_I_z_z, inverse_K2_I_z_z, inverse_K3_I_z_z, half_K1_I_z_z_2, half_K2_I_z_z, half_K3_I_z_z, half_K4_I_z_z,
+            half_K5_I_z_z_2, half_K6_I_z_z, half_K7_I_z_z_2, half_m2, half_m4, half_m6, knee_3_apart_x_softness, knee_3_apart_y_softness,
             knee_4_apart_x_softness, knee_4_apart_y_softness, knee_6_apart_x_softness, knee_6_apart_y_softness
     """
-    m1 = p[0]
-    i1 = p[1]
-    ra = p[2]
-    m2 = p[3]
-    i2 = p[4]
-    da = p[5]
-    m3 = p[6]
-    i3 = p[7]
-    sb = p[8]
-    sa = p[9]
-    m5 = p[10]
-    i5 = p[11]
-    ta = p[12]
-    tb = p[13]
-    m4 = p[14]
-    i4 = p[15]
-    e = p[16]
-    ea = p[17]
-    m7 = p[18]
-    i7 = p[19]
-    ua = p[20]
-    ub = p[21]
-    m6 = p[22]
-    i6 = p[23]
-    fa = p[24]
-    zf = p[25]
-    rr = p[26]
-    xb = p[27]
-    yb = p[28]
-    xa = p[29]
-    ya = p[30]
-    zt = p[31]
-    u = p[32]
-    d = p[33]
-    ss = p[34]
-    mom = p[35]
-    sd = p[36]
-    sc = p[37]
-    xc = p[38]
-    yc = p[39]
-    c0 = p[40]
-    l0 = p[41]
+    m1, i1, ra, m2, i2, da, m3, i3, sb, sa, m5, i5, ta = p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11], p[12]
+    tb, m4, i4, e, ea, m7, i7, ua, ub, m6, i6, fa = p[13], p[14], p[15], p[16], p[17], p[18], p[19], p[20], p[21], p[22], p[23], p[24]
+    zf, rr, xb, yb, xa, ya, zt, u, d, ss, mom, sd = p[25], p[26], p[27], p[28], p[29], p[30], p[31], p[32], p[33], p[34], p[35], p[36]
+    sc, xc, yc, c0, l0 = p[37], p[38], p[39], p[40], p[41]
     xc_minus_xb = xc - xb
     yc_minus_yb = yc - yb
     l0_squared = l0*l0
@@ -356,11 +250,10 @@ def constants(p):
     half_m2 = m2/2
     half_m4 = m4/2
     half_m6 = m6/2
-    return ca.vertcat(e, zf, rr, xb, yb, xa, ya, zt, u, d, ss, mom, sd, sc, c0, l0, xc_minus_xb, yc_minus_yb,
-        l0_squared, K2_h_x, K4_h_y, K6_h_x, K2_I_z_z, K1_I_z_z_plus_K2_I_z_z, K4_I_z_z, K4_I_z_z_plus_K5_I_z_z,
-        K6_I_z_z, K6_I_z_z_plus_K7_I_z_z, inverse_K6_I_z_z, inverse_K4_I_z_z, inverse_K2_I_z_z, inverse_K3_I_z_z,
-        half_K1_I_z_z_2, half_K2_I_z_z, half_K3_I_z_z, half_K4_I_z_z, half_K5_I_z_z_2, half_K6_I_z_z,
-        half_K7_I_z_z_2, half_m2, half_m4, half_m6, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09)
+    return ca.vertcat(e, zf, rr, xb, yb, xa, ya, zt, u, d, ss, mom, sd, sc, c0, l0, xc_minus_xb, yc_minus_yb, l0_squared, K2_h_x, K4_h_y,
+        K6_h_x, K2_I_z_z, K1_I_z_z_plus_K2_I_z_z, K4_I_z_z, K4_I_z_z_plus_K5_I_z_z, K6_I_z_z, K6_I_z_z_plus_K7_I_z_z, inverse_K6_I_z_z,
+        inverse_K4_I_z_z, inverse_K2_I_z_z, inverse_K3_I_z_z, half_K1_I_z_z_2, half_K2_I_z_z, half_K3_I_z_z, half_K4_I_z_z, half_K5_I_z_z_2,
+        half_K6_I_z_z, half_K7_I_z_z_2, half_m2, half_m4, half_m6, *[3e-09]*6)
 
 
 def start(p):
@@ -368,22 +261,11 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (7,): beta.angle [rad], Theta.angle [rad], gamma.angle [rad], delta.angle [rad], Phi.angle [rad],
-            epsilon.angle [rad], Omega.angle [rad]
-        u (7,): beta.speed [rad/s], Theta.speed [rad/s], gamma.speed [rad/s], delta.speed [rad/s], Phi.speed
-            [rad/s], epsilon.speed [rad/s], Omega.speed [rad/s]
+        q (7,): COORDINATES
+        u (7,): SPEEDS
     """
-    beta_0 = p[42]
-    Theta_near = p[43]
-    gamma_near = p[44]
-    delta_near = p[45]
-    Phi_near = p[46]
-    epsilon_near = p[47]
-    Omega_near = p[48]
-    return (
-        ca.vertcat(beta_0, Theta_near, gamma_near, delta_near, Phi_near, epsilon_near, Omega_near),
-        ca.vertcat(0, 0, 0, 0, 0, 0, 0),
-    )
+    beta_0, Theta_near, gamma_near, delta_near, Phi_near, epsilon_near, Omega_near = p[42], p[43], p[44], p[45], p[46], p[47], p[48]
+    return ca.vertcat(beta_0, Theta_near, gamma_near, delta_near, Phi_near, epsilon_near, Omega_near), ca.vertcat(*[0]*7)
 
 
 def scales(p):
@@ -391,33 +273,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (7,): beta.angle [rad], Theta.angle [rad], gamma.angle [rad], delta.angle [rad], Phi.angle [rad],
-            epsilon.angle [rad], Omega.angle [rad]
-        su (7,): beta.speed [rad/s], Theta.speed [rad/s], gamma.speed [rad/s], delta.speed [rad/s], Phi.speed
-            [rad/s], epsilon.speed [rad/s], Omega.speed [rad/s]
-        sz (1,): motor.input [J]
+        sq (7,): COORDINATES
+        su (7,): SPEEDS
+        sz (1,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    m1 = p[0]
-    m2 = p[3]
-    m3 = p[6]
-    m5 = p[10]
-    m4 = p[14]
-    m7 = p[18]
-    m6 = p[22]
-    rr = p[26]
-    speed_scale = p[49]
+    m1, m2, m3, m5, m4, m7, m6, rr, speed_scale = p[0], p[3], p[6], p[10], p[14], p[18], p[22], p[26], p[49]
     total_mass = m1 + m2 + m3 + m4 + m5 + m6 + m7
     energy_scale = total_mass*speed_scale*speed_scale/2
     force_scale = energy_scale/rr
     speed_scale_over_rr = speed_scale/rr
-    return (
-        ca.vertcat(1, 1, 1, 1, 1, 1, 1),
-        ca.vertcat(speed_scale_over_rr, speed_scale_over_rr, speed_scale_over_rr, speed_scale_over_rr,
-            speed_scale_over_rr, speed_scale_over_rr, speed_scale_over_rr),
-        ca.vertcat(energy_scale),
-        ca.vertcat(rr, speed_scale, force_scale, energy_scale),
-    )
+    return (ca.vertcat(*[1]*7), ca.vertcat(*[speed_scale_over_rr]*7), ca.vertcat(energy_scale),
+        ca.vertcat(rr, speed_scale, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, speeds, c):
@@ -425,16 +292,10 @@ def coordinate_rates(t, q, speeds, c):
 
     Arguments: t [s]; q: COORDINATES; speeds: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (7,): beta.angle [rad/s], Theta.angle [rad/s], gamma.angle [rad/s], delta.angle [rad/s], Phi.angle
-            [rad/s], epsilon.angle [rad/s], Omega.angle [rad/s]
+        dq (7,): COORDINATES [rad/s]
     """
-    beta_speed = speeds[0]
-    Theta_speed = speeds[1]
-    gamma_speed = speeds[2]
-    delta_speed = speeds[3]
-    Phi_speed = speeds[4]
-    epsilon_speed = speeds[5]
-    Omega_speed = speeds[6]
+    beta_speed, Theta_speed, gamma_speed, delta_speed, Phi_speed = speeds[0], speeds[1], speeds[2], speeds[3], speeds[4]
+    epsilon_speed, Omega_speed = speeds[5], speeds[6]
     return ca.vertcat(beta_speed, Theta_speed, gamma_speed, delta_speed, Phi_speed, epsilon_speed, Omega_speed)
 
 
@@ -443,8 +304,7 @@ def gaps(t, q, speeds, c):
 
     Arguments: t [s]; q: COORDINATES; speeds: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (0,): empty
-        dG (0,): empty
+        G, dG (0,): empty
     """
     return ca.vertcat(), ca.vertcat()
 
@@ -466,14 +326,7 @@ def applied(t, q, speeds, c):
     Returns, each a column vector:
         f (7,): beta [N m], Theta [N m], gamma [N m], delta [N m], Phi [N m], epsilon [N m], Omega [N m]
     """
-    mom = c[11]
-    sd = c[12]
-    sc = c[13]
-    c0 = c[14]
-    l0 = c[15]
-    xc_minus_xb = c[16]
-    yc_minus_yb = c[17]
-    l0_squared = c[18]
+    mom, sd, sc, c0, l0, xc_minus_xb, yc_minus_yb, l0_squared = c[11], c[12], c[13], c[14], c[15], c[16], c[17], c[18]
     gamma_angle = q[2]
     cos_K3 = ca.cos(gamma_angle)
     sin_K3 = ca.sin(gamma_angle)
@@ -496,64 +349,20 @@ def accelerations(t, q, speeds, f, c):
 
     Arguments: t [s]; q: COORDINATES; speeds: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (7,): beta.acceleration [rad/s^2], Theta.acceleration [rad/s^2], gamma.acceleration [rad/s^2],
-            delta.acceleration [rad/s^2], Phi.acceleration [rad/s^2], epsilon.acceleration [rad/s^2],
-            Omega.acceleration [rad/s^2]
+        a (7,): beta.acceleration [rad/s^2], Theta.acceleration [rad/s^2], gamma.acceleration [rad/s^2], delta.acceleration [rad/s^2],
+            Phi.acceleration [rad/s^2], epsilon.acceleration [rad/s^2], Omega.acceleration [rad/s^2]
         reactions (0,): empty
-        multipliers (6,): knee_3.apart_x [N], knee_3.apart_y [N], knee_4.apart_x [N], knee_4.apart_y [N],
-            knee_6.apart_x [N], knee_6.apart_y [N]
+        multipliers (6,): CONSTRAINTS [N]
     """
-    e = c[0]
-    zf = c[1]
-    rr = c[2]
-    xb = c[3]
-    yb = c[4]
-    xa = c[5]
-    ya = c[6]
-    zt = c[7]
-    u = c[8]
-    d = c[9]
-    ss = c[10]
-    K2_h_x = c[19]
-    K4_h_y = c[20]
-    K6_h_x = c[21]
-    K2_I_z_z = c[22]
-    K1_I_z_z_plus_K2_I_z_z = c[23]
-    K4_I_z_z = c[24]
-    K4_I_z_z_plus_K5_I_z_z = c[25]
-    K6_I_z_z = c[26]
-    K6_I_z_z_plus_K7_I_z_z = c[27]
-    inverse_K6_I_z_z = c[28]
-    inverse_K4_I_z_z = c[29]
-    inverse_K2_I_z_z = c[30]
-    inverse_K3_I_z_z = c[31]
-    knee_3_apart_x_softness = c[42]
-    knee_3_apart_y_softness = c[43]
-    knee_4_apart_x_softness = c[44]
-    knee_4_apart_y_softness = c[45]
-    knee_6_apart_x_softness = c[46]
-    knee_6_apart_y_softness = c[47]
-    beta_angle = q[0]
-    Theta_angle = q[1]
-    gamma_angle = q[2]
-    delta_angle = q[3]
-    Phi_angle = q[4]
-    epsilon_angle = q[5]
-    Omega_angle = q[6]
-    beta_speed = speeds[0]
-    Theta_speed = speeds[1]
-    gamma_speed = speeds[2]
-    delta_speed = speeds[3]
-    Phi_speed = speeds[4]
-    epsilon_speed = speeds[5]
-    Omega_speed = speeds[6]
-    beta_force = f[0]
-    Theta_force = f[1]
-    gamma_force = f[2]
-    delta_force = f[3]
-    Phi_force = f[4]
-    epsilon_force = f[5]
-    Omega_force = f[6]
+    e, zf, rr, xb, yb, xa, ya, zt, u, d, ss, K2_h_x = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10], c[19]
+    K4_h_y, K6_h_x, K2_I_z_z, K1_I_z_z_plus_K2_I_z_z, K4_I_z_z, K4_I_z_z_plus_K5_I_z_z = c[20], c[21], c[22], c[23], c[24], c[25]
+    K6_I_z_z, K6_I_z_z_plus_K7_I_z_z, inverse_K6_I_z_z, inverse_K4_I_z_z, inverse_K2_I_z_z = c[26], c[27], c[28], c[29], c[30]
+    inverse_K3_I_z_z, knee_3_apart_x_softness, knee_3_apart_y_softness, knee_4_apart_x_softness = c[31], c[42], c[43], c[44]
+    knee_4_apart_y_softness, knee_6_apart_x_softness, knee_6_apart_y_softness = c[45], c[46], c[47]
+    beta_angle, Theta_angle, gamma_angle, delta_angle, Phi_angle, epsilon_angle, Omega_angle = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
+    beta_speed, Theta_speed, gamma_speed, delta_speed, Phi_speed = speeds[0], speeds[1], speeds[2], speeds[3], speeds[4]
+    epsilon_speed, Omega_speed = speeds[5], speeds[6]
+    beta_force, Theta_force, gamma_force, delta_force, Phi_force, epsilon_force, Omega_force = f[0], f[1], f[2], f[3], f[4], f[5], f[6]
     cos_K1 = ca.cos(beta_angle)
     sin_K1 = ca.sin(beta_angle)
     K2_angle = Theta_angle + beta_angle
@@ -758,31 +567,25 @@ def accelerations(t, q, speeds, f, c):
     W_knee_6_apart_y_raised = W_knee_6_apart_y_knee_6_apart_y + knee_6_apart_size*knee_6_apart_y_softness
     l_knee_3_apart_y_knee_3_apart_x = W_knee_3_apart_y_knee_3_apart_x/W_knee_3_apart_x_raised
     D_knee_3_apart_y = W_knee_3_apart_y_raised - W_knee_3_apart_y_knee_3_apart_x*l_knee_3_apart_y_knee_3_apart_x
-    l_knee_4_apart_x_knee_3_apart_x = W_knee_4_apart_x_knee_3_apart_x/W_knee_3_apart_x_raised
     L_knee_4_apart_x_knee_3_apart_y = W_knee_4_apart_x_knee_3_apart_y - W_knee_4_apart_x_knee_3_apart_x*l_knee_3_apart_y_knee_3_apart_x
-    l_knee_4_apart_x_knee_3_apart_y = L_knee_4_apart_x_knee_3_apart_y/D_knee_3_apart_y
-    D_knee_4_apart_x = W_knee_4_apart_x_raised - L_knee_4_apart_x_knee_3_apart_y*l_knee_4_apart_x_knee_3_apart_y - W_knee_4_apart_x_knee_3_apart_x*l_knee_4_apart_x_knee_3_apart_x
-    l_knee_4_apart_y_knee_3_apart_x = W_knee_4_apart_y_knee_3_apart_x/W_knee_3_apart_x_raised
+    l_knee_4_apart_x_knee_3_apart_x, l_knee_4_apart_y_knee_3_apart_x = revolute_apart_apart(W_knee_4_apart_x_knee_3_apart_x, W_knee_4_apart_y_knee_3_apart_x, W_knee_3_apart_x_raised)
     L_knee_4_apart_y_knee_3_apart_y = W_knee_4_apart_y_knee_3_apart_y - W_knee_4_apart_y_knee_3_apart_x*l_knee_3_apart_y_knee_3_apart_x
-    l_knee_4_apart_y_knee_3_apart_y = L_knee_4_apart_y_knee_3_apart_y/D_knee_3_apart_y
+    l_knee_4_apart_x_knee_3_apart_y, l_knee_4_apart_y_knee_3_apart_y = revolute_apart_apart(L_knee_4_apart_x_knee_3_apart_y, L_knee_4_apart_y_knee_3_apart_y, D_knee_3_apart_y)
+    D_knee_4_apart_x = W_knee_4_apart_x_raised - L_knee_4_apart_x_knee_3_apart_y*l_knee_4_apart_x_knee_3_apart_y - W_knee_4_apart_x_knee_3_apart_x*l_knee_4_apart_x_knee_3_apart_x
     L_knee_4_apart_y_knee_4_apart_x = W_knee_4_apart_y_knee_4_apart_x - L_knee_4_apart_y_knee_3_apart_y*l_knee_4_apart_x_knee_3_apart_y - W_knee_4_apart_y_knee_3_apart_x*l_knee_4_apart_x_knee_3_apart_x
     l_knee_4_apart_y_knee_4_apart_x = L_knee_4_apart_y_knee_4_apart_x/D_knee_4_apart_x
     D_knee_4_apart_y = W_knee_4_apart_y_raised - L_knee_4_apart_y_knee_3_apart_y*l_knee_4_apart_y_knee_3_apart_y - L_knee_4_apart_y_knee_4_apart_x*l_knee_4_apart_y_knee_4_apart_x - W_knee_4_apart_y_knee_3_apart_x*l_knee_4_apart_y_knee_3_apart_x
-    l_knee_6_apart_x_knee_3_apart_x = W_knee_6_apart_x_knee_3_apart_x/W_knee_3_apart_x_raised
     L_knee_6_apart_x_knee_3_apart_y = W_knee_6_apart_x_knee_3_apart_y - W_knee_6_apart_x_knee_3_apart_x*l_knee_3_apart_y_knee_3_apart_x
-    l_knee_6_apart_x_knee_3_apart_y = L_knee_6_apart_x_knee_3_apart_y/D_knee_3_apart_y
     L_knee_6_apart_x_knee_4_apart_x = W_knee_6_apart_x_knee_4_apart_x - L_knee_6_apart_x_knee_3_apart_y*l_knee_4_apart_x_knee_3_apart_y - W_knee_6_apart_x_knee_3_apart_x*l_knee_4_apart_x_knee_3_apart_x
-    l_knee_6_apart_x_knee_4_apart_x = L_knee_6_apart_x_knee_4_apart_x/D_knee_4_apart_x
     L_knee_6_apart_x_knee_4_apart_y = W_knee_6_apart_x_knee_4_apart_y - L_knee_6_apart_x_knee_3_apart_y*l_knee_4_apart_y_knee_3_apart_y - L_knee_6_apart_x_knee_4_apart_x*l_knee_4_apart_y_knee_4_apart_x - W_knee_6_apart_x_knee_3_apart_x*l_knee_4_apart_y_knee_3_apart_x
-    l_knee_6_apart_x_knee_4_apart_y = L_knee_6_apart_x_knee_4_apart_y/D_knee_4_apart_y
-    D_knee_6_apart_x = W_knee_6_apart_x_raised - L_knee_6_apart_x_knee_3_apart_y*l_knee_6_apart_x_knee_3_apart_y - L_knee_6_apart_x_knee_4_apart_x*l_knee_6_apart_x_knee_4_apart_x - L_knee_6_apart_x_knee_4_apart_y*l_knee_6_apart_x_knee_4_apart_y - W_knee_6_apart_x_knee_3_apart_x*l_knee_6_apart_x_knee_3_apart_x
-    l_knee_6_apart_y_knee_3_apart_x = W_knee_6_apart_y_knee_3_apart_x/W_knee_3_apart_x_raised
+    l_knee_6_apart_x_knee_3_apart_x, l_knee_6_apart_y_knee_3_apart_x = revolute_apart_apart(W_knee_6_apart_x_knee_3_apart_x, W_knee_6_apart_y_knee_3_apart_x, W_knee_3_apart_x_raised)
     L_knee_6_apart_y_knee_3_apart_y = W_knee_6_apart_y_knee_3_apart_y - W_knee_6_apart_y_knee_3_apart_x*l_knee_3_apart_y_knee_3_apart_x
-    l_knee_6_apart_y_knee_3_apart_y = L_knee_6_apart_y_knee_3_apart_y/D_knee_3_apart_y
     L_knee_6_apart_y_knee_4_apart_x = W_knee_6_apart_y_knee_4_apart_x - L_knee_6_apart_y_knee_3_apart_y*l_knee_4_apart_x_knee_3_apart_y - W_knee_6_apart_y_knee_3_apart_x*l_knee_4_apart_x_knee_3_apart_x
-    l_knee_6_apart_y_knee_4_apart_x = L_knee_6_apart_y_knee_4_apart_x/D_knee_4_apart_x
     L_knee_6_apart_y_knee_4_apart_y = W_knee_6_apart_y_knee_4_apart_y - L_knee_6_apart_y_knee_3_apart_y*l_knee_4_apart_y_knee_3_apart_y - L_knee_6_apart_y_knee_4_apart_x*l_knee_4_apart_y_knee_4_apart_x - W_knee_6_apart_y_knee_3_apart_x*l_knee_4_apart_y_knee_3_apart_x
-    l_knee_6_apart_y_knee_4_apart_y = L_knee_6_apart_y_knee_4_apart_y/D_knee_4_apart_y
+    l_knee_6_apart_x_knee_4_apart_y, l_knee_6_apart_y_knee_4_apart_y = revolute_apart_apart(L_knee_6_apart_x_knee_4_apart_y, L_knee_6_apart_y_knee_4_apart_y, D_knee_4_apart_y)
+    l_knee_6_apart_x_knee_4_apart_x, l_knee_6_apart_y_knee_4_apart_x = revolute_apart_apart(L_knee_6_apart_x_knee_4_apart_x, L_knee_6_apart_y_knee_4_apart_x, D_knee_4_apart_x)
+    l_knee_6_apart_x_knee_3_apart_y, l_knee_6_apart_y_knee_3_apart_y = revolute_apart_apart(L_knee_6_apart_x_knee_3_apart_y, L_knee_6_apart_y_knee_3_apart_y, D_knee_3_apart_y)
+    D_knee_6_apart_x = W_knee_6_apart_x_raised - L_knee_6_apart_x_knee_3_apart_y*l_knee_6_apart_x_knee_3_apart_y - L_knee_6_apart_x_knee_4_apart_x*l_knee_6_apart_x_knee_4_apart_x - L_knee_6_apart_x_knee_4_apart_y*l_knee_6_apart_x_knee_4_apart_y - W_knee_6_apart_x_knee_3_apart_x*l_knee_6_apart_x_knee_3_apart_x
     L_knee_6_apart_y_knee_6_apart_x = W_knee_6_apart_y_knee_6_apart_x - L_knee_6_apart_y_knee_3_apart_y*l_knee_6_apart_x_knee_3_apart_y - L_knee_6_apart_y_knee_4_apart_x*l_knee_6_apart_x_knee_4_apart_x - L_knee_6_apart_y_knee_4_apart_y*l_knee_6_apart_x_knee_4_apart_y - W_knee_6_apart_y_knee_3_apart_x*l_knee_6_apart_x_knee_3_apart_x
     l_knee_6_apart_y_knee_6_apart_x = L_knee_6_apart_y_knee_6_apart_x/D_knee_6_apart_x
     D_knee_6_apart_y = W_knee_6_apart_y_raised - L_knee_6_apart_y_knee_3_apart_y*l_knee_6_apart_y_knee_3_apart_y - L_knee_6_apart_y_knee_4_apart_x*l_knee_6_apart_y_knee_4_apart_x - L_knee_6_apart_y_knee_4_apart_y*l_knee_6_apart_y_knee_4_apart_y - L_knee_6_apart_y_knee_6_apart_x*l_knee_6_apart_y_knee_6_apart_x - W_knee_6_apart_y_knee_3_apart_x*l_knee_6_apart_y_knee_3_apart_x
@@ -870,12 +673,9 @@ def accelerations(t, q, speeds, f, c):
     Phi_acc_4 = Phi_acc_3 + Phi_by_knee_4_apart_x*knee_4_apart_x_acc_4 + Phi_by_knee_4_apart_y*knee_4_apart_y_acc_4
     epsilon_acc_4 = epsilon_acc_3 + epsilon_by_knee_6_apart_x*knee_6_apart_x_acc_4 + epsilon_by_knee_6_apart_y*knee_6_apart_y_acc_4
     Omega_acc_4 = Omega_acc_3 + Omega_by_knee_6_apart_x*knee_6_apart_x_acc_4 + Omega_by_knee_6_apart_y*knee_6_apart_y_acc_4
-    return (
-        ca.vertcat(beta_acc_4, Theta_acc_4, gamma_acc_4, delta_acc_4, Phi_acc_4, epsilon_acc_4, Omega_acc_4),
-        ca.vertcat(),
-        ca.vertcat(knee_3_apart_x_acc_5, knee_3_apart_y_acc_5, knee_4_apart_x_acc_5, knee_4_apart_y_acc_5,
-            knee_6_apart_x_acc_5, knee_6_apart_y_acc_5),
-    )
+    return (ca.vertcat(beta_acc_4, Theta_acc_4, gamma_acc_4, delta_acc_4, Phi_acc_4, epsilon_acc_4, Omega_acc_4), ca.vertcat(),
+        ca.vertcat(knee_3_apart_x_acc_5, knee_3_apart_y_acc_5, knee_4_apart_x_acc_5, knee_4_apart_y_acc_5, knee_6_apart_x_acc_5,
+            knee_6_apart_y_acc_5))
 
 
 def constraints(t, q, speeds, c):
@@ -883,36 +683,12 @@ def constraints(t, q, speeds, c):
 
     Arguments: t [s]; q: COORDINATES; speeds: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        phi (6,): knee_3.apart_x [m], knee_3.apart_y [m], knee_4.apart_x [m], knee_4.apart_y [m], knee_6.apart_x
-            [m], knee_6.apart_y [m]
-        dphi (6,): knee_3.apart_x [m/s], knee_3.apart_y [m/s], knee_4.apart_x [m/s], knee_4.apart_y [m/s],
-            knee_6.apart_x [m/s], knee_6.apart_y [m/s]
+        phi (6,): CONSTRAINTS
+        dphi (6,): CONSTRAINTS [m/s]
     """
-    e = c[0]
-    zf = c[1]
-    rr = c[2]
-    xb = c[3]
-    yb = c[4]
-    xa = c[5]
-    ya = c[6]
-    zt = c[7]
-    u = c[8]
-    d = c[9]
-    ss = c[10]
-    beta_angle = q[0]
-    Theta_angle = q[1]
-    gamma_angle = q[2]
-    delta_angle = q[3]
-    Phi_angle = q[4]
-    epsilon_angle = q[5]
-    Omega_angle = q[6]
-    beta_speed = speeds[0]
-    Theta_speed = speeds[1]
-    gamma_speed = speeds[2]
-    delta_speed = speeds[3]
-    Phi_speed = speeds[4]
-    epsilon_speed = speeds[5]
-    Omega_speed = speeds[6]
+    e, zf, rr, xb, yb, xa, ya, zt, u, d, ss = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10]
+    beta_angle, Theta_angle, gamma_angle, delta_angle, Phi_angle, epsilon_angle, Omega_angle = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
+    beta_speed, Theta_speed, gamma_speed = speeds[0], speeds[1], speeds[2]
     cos_K1 = ca.cos(beta_angle)
     sin_K1 = ca.sin(beta_angle)
     K2_angle = Theta_angle + beta_angle
@@ -947,41 +723,15 @@ def constraints(t, q, speeds, c):
     knee_3_apart_y = knee_3_child_arm_y + yb - K2_arm_y - knee_3_parent_arm_y
     knee_3_apart_rate_x = knee_3_child_arm_rate_x - K2_arm_rate_x - knee_3_parent_arm_rate_x
     knee_3_apart_rate_y = knee_3_child_arm_rate_y - K2_arm_rate_y - knee_3_parent_arm_rate_y
-    K4_arm_x = cos_K5*zt
     K4_arm_y = sin_K5*zt
-    K4_arm_rate_x = -K4_arm_y*delta_speed
-    K4_arm_rate_y = K4_arm_x*delta_speed
-    K4_rate_z = Phi_speed + delta_speed
-    K4_x = K4_arm_x + xa
-    K4_y = K4_arm_y + ya
-    knee_4_child_arm_x = sin_K4*e
     knee_4_child_arm_y = -cos_K4*e
-    knee_4_child_arm_rate_x = -K4_rate_z*knee_4_child_arm_y
-    knee_4_child_arm_rate_y = K4_rate_z*knee_4_child_arm_x
-    knee_4_apart_x = K4_x + knee_4_child_arm_x - K2_arm_x - knee_3_parent_arm_x
-    knee_4_apart_y = K4_y + knee_4_child_arm_y - K2_arm_y - knee_3_parent_arm_y
-    knee_4_apart_rate_x = K4_arm_rate_x + knee_4_child_arm_rate_x - K2_arm_rate_x - knee_3_parent_arm_rate_x
-    knee_4_apart_rate_y = K4_arm_rate_y + knee_4_child_arm_rate_y - K2_arm_rate_y - knee_3_parent_arm_rate_y
-    K6_arm_x = sin_K7*u
+    knee_4_apart_x, knee_4_apart_y, knee_4_apart_rate_x, knee_4_apart_rate_y = revolute_apart(cos_K5, sin_K4, K2_arm_x, K2_arm_y, K2_arm_rate_x, K2_arm_rate_y, knee_3_parent_arm_x, knee_3_parent_arm_y, knee_3_parent_arm_rate_x, knee_3_parent_arm_rate_y, K4_arm_y, knee_4_child_arm_y, speeds[3], speeds[4], e, xa, ya, zt)
     K6_arm_y = -cos_K7*u
-    K6_arm_rate_x = -K6_arm_y*epsilon_speed
-    K6_arm_rate_y = K6_arm_x*epsilon_speed
-    K6_rate_z = Omega_speed + epsilon_speed
-    K6_x = K6_arm_x + xa
-    K6_y = K6_arm_y + ya
-    knee_6_child_arm_x = cos_K6*zf
     knee_6_child_arm_y = sin_K6*zf
-    knee_6_child_arm_rate_x = -K6_rate_z*knee_6_child_arm_y
-    knee_6_child_arm_rate_y = K6_rate_z*knee_6_child_arm_x
-    knee_6_apart_x = K6_x + knee_6_child_arm_x - K2_arm_x - knee_3_parent_arm_x
-    knee_6_apart_y = K6_y + knee_6_child_arm_y - K2_arm_y - knee_3_parent_arm_y
-    knee_6_apart_rate_x = K6_arm_rate_x + knee_6_child_arm_rate_x - K2_arm_rate_x - knee_3_parent_arm_rate_x
-    knee_6_apart_rate_y = K6_arm_rate_y + knee_6_child_arm_rate_y - K2_arm_rate_y - knee_3_parent_arm_rate_y
-    return (
-        ca.vertcat(knee_3_apart_x, knee_3_apart_y, knee_4_apart_x, knee_4_apart_y, knee_6_apart_x, knee_6_apart_y),
-        ca.vertcat(knee_3_apart_rate_x, knee_3_apart_rate_y, knee_4_apart_rate_x, knee_4_apart_rate_y,
-            knee_6_apart_rate_x, knee_6_apart_rate_y),
-    )
+    knee_6_apart_x, knee_6_apart_y, knee_6_apart_rate_x, knee_6_apart_rate_y = revolute_apart(sin_K7, cos_K6, K2_arm_x, K2_arm_y, K2_arm_rate_x, K2_arm_rate_y, knee_3_parent_arm_x, knee_3_parent_arm_y, knee_3_parent_arm_rate_x, knee_3_parent_arm_rate_y, K6_arm_y, knee_6_child_arm_y, speeds[5], speeds[6], zf, xa, ya, u)
+    return (ca.vertcat(knee_3_apart_x, knee_3_apart_y, knee_4_apart_x, knee_4_apart_y, knee_6_apart_x, knee_6_apart_y),
+        ca.vertcat(knee_3_apart_rate_x, knee_3_apart_rate_y, knee_4_apart_rate_x, knee_4_apart_rate_y, knee_6_apart_rate_x,
+            knee_6_apart_rate_y))
 
 
 def projection(t, q, wanted, c):
@@ -989,53 +739,17 @@ def projection(t, q, wanted, c):
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
-        v (7,): beta.speed [rad/s], Theta.speed [rad/s], gamma.speed [rad/s], delta.speed [rad/s], Phi.speed
-            [rad/s], epsilon.speed [rad/s], Omega.speed [rad/s]
-        independence (6,): knee_3.apart_x [1], knee_3.apart_y [1], knee_4.apart_x [1], knee_4.apart_y [1],
-            knee_6.apart_x [1], knee_6.apart_y [1]
+        v (7,): SPEEDS
+        independence (6,): CONSTRAINTS [1]
     """
-    e = c[0]
-    zf = c[1]
-    rr = c[2]
-    xb = c[3]
-    yb = c[4]
-    xa = c[5]
-    ya = c[6]
-    zt = c[7]
-    u = c[8]
-    ss = c[10]
-    K2_h_x = c[19]
-    K4_h_y = c[20]
-    K6_h_x = c[21]
-    K2_I_z_z = c[22]
-    K1_I_z_z_plus_K2_I_z_z = c[23]
-    K4_I_z_z = c[24]
-    K4_I_z_z_plus_K5_I_z_z = c[25]
-    K6_I_z_z = c[26]
-    K6_I_z_z_plus_K7_I_z_z = c[27]
-    inverse_K6_I_z_z = c[28]
-    inverse_K4_I_z_z = c[29]
-    inverse_K2_I_z_z = c[30]
-    inverse_K3_I_z_z = c[31]
-    knee_3_apart_x_softness = c[42]
-    knee_3_apart_y_softness = c[43]
-    knee_4_apart_x_softness = c[44]
-    knee_4_apart_y_softness = c[45]
-    knee_6_apart_x_softness = c[46]
-    knee_6_apart_y_softness = c[47]
-    beta_angle = q[0]
-    Theta_angle = q[1]
-    gamma_angle = q[2]
-    delta_angle = q[3]
-    Phi_angle = q[4]
-    epsilon_angle = q[5]
-    Omega_angle = q[6]
-    knee_3_apart_x_wanted_rate = wanted[0]
-    knee_3_apart_y_wanted_rate = wanted[1]
-    knee_4_apart_x_wanted_rate = wanted[2]
-    knee_4_apart_y_wanted_rate = wanted[3]
-    knee_6_apart_x_wanted_rate = wanted[4]
-    knee_6_apart_y_wanted_rate = wanted[5]
+    e, zf, rr, xb, yb, xa, ya, zt, u, ss, K2_h_x, K4_h_y = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[10], c[19], c[20]
+    K6_h_x, K2_I_z_z, K1_I_z_z_plus_K2_I_z_z, K4_I_z_z, K4_I_z_z_plus_K5_I_z_z, K6_I_z_z = c[21], c[22], c[23], c[24], c[25], c[26]
+    K6_I_z_z_plus_K7_I_z_z, inverse_K6_I_z_z, inverse_K4_I_z_z, inverse_K2_I_z_z, inverse_K3_I_z_z = c[27], c[28], c[29], c[30], c[31]
+    knee_3_apart_x_softness, knee_3_apart_y_softness, knee_4_apart_x_softness, knee_4_apart_y_softness = c[42], c[43], c[44], c[45]
+    knee_6_apart_x_softness, knee_6_apart_y_softness = c[46], c[47]
+    beta_angle, Theta_angle, gamma_angle, delta_angle, Phi_angle, epsilon_angle, Omega_angle = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
+    knee_3_apart_x_wanted_rate, knee_3_apart_y_wanted_rate, knee_4_apart_x_wanted_rate = wanted[0], wanted[1], wanted[2]
+    knee_4_apart_y_wanted_rate, knee_6_apart_x_wanted_rate, knee_6_apart_y_wanted_rate = wanted[3], wanted[4], wanted[5]
     cos_K1 = ca.cos(beta_angle)
     sin_K1 = ca.sin(beta_angle)
     K2_angle = Theta_angle + beta_angle
@@ -1104,36 +818,31 @@ def projection(t, q, wanted, c):
     l_beta_Theta = Theta_K2_torque_z*inverse_K2_I_z_z
     D_beta = K1_total_J_z_z - Theta_K2_torque_z*l_beta_Theta
     y_beta_2 = knee_3_x_on_beta - knee_3_x_on_Theta*l_beta_Theta
-    beta_by_knee_3_apart_x = y_beta_2/D_beta
+    y_beta_3 = knee_3_y_on_beta - knee_3_y_on_Theta*l_beta_Theta
+    beta_by_knee_3_apart_x, beta_by_knee_3_apart_y = revolute_apart_apart(y_beta_2, y_beta_3, D_beta)
     Theta_by_knee_3_apart_x = inverse_K2_I_z_z*knee_3_x_on_Theta - beta_by_knee_3_apart_x*l_beta_Theta
     gamma_by_knee_3_apart_x = -inverse_K3_I_z_z*knee_3_child_arm_y
-    y_beta_3 = knee_3_y_on_beta - knee_3_y_on_Theta*l_beta_Theta
-    beta_by_knee_3_apart_y = y_beta_3/D_beta
     Theta_by_knee_3_apart_y = inverse_K2_I_z_z*knee_3_y_on_Theta - beta_by_knee_3_apart_y*l_beta_Theta
     gamma_by_knee_3_apart_y = inverse_K3_I_z_z*knee_3_child_arm_x
     y_delta_2 = knee_4_x_on_delta + knee_4_child_arm_y*l_delta_Phi
     y_beta_4 = knee_4_x_on_beta - knee_4_x_on_Theta*l_beta_Theta
-    beta_by_knee_4_apart_x = y_beta_4/D_beta
-    Theta_by_knee_4_apart_x = inverse_K2_I_z_z*knee_4_x_on_Theta - beta_by_knee_4_apart_x*l_beta_Theta
-    delta_by_knee_4_apart_x = y_delta_2/D_delta
-    Phi_by_knee_4_apart_x = -delta_by_knee_4_apart_x*l_delta_Phi - inverse_K4_I_z_z*knee_4_child_arm_y
-    y_delta_3 = knee_4_y_on_delta - knee_4_child_arm_x*l_delta_Phi
     y_beta_5 = knee_4_y_on_beta - knee_4_y_on_Theta*l_beta_Theta
-    beta_by_knee_4_apart_y = y_beta_5/D_beta
+    beta_by_knee_4_apart_x, beta_by_knee_4_apart_y = revolute_apart_apart(y_beta_4, y_beta_5, D_beta)
+    Theta_by_knee_4_apart_x = inverse_K2_I_z_z*knee_4_x_on_Theta - beta_by_knee_4_apart_x*l_beta_Theta
+    y_delta_3 = knee_4_y_on_delta - knee_4_child_arm_x*l_delta_Phi
+    delta_by_knee_4_apart_x, delta_by_knee_4_apart_y = revolute_apart_apart(y_delta_2, y_delta_3, D_delta)
+    Phi_by_knee_4_apart_x = -delta_by_knee_4_apart_x*l_delta_Phi - inverse_K4_I_z_z*knee_4_child_arm_y
     Theta_by_knee_4_apart_y = inverse_K2_I_z_z*knee_4_y_on_Theta - beta_by_knee_4_apart_y*l_beta_Theta
-    delta_by_knee_4_apart_y = y_delta_3/D_delta
     Phi_by_knee_4_apart_y = inverse_K4_I_z_z*knee_4_child_arm_x - delta_by_knee_4_apart_y*l_delta_Phi
     y_epsilon_2 = knee_6_x_on_epsilon + knee_6_child_arm_y*l_epsilon_Omega
     y_beta_6 = knee_6_x_on_beta - knee_6_x_on_Theta*l_beta_Theta
-    beta_by_knee_6_apart_x = y_beta_6/D_beta
-    Theta_by_knee_6_apart_x = inverse_K2_I_z_z*knee_6_x_on_Theta - beta_by_knee_6_apart_x*l_beta_Theta
-    epsilon_by_knee_6_apart_x = y_epsilon_2/D_epsilon
-    Omega_by_knee_6_apart_x = -epsilon_by_knee_6_apart_x*l_epsilon_Omega - inverse_K6_I_z_z*knee_6_child_arm_y
-    y_epsilon_3 = knee_6_y_on_epsilon - knee_6_child_arm_x*l_epsilon_Omega
     y_beta_7 = knee_6_y_on_beta - knee_6_y_on_Theta*l_beta_Theta
-    beta_by_knee_6_apart_y = y_beta_7/D_beta
+    beta_by_knee_6_apart_x, beta_by_knee_6_apart_y = revolute_apart_apart(y_beta_6, y_beta_7, D_beta)
+    Theta_by_knee_6_apart_x = inverse_K2_I_z_z*knee_6_x_on_Theta - beta_by_knee_6_apart_x*l_beta_Theta
+    y_epsilon_3 = knee_6_y_on_epsilon - knee_6_child_arm_x*l_epsilon_Omega
+    epsilon_by_knee_6_apart_x, epsilon_by_knee_6_apart_y = revolute_apart_apart(y_epsilon_2, y_epsilon_3, D_epsilon)
+    Omega_by_knee_6_apart_x = -epsilon_by_knee_6_apart_x*l_epsilon_Omega - inverse_K6_I_z_z*knee_6_child_arm_y
     Theta_by_knee_6_apart_y = inverse_K2_I_z_z*knee_6_y_on_Theta - beta_by_knee_6_apart_y*l_beta_Theta
-    epsilon_by_knee_6_apart_y = y_epsilon_3/D_epsilon
     Omega_by_knee_6_apart_y = inverse_K6_I_z_z*knee_6_child_arm_x - epsilon_by_knee_6_apart_y*l_epsilon_Omega
     W_knee_3_apart_x_knee_3_apart_x = Theta_by_knee_3_apart_x*knee_3_x_on_Theta + beta_by_knee_3_apart_x*knee_3_x_on_beta - gamma_by_knee_3_apart_x*knee_3_child_arm_y
     W_knee_3_apart_y_knee_3_apart_x = Theta_by_knee_3_apart_x*knee_3_y_on_Theta + beta_by_knee_3_apart_x*knee_3_y_on_beta + gamma_by_knee_3_apart_x*knee_3_child_arm_x
@@ -1237,17 +946,12 @@ def projection(t, q, wanted, c):
     gamma_push_2 = gamma_push + gamma_by_knee_3_apart_x*knee_3_apart_x_push_2 + gamma_by_knee_3_apart_y*knee_3_apart_y_push_2
     Theta_push_2 = Theta_push + Theta_by_knee_3_apart_x*knee_3_apart_x_push_2 + Theta_by_knee_3_apart_y*knee_3_apart_y_push_2 + Theta_by_knee_4_apart_x*knee_4_apart_x_push_2 + Theta_by_knee_4_apart_y*knee_4_apart_y_push_2 + Theta_by_knee_6_apart_x*knee_6_apart_x_push_2 + Theta_by_knee_6_apart_y*knee_6_apart_y_push_2
     beta_push_2 = beta_push + beta_by_knee_3_apart_x*knee_3_apart_x_push_2 + beta_by_knee_3_apart_y*knee_3_apart_y_push_2 + beta_by_knee_4_apart_x*knee_4_apart_x_push_2 + beta_by_knee_4_apart_y*knee_4_apart_y_push_2 + beta_by_knee_6_apart_x*knee_6_apart_x_push_2 + beta_by_knee_6_apart_y*knee_6_apart_y_push_2
-    knee_3_apart_x_independence = W_knee_3_apart_x_raised/knee_3_apart_size
-    knee_3_apart_y_independence = D_knee_3_apart_y/knee_3_apart_size
-    knee_4_apart_x_independence = D_knee_4_apart_x/knee_4_apart_size
-    knee_4_apart_y_independence = D_knee_4_apart_y/knee_4_apart_size
-    knee_6_apart_x_independence = D_knee_6_apart_x/knee_6_apart_size
-    knee_6_apart_y_independence = D_knee_6_apart_y/knee_6_apart_size
-    return (
-        ca.vertcat(beta_push_2, Theta_push_2, gamma_push_2, delta_push_2, Phi_push_2, epsilon_push_2, Omega_push_2),
-        ca.vertcat(knee_3_apart_x_independence, knee_3_apart_y_independence, knee_4_apart_x_independence,
-            knee_4_apart_y_independence, knee_6_apart_x_independence, knee_6_apart_y_independence),
-    )
+    knee_3_apart_x_independence, knee_3_apart_y_independence = revolute_apart_apart(W_knee_3_apart_x_raised, D_knee_3_apart_y, knee_3_apart_size)
+    knee_4_apart_x_independence, knee_4_apart_y_independence = revolute_apart_apart(D_knee_4_apart_x, D_knee_4_apart_y, knee_4_apart_size)
+    knee_6_apart_x_independence, knee_6_apart_y_independence = revolute_apart_apart(D_knee_6_apart_x, D_knee_6_apart_y, knee_6_apart_size)
+    return (ca.vertcat(beta_push_2, Theta_push_2, gamma_push_2, delta_push_2, Phi_push_2, epsilon_push_2, Omega_push_2),
+        ca.vertcat(knee_3_apart_x_independence, knee_3_apart_y_independence, knee_4_apart_x_independence, knee_4_apart_y_independence,
+            knee_6_apart_x_independence, knee_6_apart_y_independence))
 
 
 def ledger(t, q, speeds, reactions, c):
@@ -1255,7 +959,7 @@ def ledger(t, q, speeds, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; speeds: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (1,): motor.input [W]
+        dz (1,): MEMORY [W]
     """
     mom = c[11]
     beta_speed = speeds[0]
@@ -1271,42 +975,12 @@ def energy(t, q, speeds, c):
         potential (1,): potential [J]
         stored (0,): empty
     """
-    rr = c[2]
-    zt = c[7]
-    u = c[8]
-    sd = c[12]
-    sc = c[13]
-    c0 = c[14]
-    l0 = c[15]
-    xc_minus_xb = c[16]
-    yc_minus_yb = c[17]
-    K2_h_x = c[19]
-    K4_h_y = c[20]
-    K6_h_x = c[21]
-    half_K1_I_z_z_2 = c[32]
-    half_K2_I_z_z = c[33]
-    half_K3_I_z_z = c[34]
-    half_K4_I_z_z = c[35]
-    half_K5_I_z_z_2 = c[36]
-    half_K6_I_z_z = c[37]
-    half_K7_I_z_z_2 = c[38]
-    half_m2 = c[39]
-    half_m4 = c[40]
-    half_m6 = c[41]
-    beta_angle = q[0]
-    Theta_angle = q[1]
-    gamma_angle = q[2]
-    delta_angle = q[3]
-    Phi_angle = q[4]
-    epsilon_angle = q[5]
-    Omega_angle = q[6]
-    beta_speed = speeds[0]
-    Theta_speed = speeds[1]
-    gamma_speed = speeds[2]
-    delta_speed = speeds[3]
-    Phi_speed = speeds[4]
-    epsilon_speed = speeds[5]
-    Omega_speed = speeds[6]
+    rr, zt, u, sd, sc, c0, l0, xc_minus_xb, yc_minus_yb, K2_h_x = c[2], c[7], c[8], c[12], c[13], c[14], c[15], c[16], c[17], c[19]
+    K4_h_y, K6_h_x, half_K1_I_z_z_2, half_K2_I_z_z, half_K3_I_z_z, half_K4_I_z_z = c[20], c[21], c[32], c[33], c[34], c[35]
+    half_K5_I_z_z_2, half_K6_I_z_z, half_K7_I_z_z_2, half_m2, half_m4, half_m6 = c[36], c[37], c[38], c[39], c[40], c[41]
+    beta_angle, Theta_angle, gamma_angle, delta_angle, Phi_angle, epsilon_angle, Omega_angle = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
+    beta_speed, Theta_speed, gamma_speed, delta_speed, Phi_speed = speeds[0], speeds[1], speeds[2], speeds[3], speeds[4]
+    epsilon_speed, Omega_speed = speeds[5], speeds[6]
     cos_K1 = ca.cos(beta_angle)
     sin_K1 = ca.sin(beta_angle)
     K2_angle = Theta_angle + beta_angle
@@ -1359,32 +1033,18 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (21,): K1.x [m], K1.y [m], K1.z [m], K2.x [m], K2.y [m], K2.z [m], K3.x [m], K3.y [m], K3.z [m],
-            K5.x [m], K5.y [m], K5.z [m], K4.x [m], K4.y [m], K4.z [m], K7.x [m], K7.y [m], K7.z [m], K6.x [m], K6.y
-            [m], K6.z [m]
-        rotations (63,): K1.R_xx [1], K1.R_xy [1], K1.R_xz [1], K1.R_yx [1], K1.R_yy [1], K1.R_yz [1], K1.R_zx [1],
-            K1.R_zy [1], K1.R_zz [1], K2.R_xx [1], K2.R_xy [1], K2.R_xz [1], K2.R_yx [1], K2.R_yy [1], K2.R_yz [1],
-            K2.R_zx [1], K2.R_zy [1], K2.R_zz [1], K3.R_xx [1], K3.R_xy [1], K3.R_xz [1], K3.R_yx [1], K3.R_yy [1],
-            K3.R_yz [1], K3.R_zx [1], K3.R_zy [1], K3.R_zz [1], K5.R_xx [1], K5.R_xy [1], K5.R_xz [1], K5.R_yx [1],
-            K5.R_yy [1], K5.R_yz [1], K5.R_zx [1], K5.R_zy [1], K5.R_zz [1], K4.R_xx [1], K4.R_xy [1], K4.R_xz [1],
-            K4.R_yx [1], K4.R_yy [1], K4.R_yz [1], K4.R_zx [1], K4.R_zy [1], K4.R_zz [1], K7.R_xx [1], K7.R_xy [1],
-            K7.R_xz [1], K7.R_yx [1], K7.R_yy [1], K7.R_yz [1], K7.R_zx [1], K7.R_zy [1], K7.R_zz [1], K6.R_xx [1],
-            K6.R_xy [1], K6.R_xz [1], K6.R_yx [1], K6.R_yy [1], K6.R_yz [1], K6.R_zx [1], K6.R_zy [1], K6.R_zz [1]
+        positions (21,): K1.x [m], K1.y [m], K1.z [m], K2.x [m], K2.y [m], K2.z [m], K3.x [m], K3.y [m], K3.z [m], K5.x [m], K5.y [m], K5.z
+            [m], K4.x [m], K4.y [m], K4.z [m], K7.x [m], K7.y [m], K7.z [m], K6.x [m], K6.y [m], K6.z [m]
+        rotations (63,): K1.R_xx [1], K1.R_xy [1], K1.R_xz [1], K1.R_yx [1], K1.R_yy [1], K1.R_yz [1], K1.R_zx [1], K1.R_zy [1], K1.R_zz
+            [1], K2.R_xx [1], K2.R_xy [1], K2.R_xz [1], K2.R_yx [1], K2.R_yy [1], K2.R_yz [1], K2.R_zx [1], K2.R_zy [1], K2.R_zz [1],
+            K3.R_xx [1], K3.R_xy [1], K3.R_xz [1], K3.R_yx [1], K3.R_yy [1], K3.R_yz [1], K3.R_zx [1], K3.R_zy [1], K3.R_zz [1], K5.R_xx
+            [1], K5.R_xy [1], K5.R_xz [1], K5.R_yx [1], K5.R_yy [1], K5.R_yz [1], K5.R_zx [1], K5.R_zy [1], K5.R_zz [1], K4.R_xx [1],
+            K4.R_xy [1], K4.R_xz [1], K4.R_yx [1], K4.R_yy [1], K4.R_yz [1], K4.R_zx [1], K4.R_zy [1], K4.R_zz [1], K7.R_xx [1], K7.R_xy
+            [1], K7.R_xz [1], K7.R_yx [1], K7.R_yy [1], K7.R_yz [1], K7.R_zx [1], K7.R_zy [1], K7.R_zz [1], K6.R_xx [1], K6.R_xy [1],
+            K6.R_xz [1], K6.R_yx [1], K6.R_yy [1], K6.R_yz [1], K6.R_zx [1], K6.R_zy [1], K6.R_zz [1]
     """
-    rr = c[2]
-    xb = c[3]
-    yb = c[4]
-    xa = c[5]
-    ya = c[6]
-    zt = c[7]
-    u = c[8]
-    beta_angle = q[0]
-    Theta_angle = q[1]
-    gamma_angle = q[2]
-    delta_angle = q[3]
-    Phi_angle = q[4]
-    epsilon_angle = q[5]
-    Omega_angle = q[6]
+    rr, xb, yb, xa, ya, zt, u = c[2], c[3], c[4], c[5], c[6], c[7], c[8]
+    beta_angle, Theta_angle, gamma_angle, delta_angle, Phi_angle, epsilon_angle, Omega_angle = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
     cos_K1 = ca.cos(beta_angle)
     sin_K1 = ca.sin(beta_angle)
     K2_angle = Theta_angle + beta_angle
@@ -1412,13 +1072,10 @@ def poses(t, q, c):
     K6_arm_y = -cos_K7*u
     K6_x = K6_arm_x + xa
     K6_y = K6_arm_y + ya
-    return (
-        ca.vertcat(0, 0, 0, K2_arm_x, K2_arm_y, 0, xb, yb, 0, xa, ya, 0, K4_x, K4_y, 0, xa, ya, 0, K6_x, K6_y, 0),
-        ca.vertcat(cos_K1, -sin_K1, 0, sin_K1, cos_K1, 0, 0, 0, 1, cos_K2, -sin_K2, 0, sin_K2, cos_K2, 0, 0, 0, 1,
-            cos_K3, -sin_K3, 0, sin_K3, cos_K3, 0, 0, 0, 1, cos_K5, -sin_K5, 0, sin_K5, cos_K5, 0, 0, 0, 1, cos_K4,
-            -sin_K4, 0, sin_K4, cos_K4, 0, 0, 0, 1, cos_K7, -sin_K7, 0, sin_K7, cos_K7, 0, 0, 0, 1, cos_K6, -sin_K6,
-            0, sin_K6, cos_K6, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, K2_arm_x, K2_arm_y, 0, xb, yb, 0, xa, ya, 0, K4_x, K4_y, 0, xa, ya, 0, K6_x, K6_y, 0),
+        ca.vertcat(cos_K1, -sin_K1, 0, sin_K1, cos_K1, 0, 0, 0, 1, cos_K2, -sin_K2, 0, sin_K2, cos_K2, 0, 0, 0, 1, cos_K3, -sin_K3, 0,
+            sin_K3, cos_K3, 0, 0, 0, 1, cos_K5, -sin_K5, 0, sin_K5, cos_K5, 0, 0, 0, 1, cos_K4, -sin_K4, 0, sin_K4, cos_K4, 0, 0, 0, 1,
+            cos_K7, -sin_K7, 0, sin_K7, cos_K7, 0, 0, 0, 1, cos_K6, -sin_K6, 0, sin_K6, cos_K6, 0, 0, 0, 1))
 
 
 def outputs(t, q, speeds, c):
@@ -1436,91 +1093,17 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        beta.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        beta.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        Theta.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        Theta.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gamma.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gamma.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        delta.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        delta.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        Phi.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        Phi.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        epsilon.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        epsilon.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        Omega.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        Omega.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        knee_3.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        knee_3.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        knee_4.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        knee_4.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        knee_6.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        knee_6.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring.first (3,): x [m], y [m], z [m]
-        spring.second (3,): x [m], y [m], z [m]
-        K1.centre (3,): x [m], y [m], z [m]
-        K2.centre (3,): x [m], y [m], z [m]
-        K3.centre (3,): x [m], y [m], z [m]
-        K5.centre (3,): x [m], y [m], z [m]
-        K4.centre (3,): x [m], y [m], z [m]
-        K7.centre (3,): x [m], y [m], z [m]
-        K6.centre (3,): x [m], y [m], z [m]
+        beta.parent to motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        spring.first to K6.centre (3,): x [m], y [m], z [m]
     """
-    ra = p[2]
-    da = p[5]
-    sb = p[8]
-    sa = p[9]
-    ta = p[12]
-    tb = p[13]
-    e = p[16]
-    ea = p[17]
-    ua = p[20]
-    ub = p[21]
-    fa = p[24]
-    zf = p[25]
-    rr = p[26]
-    xb = p[27]
-    yb = p[28]
-    xa = p[29]
-    ya = p[30]
-    zt = p[31]
-    u = p[32]
-    d = p[33]
-    ss = p[34]
-    sd = p[36]
-    sc = p[37]
-    xc = p[38]
+    ra, da, sb, sa, ta, tb, e, ea, ua, ub, fa, zf = p[2], p[5], p[8], p[9], p[12], p[13], p[16], p[17], p[20], p[21], p[24], p[25]
+    rr, xb, yb, xa, ya, zt, u, d, ss, sd, sc, xc = p[26], p[27], p[28], p[29], p[30], p[31], p[32], p[33], p[34], p[36], p[37], p[38]
     yc = p[39]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(rr, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(xb, yb, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(xa, ya, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(zt, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(xa, ya, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, -u, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(-d, 0, 0, 0, 0, 1),
-        ca.vertcat(0, -ss, 0, 0, 0, 1),
-        ca.vertcat(-d, 0, 0, 0, 0, 1),
-        ca.vertcat(0, -e, 0, 0, 0, 1),
-        ca.vertcat(-d, 0, 0, 0, 0, 1),
-        ca.vertcat(zf, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(sd, -sc, 0),
-        ca.vertcat(xc, yc, 0),
-        ca.vertcat(ra, 0, 0),
-        ca.vertcat(-da, 0, 0),
-        ca.vertcat(sb, -sa, 0),
-        ca.vertcat(ta, tb, 0),
-        ca.vertcat(0, ea - e, 0),
-        ca.vertcat(ua, -ub, 0),
-        ca.vertcat(zf - fa, 0, 0),
-    )
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(rr, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(xb, yb, 0, 0, 0,
+            1),
+        ca.vertcat(*[0]*5, 1), ca.vertcat(xa, ya, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(zt, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(xa, ya, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, -u, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(-d, 0, 0, 0, 0, 1), ca.vertcat(0, -ss, 0, 0, 0, 1), ca.vertcat(-d, 0, 0, 0, 0, 1), ca.vertcat(0, -e, 0, 0, 0, 1),
+        ca.vertcat(-d, 0, 0, 0, 0, 1), ca.vertcat(zf, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(sd, -sc, 0), ca.vertcat(xc, yc, 0),
+        ca.vertcat(ra, 0, 0), ca.vertcat(-da, 0, 0), ca.vertcat(sb, -sa, 0), ca.vertcat(ta, tb, 0), ca.vertcat(0, ea - e, 0),
+        ca.vertcat(ua, -ub, 0), ca.vertcat(zf - fa, 0, 0))

@@ -2,8 +2,7 @@
 
 Do not edit; regenerate with `hertzwerk derive ball_between_walls`.
 Effects:
-    left_wall: power x hunt_crossley
-    right_wall: power x hunt_crossley
+    left_wall, right_wall: power x hunt_crossley
     energy_ledger: work put in, energy dissipated per effect
 Units: 24 assignments and 92 outputs checked, all consistent
 Operations: flight 8 (equations of motion and gaps); in contact also contact_left_wall 14, contact_right_wall 14
@@ -16,8 +15,7 @@ SOURCE = "derive/scenes/ball_between_walls.py"
 SUMMARY = "ball between two walls"
 
 EFFECTS = (
-    ("left_wall", "contact", "power x hunt_crossley"),
-    ("right_wall", "contact", "power x hunt_crossley"),
+    ("left_wall", "contact", "power x hunt_crossley"), ("right_wall", "contact", "power x hunt_crossley"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -43,85 +41,40 @@ LIMITS = (
     ("speed", "defined", 0, None, True, False, "scales, speed"),
 )
 
-COORDINATES = (
-    ("track.travel", "m"),
-)
+COORDINATES = (("track.travel", "m"),)
 
-SPEEDS = (
-    ("track.speed", "m/s"),
-)
+SPEEDS = (("track.speed", "m/s"),)
 
-MEMORY = (
-    ("left_wall.dissipated", "J"),
-    ("right_wall.dissipated", "J"),
-)
+MEMORY = (("left_wall.dissipated", "J"), ("right_wall.dissipated", "J"))
 
-LATCHES = (
-    ("left_wall.approach_speed", "m/s", 0),
-    ("right_wall.approach_speed", "m/s", 1),
-)
+LATCHES = (("left_wall.approach_speed", "m/s", 0), ("right_wall.approach_speed", "m/s", 1))
 
-PAIRS = (
-    ("left_wall", "sphere_on_plane"),
-    ("right_wall", "sphere_on_plane"),
-)
+PAIRS = (("left_wall", "sphere_on_plane"), ("right_wall", "sphere_on_plane"))
 
-RELEASES = (
-    "force",
-    "force",
-)
+RELEASES = ("force", "force")
 
-DISSIPATED = (
-    0,
-    1,
-)
+DISSIPATED = (0, 1)
 
-OUTPUTS = (
-    ("left_wall.gap", "m"),
-    ("right_wall.gap", "m"),
-)
+OUTPUTS = (("left_wall.gap", "m"), ("right_wall.gap", "m"))
 
-BODIES = (
-    "ball",
-)
+BODIES = ("ball",)
 
 LANDMARKS = (
-    ("track", "prismatic", "parent", "ground", ("axis",)),
-    ("track", "prismatic", "child", "ball", ("axis",)),
-    ("left_wall", "sphere_on_plane", "sphere", "ball", ("radius",)),
-    ("left_wall", "sphere_on_plane", "plane", "ground", ("normal",)),
-    ("right_wall", "sphere_on_plane", "sphere", "ball", ("radius",)),
-    ("right_wall", "sphere_on_plane", "plane", "ground", ("normal",)),
+    ("track", "prismatic", "parent", "ground", ("axis",)), ("track", "prismatic", "child", "ball", ("axis",)),
+    ("left_wall", "sphere_on_plane", "sphere", "ball", ("radius",)), ("left_wall", "sphere_on_plane", "plane", "ground", ("normal",)),
+    ("right_wall", "sphere_on_plane", "sphere", "ball", ("radius",)), ("right_wall", "sphere_on_plane", "plane", "ground", ("normal",)),
     ("ball", "body", "centre", "ball", ()),
 )
 
 CONSTANTS = (
-    ("radius", "m"),
-    ("stiffness", "N/m"),
-    ("left_wall_second_arm_x", "m"),
-    ("right_wall_second_arm_x", "m"),
-    ("half_stiffness", "N/m"),
-    ("left_wall_hysteresis_factor", "1"),
-    ("inverse_mass", "1/kg"),
-    ("half_mass", "kg"),
+    ("radius", "m"), ("stiffness", "N/m"), ("left_wall_second_arm_x", "m"), ("right_wall_second_arm_x", "m"), ("half_stiffness", "N/m"),
+    ("left_wall_hysteresis_factor", "1"), ("inverse_mass", "1/kg"), ("half_mass", "kg"),
 )
 
 OPERATIONS = (
-    ("constants", 10),
-    ("start", 0),
-    ("scales", 9),
-    ("coordinate_rates", 0),
-    ("gaps", 6),
-    ("gap_accelerations", 1),
-    ("contact_left_wall", 14),
-    ("contact_right_wall", 14),
-    ("applied", 0),
-    ("accelerations", 1),
-    ("ledger", 0),
-    ("energy", 17),
-    ("poses", 0),
-    ("outputs", 5),
-    ("landmarks", 3),
+    ("constants", 10), ("start", 0), ("scales", 9), ("coordinate_rates", 0), ("gaps", 6), ("gap_accelerations", 1),
+    ("contact_left_wall", 14), ("contact_right_wall", 14), ("applied", 0), ("accelerations", 1), ("ledger", 0), ("energy", 17),
+    ("poses", 0), ("outputs", 5), ("landmarks", 3),
 )
 
 
@@ -130,22 +83,18 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (8,): radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, half_stiffness,
-            left_wall_hysteresis_factor, inverse_mass, half_mass
+        c (8,): radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, half_stiffness, left_wall_hysteresis_factor,
+            inverse_mass, half_mass
     """
-    mass = p[0]
-    radius = p[1]
-    gap = p[2]
-    stiffness = p[3]
-    restitution = p[4]
+    mass, radius, gap, stiffness, restitution = p[0], p[1], p[2], p[3], p[4]
     left_wall_second_arm_x = -gap - radius
     right_wall_second_arm_x = gap + radius
     half_stiffness = stiffness/2
     left_wall_hysteresis_factor = 3/2 - 3*restitution/2
     inverse_mass = 1/mass
     half_mass = mass/2
-    return ca.vertcat(radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, half_stiffness,
-        left_wall_hysteresis_factor, inverse_mass, half_mass)
+    return ca.vertcat(radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, half_stiffness, left_wall_hysteresis_factor,
+        inverse_mass, half_mass)
 
 
 def start(p):
@@ -153,8 +102,8 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (1,): track.travel [m]
-        u (1,): track.speed [m/s]
+        q (1,): COORDINATES
+        u (1,): SPEEDS
     """
     speed = p[6]
     return ca.vertcat(0), ca.vertcat(speed)
@@ -165,25 +114,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (1,): track.travel [m]
-        su (1,): track.speed [m/s]
-        sz (2,): left_wall.dissipated [J], right_wall.dissipated [J]
+        sq (1,): COORDINATES
+        su (1,): SPEEDS
+        sz (2,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    stiffness = p[3]
-    speed = p[6]
+    mass, stiffness, speed = p[0], p[3], p[6]
     energy_scale = speed*speed*mass/2
     mass_over_stiffness = mass/stiffness
     force_scale = energy_scale/(ca.sqrt(mass_over_stiffness)*speed)
     x2 = ca.sqrt(mass_over_stiffness)
     x3 = x2*speed
-    return (
-        ca.vertcat(x3),
-        ca.vertcat(speed),
-        ca.vertcat(energy_scale, energy_scale),
-        ca.vertcat(x3, speed, force_scale, energy_scale),
-    )
+    return ca.vertcat(x3), ca.vertcat(speed), ca.vertcat(energy_scale, energy_scale), ca.vertcat(x3, speed, force_scale, energy_scale)
 
 
 def coordinate_rates(t, q, u, c):
@@ -191,7 +133,7 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (1,): track.travel [m/s]
+        dq (1,): COORDINATES [m/s]
     """
     track_speed = u[0]
     return ca.vertcat(track_speed)
@@ -202,12 +144,10 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (2,): left_wall [m], right_wall [m]
-        dG (2,): left_wall [m/s], right_wall [m/s]
+        G (2,): PAIRS [m]
+        dG (2,): PAIRS [m/s]
     """
-    radius = c[0]
-    left_wall_second_arm_x = c[2]
-    right_wall_second_arm_x = c[3]
+    radius, left_wall_second_arm_x, right_wall_second_arm_x = c[0], c[2], c[3]
     track_travel = q[0]
     track_speed = u[0]
     left_wall_apart_x = track_travel - left_wall_second_arm_x
@@ -222,28 +162,24 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (2,): left_wall [m/s^2], right_wall [m/s^2]
+        ddG (2,): PAIRS [m/s^2]
     """
     track_acceleration = a[0]
     return ca.vertcat(track_acceleration, -track_acceleration)
 
 
 def contact_left_wall(t, q, u, z, m, c):
-    """Forces of left_wall: power x hunt_crossley. The normal force is the laws' own, not clamped: where it would
-    pull, the contact ends.
+    """Forces of left_wall: power x hunt_crossley. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (1,): track [N]
-        dz (2,): left_wall.dissipated [W], right_wall.dissipated [W]
+        dz (2,): MEMORY [W]
         normal_force (1,): left_wall [N]
         sliding_velocity (0,): empty
         in_range (1,): left_wall [1]
     """
-    radius = c[0]
-    stiffness = c[1]
-    left_wall_second_arm_x = c[2]
-    left_wall_hysteresis_factor = c[5]
+    radius, stiffness, left_wall_second_arm_x, left_wall_hysteresis_factor = c[0], c[1], c[2], c[5]
     track_travel = q[0]
     track_speed = u[0]
     left_wall_approach_speed = m[0]
@@ -253,31 +189,13 @@ def contact_left_wall(t, q, u, z, m, c):
     left_wall_resistance = -left_wall_elastic_force*left_wall_hysteresis_factor*track_speed/left_wall_approach_speed
     left_wall_normal_force = left_wall_elastic_force + left_wall_resistance
     left_wall_normal_power = -left_wall_resistance*track_speed
-    return (
-        ca.vertcat(left_wall_normal_force),
-        ca.vertcat(left_wall_normal_power, 0),
-        ca.vertcat(left_wall_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(left_wall_normal_force), ca.vertcat(left_wall_normal_power, 0), ca.vertcat(left_wall_normal_force), ca.vertcat(),
+        ca.vertcat(1))
 
 
 def contact_right_wall(t, q, u, z, m, c):
-    """Forces of right_wall: power x hunt_crossley. The normal force is the laws' own, not clamped: where it would
-    pull, the contact ends.
-
-    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
-    Returns, each a column vector:
-        f (1,): track [N]
-        dz (2,): left_wall.dissipated [W], right_wall.dissipated [W]
-        normal_force (1,): right_wall [N]
-        sliding_velocity (0,): empty
-        in_range (1,): right_wall [1]
-    """
-    radius = c[0]
-    stiffness = c[1]
-    right_wall_second_arm_x = c[3]
-    left_wall_hysteresis_factor = c[5]
+    """Forces of right_wall: power x hunt_crossley; arguments and returns as of contact_left_wall."""
+    radius, stiffness, right_wall_second_arm_x, left_wall_hysteresis_factor = c[0], c[1], c[3], c[5]
     track_travel = q[0]
     track_speed = u[0]
     right_wall_approach_speed = m[1]
@@ -287,13 +205,8 @@ def contact_right_wall(t, q, u, z, m, c):
     right_wall_resistance = left_wall_hysteresis_factor*right_wall_elastic_force*track_speed/right_wall_approach_speed
     right_wall_normal_force = right_wall_elastic_force + right_wall_resistance
     right_wall_normal_power = right_wall_resistance*track_speed
-    return (
-        ca.vertcat(-right_wall_normal_force),
-        ca.vertcat(0, right_wall_normal_power),
-        ca.vertcat(right_wall_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(-right_wall_normal_force), ca.vertcat(0, right_wall_normal_power), ca.vertcat(right_wall_normal_force), ca.vertcat(),
+        ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -325,7 +238,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (2,): left_wall.dissipated [W], right_wall.dissipated [W]
+        dz (2,): MEMORY [W]
     """
     return ca.vertcat(0, 0)
 
@@ -337,13 +250,9 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (2,): left_wall [J], right_wall [J]
+        stored (2,): PAIRS [J]
     """
-    radius = c[0]
-    left_wall_second_arm_x = c[2]
-    right_wall_second_arm_x = c[3]
-    half_stiffness = c[4]
-    half_mass = c[7]
+    radius, left_wall_second_arm_x, right_wall_second_arm_x, half_stiffness, half_mass = c[0], c[2], c[3], c[4], c[7]
     track_travel = q[0]
     track_speed = u[0]
     left_wall_apart_x = track_travel - left_wall_second_arm_x
@@ -362,8 +271,8 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (3,): ball.x [m], ball.y [m], ball.z [m]
-        rotations (9,): ball.R_xx [1], ball.R_xy [1], ball.R_xz [1], ball.R_yx [1], ball.R_yy [1], ball.R_yz [1],
-            ball.R_zx [1], ball.R_zy [1], ball.R_zz [1]
+        rotations (9,): ball.R_xx [1], ball.R_xy [1], ball.R_xz [1], ball.R_yx [1], ball.R_yy [1], ball.R_yz [1], ball.R_zx [1], ball.R_zy
+            [1], ball.R_zz [1]
     """
     track_travel = q[0]
     return ca.vertcat(track_travel, 0, 0), ca.vertcat(1, 0, 0, 0, 1, 0, 0, 0, 1)
@@ -374,11 +283,9 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (2,): left_wall.gap [m], right_wall.gap [m]
+        y (2,): OUTPUTS
     """
-    radius = c[0]
-    left_wall_second_arm_x = c[2]
-    right_wall_second_arm_x = c[3]
+    radius, left_wall_second_arm_x, right_wall_second_arm_x = c[0], c[2], c[3]
     track_travel = q[0]
     left_wall_apart_x = track_travel - left_wall_second_arm_x
     right_wall_apart_x = track_travel - right_wall_second_arm_x
@@ -392,22 +299,14 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        track.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        track.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        track.parent, track.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         left_wall.sphere (4,): x [m], y [m], z [m], radius [m]
         left_wall.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         right_wall.sphere (4,): x [m], y [m], z [m], radius [m]
         right_wall.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         ball.centre (3,): x [m], y [m], z [m]
     """
-    radius = p[1]
-    gap = p[2]
-    return (
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, radius),
-        ca.vertcat(-gap - radius, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, radius),
-        ca.vertcat(gap + radius, 0, 0, -1, 0, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    radius, gap = p[1], p[2]
+    return (ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, radius), ca.vertcat(-gap - radius, 0, 0, 1, 0,
+            0),
+        ca.vertcat(0, 0, 0, radius), ca.vertcat(gap + radius, 0, 0, -1, 0, 0), ca.vertcat(0, 0, 0))

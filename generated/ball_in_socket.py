@@ -16,8 +16,7 @@ SOURCE = "derive/scenes/ball_in_socket.py"
 SUMMARY = "ball swinging at the bottom of a socket"
 
 EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("ball_joint", "contact", "power"),
+    ("gravity", "gravity", "uniform gravity"), ("ball_joint", "contact", "power"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -44,97 +43,46 @@ SUM_LIMITS = (
 )
 
 COORDINATES = (
-    ("float.x", "m"),
-    ("float.y", "m"),
-    ("float.z", "m"),
-    ("float.q0", "1"),
-    ("float.q1", "1"),
-    ("float.q2", "1"),
-    ("float.q3", "1"),
+    ("float.x", "m"), ("float.y", "m"), ("float.z", "m"), ("float.q0", "1"), ("float.q1", "1"), ("float.q2", "1"), ("float.q3", "1"),
 )
 
-QUATERNIONS = (
-    3,
-)
+QUATERNIONS = (3,)
 
 SPEEDS = (
-    ("float.x_speed", "m/s"),
-    ("float.y_speed", "m/s"),
-    ("float.z_speed", "m/s"),
-    ("float.angular_speed_x", "rad/s"),
-    ("float.angular_speed_y", "rad/s"),
-    ("float.angular_speed_z", "rad/s"),
+    ("float.x_speed", "m/s"), ("float.y_speed", "m/s"), ("float.z_speed", "m/s"), ("float.angular_speed_x", "rad/s"),
+    ("float.angular_speed_y", "rad/s"), ("float.angular_speed_z", "rad/s"),
 )
 
-MEMORY = (
-    ("ball_joint.dissipated", "J"),
-)
+MEMORY = (("ball_joint.dissipated", "J"),)
 
 LATCHES = ()
 
-PAIRS = (
-    ("ball_joint", "ball_in_socket"),
-)
+PAIRS = (("ball_joint", "ball_in_socket"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    0,
-)
+DISSIPATED = (0,)
 
-GIVEN = (
-    "float.x",
-    "float.z",
-)
+GIVEN = ("float.x", "float.z")
 
-OUTPUTS = (
-    ("ball_joint.eccentricity_x", "m"),
-    ("ball_joint.eccentricity_y", "m"),
-    ("ball_joint.eccentricity_z", "m"),
-)
+OUTPUTS = (("ball_joint.eccentricity_x", "m"), ("ball_joint.eccentricity_y", "m"), ("ball_joint.eccentricity_z", "m"))
 
-BODIES = (
-    "ball",
-)
+BODIES = ("ball",)
 
 LANDMARKS = (
-    ("ball_joint", "ball_in_socket", "ball", "ball", ("radius",)),
-    ("ball_joint", "ball_in_socket", "socket", "ground", ("radius",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("ball", "body", "centre", "ball", ()),
+    ("ball_joint", "ball_in_socket", "ball", "ball", ("radius",)), ("ball_joint", "ball_in_socket", "socket", "ground", ("radius",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("ball", "body", "centre", "ball", ()),
 )
 
 CONSTANTS = (
-    ("mass", "kg"),
-    ("clearance", "m"),
-    ("gravity", "m/s^2"),
-    ("stiffness", "N/m^1.5"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("two_fifths_of_stiffness", "N/m^1.5"),
-    ("inverse_mass", "1/kg"),
-    ("inverse_ball_I_z_z", "1/(kg m^2)"),
-    ("half_ball_I_z_z", "kg m^2"),
-    ("half_mass", "kg"),
-    ("gravity_times_mass", "N"),
+    ("mass", "kg"), ("clearance", "m"), ("gravity", "m/s^2"), ("stiffness", "N/m^1.5"), ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"), ("two_fifths_of_stiffness", "N/m^1.5"), ("inverse_mass", "1/kg"),
+    ("inverse_ball_I_z_z", "1/(kg m^2)"), ("half_ball_I_z_z", "kg m^2"), ("half_mass", "kg"), ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 15),
-    ("start", 11),
-    ("scales", 19),
-    ("coordinate_rates", 24),
-    ("gaps", 17),
-    ("gap_accelerations", 19),
-    ("contact_ball_joint", 21),
-    ("applied", 2),
-    ("accelerations", 6),
-    ("ledger", 0),
-    ("energy", 68),
-    ("poses", 24),
-    ("outputs", 0),
+    ("constants", 15), ("start", 11), ("scales", 19), ("coordinate_rates", 24), ("gaps", 17), ("gap_accelerations", 19),
+    ("contact_ball_joint", 21), ("applied", 2), ("accelerations", 6), ("ledger", 0), ("energy", 68), ("poses", 24), ("outputs", 0),
     ("landmarks", 1),
 )
 
@@ -144,15 +92,10 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (12,): mass, clearance, gravity, stiffness, clearance_squared, half_inverse_clearance,
-            two_fifths_of_stiffness, inverse_mass, inverse_ball_I_z_z, half_ball_I_z_z, half_mass,
-            gravity_times_mass
+        c (12,): mass, clearance, gravity, stiffness, clearance_squared, half_inverse_clearance, two_fifths_of_stiffness, inverse_mass,
+            inverse_ball_I_z_z, half_ball_I_z_z, half_mass, gravity_times_mass
     """
-    mass = p[0]
-    clearance = p[1]
-    socket_radius = p[2]
-    gravity = p[3]
-    stiffness = p[4]
+    mass, clearance, socket_radius, gravity, stiffness = p[0], p[1], p[2], p[3], p[4]
     clearance_squared = clearance*clearance
     half_inverse_clearance = 1/(2*clearance)
     two_fifths_of_stiffness = 2*stiffness/5
@@ -162,8 +105,8 @@ def constants(p):
     half_ball_I_z_z = ball_I_z_z/2
     half_mass = mass/2
     gravity_times_mass = gravity*mass
-    return ca.vertcat(mass, clearance, gravity, stiffness, clearance_squared, half_inverse_clearance,
-        two_fifths_of_stiffness, inverse_mass, inverse_ball_I_z_z, half_ball_I_z_z, half_mass, gravity_times_mass)
+    return ca.vertcat(mass, clearance, gravity, stiffness, clearance_squared, half_inverse_clearance, two_fifths_of_stiffness, inverse_mass,
+        inverse_ball_I_z_z, half_ball_I_z_z, half_mass, gravity_times_mass)
 
 
 def start(p):
@@ -171,21 +114,13 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (7,): float.x [m], float.y [m], float.z [m], float.q0 [1], float.q1 [1], float.q2 [1], float.q3 [1]
-        u (6,): float.x_speed [m/s], float.y_speed [m/s], float.z_speed [m/s], float.angular_speed_x [rad/s],
-            float.angular_speed_y [rad/s], float.angular_speed_z [rad/s]
+        q (7,): COORDINATES
+        u (6,): SPEEDS
     """
-    mass = p[0]
-    clearance = p[1]
-    gravity = p[3]
-    stiffness = p[4]
-    start_angle = p[5]
+    mass, clearance, gravity, stiffness, start_angle = p[0], p[1], p[3], p[4], p[5]
     gravity_times_mass_over_stiffness = gravity*mass/stiffness
     x2 = gravity_times_mass_over_stiffness**(2/3)
-    return (
-        ca.vertcat((x2 + clearance)*ca.sin(start_angle), 0, (-x2 - clearance)*ca.cos(start_angle), 1, 0, 0, 0),
-        ca.vertcat(0, 0, 0, 0, 0, 0),
-    )
+    return ca.vertcat((x2 + clearance)*ca.sin(start_angle), 0, (-x2 - clearance)*ca.cos(start_angle), 1, 0, 0, 0), ca.vertcat(*[0]*6)
 
 
 def scales(p):
@@ -193,18 +128,12 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (7,): float.x [m], float.y [m], float.z [m], float.q0 [1], float.q1 [1], float.q2 [1], float.q3 [1]
-        su (6,): float.x_speed [m/s], float.y_speed [m/s], float.z_speed [m/s], float.angular_speed_x [rad/s],
-            float.angular_speed_y [rad/s], float.angular_speed_z [rad/s]
-        sz (1,): ball_joint.dissipated [J]
+        sq (7,): COORDINATES
+        su (6,): SPEEDS
+        sz (1,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    clearance = p[1]
-    socket_radius = p[2]
-    gravity = p[3]
-    stiffness = p[4]
-    start_angle = p[5]
+    mass, clearance, socket_radius, gravity, stiffness, start_angle = p[0], p[1], p[2], p[3], p[4], p[5]
     energy_scale = start_angle*start_angle*clearance*gravity*mass/2
     gravity_times_mass_over_stiffness = gravity*mass/stiffness
     force_scale = energy_scale/gravity_times_mass_over_stiffness**(2/3)
@@ -214,12 +143,8 @@ def scales(p):
     x5 = ca.sqrt(clearance_times_gravity)
     x6 = x5*start_angle
     x7 = x5*start_angle/socket_radius
-    return (
-        ca.vertcat(x2, x2, x2, x3, x3, x3, x3),
-        ca.vertcat(x6, x6, x6, x7, x7, x7),
-        ca.vertcat(energy_scale),
-        ca.vertcat(x2, x6, force_scale, energy_scale),
-    )
+    return (ca.vertcat(x2, x2, x2, x3, x3, x3, x3), ca.vertcat(x6, x6, x6, x7, x7, x7), ca.vertcat(energy_scale),
+        ca.vertcat(x2, x6, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -227,29 +152,19 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (7,): float.x [m/s], float.y [m/s], float.z [m/s], float.q0 [1/s], float.q1 [1/s], float.q2 [1/s],
-            float.q3 [1/s]
+        dq (7,): float.x [m/s], float.y [m/s], float.z [m/s], float.q0 [1/s], float.q1 [1/s], float.q2 [1/s], float.q3 [1/s]
     """
-    float_q0 = q[3]
-    float_q1 = q[4]
-    float_q2 = q[5]
-    float_q3 = q[6]
-    float_x_speed = u[0]
-    float_y_speed = u[1]
-    float_z_speed = u[2]
-    float_angular_speed_x = u[3]
-    float_angular_speed_y = u[4]
+    float_q0, float_q1, float_q2, float_q3 = q[3], q[4], q[5], q[6]
+    float_x_speed, float_y_speed, float_z_speed, float_angular_speed_x, float_angular_speed_y = u[0], u[1], u[2], u[3], u[4]
     float_angular_speed_z = u[5]
     half_float_angular_speed_x = float_angular_speed_x/2
     half_float_angular_speed_y = float_angular_speed_y/2
     half_float_angular_speed_z = float_angular_speed_z/2
     return ca.vertcat(float_x_speed, float_y_speed, float_z_speed, -float_q1*half_float_angular_speed_x -
-        float_q2*half_float_angular_speed_y - float_q3*half_float_angular_speed_z,
-        float_q0*half_float_angular_speed_x + float_q2*half_float_angular_speed_z -
-        float_q3*half_float_angular_speed_y, float_q0*half_float_angular_speed_y +
-        float_q3*half_float_angular_speed_x - float_q1*half_float_angular_speed_z,
-        float_q0*half_float_angular_speed_z + float_q1*half_float_angular_speed_y -
-        float_q2*half_float_angular_speed_x)
+        float_q2*half_float_angular_speed_y - float_q3*half_float_angular_speed_z, float_q0*half_float_angular_speed_x +
+        float_q2*half_float_angular_speed_z - float_q3*half_float_angular_speed_y, float_q0*half_float_angular_speed_y +
+        float_q3*half_float_angular_speed_x - float_q1*half_float_angular_speed_z, float_q0*half_float_angular_speed_z +
+        float_q1*half_float_angular_speed_y - float_q2*half_float_angular_speed_x)
 
 
 def gaps(t, q, u, c):
@@ -257,17 +172,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): ball_joint [m]
-        dG (1,): ball_joint [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    clearance_squared = c[4]
-    half_inverse_clearance = c[5]
-    float_x = q[0]
-    float_y = q[1]
-    float_z = q[2]
-    float_x_speed = u[0]
-    float_y_speed = u[1]
-    float_z_speed = u[2]
+    clearance_squared, half_inverse_clearance = c[4], c[5]
+    float_x, float_y, float_z = q[0], q[1], q[2]
+    float_x_speed, float_y_speed, float_z_speed = u[0], u[1], u[2]
     ball_joint_apart_squared = float_x*float_x + float_y*float_y + float_z*float_z
     ball_joint_gap = half_inverse_clearance*(clearance_squared - ball_joint_apart_squared)
     ball_joint_apart_squared_rate = 2*float_x*float_x_speed + 2*float_y*float_y_speed + 2*float_z*float_z_speed
@@ -280,41 +190,30 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): ball_joint [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
     half_inverse_clearance = c[5]
-    float_x = q[0]
-    float_y = q[1]
-    float_z = q[2]
-    float_x_speed = u[0]
-    float_y_speed = u[1]
-    float_z_speed = u[2]
-    float_x_acceleration = a[0]
-    float_y_acceleration = a[1]
-    float_z_acceleration = a[2]
+    float_x, float_y, float_z = q[0], q[1], q[2]
+    float_x_speed, float_y_speed, float_z_speed = u[0], u[1], u[2]
+    float_x_acceleration, float_y_acceleration, float_z_acceleration = a[0], a[1], a[2]
     ball_joint_apart_squared_rate_rate = 2*float_x_speed*float_x_speed + 2*float_y_speed*float_y_speed + 2*float_z_speed*float_z_speed + 2*float_x*float_x_acceleration + 2*float_y*float_y_acceleration + 2*float_z*float_z_acceleration
     ball_joint_gap_rate_rate = -ball_joint_apart_squared_rate_rate*half_inverse_clearance
     return ca.vertcat(ball_joint_gap_rate_rate)
 
 
 def contact_ball_joint(t, q, u, z, m, c):
-    """Forces of ball_joint: power. The normal force is the laws' own, not clamped: where it would pull, the contact
-    ends.
+    """Forces of ball_joint: power. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
-        f (6,): float.x [N], float.y [N], float.z [N], float.moment_x [N m], float.moment_y [N m], float.moment_z [N
-            m]
-        dz (1,): ball_joint.dissipated [W]
-        normal_force (1,): ball_joint [N]
+        f (6,): float.x [N], float.y [N], float.z [N], float.moment_x [N m], float.moment_y [N m], float.moment_z [N m]
+        dz (1,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
         sliding_velocity (0,): empty
-        in_range (1,): ball_joint [1]
+        in_range (1,): PAIRS [1]
     """
-    clearance = c[1]
-    stiffness = c[3]
-    float_x = q[0]
-    float_y = q[1]
-    float_z = q[2]
+    clearance, stiffness = c[1], c[3]
+    float_x, float_y, float_z = q[0], q[1], q[2]
     ball_joint_apart_squared = float_x*float_x + float_y*float_y + float_z*float_z
     ball_joint_distance = ca.sqrt(ball_joint_apart_squared)
     ball_joint_penetration = ball_joint_distance - clearance
@@ -325,13 +224,9 @@ def contact_ball_joint(t, q, u, z, m, c):
     ball_joint_push_x = ball_joint_elastic_force*ball_joint_normal_x
     ball_joint_push_y = ball_joint_elastic_force*ball_joint_normal_y
     ball_joint_push_z = ball_joint_elastic_force*ball_joint_normal_z
-    return (
-        ca.vertcat(ball_joint_push_x, ball_joint_push_y, ball_joint_push_z, 0, 0, 0),
-        ca.vertcat(0),
-        ca.vertcat(ball_joint_elastic_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(ball_joint_push_x, ball_joint_push_y, ball_joint_push_z, 0, 0, 0), ca.vertcat(0),
+            ca.vertcat(ball_joint_elastic_force),
+        ca.vertcat(), ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -339,11 +234,9 @@ def applied(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        f (6,): float.x [N], float.y [N], float.z [N], float.moment_x [N m], float.moment_y [N m], float.moment_z [N
-            m]
+        f (6,): float.x [N], float.y [N], float.z [N], float.moment_x [N m], float.moment_y [N m], float.moment_z [N m]
     """
-    mass = c[0]
-    gravity = c[2]
+    mass, gravity = c[0], c[2]
     return ca.vertcat(0, 0, -gravity*mass, 0, 0, 0)
 
 
@@ -352,18 +245,12 @@ def accelerations(t, q, u, f, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (6,): float.x_acceleration [m/s^2], float.y_acceleration [m/s^2], float.z_acceleration [m/s^2],
-            float.angular_acceleration_x [rad/s^2], float.angular_acceleration_y [rad/s^2],
-            float.angular_acceleration_z [rad/s^2]
+        a (6,): float.x_acceleration [m/s^2], float.y_acceleration [m/s^2], float.z_acceleration [m/s^2], float.angular_acceleration_x
+            [rad/s^2], float.angular_acceleration_y [rad/s^2], float.angular_acceleration_z [rad/s^2]
         reactions (0,): empty
     """
-    inverse_mass = c[7]
-    inverse_ball_I_z_z = c[8]
-    float_x_force = f[0]
-    float_y_force = f[1]
-    float_z_force = f[2]
-    float_moment_x_force = f[3]
-    float_moment_y_force = f[4]
+    inverse_mass, inverse_ball_I_z_z = c[7], c[8]
+    float_x_force, float_y_force, float_z_force, float_moment_x_force, float_moment_y_force = f[0], f[1], f[2], f[3], f[4]
     float_moment_z_force = f[5]
     float_x_acc = float_x_force*inverse_mass
     float_y_acc = float_y_force*inverse_mass
@@ -371,11 +258,7 @@ def accelerations(t, q, u, f, c):
     float_moment_x_acc = float_moment_x_force*inverse_ball_I_z_z
     float_moment_y_acc = float_moment_y_force*inverse_ball_I_z_z
     float_moment_z_acc = float_moment_z_force*inverse_ball_I_z_z
-    return (
-        ca.vertcat(float_x_acc, float_y_acc, float_z_acc, float_moment_x_acc, float_moment_y_acc,
-            float_moment_z_acc),
-        ca.vertcat(),
-    )
+    return ca.vertcat(float_x_acc, float_y_acc, float_z_acc, float_moment_x_acc, float_moment_y_acc, float_moment_z_acc), ca.vertcat()
 
 
 def ledger(t, q, u, reactions, c):
@@ -383,7 +266,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (1,): ball_joint.dissipated [W]
+        dz (1,): MEMORY [W]
     """
     return ca.vertcat(0)
 
@@ -395,25 +278,11 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): ball_joint [J]
+        stored (1,): PAIRS [J]
     """
-    clearance = c[1]
-    two_fifths_of_stiffness = c[6]
-    half_ball_I_z_z = c[9]
-    half_mass = c[10]
-    gravity_times_mass = c[11]
-    float_x = q[0]
-    float_y = q[1]
-    float_z = q[2]
-    float_q0 = q[3]
-    float_q1 = q[4]
-    float_q2 = q[5]
-    float_q3 = q[6]
-    float_x_speed = u[0]
-    float_y_speed = u[1]
-    float_z_speed = u[2]
-    float_angular_speed_x = u[3]
-    float_angular_speed_y = u[4]
+    clearance, two_fifths_of_stiffness, half_ball_I_z_z, half_mass, gravity_times_mass = c[1], c[6], c[9], c[10], c[11]
+    float_x, float_y, float_z, float_q0, float_q1, float_q2, float_q3 = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
+    float_x_speed, float_y_speed, float_z_speed, float_angular_speed_x, float_angular_speed_y = u[0], u[1], u[2], u[3], u[4]
     float_angular_speed_z = u[5]
     ball_twice_q1 = 2*float_q1
     ball_twice_q2 = 2*float_q2
@@ -454,16 +323,10 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (3,): ball.x [m], ball.y [m], ball.z [m]
-        rotations (9,): ball.R_xx [1], ball.R_xy [1], ball.R_xz [1], ball.R_yx [1], ball.R_yy [1], ball.R_yz [1],
-            ball.R_zx [1], ball.R_zy [1], ball.R_zz [1]
+        rotations (9,): ball.R_xx [1], ball.R_xy [1], ball.R_xz [1], ball.R_yx [1], ball.R_yy [1], ball.R_yz [1], ball.R_zx [1], ball.R_zy
+            [1], ball.R_zz [1]
     """
-    float_x = q[0]
-    float_y = q[1]
-    float_z = q[2]
-    float_q0 = q[3]
-    float_q1 = q[4]
-    float_q2 = q[5]
-    float_q3 = q[6]
+    float_x, float_y, float_z, float_q0, float_q1, float_q2, float_q3 = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
     ball_twice_q1 = 2*float_q1
     ball_twice_q2 = 2*float_q2
     ball_twice_q3 = 2*float_q3
@@ -485,11 +348,8 @@ def poses(t, q, c):
     ball_R_z_x = ball_twice_q1_times_float_q3 - ball_q0q2
     ball_R_z_y = ball_q0q1 + ball_twice_q2_times_float_q3
     ball_R_z_z = 1 - ball_q1q1 - ball_q2q2
-    return (
-        ca.vertcat(float_x, float_y, float_z),
-        ca.vertcat(ball_R_x_x, ball_R_x_y, ball_R_x_z, ball_R_y_x, ball_R_y_y, ball_R_y_z, ball_R_z_x, ball_R_z_y,
-            ball_R_z_z),
-    )
+    return (ca.vertcat(float_x, float_y, float_z),
+        ca.vertcat(ball_R_x_x, ball_R_x_y, ball_R_x_z, ball_R_y_x, ball_R_y_y, ball_R_y_z, ball_R_z_x, ball_R_z_y, ball_R_z_z))
 
 
 def outputs(t, q, u, c):
@@ -497,11 +357,9 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (3,): ball_joint.eccentricity_x [m], ball_joint.eccentricity_y [m], ball_joint.eccentricity_z [m]
+        y (3,): OUTPUTS
     """
-    float_x = q[0]
-    float_y = q[1]
-    float_z = q[2]
+    float_x, float_y, float_z = q[0], q[1], q[2]
     return ca.vertcat(float_x, float_y, float_z)
 
 
@@ -510,16 +368,9 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        ball_joint.ball (4,): x [m], y [m], z [m], radius [m]
-        ball_joint.socket (4,): x [m], y [m], z [m], radius [m]
+        ball_joint.ball, ball_joint.socket (4,): x [m], y [m], z [m], radius [m]
         gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         ball.centre (3,): x [m], y [m], z [m]
     """
-    clearance = p[1]
-    socket_radius = p[2]
-    return (
-        ca.vertcat(0, 0, 0, socket_radius - clearance),
-        ca.vertcat(0, 0, 0, socket_radius),
-        ca.vertcat(0, 0, 0, 0, 0, -1),
-        ca.vertcat(0, 0, 0),
-    )
+    clearance, socket_radius = p[1], p[2]
+    return ca.vertcat(0, 0, 0, socket_radius - clearance), ca.vertcat(0, 0, 0, socket_radius), ca.vertcat(*[0]*5, -1), ca.vertcat(0, 0, 0)

@@ -17,8 +17,7 @@ SOURCE = "derive/scenes/bicycle.py"
 SUMMARY = "a bicycle that balances itself, on wheels that roll without slip"
 
 EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("rear_grip", "rolling_without_slip", "rolling without slip at rear_tyre"),
+    ("gravity", "gravity", "uniform gravity"), ("rear_grip", "rolling_without_slip", "rolling without slip at rear_tyre"),
     ("front_grip", "rolling_without_slip", "rolling without slip at front_tyre"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
@@ -85,27 +84,13 @@ LIMITS = (
 )
 
 COORDINATES = (
-    ("path.x", "m"),
-    ("path.y", "m"),
-    ("path.angle", "rad"),
-    ("height.travel", "m"),
-    ("lean.angle", "rad"),
-    ("pitch.angle", "rad"),
-    ("rear_hub.angle", "rad"),
-    ("steer.angle", "rad"),
-    ("front_hub.angle", "rad"),
+    ("path.x", "m"), ("path.y", "m"), ("path.angle", "rad"), ("height.travel", "m"), ("lean.angle", "rad"), ("pitch.angle", "rad"),
+    ("rear_hub.angle", "rad"), ("steer.angle", "rad"), ("front_hub.angle", "rad"),
 )
 
 SPEEDS = (
-    ("path.x_speed", "m/s"),
-    ("path.y_speed", "m/s"),
-    ("path.angle_speed", "rad/s"),
-    ("height.speed", "m/s"),
-    ("lean.speed", "rad/s"),
-    ("pitch.speed", "rad/s"),
-    ("rear_hub.speed", "rad/s"),
-    ("steer.speed", "rad/s"),
-    ("front_hub.speed", "rad/s"),
+    ("path.x_speed", "m/s"), ("path.y_speed", "m/s"), ("path.angle_speed", "rad/s"), ("height.speed", "m/s"), ("lean.speed", "rad/s"),
+    ("pitch.speed", "rad/s"), ("rear_hub.speed", "rad/s"), ("steer.speed", "rad/s"), ("front_hub.speed", "rad/s"),
 )
 
 MEMORY = ()
@@ -119,186 +104,105 @@ RELEASES = ()
 DISSIPATED = ()
 
 CONSTRAINTS = (
-    ("rear_grip.gap", "m"),
-    ("rear_grip.sliding_velocity_1", "m/s"),
-    ("rear_grip.sliding_velocity_2", "m/s"),
-    ("front_grip.gap", "m"),
-    ("front_grip.sliding_velocity_1", "m/s"),
-    ("front_grip.sliding_velocity_2", "m/s"),
+    ("rear_grip.gap", "m"), ("rear_grip.sliding_velocity_1", "m/s"), ("rear_grip.sliding_velocity_2", "m/s"), ("front_grip.gap", "m"),
+    ("front_grip.sliding_velocity_1", "m/s"), ("front_grip.sliding_velocity_2", "m/s"),
 )
 
-ROLLING = (
-    ("rear_grip", False),
-    ("front_grip", False),
-)
+ROLLING = (("rear_grip", False), ("front_grip", False))
 
 GIVEN = (
-    "path.x",
-    "path.y",
-    "path.angle",
-    "lean.angle",
-    "lean.speed",
-    "rear_hub.angle",
-    "rear_hub.speed",
-    "steer.angle",
-    "steer.speed",
+    "path.x", "path.y", "path.angle", "lean.angle", "lean.speed", "rear_hub.angle", "rear_hub.speed", "steer.angle", "steer.speed",
     "front_hub.angle",
 )
 
 OUTPUTS = ()
 
-BODIES = (
-    "heading",
-    "lifted",
-    "leaning",
-    "frame",
-    "rear_wheel",
-    "fork",
-    "front_wheel",
-)
+BODIES = ("heading", "lifted", "leaning", "frame", "rear_wheel", "fork", "front_wheel")
 
 LANDMARKS = (
-    ("path", "planar", "parent", "ground", ("normal",)),
-    ("path", "planar", "child", "heading", ("normal",)),
-    ("height", "prismatic", "parent", "heading", ("axis",)),
-    ("height", "prismatic", "child", "lifted", ("axis",)),
-    ("lean", "revolute", "parent", "lifted", ("axis",)),
-    ("lean", "revolute", "child", "leaning", ("axis",)),
-    ("pitch", "revolute", "parent", "leaning", ("axis",)),
-    ("pitch", "revolute", "child", "frame", ("axis",)),
-    ("rear_hub", "revolute", "parent", "frame", ("axis",)),
-    ("rear_hub", "revolute", "child", "rear_wheel", ("axis",)),
-    ("steer", "revolute", "parent", "frame", ("axis",)),
-    ("steer", "revolute", "child", "fork", ("axis",)),
-    ("front_hub", "revolute", "parent", "fork", ("axis",)),
-    ("front_hub", "revolute", "child", "front_wheel", ("axis",)),
-    ("rear_tyre", "rim_on_plane", "disc", "rear_wheel", ("radius", "axis")),
-    ("rear_tyre", "rim_on_plane", "plane", "ground", ("normal",)),
+    ("path", "planar", "parent", "ground", ("normal",)), ("path", "planar", "child", "heading", ("normal",)),
+    ("height", "prismatic", "parent", "heading", ("axis",)), ("height", "prismatic", "child", "lifted", ("axis",)),
+    ("lean", "revolute", "parent", "lifted", ("axis",)), ("lean", "revolute", "child", "leaning", ("axis",)),
+    ("pitch", "revolute", "parent", "leaning", ("axis",)), ("pitch", "revolute", "child", "frame", ("axis",)),
+    ("rear_hub", "revolute", "parent", "frame", ("axis",)), ("rear_hub", "revolute", "child", "rear_wheel", ("axis",)),
+    ("steer", "revolute", "parent", "frame", ("axis",)), ("steer", "revolute", "child", "fork", ("axis",)),
+    ("front_hub", "revolute", "parent", "fork", ("axis",)), ("front_hub", "revolute", "child", "front_wheel", ("axis",)),
+    ("rear_tyre", "rim_on_plane", "disc", "rear_wheel", ("radius", "axis")), ("rear_tyre", "rim_on_plane", "plane", "ground", ("normal",)),
     ("front_tyre", "rim_on_plane", "disc", "front_wheel", ("radius", "axis")),
-    ("front_tyre", "rim_on_plane", "plane", "ground", ("normal",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("frame", "body", "centre", "frame", ()),
-    ("rear_wheel", "body", "centre", "rear_wheel", ()),
-    ("fork", "body", "centre", "fork", ()),
+    ("front_tyre", "rim_on_plane", "plane", "ground", ("normal",)), ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("frame", "body", "centre", "frame", ()), ("rear_wheel", "body", "centre", "rear_wheel", ()), ("fork", "body", "centre", "fork", ()),
     ("front_wheel", "body", "centre", "front_wheel", ()),
 )
 
 CONSTANTS = (
-    ("frame_x", "m"),
-    ("rear_wheel_xx", "kg m^2"),
-    ("rear_wheel_yy", "kg m^2"),
-    ("rear_wheel_zz", "kg m^2"),
-    ("front_wheel_xx", "kg m^2"),
-    ("front_wheel_yy", "kg m^2"),
-    ("front_wheel_zz", "kg m^2"),
-    ("rear_radius", "m"),
-    ("front_radius", "m"),
-    ("gravity", "m/s^2"),
-    ("fork_lined_up_x_x", "1"),
-    ("fork_lined_up_x_z", "1"),
-    ("fork_lined_up_y_y", "1"),
-    ("fork_lined_up_z_x", "1"),
-    ("fork_lined_up_z_z", "1"),
-    ("trail_plus_wheel_base", "m"),
-    ("k2", "m"),
-    ("k3", "m"),
-    ("frame_total_mass", "kg"),
-    ("fork_h_x", "kg m"),
-    ("fork_h_z", "kg m"),
-    ("frame_h_x", "kg m"),
-    ("frame_h_z", "kg m"),
-    ("fork_h_x_times_fork_lined_up_x_x", "kg m"),
-    ("k5", "kg m"),
-    ("fork_h_x_times_fork_lined_up_y_y", "kg m"),
-    ("fork_h_x_times_fork_lined_up_z_x", "kg m"),
-    ("k8", "kg m"),
-    ("leaning_h_z", "kg m"),
-    ("leaning_I_y_y", "kg m^2"),
-    ("frame_I_x_x", "kg m^2"),
-    ("frame_I_z_z", "kg m^2"),
-    ("frame_I_y_y", "kg m^2"),
-    ("frame_I_x_z", "kg m^2"),
-    ("rear_wheel_xx_minus_rear_wheel_zz", "kg m^2"),
-    ("fork_I_x_x", "kg m^2"),
-    ("fork_I_z_z", "kg m^2"),
-    ("fork_I_y_y", "kg m^2"),
-    ("fork_I_x_z", "kg m^2"),
-    ("front_wheel_yy_minus_front_wheel_zz", "kg m^2"),
-    ("front_wheel_xx_minus_front_wheel_zz", "kg m^2"),
-    ("front_wheel_xx_minus_front_wheel_yy", "kg m^2"),
-    ("fork_I_y_y_minus_fork_I_z_z", "kg m^2"),
-    ("fork_I_x_x_minus_fork_I_z_z", "kg m^2"),
-    ("fork_I_x_x_minus_fork_I_y_y", "kg m^2"),
-    ("frame_I_y_y_minus_frame_I_z_z", "kg m^2"),
-    ("frame_I_x_x_minus_frame_I_z_z", "kg m^2"),
-    ("frame_I_x_x_minus_frame_I_y_y", "kg m^2"),
-    ("twice_leaning_I_y_y", "kg m^2"),
-    ("front_wheel_turned_J_y_y", "kg m^2"),
-    ("fork_total_J_y_y", "kg m^2"),
-    ("fork_h_z_times_fork_lined_up_x_z", "kg m"),
-    ("fork_h_z_times_fork_lined_up_z_z", "kg m"),
-    ("twice_rear_radius", "m"),
-    ("k23", "m"),
-    ("frame_I_y_y_plus_rear_wheel_yy", "kg m^2"),
-    ("k25", "kg m^2"),
-    ("k26", "kg m^2"),
-    ("inverse_front_wheel_yy", "1/(kg m^2)"),
-    ("inverse_rear_wheel_yy", "1/(kg m^2)"),
-    ("frame_h_x_2", "kg m"),
-    ("frame_h_z_2", "kg m"),
-    ("frame_I_x_x_2", "kg m^2"),
-    ("frame_I_x_z_2", "kg m^2"),
-    ("frame_I_z_z_2", "kg m^2"),
-    ("fork_h_x_2", "kg m"),
-    ("fork_h_z_2", "kg m"),
-    ("fork_I_x_x_2", "kg m^2"),
-    ("fork_I_x_z_2", "kg m^2"),
-    ("fork_I_z_z_2", "kg m^2"),
-    ("half_fork_I_y_y_2", "kg m^2"),
-    ("half_frame_I_y_y_2", "kg m^2"),
-    ("half_front_wheel_yy", "kg m^2"),
-    ("half_front_wheel_xx", "kg m^2"),
-    ("half_front_wheel_zz", "kg m^2"),
-    ("half_rear_wheel_yy", "kg m^2"),
-    ("half_fork_mass", "kg"),
-    ("half_frame_mass", "kg"),
-    ("half_rear_wheel_mass", "kg"),
-    ("half_front_wheel_mass", "kg"),
-    ("frame_z_minus_rear_radius", "m"),
-    ("k40", "m"),
-    ("k41", "m"),
-    ("gravity_times_rear_wheel_mass", "N"),
-    ("front_wheel_mass_times_gravity", "N"),
-    ("fork_mass_times_gravity", "N"),
-    ("frame_mass_times_gravity", "N"),
-    ("k46", "m"),
-    ("k47", "m"),
-    ("rear_grip_gap_softness", "1"),
-    ("rear_grip_sliding_velocity_1_softness", "1"),
-    ("rear_grip_sliding_velocity_2_softness", "1"),
-    ("front_grip_gap_softness", "1"),
-    ("front_grip_sliding_velocity_1_softness", "1"),
-    ("front_grip_sliding_velocity_2_softness", "1"),
+    ("frame_x", "m"), ("rear_wheel_xx", "kg m^2"), ("rear_wheel_yy", "kg m^2"), ("rear_wheel_zz", "kg m^2"), ("front_wheel_xx", "kg m^2"),
+    ("front_wheel_yy", "kg m^2"), ("front_wheel_zz", "kg m^2"), ("rear_radius", "m"), ("front_radius", "m"), ("gravity", "m/s^2"),
+    ("fork_lined_up_x_x", "1"), ("fork_lined_up_x_z", "1"), ("fork_lined_up_y_y", "1"), ("fork_lined_up_z_x", "1"),
+    ("fork_lined_up_z_z", "1"), ("trail_plus_wheel_base", "m"), ("k2", "m"), ("k3", "m"), ("frame_total_mass", "kg"), ("fork_h_x", "kg m"),
+    ("fork_h_z", "kg m"), ("frame_h_x", "kg m"), ("frame_h_z", "kg m"), ("fork_h_x_times_fork_lined_up_x_x", "kg m"), ("k5", "kg m"),
+    ("fork_h_x_times_fork_lined_up_y_y", "kg m"), ("fork_h_x_times_fork_lined_up_z_x", "kg m"), ("k8", "kg m"), ("leaning_h_z", "kg m"),
+    ("leaning_I_y_y", "kg m^2"), ("frame_I_x_x", "kg m^2"), ("frame_I_z_z", "kg m^2"), ("frame_I_y_y", "kg m^2"), ("frame_I_x_z", "kg m^2"),
+    ("rear_wheel_xx_minus_rear_wheel_zz", "kg m^2"), ("fork_I_x_x", "kg m^2"), ("fork_I_z_z", "kg m^2"), ("fork_I_y_y", "kg m^2"),
+    ("fork_I_x_z", "kg m^2"), ("front_wheel_yy_minus_front_wheel_zz", "kg m^2"), ("front_wheel_xx_minus_front_wheel_zz", "kg m^2"),
+    ("front_wheel_xx_minus_front_wheel_yy", "kg m^2"), ("fork_I_y_y_minus_fork_I_z_z", "kg m^2"), ("fork_I_x_x_minus_fork_I_z_z", "kg m^2"),
+    ("fork_I_x_x_minus_fork_I_y_y", "kg m^2"), ("frame_I_y_y_minus_frame_I_z_z", "kg m^2"), ("frame_I_x_x_minus_frame_I_z_z", "kg m^2"),
+    ("frame_I_x_x_minus_frame_I_y_y", "kg m^2"), ("twice_leaning_I_y_y", "kg m^2"), ("front_wheel_turned_J_y_y", "kg m^2"),
+    ("fork_total_J_y_y", "kg m^2"), ("fork_h_z_times_fork_lined_up_x_z", "kg m"), ("fork_h_z_times_fork_lined_up_z_z", "kg m"),
+    ("twice_rear_radius", "m"), ("k23", "m"), ("frame_I_y_y_plus_rear_wheel_yy", "kg m^2"), ("k25", "kg m^2"), ("k26", "kg m^2"),
+    ("inverse_front_wheel_yy", "1/(kg m^2)"), ("inverse_rear_wheel_yy", "1/(kg m^2)"), ("frame_h_x_2", "kg m"), ("frame_h_z_2", "kg m"),
+    ("frame_I_x_x_2", "kg m^2"), ("frame_I_x_z_2", "kg m^2"), ("frame_I_z_z_2", "kg m^2"), ("fork_h_x_2", "kg m"), ("fork_h_z_2", "kg m"),
+    ("fork_I_x_x_2", "kg m^2"), ("fork_I_x_z_2", "kg m^2"), ("fork_I_z_z_2", "kg m^2"), ("half_fork_I_y_y_2", "kg m^2"),
+    ("half_frame_I_y_y_2", "kg m^2"), ("half_front_wheel_yy", "kg m^2"), ("half_front_wheel_xx", "kg m^2"),
+    ("half_front_wheel_zz", "kg m^2"), ("half_rear_wheel_yy", "kg m^2"), ("half_fork_mass", "kg"), ("half_frame_mass", "kg"),
+    ("half_rear_wheel_mass", "kg"), ("half_front_wheel_mass", "kg"), ("frame_z_minus_rear_radius", "m"), ("k40", "m"), ("k41", "m"),
+    ("gravity_times_rear_wheel_mass", "N"), ("front_wheel_mass_times_gravity", "N"), ("fork_mass_times_gravity", "N"),
+    ("frame_mass_times_gravity", "N"), ("k46", "m"), ("k47", "m"), ("rear_grip_gap_softness", "1"),
+    ("rear_grip_sliding_velocity_1_softness", "1"), ("rear_grip_sliding_velocity_2_softness", "1"), ("front_grip_gap_softness", "1"),
+    ("front_grip_sliding_velocity_1_softness", "1"), ("front_grip_sliding_velocity_2_softness", "1"),
 )
 
 OPERATIONS = (
-    ("constants", 191),
-    ("start", 1),
-    ("scales", 8),
-    ("coordinate_rates", 0),
-    ("gaps", 0),
-    ("gap_accelerations", 0),
-    ("applied", 38),
-    ("accelerations", 3102),
-    ("constraints", 220),
-    ("projection", 1872),
-    ("ledger", 0),
-    ("energy", 265),
-    ("poses", 183),
-    ("outputs", 0),
-    ("rolling_limits", 0),
-    ("landmarks", 11),
+    ("constants", 191), ("start", 1), ("scales", 8), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 38),
+    ("accelerations", 3102), ("constraints", 220), ("projection", 1872), ("ledger", 0), ("energy", 265), ("poses", 183), ("outputs", 0),
+    ("rolling_limits", 0), ("landmarks", 11),
 )
+
+
+def rim_on_plane_gap(first_rate_x, first_rate_y, first_rate_z, x, y, axis_z, z, velocity_x, velocity_y, velocity_z, speed, radius):
+    """Return gap [m], gap_velocity_x [m/s], gap_velocity_y [m/s], gap_velocity_z [m/s]."""
+    turning_x = speed*x
+    turning_y = speed*y
+    turning_z = speed*axis_z
+    second_rate_x = first_rate_x + turning_x
+    second_rate_y = first_rate_y + turning_y
+    second_rate_z = first_rate_z + turning_z
+    up_x = -x*axis_z
+    up_y = -y*axis_z
+    up_z = 1 - axis_z*axis_z
+    rise = ca.sqrt(up_z)
+    rim_x = -up_x*radius/rise
+    rim_y = -up_y*radius/rise
+    rim_z = -up_z*radius/rise
+    gap = z - radius*rise
+    gap_velocity_x = velocity_x + second_rate_y*rim_z - second_rate_z*rim_y
+    gap_velocity_y = velocity_y + second_rate_z*rim_x - second_rate_x*rim_z
+    gap_velocity_z = velocity_z + second_rate_x*rim_y - second_rate_y*rim_x
+    return gap, gap_velocity_x, gap_velocity_y, gap_velocity_z
+
+
+def revolute_constants_terms(axis_tilt):
+    """Return cos, sin."""
+    cos = ca.cos(axis_tilt)
+    sin = ca.sin(axis_tilt)
+    return cos, sin
+
+
+def rolling_without_slip_l_gap_gap(W_gap_gap, W_sliding_velocity_1_gap, W_sliding_velocity_2_gap, W_gap_raised):
+    """Return l_gap_gap [1], l_sliding_velocity_1_gap [1], l_sliding_velocity_2_gap [1]."""
+    l_gap_gap = W_gap_gap/W_gap_raised
+    l_sliding_velocity_1_gap = W_sliding_velocity_1_gap/W_gap_raised
+    l_sliding_velocity_2_gap = W_sliding_velocity_2_gap/W_gap_raised
+    return l_gap_gap, l_sliding_velocity_1_gap, l_sliding_velocity_2_gap
 
 
 def constants(p):
@@ -306,70 +210,41 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (95,): frame_x, rear_wheel_xx, rear_wheel_yy, rear_wheel_zz, front_wheel_xx, front_wheel_yy,
-            front_wheel_zz, rear_radius, front_radius, gravity, fork_lined_up_x_x, fork_lined_up_x_z,
-            fork_lined_up_y_y, fork_lined_up_z_x, fork_lined_up_z_z, trail_plus_wheel_base, k2, k3,
-            frame_total_mass, fork_h_x, fork_h_z, frame_h_x, frame_h_z, fork_h_x_times_fork_lined_up_x_x, k5,
-            fork_h_x_times_fork_lined_up_y_y, fork_h_x_times_fork_lined_up_z_x, k8, leaning_h_z, leaning_I_y_y,
-            frame_I_x_x, frame_I_z_z, frame_I_y_y, frame_I_x_z, rear_wheel_xx_minus_rear_wheel_zz, fork_I_x_x,
-            fork_I_z_z, fork_I_y_y, fork_I_x_z, front_wheel_yy_minus_front_wheel_zz,
-            front_wheel_xx_minus_front_wheel_zz, front_wheel_xx_minus_front_wheel_yy, fork_I_y_y_minus_fork_I_z_z,
-            fork_I_x_x_minus_fork_I_z_z, fork_I_x_x_minus_fork_I_y_y, frame_I_y_y_minus_frame_I_z_z,
-            frame_I_x_x_minus_frame_I_z_z, frame_I_x_x_minus_frame_I_y_y, twice_leaning_I_y_y,
-            front_wheel_turned_J_y_y, fork_total_J_y_y, fork_h_z_times_fork_lined_up_x_z,
-            fork_h_z_times_fork_lined_up_z_z, twice_rear_radius, k23, frame_I_y_y_plus_rear_wheel_yy, k25, k26,
-            inverse_front_wheel_yy, inverse_rear_wheel_yy, frame_h_x_2, frame_h_z_2, frame_I_x_x_2, frame_I_x_z_2,
-            frame_I_z_z_2, fork_h_x_2, fork_h_z_2, fork_I_x_x_2, fork_I_x_z_2, fork_I_z_z_2, half_fork_I_y_y_2,
-            half_frame_I_y_y_2, half_front_wheel_yy, half_front_wheel_xx, half_front_wheel_zz, half_rear_wheel_yy,
-            half_fork_mass, half_frame_mass, half_rear_wheel_mass, half_front_wheel_mass, frame_z_minus_rear_radius,
-            k40, k41, gravity_times_rear_wheel_mass, front_wheel_mass_times_gravity, fork_mass_times_gravity,
-            frame_mass_times_gravity, k46, k47, rear_grip_gap_softness, rear_grip_sliding_velocity_1_softness,
+        c (95,): frame_x, rear_wheel_xx, rear_wheel_yy, rear_wheel_zz, front_wheel_xx, front_wheel_yy, front_wheel_zz, rear_radius,
+            front_radius, gravity, fork_lined_up_x_x, fork_lined_up_x_z, fork_lined_up_y_y, fork_lined_up_z_x, fork_lined_up_z_z,
+            trail_plus_wheel_base, k2, k3, frame_total_mass, fork_h_x, fork_h_z, frame_h_x, frame_h_z, fork_h_x_times_fork_lined_up_x_x, k5,
+            fork_h_x_times_fork_lined_up_y_y, fork_h_x_times_fork_lined_up_z_x, k8, leaning_h_z, leaning_I_y_y, frame_I_x_x, frame_I_z_z,
+            frame_I_y_y, frame_I_x_z, rear_wheel_xx_minus_rear_wheel_zz, fork_I_x_x, fork_I_z_z, fork_I_y_y, fork_I_x_z,
+            front_wheel_yy_minus_front_wheel_zz, front_wheel_xx_minus_front_wheel_zz, front_wheel_xx_minus_front_wheel_yy,
+            fork_I_y_y_minus_fork_I_z_z, fork_I_x_x_minus_fork_I_z_z, fork_I_x_x_minus_fork_I_y_y, frame_I_y_y_minus_frame_I_z_z,
+            frame_I_x_x_minus_frame_I_z_z, frame_I_x_x_minus_frame_I_y_y, twice_leaning_I_y_y, front_wheel_turned_J_y_y, fork_total_J_y_y,
+            fork_h_z_times_fork_lined_up_x_z, fork_h_z_times_fork_lined_up_z_z, twice_rear_radius, k23, frame_I_y_y_plus_rear_wheel_yy, k25,
+            k26, inverse_front_wheel_yy, inverse_rear_wheel_yy, frame_h_x_2, frame_h_z_2, frame_I_x_x_2, frame_I_x_z_2, frame_I_z_z_2,
+            fork_h_x_2, fork_h_z_2, fork_I_x_x_2, fork_I_x_z_2, fork_I_z_z_2, half_fork_I_y_y_2, half_frame_I_y_y_2, half_front_wheel_yy,
+            half_front_wheel_xx, half_front_wheel_zz, half_rear_wheel_yy, half_fork_mass, half_frame_mass, half_rear_wheel_mass,
+            half_front_wheel_mass, frame_z_minus_rear_radius, k40, k41, gravity_times_rear_wheel_mass, front_wheel_mass_times_gravity,
+            fork_mass_times_gravity, frame_mass_times_gravity, k46, k47, rear_grip_gap_softness, rear_grip_sliding_velocity_1_softness,
             rear_grip_sliding_velocity_2_softness, front_grip_gap_softness, front_grip_sliding_velocity_1_softness,
             front_grip_sliding_velocity_2_softness
     """
-    frame_mass = p[0]
-    frame_xx = p[1]
-    frame_yy = p[2]
-    frame_zz = p[3]
-    frame_xz = p[4]
-    frame_x = p[5]
-    frame_z = p[6]
-    rear_wheel_mass = p[7]
-    rear_wheel_xx = p[8]
-    rear_wheel_yy = p[9]
-    rear_wheel_zz = p[10]
-    fork_mass = p[11]
-    fork_xx = p[12]
-    fork_yy = p[13]
-    fork_zz = p[14]
-    fork_xz = p[15]
-    fork_x = p[16]
-    fork_z = p[17]
-    front_wheel_mass = p[18]
-    front_wheel_xx = p[19]
-    front_wheel_yy = p[20]
-    front_wheel_zz = p[21]
-    rear_radius = p[22]
-    trail = p[23]
-    wheel_base = p[24]
-    steer_axis_tilt = p[25]
-    front_radius = p[26]
-    gravity = p[27]
-    cos_steer_axis_tilt = ca.cos(steer_axis_tilt)
-    cos_steer_axis_tilt_squared = cos_steer_axis_tilt*cos_steer_axis_tilt
-    sin_steer_axis_tilt = ca.sin(steer_axis_tilt)
-    sin_steer_axis_tilt_squared = sin_steer_axis_tilt*sin_steer_axis_tilt
+    frame_mass, frame_xx, frame_yy, frame_zz, frame_xz, frame_x, frame_z, rear_wheel_mass = p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]
+    rear_wheel_xx, rear_wheel_yy, rear_wheel_zz, fork_mass, fork_xx, fork_yy, fork_zz = p[8], p[9], p[10], p[11], p[12], p[13], p[14]
+    fork_xz, fork_x, fork_z, front_wheel_mass, front_wheel_xx, front_wheel_yy = p[15], p[16], p[17], p[18], p[19], p[20]
+    front_wheel_zz, rear_radius, trail, wheel_base, front_radius, gravity = p[21], p[22], p[23], p[24], p[26], p[27]
+    cos, sin = revolute_constants_terms(p[25])
+    cos_steer_axis_tilt_squared = cos*cos
+    sin_steer_axis_tilt_squared = sin*sin
     x5 = cos_steer_axis_tilt_squared + sin_steer_axis_tilt_squared
     x6 = 1/ca.sqrt(x5)
     x7 = cos_steer_axis_tilt_squared/x5
     x8 = sin_steer_axis_tilt_squared/x5
     x9 = x7 + x8
     x10 = 1/ca.sqrt(x9)
-    fork_lined_up_x_x = cos_steer_axis_tilt*x10*x6
-    fork_lined_up_x_z = -sin_steer_axis_tilt*x6
+    fork_lined_up_x_x = cos*x10*x6
+    fork_lined_up_x_z = -sin*x6
     fork_lined_up_y_y = x10*cos_steer_axis_tilt_squared/x5 + x10*sin_steer_axis_tilt_squared/x5
-    fork_lined_up_z_x = x10*sin_steer_axis_tilt*x6
-    fork_lined_up_z_z = cos_steer_axis_tilt*x6
+    fork_lined_up_z_x = x10*sin*x6
+    fork_lined_up_z_z = cos*x6
     trail_plus_wheel_base = trail + wheel_base
     fork_lined_up_x_x_times_wheel_base = fork_lined_up_x_x*wheel_base
     fork_lined_up_z_x_times_front_radius = fork_lined_up_z_x*front_radius
@@ -496,24 +371,20 @@ def constants(p):
     frame_mass_times_gravity = frame_mass*gravity
     k46 = fork_lined_up_x_x*trail_plus_wheel_base
     k47 = fork_lined_up_x_z*trail_plus_wheel_base
-    return ca.vertcat(frame_x, rear_wheel_xx, rear_wheel_yy, rear_wheel_zz, front_wheel_xx, front_wheel_yy,
-        front_wheel_zz, rear_radius, front_radius, gravity, fork_lined_up_x_x, fork_lined_up_x_z, fork_lined_up_y_y,
-        fork_lined_up_z_x, fork_lined_up_z_z, trail_plus_wheel_base, k2, k3, frame_total_mass, fork_h_x, fork_h_z,
-        frame_h_x, frame_h_z, fork_h_x_times_fork_lined_up_x_x, k5, fork_h_x_times_fork_lined_up_y_y,
-        fork_h_x_times_fork_lined_up_z_x, k8, leaning_h_z, leaning_I_y_y, frame_I_x_x, frame_I_z_z, frame_I_y_y,
-        frame_I_x_z, rear_wheel_xx_minus_rear_wheel_zz, fork_I_x_x, fork_I_z_z, fork_I_y_y, fork_I_x_z,
-        front_wheel_yy_minus_front_wheel_zz, front_wheel_xx_minus_front_wheel_zz,
-        front_wheel_xx_minus_front_wheel_yy, fork_I_y_y_minus_fork_I_z_z, fork_I_x_x_minus_fork_I_z_z,
-        fork_I_x_x_minus_fork_I_y_y, frame_I_y_y_minus_frame_I_z_z, frame_I_x_x_minus_frame_I_z_z,
-        frame_I_x_x_minus_frame_I_y_y, twice_leaning_I_y_y, front_wheel_turned_J_y_y, fork_total_J_y_y,
-        fork_h_z_times_fork_lined_up_x_z, fork_h_z_times_fork_lined_up_z_z, twice_rear_radius, k23,
-        frame_I_y_y_plus_rear_wheel_yy, k25, k26, inverse_front_wheel_yy, inverse_rear_wheel_yy, frame_h_x_2,
-        frame_h_z_2, frame_I_x_x_2, frame_I_x_z_2, frame_I_z_z_2, fork_h_x_2, fork_h_z_2, fork_I_x_x_2,
-        fork_I_x_z_2, fork_I_z_z_2, half_fork_I_y_y_2, half_frame_I_y_y_2, half_front_wheel_yy, half_front_wheel_xx,
-        half_front_wheel_zz, half_rear_wheel_yy, half_fork_mass, half_frame_mass, half_rear_wheel_mass,
-        half_front_wheel_mass, frame_z_minus_rear_radius, k40, k41, gravity_times_rear_wheel_mass,
-        front_wheel_mass_times_gravity, fork_mass_times_gravity, frame_mass_times_gravity, k46, k47, 3e-09, 3e-09,
-        3e-09, 3e-09, 3e-09, 3e-09)
+    return ca.vertcat(frame_x, rear_wheel_xx, rear_wheel_yy, rear_wheel_zz, front_wheel_xx, front_wheel_yy, front_wheel_zz, rear_radius,
+        front_radius, gravity, fork_lined_up_x_x, fork_lined_up_x_z, fork_lined_up_y_y, fork_lined_up_z_x, fork_lined_up_z_z,
+        trail_plus_wheel_base, k2, k3, frame_total_mass, fork_h_x, fork_h_z, frame_h_x, frame_h_z, fork_h_x_times_fork_lined_up_x_x, k5,
+        fork_h_x_times_fork_lined_up_y_y, fork_h_x_times_fork_lined_up_z_x, k8, leaning_h_z, leaning_I_y_y, frame_I_x_x, frame_I_z_z,
+        frame_I_y_y, frame_I_x_z, rear_wheel_xx_minus_rear_wheel_zz, fork_I_x_x, fork_I_z_z, fork_I_y_y, fork_I_x_z,
+        front_wheel_yy_minus_front_wheel_zz, front_wheel_xx_minus_front_wheel_zz, front_wheel_xx_minus_front_wheel_yy,
+        fork_I_y_y_minus_fork_I_z_z, fork_I_x_x_minus_fork_I_z_z, fork_I_x_x_minus_fork_I_y_y, frame_I_y_y_minus_frame_I_z_z,
+        frame_I_x_x_minus_frame_I_z_z, frame_I_x_x_minus_frame_I_y_y, twice_leaning_I_y_y, front_wheel_turned_J_y_y, fork_total_J_y_y,
+        fork_h_z_times_fork_lined_up_x_z, fork_h_z_times_fork_lined_up_z_z, twice_rear_radius, k23, frame_I_y_y_plus_rear_wheel_yy, k25,
+        k26, inverse_front_wheel_yy, inverse_rear_wheel_yy, frame_h_x_2, frame_h_z_2, frame_I_x_x_2, frame_I_x_z_2, frame_I_z_z_2,
+        fork_h_x_2, fork_h_z_2, fork_I_x_x_2, fork_I_x_z_2, fork_I_z_z_2, half_fork_I_y_y_2, half_frame_I_y_y_2, half_front_wheel_yy,
+        half_front_wheel_xx, half_front_wheel_zz, half_rear_wheel_yy, half_fork_mass, half_frame_mass, half_rear_wheel_mass,
+        half_front_wheel_mass, frame_z_minus_rear_radius, k40, k41, gravity_times_rear_wheel_mass, front_wheel_mass_times_gravity,
+        fork_mass_times_gravity, frame_mass_times_gravity, k46, k47, *[3e-09]*6)
 
 
 def start(p):
@@ -521,21 +392,12 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (9,): path.x [m], path.y [m], path.angle [rad], height.travel [m], lean.angle [rad], pitch.angle [rad],
-            rear_hub.angle [rad], steer.angle [rad], front_hub.angle [rad]
-        u (9,): path.x_speed [m/s], path.y_speed [m/s], path.angle_speed [rad/s], height.speed [m/s], lean.speed
-            [rad/s], pitch.speed [rad/s], rear_hub.speed [rad/s], steer.speed [rad/s], front_hub.speed [rad/s]
+        q (9,): COORDINATES
+        u (9,): SPEEDS
     """
-    rear_radius = p[22]
-    origin = p[28]
-    upright = p[29]
-    push = p[30]
-    speed = p[31]
-    steering = p[32]
-    return (
-        ca.vertcat(origin, origin, upright, 0, upright, 0, upright, upright, upright),
-        ca.vertcat(0, 0, 0, 0, push, 0, speed/rear_radius, steering, 0),
-    )
+    rear_radius, origin, upright, push, speed, steering = p[22], p[28], p[29], p[30], p[31], p[32]
+    return (ca.vertcat(origin, origin, upright, 0, upright, 0, upright, upright, upright),
+        ca.vertcat(0, 0, 0, 0, push, 0, speed/rear_radius, steering, 0))
 
 
 def scales(p):
@@ -543,30 +405,19 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (9,): path.x [m], path.y [m], path.angle [rad], height.travel [m], lean.angle [rad], pitch.angle [rad],
-            rear_hub.angle [rad], steer.angle [rad], front_hub.angle [rad]
-        su (9,): path.x_speed [m/s], path.y_speed [m/s], path.angle_speed [rad/s], height.speed [m/s], lean.speed
-            [rad/s], pitch.speed [rad/s], rear_hub.speed [rad/s], steer.speed [rad/s], front_hub.speed [rad/s]
+        sq (9,): COORDINATES
+        su (9,): SPEEDS
         sz (0,): empty
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    frame_mass = p[0]
-    rear_wheel_mass = p[7]
-    fork_mass = p[11]
-    front_wheel_mass = p[18]
-    rear_radius = p[22]
-    pace = p[33]
+    frame_mass, rear_wheel_mass, fork_mass, front_wheel_mass, rear_radius, pace = p[0], p[7], p[11], p[18], p[22], p[33]
     total_mass = fork_mass + frame_mass + front_wheel_mass + rear_wheel_mass
     energy_scale = total_mass*pace*pace/2
     force_scale = energy_scale/rear_radius
     pace_over_rear_radius = pace/rear_radius
-    return (
-        ca.vertcat(rear_radius, rear_radius, 1, rear_radius, 1, 1, 1, 1, 1),
-        ca.vertcat(pace, pace, pace_over_rear_radius, pace, pace_over_rear_radius, pace_over_rear_radius,
-            pace_over_rear_radius, pace_over_rear_radius, pace_over_rear_radius),
-        ca.vertcat(),
-        ca.vertcat(rear_radius, pace, force_scale, energy_scale),
-    )
+    return (ca.vertcat(rear_radius, rear_radius, 1, rear_radius, *[1]*5),
+        ca.vertcat(pace, pace, pace_over_rear_radius, pace, *[pace_over_rear_radius]*5), ca.vertcat(),
+        ca.vertcat(rear_radius, pace, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -574,20 +425,13 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (9,): path.x [m/s], path.y [m/s], path.angle [rad/s], height.travel [m/s], lean.angle [rad/s],
-            pitch.angle [rad/s], rear_hub.angle [rad/s], steer.angle [rad/s], front_hub.angle [rad/s]
+        dq (9,): path.x [m/s], path.y [m/s], path.angle [rad/s], height.travel [m/s], lean.angle [rad/s], pitch.angle [rad/s],
+            rear_hub.angle [rad/s], steer.angle [rad/s], front_hub.angle [rad/s]
     """
-    path_x_speed = u[0]
-    path_y_speed = u[1]
-    path_angle_speed = u[2]
-    height_speed = u[3]
-    lean_speed = u[4]
-    pitch_speed = u[5]
-    rear_hub_speed = u[6]
-    steer_speed = u[7]
-    front_hub_speed = u[8]
-    return ca.vertcat(path_x_speed, path_y_speed, path_angle_speed, height_speed, lean_speed, pitch_speed,
-        rear_hub_speed, steer_speed, front_hub_speed)
+    path_x_speed, path_y_speed, path_angle_speed, height_speed, lean_speed, pitch_speed = u[0], u[1], u[2], u[3], u[4], u[5]
+    rear_hub_speed, steer_speed, front_hub_speed = u[6], u[7], u[8]
+    return ca.vertcat(path_x_speed, path_y_speed, path_angle_speed, height_speed, lean_speed, pitch_speed, rear_hub_speed, steer_speed,
+        front_hub_speed)
 
 
 def gaps(t, q, u, c):
@@ -595,8 +439,7 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (0,): empty
-        dG (0,): empty
+        G, dG (0,): empty
     """
     return ca.vertcat(), ca.vertcat()
 
@@ -616,42 +459,28 @@ def applied(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        f (9,): path.x [N], path.y [N], path.angle [N m], height [N], lean [N m], pitch [N m], rear_hub [N m], steer
-            [N m], front_hub [N m]
+        f (9,): path.x [N], path.y [N], path.angle [N m], height [N], lean [N m], pitch [N m], rear_hub [N m], steer [N m], front_hub [N m]
     """
-    gravity = c[9]
-    fork_lined_up_x_x = c[10]
-    fork_lined_up_y_y = c[12]
-    fork_lined_up_z_x = c[13]
-    frame_total_mass = c[18]
-    fork_h_x = c[19]
-    fork_h_x_times_fork_lined_up_x_x = c[23]
-    k5 = c[24]
-    fork_h_x_times_fork_lined_up_y_y = c[25]
-    fork_h_x_times_fork_lined_up_z_x = c[26]
-    k8 = c[27]
-    leaning_h_z = c[28]
-    lean_angle = q[4]
-    pitch_angle = q[5]
-    steer_angle = q[7]
+    gravity, fork_lined_up_x_x, fork_lined_up_y_y, fork_lined_up_z_x, frame_total_mass, fork_h_x = c[9], c[10], c[12], c[13], c[18], c[19]
+    fork_h_x_times_fork_lined_up_x_x, k5, fork_h_x_times_fork_lined_up_y_y, fork_h_x_times_fork_lined_up_z_x = c[23], c[24], c[25], c[26]
+    k8, leaning_h_z = c[27], c[28]
+    lean_angle, steer_angle = q[4], q[7]
     cos_leaning = ca.cos(lean_angle)
     sin_leaning = ca.sin(lean_angle)
-    cos_frame = ca.cos(pitch_angle)
-    sin_frame = ca.sin(pitch_angle)
+    cos, sin = revolute_constants_terms(q[5])
     cos_fork = ca.cos(steer_angle)
     sin_fork = ca.sin(steer_angle)
     frame_total_moment_x = k5 + cos_fork*fork_h_x_times_fork_lined_up_x_x
     frame_total_moment_y = fork_h_x_times_fork_lined_up_y_y*sin_fork
     frame_total_moment_z = k8 + cos_fork*fork_h_x_times_fork_lined_up_z_x
-    leaning_total_moment_z = leaning_h_z + cos_frame*frame_total_moment_z - frame_total_moment_x*sin_frame
+    leaning_total_moment_z = leaning_h_z + cos*frame_total_moment_z - frame_total_moment_x*sin
     leaning_gravity_y = -sin_leaning*gravity
     leaning_gravity_z = -cos_leaning*gravity
-    frame_gravity_x = -leaning_gravity_z*sin_frame
-    frame_gravity_z = cos_frame*leaning_gravity_z
+    frame_gravity_x = -leaning_gravity_z*sin
+    frame_gravity_z = cos*leaning_gravity_z
     fork_gravity_y = cos_fork*fork_lined_up_y_y*leaning_gravity_y - sin_fork*(fork_lined_up_x_x*frame_gravity_x + fork_lined_up_z_x*frame_gravity_z)
-    return ca.vertcat(0, 0, 0, -frame_total_mass*gravity, frame_total_moment_y*leaning_gravity_z -
-        leaning_gravity_y*leaning_total_moment_z, frame_gravity_x*frame_total_moment_z -
-        frame_gravity_z*frame_total_moment_x, 0, fork_gravity_y*fork_h_x, 0)
+    return ca.vertcat(0, 0, 0, -frame_total_mass*gravity, frame_total_moment_y*leaning_gravity_z - leaning_gravity_y*leaning_total_moment_z,
+        frame_gravity_x*frame_total_moment_z - frame_gravity_z*frame_total_moment_x, 0, fork_gravity_y*fork_h_x, 0)
 
 
 def accelerations(t, q, u, f, c):
@@ -659,104 +488,32 @@ def accelerations(t, q, u, f, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (9,): path.x_acceleration [m/s^2], path.y_acceleration [m/s^2], path.angle_acceleration [rad/s^2],
-            height.acceleration [m/s^2], lean.acceleration [rad/s^2], pitch.acceleration [rad/s^2],
-            rear_hub.acceleration [rad/s^2], steer.acceleration [rad/s^2], front_hub.acceleration [rad/s^2]
+        a (9,): path.x_acceleration [m/s^2], path.y_acceleration [m/s^2], path.angle_acceleration [rad/s^2], height.acceleration [m/s^2],
+            lean.acceleration [rad/s^2], pitch.acceleration [rad/s^2], rear_hub.acceleration [rad/s^2], steer.acceleration [rad/s^2],
+            front_hub.acceleration [rad/s^2]
         reactions (0,): empty
-        multipliers (6,): rear_grip.gap [N], rear_grip.sliding_velocity_1 [N], rear_grip.sliding_velocity_2 [N],
-            front_grip.gap [N], front_grip.sliding_velocity_1 [N], front_grip.sliding_velocity_2 [N]
+        multipliers (6,): CONSTRAINTS [N]
     """
-    rear_wheel_xx = c[1]
-    rear_wheel_yy = c[2]
-    rear_wheel_zz = c[3]
-    front_wheel_xx = c[4]
-    front_wheel_yy = c[5]
-    front_wheel_zz = c[6]
-    rear_radius = c[7]
-    front_radius = c[8]
-    fork_lined_up_x_x = c[10]
-    fork_lined_up_x_z = c[11]
-    fork_lined_up_y_y = c[12]
-    fork_lined_up_z_x = c[13]
-    fork_lined_up_z_z = c[14]
-    trail_plus_wheel_base = c[15]
-    k2 = c[16]
-    k3 = c[17]
-    frame_total_mass = c[18]
-    fork_h_x = c[19]
-    fork_h_z = c[20]
-    frame_h_x = c[21]
-    frame_h_z = c[22]
-    fork_h_x_times_fork_lined_up_x_x = c[23]
-    k5 = c[24]
-    fork_h_x_times_fork_lined_up_y_y = c[25]
-    fork_h_x_times_fork_lined_up_z_x = c[26]
-    k8 = c[27]
-    leaning_h_z = c[28]
-    leaning_I_y_y = c[29]
-    frame_I_x_x = c[30]
-    frame_I_z_z = c[31]
-    frame_I_y_y = c[32]
-    frame_I_x_z = c[33]
-    rear_wheel_xx_minus_rear_wheel_zz = c[34]
-    fork_I_x_x = c[35]
-    fork_I_z_z = c[36]
-    fork_I_y_y = c[37]
-    fork_I_x_z = c[38]
-    front_wheel_yy_minus_front_wheel_zz = c[39]
-    front_wheel_xx_minus_front_wheel_zz = c[40]
-    front_wheel_xx_minus_front_wheel_yy = c[41]
-    fork_I_y_y_minus_fork_I_z_z = c[42]
-    fork_I_x_x_minus_fork_I_z_z = c[43]
-    fork_I_x_x_minus_fork_I_y_y = c[44]
-    frame_I_y_y_minus_frame_I_z_z = c[45]
-    frame_I_x_x_minus_frame_I_z_z = c[46]
-    frame_I_x_x_minus_frame_I_y_y = c[47]
-    twice_leaning_I_y_y = c[48]
-    front_wheel_turned_J_y_y = c[49]
-    fork_total_J_y_y = c[50]
-    fork_h_z_times_fork_lined_up_x_z = c[51]
-    fork_h_z_times_fork_lined_up_z_z = c[52]
-    twice_rear_radius = c[53]
-    k23 = c[54]
-    frame_I_y_y_plus_rear_wheel_yy = c[55]
-    k25 = c[56]
-    k26 = c[57]
-    inverse_front_wheel_yy = c[58]
-    inverse_rear_wheel_yy = c[59]
-    rear_grip_gap_softness = c[89]
-    rear_grip_sliding_velocity_1_softness = c[90]
-    rear_grip_sliding_velocity_2_softness = c[91]
-    front_grip_gap_softness = c[92]
-    front_grip_sliding_velocity_1_softness = c[93]
-    front_grip_sliding_velocity_2_softness = c[94]
-    path_x = q[0]
-    path_y = q[1]
-    path_angle = q[2]
-    height_travel = q[3]
-    lean_angle = q[4]
-    pitch_angle = q[5]
-    rear_hub_angle = q[6]
-    steer_angle = q[7]
-    front_hub_angle = q[8]
-    path_x_speed = u[0]
-    path_y_speed = u[1]
-    path_angle_speed = u[2]
-    height_speed = u[3]
-    lean_speed = u[4]
-    pitch_speed = u[5]
-    rear_hub_speed = u[6]
-    steer_speed = u[7]
-    front_hub_speed = u[8]
-    path_x_force = f[0]
-    path_y_force = f[1]
-    path_angle_force = f[2]
-    height_force = f[3]
-    lean_force = f[4]
-    pitch_force = f[5]
-    rear_hub_force = f[6]
-    steer_force = f[7]
-    front_hub_force = f[8]
+    rear_wheel_xx, rear_wheel_yy, rear_wheel_zz, front_wheel_xx, front_wheel_yy, front_wheel_zz = c[1], c[2], c[3], c[4], c[5], c[6]
+    rear_radius, front_radius, fork_lined_up_x_x, fork_lined_up_x_z, fork_lined_up_y_y = c[7], c[8], c[10], c[11], c[12]
+    fork_lined_up_z_x, fork_lined_up_z_z, trail_plus_wheel_base, k2, k3, frame_total_mass = c[13], c[14], c[15], c[16], c[17], c[18]
+    fork_h_x, fork_h_z, frame_h_x, frame_h_z, fork_h_x_times_fork_lined_up_x_x, k5 = c[19], c[20], c[21], c[22], c[23], c[24]
+    fork_h_x_times_fork_lined_up_y_y, fork_h_x_times_fork_lined_up_z_x, k8, leaning_h_z, leaning_I_y_y = c[25], c[26], c[27], c[28], c[29]
+    frame_I_x_x, frame_I_z_z, frame_I_y_y, frame_I_x_z, rear_wheel_xx_minus_rear_wheel_zz = c[30], c[31], c[32], c[33], c[34]
+    fork_I_x_x, fork_I_z_z, fork_I_y_y, fork_I_x_z, front_wheel_yy_minus_front_wheel_zz = c[35], c[36], c[37], c[38], c[39]
+    front_wheel_xx_minus_front_wheel_zz, front_wheel_xx_minus_front_wheel_yy, fork_I_y_y_minus_fork_I_z_z = c[40], c[41], c[42]
+    fork_I_x_x_minus_fork_I_z_z, fork_I_x_x_minus_fork_I_y_y, frame_I_y_y_minus_frame_I_z_z = c[43], c[44], c[45]
+    frame_I_x_x_minus_frame_I_z_z, frame_I_x_x_minus_frame_I_y_y, twice_leaning_I_y_y, front_wheel_turned_J_y_y = c[46], c[47], c[48], c[49]
+    fork_total_J_y_y, fork_h_z_times_fork_lined_up_x_z, fork_h_z_times_fork_lined_up_z_z, twice_rear_radius = c[50], c[51], c[52], c[53]
+    k23, frame_I_y_y_plus_rear_wheel_yy, k25, k26, inverse_front_wheel_yy, inverse_rear_wheel_yy = c[54], c[55], c[56], c[57], c[58], c[59]
+    rear_grip_gap_softness, rear_grip_sliding_velocity_1_softness, rear_grip_sliding_velocity_2_softness = c[89], c[90], c[91]
+    front_grip_gap_softness, front_grip_sliding_velocity_1_softness, front_grip_sliding_velocity_2_softness = c[92], c[93], c[94]
+    path_x, path_y, path_angle, height_travel, lean_angle, pitch_angle, rear_hub_angle = q[0], q[1], q[2], q[3], q[4], q[5], q[6]
+    steer_angle, front_hub_angle = q[7], q[8]
+    path_x_speed, path_y_speed, path_angle_speed, height_speed, lean_speed, pitch_speed = u[0], u[1], u[2], u[3], u[4], u[5]
+    rear_hub_speed, steer_speed, front_hub_speed = u[6], u[7], u[8]
+    path_x_force, path_y_force, path_angle_force, height_force, lean_force, pitch_force = f[0], f[1], f[2], f[3], f[4], f[5]
+    rear_hub_force, steer_force, front_hub_force = f[6], f[7], f[8]
     cos_heading = ca.cos(path_angle)
     sin_heading = ca.sin(path_angle)
     cos_leaning = ca.cos(lean_angle)
@@ -1451,25 +1208,19 @@ def accelerations(t, q, u, f, c):
     L_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 = W_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_rear_grip_sliding_velocity_2_rear_grip_gap*l_rear_grip_sliding_velocity_1_rear_grip_gap
     l_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 = L_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1/D_rear_grip_sliding_velocity_1
     D_rear_grip_sliding_velocity_2 = W_rear_grip_sliding_velocity_2_raised - L_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1*l_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_rear_grip_sliding_velocity_2_rear_grip_gap*l_rear_grip_sliding_velocity_2_rear_grip_gap
-    l_front_grip_gap_rear_grip_gap = W_front_grip_gap_rear_grip_gap/W_rear_grip_gap_raised
     L_front_grip_gap_rear_grip_sliding_velocity_1 = W_front_grip_gap_rear_grip_sliding_velocity_1 - W_front_grip_gap_rear_grip_gap*l_rear_grip_sliding_velocity_1_rear_grip_gap
-    l_front_grip_gap_rear_grip_sliding_velocity_1 = L_front_grip_gap_rear_grip_sliding_velocity_1/D_rear_grip_sliding_velocity_1
     L_front_grip_gap_rear_grip_sliding_velocity_2 = W_front_grip_gap_rear_grip_sliding_velocity_2 - L_front_grip_gap_rear_grip_sliding_velocity_1*l_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_front_grip_gap_rear_grip_gap*l_rear_grip_sliding_velocity_2_rear_grip_gap
-    l_front_grip_gap_rear_grip_sliding_velocity_2 = L_front_grip_gap_rear_grip_sliding_velocity_2/D_rear_grip_sliding_velocity_2
-    D_front_grip_gap = W_front_grip_gap_raised - L_front_grip_gap_rear_grip_sliding_velocity_1*l_front_grip_gap_rear_grip_sliding_velocity_1 - L_front_grip_gap_rear_grip_sliding_velocity_2*l_front_grip_gap_rear_grip_sliding_velocity_2 - W_front_grip_gap_rear_grip_gap*l_front_grip_gap_rear_grip_gap
-    l_front_grip_sliding_velocity_1_rear_grip_gap = W_front_grip_sliding_velocity_1_rear_grip_gap/W_rear_grip_gap_raised
+    l_front_grip_gap_rear_grip_gap, l_front_grip_sliding_velocity_1_rear_grip_gap, l_front_grip_sliding_velocity_2_rear_grip_gap = rolling_without_slip_l_gap_gap(W_front_grip_gap_rear_grip_gap, W_front_grip_sliding_velocity_1_rear_grip_gap, W_front_grip_sliding_velocity_2_rear_grip_gap, W_rear_grip_gap_raised)
+    L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 = W_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_front_grip_sliding_velocity_2_rear_grip_gap*l_rear_grip_sliding_velocity_1_rear_grip_gap
+    L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2 = W_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2 - L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1*l_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_front_grip_sliding_velocity_2_rear_grip_gap*l_rear_grip_sliding_velocity_2_rear_grip_gap
     L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1 = W_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1 - W_front_grip_sliding_velocity_1_rear_grip_gap*l_rear_grip_sliding_velocity_1_rear_grip_gap
-    l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1 = L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1/D_rear_grip_sliding_velocity_1
     L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2 = W_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2 - L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1*l_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_front_grip_sliding_velocity_1_rear_grip_gap*l_rear_grip_sliding_velocity_2_rear_grip_gap
-    l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2 = L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2/D_rear_grip_sliding_velocity_2
+    l_front_grip_gap_rear_grip_sliding_velocity_2, l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2, l_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2 = rolling_without_slip_l_gap_gap(L_front_grip_gap_rear_grip_sliding_velocity_2, L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2, L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2, D_rear_grip_sliding_velocity_2)
+    l_front_grip_gap_rear_grip_sliding_velocity_1, l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1, l_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 = rolling_without_slip_l_gap_gap(L_front_grip_gap_rear_grip_sliding_velocity_1, L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1, L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1, D_rear_grip_sliding_velocity_1)
+    D_front_grip_gap = W_front_grip_gap_raised - L_front_grip_gap_rear_grip_sliding_velocity_1*l_front_grip_gap_rear_grip_sliding_velocity_1 - L_front_grip_gap_rear_grip_sliding_velocity_2*l_front_grip_gap_rear_grip_sliding_velocity_2 - W_front_grip_gap_rear_grip_gap*l_front_grip_gap_rear_grip_gap
     L_front_grip_sliding_velocity_1_front_grip_gap = W_front_grip_sliding_velocity_1_front_grip_gap - L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1*l_front_grip_gap_rear_grip_sliding_velocity_1 - L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2*l_front_grip_gap_rear_grip_sliding_velocity_2 - W_front_grip_sliding_velocity_1_rear_grip_gap*l_front_grip_gap_rear_grip_gap
     l_front_grip_sliding_velocity_1_front_grip_gap = L_front_grip_sliding_velocity_1_front_grip_gap/D_front_grip_gap
     D_front_grip_sliding_velocity_1 = W_front_grip_sliding_velocity_1_raised - L_front_grip_sliding_velocity_1_front_grip_gap*l_front_grip_sliding_velocity_1_front_grip_gap - L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1*l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1 - L_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2*l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2 - W_front_grip_sliding_velocity_1_rear_grip_gap*l_front_grip_sliding_velocity_1_rear_grip_gap
-    l_front_grip_sliding_velocity_2_rear_grip_gap = W_front_grip_sliding_velocity_2_rear_grip_gap/W_rear_grip_gap_raised
-    L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 = W_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_front_grip_sliding_velocity_2_rear_grip_gap*l_rear_grip_sliding_velocity_1_rear_grip_gap
-    l_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 = L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1/D_rear_grip_sliding_velocity_1
-    L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2 = W_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2 - L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1*l_rear_grip_sliding_velocity_2_rear_grip_sliding_velocity_1 - W_front_grip_sliding_velocity_2_rear_grip_gap*l_rear_grip_sliding_velocity_2_rear_grip_gap
-    l_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2 = L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2/D_rear_grip_sliding_velocity_2
     L_front_grip_sliding_velocity_2_front_grip_gap = W_front_grip_sliding_velocity_2_front_grip_gap - L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1*l_front_grip_gap_rear_grip_sliding_velocity_1 - L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2*l_front_grip_gap_rear_grip_sliding_velocity_2 - W_front_grip_sliding_velocity_2_rear_grip_gap*l_front_grip_gap_rear_grip_gap
     l_front_grip_sliding_velocity_2_front_grip_gap = L_front_grip_sliding_velocity_2_front_grip_gap/D_front_grip_gap
     L_front_grip_sliding_velocity_2_front_grip_sliding_velocity_1 = W_front_grip_sliding_velocity_2_front_grip_sliding_velocity_1 - L_front_grip_sliding_velocity_2_front_grip_gap*l_front_grip_sliding_velocity_1_front_grip_gap - L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_1*l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_1 - L_front_grip_sliding_velocity_2_rear_grip_sliding_velocity_2*l_front_grip_sliding_velocity_1_rear_grip_sliding_velocity_2 - W_front_grip_sliding_velocity_2_rear_grip_gap*l_front_grip_sliding_velocity_1_rear_grip_gap
@@ -1565,13 +1316,11 @@ def accelerations(t, q, u, f, c):
     rear_hub_acc_4 = rear_hub_acc_3 + front_grip_gap_acc_4*rear_hub_by_front_grip_gap + front_grip_sliding_velocity_1_acc_4*rear_hub_by_front_grip_sliding_velocity_1 + front_grip_sliding_velocity_2_acc_4*rear_hub_by_front_grip_sliding_velocity_2 + rear_grip_gap_acc_4*rear_hub_by_rear_grip_gap + rear_grip_sliding_velocity_1_acc_4*rear_hub_by_rear_grip_sliding_velocity_1 + rear_grip_sliding_velocity_2_acc_4*rear_hub_by_rear_grip_sliding_velocity_2
     steer_acc_4 = steer_acc_3 + front_grip_gap_acc_4*steer_by_front_grip_gap + front_grip_sliding_velocity_1_acc_4*steer_by_front_grip_sliding_velocity_1 + front_grip_sliding_velocity_2_acc_4*steer_by_front_grip_sliding_velocity_2 + rear_grip_gap_acc_4*steer_by_rear_grip_gap + rear_grip_sliding_velocity_1_acc_4*steer_by_rear_grip_sliding_velocity_1 + rear_grip_sliding_velocity_2_acc_4*steer_by_rear_grip_sliding_velocity_2
     front_hub_acc_4 = front_hub_acc_3 + front_grip_gap_acc_4*front_hub_by_front_grip_gap + front_grip_sliding_velocity_1_acc_4*front_hub_by_front_grip_sliding_velocity_1 + front_grip_sliding_velocity_2_acc_4*front_hub_by_front_grip_sliding_velocity_2 + front_hub_by_rear_grip_gap*rear_grip_gap_acc_4 + front_hub_by_rear_grip_sliding_velocity_1*rear_grip_sliding_velocity_1_acc_4 + front_hub_by_rear_grip_sliding_velocity_2*rear_grip_sliding_velocity_2_acc_4
-    return (
-        ca.vertcat(path_x_acc_4, path_y_acc_4, path_angle_acc_4, height_acc_4, lean_acc_4, pitch_acc_4,
-            rear_hub_acc_4, steer_acc_4, front_hub_acc_4),
+    return (ca.vertcat(path_x_acc_4, path_y_acc_4, path_angle_acc_4, height_acc_4, lean_acc_4, pitch_acc_4, rear_hub_acc_4, steer_acc_4,
+            front_hub_acc_4),
         ca.vertcat(),
-        ca.vertcat(rear_grip_gap_acc_5, rear_grip_sliding_velocity_1_acc_5, rear_grip_sliding_velocity_2_acc_5,
-            front_grip_gap_acc_5, front_grip_sliding_velocity_1_acc_5, front_grip_sliding_velocity_2_acc_5),
-    )
+        ca.vertcat(rear_grip_gap_acc_5, rear_grip_sliding_velocity_1_acc_5, rear_grip_sliding_velocity_2_acc_5, front_grip_gap_acc_5,
+            front_grip_sliding_velocity_1_acc_5, front_grip_sliding_velocity_2_acc_5))
 
 
 def constraints(t, q, u, c):
@@ -1579,39 +1328,16 @@ def constraints(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        phi (6,): rear_grip.gap [m], rear_grip.sliding_velocity_1 [m], rear_grip.sliding_velocity_2 [m],
-            front_grip.gap [m], front_grip.sliding_velocity_1 [m], front_grip.sliding_velocity_2 [m]
-        dphi (6,): rear_grip.gap [m/s], rear_grip.sliding_velocity_1 [m/s], rear_grip.sliding_velocity_2 [m/s],
-            front_grip.gap [m/s], front_grip.sliding_velocity_1 [m/s], front_grip.sliding_velocity_2 [m/s]
+        phi (6,): CONSTRAINTS [m]
+        dphi (6,): CONSTRAINTS [m/s]
     """
-    rear_radius = c[7]
-    front_radius = c[8]
-    fork_lined_up_x_x = c[10]
-    fork_lined_up_x_z = c[11]
-    fork_lined_up_y_y = c[12]
-    fork_lined_up_z_x = c[13]
-    fork_lined_up_z_z = c[14]
-    trail_plus_wheel_base = c[15]
-    k2 = c[16]
-    k3 = c[17]
-    path_angle = q[2]
-    height_travel = q[3]
-    lean_angle = q[4]
-    pitch_angle = q[5]
-    steer_angle = q[7]
-    path_x_speed = u[0]
-    path_y_speed = u[1]
-    path_angle_speed = u[2]
-    height_speed = u[3]
-    lean_speed = u[4]
-    pitch_speed = u[5]
-    rear_hub_speed = u[6]
+    rear_radius, fork_lined_up_x_x, fork_lined_up_x_z, fork_lined_up_y_y, fork_lined_up_z_x = c[7], c[10], c[11], c[12], c[13]
+    fork_lined_up_z_z, trail_plus_wheel_base, k2, k3 = c[14], c[15], c[16], c[17]
+    height_travel, pitch_angle, steer_angle = q[3], q[5], q[7]
+    path_x_speed, path_y_speed, path_angle_speed, height_speed, lean_speed, pitch_speed = u[0], u[1], u[2], u[3], u[4], u[5]
     steer_speed = u[7]
-    front_hub_speed = u[8]
-    cos_heading = ca.cos(path_angle)
-    sin_heading = ca.sin(path_angle)
-    cos_leaning = ca.cos(lean_angle)
-    sin_leaning = ca.sin(lean_angle)
+    cos_heading, sin_heading = revolute_constants_terms(q[2])
+    cos_leaning, sin_leaning = revolute_constants_terms(q[4])
     cos_frame = ca.cos(pitch_angle)
     sin_frame = ca.sin(pitch_angle)
     cos_fork = ca.cos(steer_angle)
@@ -1644,23 +1370,7 @@ def constraints(t, q, u, c):
     frame_R_y_z = cos_frame*leaning_R_y_z + sin_frame*sin_heading
     frame_R_z_x = -cos_leaning*sin_frame
     frame_R_z_z = cos_frame*cos_leaning
-    rear_wheel_turning_x = leaning_R_x_y*rear_hub_speed
-    rear_wheel_turning_y = leaning_R_y_y*rear_hub_speed
-    rear_wheel_turning_z = rear_hub_speed*sin_leaning
-    rear_wheel_rate_x = frame_rate_x + rear_wheel_turning_x
-    rear_wheel_rate_y = frame_rate_y + rear_wheel_turning_y
-    rear_wheel_rate_z = frame_rate_z + rear_wheel_turning_z
-    rear_tyre_up_x = -leaning_R_x_y*sin_leaning
-    rear_tyre_up_y = -leaning_R_y_y*sin_leaning
-    rear_tyre_up_z = 1 - sin_leaning*sin_leaning
-    rear_tyre_rise = ca.sqrt(rear_tyre_up_z)
-    rear_tyre_rim_x = -rear_tyre_up_x*rear_radius/rear_tyre_rise
-    rear_tyre_rim_y = -rear_tyre_up_y*rear_radius/rear_tyre_rise
-    rear_tyre_rim_z = -rear_tyre_up_z*rear_radius/rear_tyre_rise
-    rear_tyre_gap = frame_z_2 - rear_tyre_rise*rear_radius
-    rear_grip_gap_velocity_x = frame_velocity_x + rear_tyre_rim_z*rear_wheel_rate_y - rear_tyre_rim_y*rear_wheel_rate_z
-    rear_grip_gap_velocity_y = frame_velocity_y + rear_tyre_rim_x*rear_wheel_rate_z - rear_tyre_rim_z*rear_wheel_rate_x
-    rear_grip_gap_velocity_z = frame_velocity_z + rear_tyre_rim_y*rear_wheel_rate_x - rear_tyre_rim_x*rear_wheel_rate_y
+    rear_tyre_gap, rear_grip_gap_velocity_x, rear_grip_gap_velocity_y, rear_grip_gap_velocity_z = rim_on_plane_gap(frame_rate_x, frame_rate_y, frame_rate_z, leaning_R_x_y, leaning_R_y_y, sin_leaning, frame_z_2, frame_velocity_x, frame_velocity_y, frame_velocity_z, u[6], rear_radius)
     fork_arm_x = frame_R_x_x*trail_plus_wheel_base - frame_R_x_z*rear_radius
     fork_arm_y = frame_R_y_x*trail_plus_wheel_base - frame_R_y_z*rear_radius
     fork_arm_z = frame_R_z_x*trail_plus_wheel_base - frame_R_z_z*rear_radius
@@ -1704,32 +1414,14 @@ def constraints(t, q, u, c):
     front_hub_axis_x = fork_R_x_y*fork_lined_up_y_y
     front_hub_axis_y = fork_R_y_y*fork_lined_up_y_y
     front_hub_axis_z = fork_R_z_y*fork_lined_up_y_y
-    front_wheel_turning_x = front_hub_axis_x*front_hub_speed
-    front_wheel_turning_y = front_hub_axis_y*front_hub_speed
-    front_wheel_turning_z = front_hub_axis_z*front_hub_speed
-    front_wheel_rate_x = fork_rate_x + front_wheel_turning_x
-    front_wheel_rate_y = fork_rate_y + front_wheel_turning_y
-    front_wheel_rate_z = fork_rate_z + front_wheel_turning_z
     front_wheel_z = fork_z_2 + front_wheel_arm_z
     front_wheel_velocity_x = fork_velocity_x + front_wheel_arm_rate_x
     front_wheel_velocity_y = fork_velocity_y + front_wheel_arm_rate_y
     front_wheel_velocity_z = fork_velocity_z + front_wheel_arm_rate_z
-    front_tyre_up_x = -front_hub_axis_x*front_hub_axis_z
-    front_tyre_up_y = -front_hub_axis_y*front_hub_axis_z
-    front_tyre_up_z = 1 - front_hub_axis_z*front_hub_axis_z
-    front_tyre_rise = ca.sqrt(front_tyre_up_z)
-    front_tyre_rim_x = -front_tyre_up_x*front_radius/front_tyre_rise
-    front_tyre_rim_y = -front_tyre_up_y*front_radius/front_tyre_rise
-    front_tyre_rim_z = -front_tyre_up_z*front_radius/front_tyre_rise
-    front_tyre_gap = front_wheel_z - front_tyre_rise*front_radius
-    front_grip_gap_velocity_x = front_wheel_velocity_x + front_tyre_rim_z*front_wheel_rate_y - front_tyre_rim_y*front_wheel_rate_z
-    front_grip_gap_velocity_y = front_wheel_velocity_y + front_tyre_rim_x*front_wheel_rate_z - front_tyre_rim_z*front_wheel_rate_x
-    front_grip_gap_velocity_z = front_wheel_velocity_z + front_tyre_rim_y*front_wheel_rate_x - front_tyre_rim_x*front_wheel_rate_y
-    return (
-        ca.vertcat(rear_tyre_gap, 0, 0, front_tyre_gap, 0, 0),
-        ca.vertcat(rear_grip_gap_velocity_z, rear_grip_gap_velocity_y, rear_grip_gap_velocity_x,
-            front_grip_gap_velocity_z, front_grip_gap_velocity_y, front_grip_gap_velocity_x),
-    )
+    front_tyre_gap, front_grip_gap_velocity_x, front_grip_gap_velocity_y, front_grip_gap_velocity_z = rim_on_plane_gap(fork_rate_x, fork_rate_y, fork_rate_z, front_hub_axis_x, front_hub_axis_y, front_hub_axis_z, front_wheel_z, front_wheel_velocity_x, front_wheel_velocity_y, front_wheel_velocity_z, u[8], c[8])
+    return (ca.vertcat(rear_tyre_gap, 0, 0, front_tyre_gap, 0, 0),
+        ca.vertcat(rear_grip_gap_velocity_z, rear_grip_gap_velocity_y, rear_grip_gap_velocity_x, front_grip_gap_velocity_z,
+            front_grip_gap_velocity_y, front_grip_gap_velocity_x))
 
 
 def projection(t, q, wanted, c):
@@ -1737,84 +1429,30 @@ def projection(t, q, wanted, c):
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
-        v (9,): path.x_speed [m/s], path.y_speed [m/s], path.angle_speed [rad/s], height.speed [m/s], lean.speed
-            [rad/s], pitch.speed [rad/s], rear_hub.speed [rad/s], steer.speed [rad/s], front_hub.speed [rad/s]
-        independence (6,): rear_grip.gap [1], rear_grip.sliding_velocity_1 [1], rear_grip.sliding_velocity_2 [1],
-            front_grip.gap [1], front_grip.sliding_velocity_1 [1], front_grip.sliding_velocity_2 [1]
+        v (9,): SPEEDS
+        independence (6,): CONSTRAINTS [1]
     """
-    rear_wheel_xx = c[1]
-    rear_wheel_yy = c[2]
-    rear_wheel_zz = c[3]
-    front_wheel_xx = c[4]
-    front_wheel_zz = c[6]
-    rear_radius = c[7]
-    front_radius = c[8]
-    fork_lined_up_x_x = c[10]
-    fork_lined_up_x_z = c[11]
-    fork_lined_up_y_y = c[12]
-    fork_lined_up_z_x = c[13]
-    fork_lined_up_z_z = c[14]
-    trail_plus_wheel_base = c[15]
-    k2 = c[16]
-    k3 = c[17]
-    frame_total_mass = c[18]
-    fork_h_x_times_fork_lined_up_x_x = c[23]
-    k5 = c[24]
-    fork_h_x_times_fork_lined_up_y_y = c[25]
-    fork_h_x_times_fork_lined_up_z_x = c[26]
-    k8 = c[27]
-    leaning_h_z = c[28]
-    leaning_I_y_y = c[29]
-    frame_I_x_x = c[30]
-    frame_I_z_z = c[31]
-    frame_I_x_z = c[33]
-    rear_wheel_xx_minus_rear_wheel_zz = c[34]
-    fork_I_x_x = c[35]
-    fork_I_z_z = c[36]
-    fork_I_x_z = c[38]
-    front_wheel_xx_minus_front_wheel_zz = c[40]
-    front_wheel_turned_J_y_y = c[49]
-    fork_total_J_y_y = c[50]
-    fork_h_z_times_fork_lined_up_x_z = c[51]
-    fork_h_z_times_fork_lined_up_z_z = c[52]
-    twice_rear_radius = c[53]
-    k23 = c[54]
-    frame_I_y_y_plus_rear_wheel_yy = c[55]
-    k25 = c[56]
-    k26 = c[57]
-    inverse_front_wheel_yy = c[58]
-    inverse_rear_wheel_yy = c[59]
-    rear_grip_gap_softness = c[89]
-    rear_grip_sliding_velocity_1_softness = c[90]
-    rear_grip_sliding_velocity_2_softness = c[91]
-    front_grip_gap_softness = c[92]
-    front_grip_sliding_velocity_1_softness = c[93]
-    front_grip_sliding_velocity_2_softness = c[94]
-    path_x = q[0]
-    path_y = q[1]
-    path_angle = q[2]
-    height_travel = q[3]
-    lean_angle = q[4]
-    pitch_angle = q[5]
-    rear_hub_angle = q[6]
-    steer_angle = q[7]
-    front_hub_angle = q[8]
-    rear_grip_gap_wanted_rate = wanted[0]
-    rear_grip_sliding_velocity_1_wanted_rate = wanted[1]
-    rear_grip_sliding_velocity_2_wanted_rate = wanted[2]
-    front_grip_gap_wanted_rate = wanted[3]
-    front_grip_sliding_velocity_1_wanted_rate = wanted[4]
-    front_grip_sliding_velocity_2_wanted_rate = wanted[5]
-    cos_heading = ca.cos(path_angle)
-    sin_heading = ca.sin(path_angle)
-    cos_leaning = ca.cos(lean_angle)
-    sin_leaning = ca.sin(lean_angle)
-    cos_frame = ca.cos(pitch_angle)
-    sin_frame = ca.sin(pitch_angle)
+    rear_wheel_xx, rear_wheel_yy, rear_wheel_zz, front_wheel_xx, front_wheel_zz, rear_radius = c[1], c[2], c[3], c[4], c[6], c[7]
+    front_radius, fork_lined_up_x_x, fork_lined_up_x_z, fork_lined_up_y_y, fork_lined_up_z_x = c[8], c[10], c[11], c[12], c[13]
+    fork_lined_up_z_z, trail_plus_wheel_base, k2, k3, frame_total_mass = c[14], c[15], c[16], c[17], c[18]
+    fork_h_x_times_fork_lined_up_x_x, k5, fork_h_x_times_fork_lined_up_y_y, fork_h_x_times_fork_lined_up_z_x = c[23], c[24], c[25], c[26]
+    k8, leaning_h_z, leaning_I_y_y, frame_I_x_x, frame_I_z_z, frame_I_x_z = c[27], c[28], c[29], c[30], c[31], c[33]
+    rear_wheel_xx_minus_rear_wheel_zz, fork_I_x_x, fork_I_z_z, fork_I_x_z = c[34], c[35], c[36], c[38]
+    front_wheel_xx_minus_front_wheel_zz, front_wheel_turned_J_y_y, fork_total_J_y_y = c[40], c[49], c[50]
+    fork_h_z_times_fork_lined_up_x_z, fork_h_z_times_fork_lined_up_z_z, twice_rear_radius, k23 = c[51], c[52], c[53], c[54]
+    frame_I_y_y_plus_rear_wheel_yy, k25, k26, inverse_front_wheel_yy, inverse_rear_wheel_yy = c[55], c[56], c[57], c[58], c[59]
+    rear_grip_gap_softness, rear_grip_sliding_velocity_1_softness, rear_grip_sliding_velocity_2_softness = c[89], c[90], c[91]
+    front_grip_gap_softness, front_grip_sliding_velocity_1_softness, front_grip_sliding_velocity_2_softness = c[92], c[93], c[94]
+    path_x, path_y, height_travel, pitch_angle, rear_hub_angle, steer_angle, front_hub_angle = q[0], q[1], q[3], q[5], q[6], q[7], q[8]
+    rear_grip_gap_wanted_rate, rear_grip_sliding_velocity_1_wanted_rate = wanted[0], wanted[1]
+    rear_grip_sliding_velocity_2_wanted_rate, front_grip_gap_wanted_rate = wanted[2], wanted[3]
+    front_grip_sliding_velocity_1_wanted_rate, front_grip_sliding_velocity_2_wanted_rate = wanted[4], wanted[5]
+    cos_heading, sin_heading = revolute_constants_terms(q[2])
+    cos_leaning, sin_leaning = revolute_constants_terms(q[4])
+    cos_frame, sin_frame = revolute_constants_terms(pitch_angle)
     rear_wheel_angle = pitch_angle + rear_hub_angle
     rear_wheel_turn = rear_wheel_angle - pitch_angle
-    cos_rear_wheel_turn = ca.cos(rear_wheel_turn)
-    sin_rear_wheel_turn = ca.sin(rear_wheel_turn)
+    cos_rear_wheel_turn, sin_rear_wheel_turn = revolute_constants_terms(rear_wheel_turn)
     cos_fork = ca.cos(steer_angle)
     sin_fork = ca.sin(steer_angle)
     cos_front_wheel = ca.cos(front_hub_angle)
@@ -2044,29 +1682,23 @@ def projection(t, q, wanted, c):
     l_path_angle_steer = steer_leaning_torque_z/fork_total_J_z_z
     l_path_angle_rear_hub = inverse_rear_wheel_yy*rear_hub_leaning_torque_z
     L_path_angle_pitch = pitch_leaning_torque_z - rear_hub_leaning_torque_z - front_hub_leaning_torque_z*l_pitch_front_hub - l_pitch_steer*steer_leaning_torque_z
-    l_path_angle_pitch = L_path_angle_pitch/D_pitch
     L_path_angle_lean = leaning_turned_J_x_z - L_path_angle_pitch*l_lean_pitch - front_hub_leaning_torque_z*l_lean_front_hub - l_lean_steer*steer_leaning_torque_z
-    l_path_angle_lean = L_path_angle_lean/D_lean
     L_path_angle_height = -L_path_angle_lean*l_height_lean - L_path_angle_pitch*l_height_pitch - l_height_steer*steer_leaning_torque_z
-    l_path_angle_height = L_path_angle_height/D_height
+    L_path_x_pitch = pitch_leaning_force_x - l_pitch_steer*steer_leaning_force_x
+    L_path_y_pitch = pitch_leaning_force_y - l_pitch_steer*steer_leaning_force_y
+    l_path_angle_pitch, l_path_y_pitch, l_path_x_pitch = rolling_without_slip_l_gap_gap(L_path_angle_pitch, L_path_y_pitch, L_path_x_pitch, D_pitch)
+    L_path_x_lean = lean_leaning_force_x - L_path_x_pitch*l_lean_pitch - l_lean_steer*steer_leaning_force_x
+    L_path_y_lean = lean_leaning_force_y - L_path_y_pitch*l_lean_pitch - l_lean_steer*steer_leaning_force_y
+    l_path_angle_lean, l_path_y_lean, l_path_x_lean = rolling_without_slip_l_gap_gap(L_path_angle_lean, L_path_y_lean, L_path_x_lean, D_lean)
+    L_path_x_height = -L_path_x_lean*l_height_lean - L_path_x_pitch*l_height_pitch - l_height_steer*steer_leaning_force_x
+    L_path_y_height = -L_path_y_lean*l_height_lean - L_path_y_pitch*l_height_pitch - l_height_steer*steer_leaning_force_y
+    l_path_angle_height, l_path_y_height, l_path_x_height = rolling_without_slip_l_gap_gap(L_path_angle_height, L_path_y_height, L_path_x_height, D_height)
     D_path_angle = leaning_turned_J_z_z - L_path_angle_height*l_path_angle_height - L_path_angle_lean*l_path_angle_lean - L_path_angle_pitch*l_path_angle_pitch - front_hub_leaning_torque_z*l_path_angle_front_hub - l_path_angle_rear_hub*rear_hub_leaning_torque_z - l_path_angle_steer*steer_leaning_torque_z
     l_path_y_steer = steer_leaning_force_y/fork_total_J_z_z
-    L_path_y_pitch = pitch_leaning_force_y - l_pitch_steer*steer_leaning_force_y
-    l_path_y_pitch = L_path_y_pitch/D_pitch
-    L_path_y_lean = lean_leaning_force_y - L_path_y_pitch*l_lean_pitch - l_lean_steer*steer_leaning_force_y
-    l_path_y_lean = L_path_y_lean/D_lean
-    L_path_y_height = -L_path_y_lean*l_height_lean - L_path_y_pitch*l_height_pitch - l_height_steer*steer_leaning_force_y
-    l_path_y_height = L_path_y_height/D_height
     L_path_y_path_angle = lifted_total_moment_x - L_path_y_height*l_path_angle_height - L_path_y_lean*l_path_angle_lean - L_path_y_pitch*l_path_angle_pitch - l_path_angle_steer*steer_leaning_force_y
     l_path_y_path_angle = L_path_y_path_angle/D_path_angle
     D_path_y = frame_total_mass - L_path_y_height*l_path_y_height - L_path_y_lean*l_path_y_lean - L_path_y_path_angle*l_path_y_path_angle - L_path_y_pitch*l_path_y_pitch - l_path_y_steer*steer_leaning_force_y
     l_path_x_steer = steer_leaning_force_x/fork_total_J_z_z
-    L_path_x_pitch = pitch_leaning_force_x - l_pitch_steer*steer_leaning_force_x
-    l_path_x_pitch = L_path_x_pitch/D_pitch
-    L_path_x_lean = lean_leaning_force_x - L_path_x_pitch*l_lean_pitch - l_lean_steer*steer_leaning_force_x
-    l_path_x_lean = L_path_x_lean/D_lean
-    L_path_x_height = -L_path_x_lean*l_height_lean - L_path_x_pitch*l_height_pitch - l_height_steer*steer_leaning_force_x
-    l_path_x_height = L_path_x_height/D_height
     L_path_x_path_angle = -lifted_total_moment_y - L_path_x_height*l_path_angle_height - L_path_x_lean*l_path_angle_lean - L_path_x_pitch*l_path_angle_pitch - l_path_angle_steer*steer_leaning_force_x
     l_path_x_path_angle = L_path_x_path_angle/D_path_angle
     L_path_x_path_y = -L_path_x_height*l_path_y_height - L_path_x_lean*l_path_y_lean - L_path_x_path_angle*l_path_y_path_angle - L_path_x_pitch*l_path_y_pitch - l_path_y_steer*steer_leaning_force_x
@@ -2076,7 +1708,15 @@ def projection(t, q, wanted, c):
     y_path_angle_2 = -l_path_angle_height*y_height_2 - l_path_angle_lean*rear_grip_gap_on_lean - l_path_angle_rear_hub*rear_grip_gap_on_pitch
     y_path_y_2 = -l_path_y_height*y_height_2 - l_path_y_lean*rear_grip_gap_on_lean - l_path_y_path_angle*y_path_angle_2
     y_path_x_2 = -l_path_x_height*y_height_2 - l_path_x_lean*rear_grip_gap_on_lean - l_path_x_path_angle*y_path_angle_2 - l_path_x_path_y*y_path_y_2
-    path_x_by_rear_grip_gap = y_path_x_2/D_path_x
+    y_height_4 = -l_height_lean*rear_grip_sliding_velocity_2_on_lean
+    y_path_angle_4 = rear_grip_sliding_velocity_2_on_path_angle - l_path_angle_height*y_height_4 - l_path_angle_lean*rear_grip_sliding_velocity_2_on_lean - l_path_angle_rear_hub*rear_grip_sliding_velocity_2_on_pitch
+    y_path_y_4 = -l_path_y_height*y_height_4 - l_path_y_lean*rear_grip_sliding_velocity_2_on_lean - l_path_y_path_angle*y_path_angle_4
+    y_path_x_4 = 1 - l_path_x_height*y_height_4 - l_path_x_lean*rear_grip_sliding_velocity_2_on_lean - l_path_x_path_angle*y_path_angle_4 - l_path_x_path_y*y_path_y_4
+    y_height_3 = -l_height_lean*rear_grip_sliding_velocity_1_on_lean
+    y_path_angle_3 = rear_grip_sliding_velocity_1_on_path_angle - l_path_angle_height*y_height_3 - l_path_angle_lean*rear_grip_sliding_velocity_1_on_lean - l_path_angle_rear_hub*rear_grip_sliding_velocity_1_on_pitch
+    y_path_y_3 = 1 - l_path_y_height*y_height_3 - l_path_y_lean*rear_grip_sliding_velocity_1_on_lean - l_path_y_path_angle*y_path_angle_3
+    y_path_x_3 = -l_path_x_height*y_height_3 - l_path_x_lean*rear_grip_sliding_velocity_1_on_lean - l_path_x_path_angle*y_path_angle_3 - l_path_x_path_y*y_path_y_3
+    path_x_by_rear_grip_gap, path_x_by_rear_grip_sliding_velocity_1, path_x_by_rear_grip_sliding_velocity_2 = rolling_without_slip_l_gap_gap(y_path_x_2, y_path_x_3, y_path_x_4, D_path_x)
     path_y_by_rear_grip_gap = y_path_y_2/D_path_y - l_path_x_path_y*path_x_by_rear_grip_gap
     path_angle_by_rear_grip_gap = y_path_angle_2/D_path_angle - l_path_x_path_angle*path_x_by_rear_grip_gap - l_path_y_path_angle*path_y_by_rear_grip_gap
     height_by_rear_grip_gap = y_height_2/D_height - l_path_angle_height*path_angle_by_rear_grip_gap - l_path_x_height*path_x_by_rear_grip_gap - l_path_y_height*path_y_by_rear_grip_gap
@@ -2085,11 +1725,6 @@ def projection(t, q, wanted, c):
     rear_hub_by_rear_grip_gap = inverse_rear_wheel_yy*rear_grip_gap_on_pitch - pitch_by_rear_grip_gap - l_path_angle_rear_hub*path_angle_by_rear_grip_gap
     steer_by_rear_grip_gap = -height_by_rear_grip_gap*l_height_steer - l_lean_steer*lean_by_rear_grip_gap - l_path_angle_steer*path_angle_by_rear_grip_gap - l_path_x_steer*path_x_by_rear_grip_gap - l_path_y_steer*path_y_by_rear_grip_gap - l_pitch_steer*pitch_by_rear_grip_gap
     front_hub_by_rear_grip_gap = -l_lean_front_hub*lean_by_rear_grip_gap - l_path_angle_front_hub*path_angle_by_rear_grip_gap - l_pitch_front_hub*pitch_by_rear_grip_gap
-    y_height_3 = -l_height_lean*rear_grip_sliding_velocity_1_on_lean
-    y_path_angle_3 = rear_grip_sliding_velocity_1_on_path_angle - l_path_angle_height*y_height_3 - l_path_angle_lean*rear_grip_sliding_velocity_1_on_lean - l_path_angle_rear_hub*rear_grip_sliding_velocity_1_on_pitch
-    y_path_y_3 = 1 - l_path_y_height*y_height_3 - l_path_y_lean*rear_grip_sliding_velocity_1_on_lean - l_path_y_path_angle*y_path_angle_3
-    y_path_x_3 = -l_path_x_height*y_height_3 - l_path_x_lean*rear_grip_sliding_velocity_1_on_lean - l_path_x_path_angle*y_path_angle_3 - l_path_x_path_y*y_path_y_3
-    path_x_by_rear_grip_sliding_velocity_1 = y_path_x_3/D_path_x
     path_y_by_rear_grip_sliding_velocity_1 = y_path_y_3/D_path_y - l_path_x_path_y*path_x_by_rear_grip_sliding_velocity_1
     path_angle_by_rear_grip_sliding_velocity_1 = y_path_angle_3/D_path_angle - l_path_x_path_angle*path_x_by_rear_grip_sliding_velocity_1 - l_path_y_path_angle*path_y_by_rear_grip_sliding_velocity_1
     height_by_rear_grip_sliding_velocity_1 = y_height_3/D_height - l_path_angle_height*path_angle_by_rear_grip_sliding_velocity_1 - l_path_x_height*path_x_by_rear_grip_sliding_velocity_1 - l_path_y_height*path_y_by_rear_grip_sliding_velocity_1
@@ -2098,11 +1733,6 @@ def projection(t, q, wanted, c):
     rear_hub_by_rear_grip_sliding_velocity_1 = inverse_rear_wheel_yy*rear_grip_sliding_velocity_1_on_pitch - pitch_by_rear_grip_sliding_velocity_1 - l_path_angle_rear_hub*path_angle_by_rear_grip_sliding_velocity_1
     steer_by_rear_grip_sliding_velocity_1 = -height_by_rear_grip_sliding_velocity_1*l_height_steer - l_lean_steer*lean_by_rear_grip_sliding_velocity_1 - l_path_angle_steer*path_angle_by_rear_grip_sliding_velocity_1 - l_path_x_steer*path_x_by_rear_grip_sliding_velocity_1 - l_path_y_steer*path_y_by_rear_grip_sliding_velocity_1 - l_pitch_steer*pitch_by_rear_grip_sliding_velocity_1
     front_hub_by_rear_grip_sliding_velocity_1 = -l_lean_front_hub*lean_by_rear_grip_sliding_velocity_1 - l_path_angle_front_hub*path_angle_by_rear_grip_sliding_velocity_1 - l_pitch_front_hub*pitch_by_rear_grip_sliding_velocity_1
-    y_height_4 = -l_height_lean*rear_grip_sliding_velocity_2_on_lean
-    y_path_angle_4 = rear_grip_sliding_velocity_2_on_path_angle - l_path_angle_height*y_height_4 - l_path_angle_lean*rear_grip_sliding_velocity_2_on_lean - l_path_angle_rear_hub*rear_grip_sliding_velocity_2_on_pitch
-    y_path_y_4 = -l_path_y_height*y_height_4 - l_path_y_lean*rear_grip_sliding_velocity_2_on_lean - l_path_y_path_angle*y_path_angle_4
-    y_path_x_4 = 1 - l_path_x_height*y_height_4 - l_path_x_lean*rear_grip_sliding_velocity_2_on_lean - l_path_x_path_angle*y_path_angle_4 - l_path_x_path_y*y_path_y_4
-    path_x_by_rear_grip_sliding_velocity_2 = y_path_x_4/D_path_x
     path_y_by_rear_grip_sliding_velocity_2 = y_path_y_4/D_path_y - l_path_x_path_y*path_x_by_rear_grip_sliding_velocity_2
     path_angle_by_rear_grip_sliding_velocity_2 = y_path_angle_4/D_path_angle - l_path_x_path_angle*path_x_by_rear_grip_sliding_velocity_2 - l_path_y_path_angle*path_y_by_rear_grip_sliding_velocity_2
     height_by_rear_grip_sliding_velocity_2 = y_height_4/D_height - l_path_angle_height*path_angle_by_rear_grip_sliding_velocity_2 - l_path_x_height*path_x_by_rear_grip_sliding_velocity_2 - l_path_y_height*path_y_by_rear_grip_sliding_velocity_2
@@ -2265,13 +1895,10 @@ def projection(t, q, wanted, c):
     front_grip_gap_independence = D_front_grip_gap/W_front_grip_gap_front_grip_gap
     front_grip_sliding_velocity_1_independence = D_front_grip_sliding_velocity_1/W_front_grip_sliding_velocity_1_front_grip_sliding_velocity_1
     front_grip_sliding_velocity_2_independence = D_front_grip_sliding_velocity_2/W_front_grip_sliding_velocity_2_front_grip_sliding_velocity_2
-    return (
-        ca.vertcat(path_x_push_2, path_y_push_2, path_angle_push_2, height_push_2, lean_push_2, pitch_push_2,
-            rear_hub_push_2, steer_push_2, front_hub_push_2),
-        ca.vertcat(rear_grip_gap_independence, rear_grip_sliding_velocity_1_independence,
-            rear_grip_sliding_velocity_2_independence, front_grip_gap_independence,
-            front_grip_sliding_velocity_1_independence, front_grip_sliding_velocity_2_independence),
-    )
+    return (ca.vertcat(path_x_push_2, path_y_push_2, path_angle_push_2, height_push_2, lean_push_2, pitch_push_2, rear_hub_push_2,
+            steer_push_2, front_hub_push_2),
+        ca.vertcat(rear_grip_gap_independence, rear_grip_sliding_velocity_1_independence, rear_grip_sliding_velocity_2_independence,
+            front_grip_gap_independence, front_grip_sliding_velocity_1_independence, front_grip_sliding_velocity_2_independence))
 
 
 def ledger(t, q, u, reactions, c):
@@ -2293,74 +1920,26 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (0,): empty
     """
-    frame_x = c[0]
-    rear_wheel_xx = c[1]
-    rear_wheel_zz = c[3]
-    rear_radius = c[7]
-    fork_lined_up_x_x = c[10]
-    fork_lined_up_x_z = c[11]
-    fork_lined_up_y_y = c[12]
-    fork_lined_up_z_x = c[13]
-    fork_lined_up_z_z = c[14]
-    trail_plus_wheel_base = c[15]
-    k2 = c[16]
-    k3 = c[17]
-    rear_wheel_xx_minus_rear_wheel_zz = c[34]
-    frame_h_x_2 = c[60]
-    frame_h_z_2 = c[61]
-    frame_I_x_x_2 = c[62]
-    frame_I_x_z_2 = c[63]
-    frame_I_z_z_2 = c[64]
-    fork_h_x_2 = c[65]
-    fork_h_z_2 = c[66]
-    fork_I_x_x_2 = c[67]
-    fork_I_x_z_2 = c[68]
-    fork_I_z_z_2 = c[69]
-    half_fork_I_y_y_2 = c[70]
-    half_frame_I_y_y_2 = c[71]
-    half_front_wheel_yy = c[72]
-    half_front_wheel_xx = c[73]
-    half_front_wheel_zz = c[74]
-    half_rear_wheel_yy = c[75]
-    half_fork_mass = c[76]
-    half_frame_mass = c[77]
-    half_rear_wheel_mass = c[78]
-    half_front_wheel_mass = c[79]
-    frame_z_minus_rear_radius = c[80]
-    k40 = c[81]
-    k41 = c[82]
-    gravity_times_rear_wheel_mass = c[83]
-    front_wheel_mass_times_gravity = c[84]
-    fork_mass_times_gravity = c[85]
-    frame_mass_times_gravity = c[86]
-    path_angle = q[2]
-    height_travel = q[3]
-    lean_angle = q[4]
-    pitch_angle = q[5]
-    rear_hub_angle = q[6]
-    steer_angle = q[7]
-    front_hub_angle = q[8]
-    path_x_speed = u[0]
-    path_y_speed = u[1]
-    path_angle_speed = u[2]
-    height_speed = u[3]
-    lean_speed = u[4]
-    pitch_speed = u[5]
-    rear_hub_speed = u[6]
-    steer_speed = u[7]
-    front_hub_speed = u[8]
+    frame_x, rear_wheel_xx, rear_wheel_zz, rear_radius, fork_lined_up_x_x, fork_lined_up_x_z = c[0], c[1], c[3], c[7], c[10], c[11]
+    fork_lined_up_y_y, fork_lined_up_z_x, fork_lined_up_z_z, trail_plus_wheel_base, k2, k3 = c[12], c[13], c[14], c[15], c[16], c[17]
+    rear_wheel_xx_minus_rear_wheel_zz, frame_h_x_2, frame_h_z_2, frame_I_x_x_2, frame_I_x_z_2 = c[34], c[60], c[61], c[62], c[63]
+    frame_I_z_z_2, fork_h_x_2, fork_h_z_2, fork_I_x_x_2, fork_I_x_z_2, fork_I_z_z_2 = c[64], c[65], c[66], c[67], c[68], c[69]
+    half_fork_I_y_y_2, half_frame_I_y_y_2, half_front_wheel_yy, half_front_wheel_xx, half_front_wheel_zz = c[70], c[71], c[72], c[73], c[74]
+    half_rear_wheel_yy, half_fork_mass, half_frame_mass, half_rear_wheel_mass, half_front_wheel_mass = c[75], c[76], c[77], c[78], c[79]
+    frame_z_minus_rear_radius, k40, k41, gravity_times_rear_wheel_mass, front_wheel_mass_times_gravity = c[80], c[81], c[82], c[83], c[84]
+    fork_mass_times_gravity, frame_mass_times_gravity = c[85], c[86]
+    path_angle, height_travel, pitch_angle, rear_hub_angle, front_hub_angle = q[2], q[3], q[5], q[6], q[8]
+    path_x_speed, path_y_speed, path_angle_speed, height_speed, lean_speed, pitch_speed = u[0], u[1], u[2], u[3], u[4], u[5]
+    rear_hub_speed, steer_speed, front_hub_speed = u[6], u[7], u[8]
     cos_heading = ca.cos(path_angle)
     sin_heading = ca.sin(path_angle)
-    cos_leaning = ca.cos(lean_angle)
-    sin_leaning = ca.sin(lean_angle)
-    cos_frame = ca.cos(pitch_angle)
-    sin_frame = ca.sin(pitch_angle)
+    cos_leaning, sin_leaning = revolute_constants_terms(q[4])
+    cos_frame, sin_frame = revolute_constants_terms(pitch_angle)
     rear_wheel_angle = pitch_angle + rear_hub_angle
     rear_wheel_turn = rear_wheel_angle - pitch_angle
     cos_rear_wheel_turn = ca.cos(rear_wheel_turn)
     sin_rear_wheel_turn = ca.sin(rear_wheel_turn)
-    cos_fork = ca.cos(steer_angle)
-    sin_fork = ca.sin(steer_angle)
+    cos_fork, sin_fork = revolute_constants_terms(q[7])
     cos_front_wheel = ca.cos(front_hub_angle)
     sin_front_wheel = ca.sin(front_hub_angle)
     frame_arm_z = cos_leaning*rear_radius
@@ -2453,56 +2032,30 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (21,): heading.x [m], heading.y [m], heading.z [m], lifted.x [m], lifted.y [m], lifted.z [m],
-            leaning.x [m], leaning.y [m], leaning.z [m], frame.x [m], frame.y [m], frame.z [m], rear_wheel.x [m],
-            rear_wheel.y [m], rear_wheel.z [m], fork.x [m], fork.y [m], fork.z [m], front_wheel.x [m], front_wheel.y
-            [m], front_wheel.z [m]
-        rotations (63,): heading.R_xx [1], heading.R_xy [1], heading.R_xz [1], heading.R_yx [1], heading.R_yy [1],
-            heading.R_yz [1], heading.R_zx [1], heading.R_zy [1], heading.R_zz [1], lifted.R_xx [1], lifted.R_xy
-            [1], lifted.R_xz [1], lifted.R_yx [1], lifted.R_yy [1], lifted.R_yz [1], lifted.R_zx [1], lifted.R_zy
-            [1], lifted.R_zz [1], leaning.R_xx [1], leaning.R_xy [1], leaning.R_xz [1], leaning.R_yx [1],
-            leaning.R_yy [1], leaning.R_yz [1], leaning.R_zx [1], leaning.R_zy [1], leaning.R_zz [1], frame.R_xx
-            [1], frame.R_xy [1], frame.R_xz [1], frame.R_yx [1], frame.R_yy [1], frame.R_yz [1], frame.R_zx [1],
-            frame.R_zy [1], frame.R_zz [1], rear_wheel.R_xx [1], rear_wheel.R_xy [1], rear_wheel.R_xz [1],
-            rear_wheel.R_yx [1], rear_wheel.R_yy [1], rear_wheel.R_yz [1], rear_wheel.R_zx [1], rear_wheel.R_zy [1],
-            rear_wheel.R_zz [1], fork.R_xx [1], fork.R_xy [1], fork.R_xz [1], fork.R_yx [1], fork.R_yy [1],
-            fork.R_yz [1], fork.R_zx [1], fork.R_zy [1], fork.R_zz [1], front_wheel.R_xx [1], front_wheel.R_xy [1],
-            front_wheel.R_xz [1], front_wheel.R_yx [1], front_wheel.R_yy [1], front_wheel.R_yz [1], front_wheel.R_zx
-            [1], front_wheel.R_zy [1], front_wheel.R_zz [1]
+        positions (21,): heading.x [m], heading.y [m], heading.z [m], lifted.x [m], lifted.y [m], lifted.z [m], leaning.x [m], leaning.y
+            [m], leaning.z [m], frame.x [m], frame.y [m], frame.z [m], rear_wheel.x [m], rear_wheel.y [m], rear_wheel.z [m], fork.x [m],
+            fork.y [m], fork.z [m], front_wheel.x [m], front_wheel.y [m], front_wheel.z [m]
+        rotations (63,): heading.R_xx [1], heading.R_xy [1], heading.R_xz [1], heading.R_yx [1], heading.R_yy [1], heading.R_yz [1],
+            heading.R_zx [1], heading.R_zy [1], heading.R_zz [1], lifted.R_xx [1], lifted.R_xy [1], lifted.R_xz [1], lifted.R_yx [1],
+            lifted.R_yy [1], lifted.R_yz [1], lifted.R_zx [1], lifted.R_zy [1], lifted.R_zz [1], leaning.R_xx [1], leaning.R_xy [1],
+            leaning.R_xz [1], leaning.R_yx [1], leaning.R_yy [1], leaning.R_yz [1], leaning.R_zx [1], leaning.R_zy [1], leaning.R_zz [1],
+            frame.R_xx [1], frame.R_xy [1], frame.R_xz [1], frame.R_yx [1], frame.R_yy [1], frame.R_yz [1], frame.R_zx [1], frame.R_zy [1],
+            frame.R_zz [1], rear_wheel.R_xx [1], rear_wheel.R_xy [1], rear_wheel.R_xz [1], rear_wheel.R_yx [1], rear_wheel.R_yy [1],
+            rear_wheel.R_yz [1], rear_wheel.R_zx [1], rear_wheel.R_zy [1], rear_wheel.R_zz [1], fork.R_xx [1], fork.R_xy [1], fork.R_xz [1],
+            fork.R_yx [1], fork.R_yy [1], fork.R_yz [1], fork.R_zx [1], fork.R_zy [1], fork.R_zz [1], front_wheel.R_xx [1], front_wheel.R_xy
+            [1], front_wheel.R_xz [1], front_wheel.R_yx [1], front_wheel.R_yy [1], front_wheel.R_yz [1], front_wheel.R_zx [1],
+            front_wheel.R_zy [1], front_wheel.R_zz [1]
     """
-    rear_radius = c[7]
-    fork_lined_up_x_x = c[10]
-    fork_lined_up_x_z = c[11]
-    fork_lined_up_y_y = c[12]
-    fork_lined_up_z_x = c[13]
-    fork_lined_up_z_z = c[14]
-    trail_plus_wheel_base = c[15]
-    k2 = c[16]
-    k3 = c[17]
-    k46 = c[87]
-    k47 = c[88]
-    path_x = q[0]
-    path_y = q[1]
-    path_angle = q[2]
-    height_travel = q[3]
-    lean_angle = q[4]
-    pitch_angle = q[5]
-    rear_hub_angle = q[6]
-    steer_angle = q[7]
-    front_hub_angle = q[8]
-    cos_heading = ca.cos(path_angle)
-    sin_heading = ca.sin(path_angle)
-    cos_leaning = ca.cos(lean_angle)
-    sin_leaning = ca.sin(lean_angle)
-    cos_frame = ca.cos(pitch_angle)
-    sin_frame = ca.sin(pitch_angle)
+    rear_radius, fork_lined_up_x_x, fork_lined_up_x_z, fork_lined_up_y_y, fork_lined_up_z_x = c[7], c[10], c[11], c[12], c[13]
+    fork_lined_up_z_z, trail_plus_wheel_base, k2, k3, k46, k47 = c[14], c[15], c[16], c[17], c[87], c[88]
+    path_x, path_y, height_travel, pitch_angle, rear_hub_angle = q[0], q[1], q[3], q[5], q[6]
+    cos_heading, sin_heading = revolute_constants_terms(q[2])
+    cos_leaning, sin_leaning = revolute_constants_terms(q[4])
+    cos_frame, sin_frame = revolute_constants_terms(pitch_angle)
     rear_wheel_angle = pitch_angle + rear_hub_angle
-    cos_rear_wheel = ca.cos(rear_wheel_angle)
-    sin_rear_wheel = ca.sin(rear_wheel_angle)
-    cos_fork = ca.cos(steer_angle)
-    sin_fork = ca.sin(steer_angle)
-    cos_front_wheel = ca.cos(front_hub_angle)
-    sin_front_wheel = ca.sin(front_hub_angle)
+    cos_rear_wheel, sin_rear_wheel = revolute_constants_terms(rear_wheel_angle)
+    cos_fork, sin_fork = revolute_constants_terms(q[7])
+    cos_front_wheel, sin_front_wheel = revolute_constants_terms(q[8])
     leaning_R_x_y = -cos_leaning*sin_heading
     leaning_R_x_z = sin_heading*sin_leaning
     leaning_R_y_y = cos_heading*cos_leaning
@@ -2588,21 +2141,16 @@ def poses(t, q, c):
     fork_frame_arm_x = -fork_R_x_x*k46 - k47*steer_axis_x
     fork_frame_arm_y = -fork_R_y_x*k46 - k47*steer_axis_y
     fork_frame_arm_z = -fork_R_z_x*k46 - k47*steer_axis_z
-    return (
-        ca.vertcat(path_x, path_y, 0, path_x, path_y, height_travel, path_x, path_y, height_travel, frame_x_2 +
-            frame_frame_arm_x, frame_y + frame_frame_arm_y, frame_z_2 + frame_frame_arm_z, frame_x_2, frame_y,
-            frame_z_2, fork_frame_arm_x + fork_x_2, fork_frame_arm_y + fork_y, fork_frame_arm_z + fork_z_2,
-            front_wheel_x, front_wheel_y, front_wheel_z),
-        ca.vertcat(cos_heading, -sin_heading, 0, sin_heading, cos_heading, 0, 0, 0, 1, cos_heading, -sin_heading, 0,
-            sin_heading, cos_heading, 0, 0, 0, 1, cos_heading, leaning_R_x_y, leaning_R_x_z, sin_heading,
-            leaning_R_y_y, leaning_R_y_z, 0, sin_leaning, cos_leaning, frame_R_x_x, leaning_R_x_y, frame_R_x_z,
-            frame_R_y_x, leaning_R_y_y, frame_R_y_z, frame_R_z_x, sin_leaning, frame_R_z_z, rear_wheel_R_x_x,
-            leaning_R_x_y, rear_wheel_R_x_z, rear_wheel_R_y_x, leaning_R_y_y, rear_wheel_R_y_z, rear_wheel_R_z_x,
-            sin_leaning, rear_wheel_R_z_z, fork_R_x_x_2, front_hub_axis_x, fork_R_x_z, fork_R_y_x_2,
-            front_hub_axis_y, fork_R_y_z, fork_R_z_x_2, front_hub_axis_z, fork_R_z_z, front_wheel_R_x_x,
-            front_hub_axis_x, front_wheel_R_x_z, front_wheel_R_y_x, front_hub_axis_y, front_wheel_R_y_z,
-            front_wheel_R_z_x, front_hub_axis_z, front_wheel_R_z_z),
-    )
+    return (ca.vertcat(path_x, path_y, 0, path_x, path_y, height_travel, path_x, path_y, height_travel, frame_x_2 + frame_frame_arm_x,
+            frame_y + frame_frame_arm_y, frame_z_2 + frame_frame_arm_z, frame_x_2, frame_y, frame_z_2, fork_frame_arm_x + fork_x_2,
+            fork_frame_arm_y + fork_y, fork_frame_arm_z + fork_z_2, front_wheel_x, front_wheel_y, front_wheel_z),
+        ca.vertcat(cos_heading, -sin_heading, 0, sin_heading, cos_heading, 0, 0, 0, 1, cos_heading, -sin_heading, 0, sin_heading,
+            cos_heading, 0, 0, 0, 1, cos_heading, leaning_R_x_y, leaning_R_x_z, sin_heading, leaning_R_y_y, leaning_R_y_z, 0, sin_leaning,
+            cos_leaning, frame_R_x_x, leaning_R_x_y, frame_R_x_z, frame_R_y_x, leaning_R_y_y, frame_R_y_z, frame_R_z_x, sin_leaning,
+            frame_R_z_z, rear_wheel_R_x_x, leaning_R_x_y, rear_wheel_R_x_z, rear_wheel_R_y_x, leaning_R_y_y, rear_wheel_R_y_z,
+            rear_wheel_R_z_x, sin_leaning, rear_wheel_R_z_z, fork_R_x_x_2, front_hub_axis_x, fork_R_x_z, fork_R_y_x_2, front_hub_axis_y,
+            fork_R_y_z, fork_R_z_x_2, front_hub_axis_z, fork_R_z_z, front_wheel_R_x_x, front_hub_axis_x, front_wheel_R_x_z,
+            front_wheel_R_y_x, front_hub_axis_y, front_wheel_R_y_z, front_wheel_R_z_x, front_hub_axis_z, front_wheel_R_z_z))
 
 
 def outputs(t, q, u, c):
@@ -2630,70 +2178,27 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        path.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        path.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        height.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        height.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        lean.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        lean.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        pitch.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        pitch.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        rear_hub.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        rear_hub.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        steer.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        steer.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        front_hub.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        front_hub.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        path.parent, path.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        height.parent to front_hub.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         rear_tyre.disc (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
         rear_tyre.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         front_tyre.disc (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
         front_tyre.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        frame.centre (3,): x [m], y [m], z [m]
-        rear_wheel.centre (3,): x [m], y [m], z [m]
-        fork.centre (3,): x [m], y [m], z [m]
-        front_wheel.centre (3,): x [m], y [m], z [m]
+        frame.centre, rear_wheel.centre, fork.centre, front_wheel.centre (3,): x [m], y [m], z [m]
     """
-    frame_x = p[5]
-    frame_z = p[6]
-    fork_x = p[16]
-    fork_z = p[17]
-    rear_radius = p[22]
-    trail = p[23]
-    wheel_base = p[24]
-    steer_axis_tilt = p[25]
-    front_radius = p[26]
+    frame_x, frame_z, fork_x, fork_z, rear_radius, trail, wheel_base, front_radius = p[5], p[6], p[16], p[17], p[22], p[23], p[24], p[26]
     x1 = trail + wheel_base
-    cos_steer_axis_tilt = ca.cos(steer_axis_tilt)
-    cos_steer_axis_tilt_squared = cos_steer_axis_tilt*cos_steer_axis_tilt
-    sin_steer_axis_tilt = ca.sin(steer_axis_tilt)
-    sin_steer_axis_tilt_squared = sin_steer_axis_tilt*sin_steer_axis_tilt
+    cos, sin = revolute_constants_terms(p[25])
+    cos_steer_axis_tilt_squared = cos*cos
+    sin_steer_axis_tilt_squared = sin*sin
     x6 = cos_steer_axis_tilt_squared + sin_steer_axis_tilt_squared
     x7 = 1/ca.sqrt(x6)
-    x8 = -sin_steer_axis_tilt*x7
-    x9 = cos_steer_axis_tilt*x7
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, rear_radius, 0, 1, 0),
-        ca.vertcat(0, 0, rear_radius, 0, 1, 0),
-        ca.vertcat(0, 0, rear_radius, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(x1, 0, 0, x8, 0, x9),
-        ca.vertcat(x1, 0, 0, x8, 0, x9),
-        ca.vertcat(wheel_base, 0, front_radius, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, rear_radius, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, front_radius, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, -1),
-        ca.vertcat(frame_x, 0, frame_z),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(fork_x, 0, fork_z),
-        ca.vertcat(0, 0, 0),
-    )
+    x8 = -sin*x7
+    x9 = cos*x7
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, rear_radius, 0, 1, 0), ca.vertcat(0, 0, rear_radius, 0, 1, 0),
+        ca.vertcat(0, 0, rear_radius, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(x1, 0, 0, x8, 0, x9),
+        ca.vertcat(x1, 0, 0, x8, 0, x9), ca.vertcat(wheel_base, 0, front_radius, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, rear_radius, 0, 1, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, front_radius, 0, 1, 0), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(*[0]*5, -1), ca.vertcat(frame_x, 0, frame_z), ca.vertcat(0, 0, 0), ca.vertcat(fork_x, 0, fork_z), ca.vertcat(0, 0, 0))

@@ -14,10 +14,7 @@ NAME = "bricard"
 SOURCE = "derive/scenes/bricard.py"
 SUMMARY = "five rods and six hinges in space, one constraint redundant"
 
-EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
-)
+EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
 UNCHECKED = ()
 
@@ -35,18 +32,11 @@ LIMITS = (
 )
 
 COORDINATES = (
-    ("hinge_a.angle", "rad"),
-    ("hinge_b.angle", "rad"),
-    ("hinge_c.angle", "rad"),
-    ("hinge_d.angle", "rad"),
-    ("hinge_e.angle", "rad"),
+    ("hinge_a.angle", "rad"), ("hinge_b.angle", "rad"), ("hinge_c.angle", "rad"), ("hinge_d.angle", "rad"), ("hinge_e.angle", "rad"),
 )
 
 SPEEDS = (
-    ("hinge_a.speed", "rad/s"),
-    ("hinge_b.speed", "rad/s"),
-    ("hinge_c.speed", "rad/s"),
-    ("hinge_d.speed", "rad/s"),
+    ("hinge_a.speed", "rad/s"), ("hinge_b.speed", "rad/s"), ("hinge_c.speed", "rad/s"), ("hinge_d.speed", "rad/s"),
     ("hinge_e.speed", "rad/s"),
 )
 
@@ -61,88 +51,39 @@ RELEASES = ()
 DISSIPATED = ()
 
 CONSTRAINTS = (
-    ("hinge_f.apart_x", "m"),
-    ("hinge_f.apart_y", "m"),
-    ("hinge_f.apart_z", "m"),
-    ("hinge_f.turned_y", "1"),
-    ("hinge_f.turned_z", "1"),
+    ("hinge_f.apart_x", "m"), ("hinge_f.apart_y", "m"), ("hinge_f.apart_z", "m"), ("hinge_f.turned_y", "1"), ("hinge_f.turned_z", "1"),
 )
 
 GIVEN = ()
 
 OUTPUTS = ()
 
-BODIES = (
-    "rod_a",
-    "rod_b",
-    "rod_c",
-    "rod_d",
-    "rod_e",
-)
+BODIES = ("rod_a", "rod_b", "rod_c", "rod_d", "rod_e")
 
 LANDMARKS = (
-    ("hinge_a", "revolute", "parent", "ground", ("axis",)),
-    ("hinge_a", "revolute", "child", "rod_a", ("axis",)),
-    ("hinge_b", "revolute", "parent", "rod_a", ("axis",)),
-    ("hinge_b", "revolute", "child", "rod_b", ("axis",)),
-    ("hinge_c", "revolute", "parent", "rod_b", ("axis",)),
-    ("hinge_c", "revolute", "child", "rod_c", ("axis",)),
-    ("hinge_d", "revolute", "parent", "rod_c", ("axis",)),
-    ("hinge_d", "revolute", "child", "rod_d", ("axis",)),
-    ("hinge_e", "revolute", "parent", "rod_d", ("axis",)),
-    ("hinge_e", "revolute", "child", "rod_e", ("axis",)),
-    ("hinge_f", "revolute", "parent", "ground", ("axis",)),
-    ("hinge_f", "revolute", "child", "rod_e", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("rod_a", "body", "centre", "rod_a", ()),
-    ("rod_b", "body", "centre", "rod_b", ()),
-    ("rod_c", "body", "centre", "rod_c", ()),
-    ("rod_d", "body", "centre", "rod_d", ()),
+    ("hinge_a", "revolute", "parent", "ground", ("axis",)), ("hinge_a", "revolute", "child", "rod_a", ("axis",)),
+    ("hinge_b", "revolute", "parent", "rod_a", ("axis",)), ("hinge_b", "revolute", "child", "rod_b", ("axis",)),
+    ("hinge_c", "revolute", "parent", "rod_b", ("axis",)), ("hinge_c", "revolute", "child", "rod_c", ("axis",)),
+    ("hinge_d", "revolute", "parent", "rod_c", ("axis",)), ("hinge_d", "revolute", "child", "rod_d", ("axis",)),
+    ("hinge_e", "revolute", "parent", "rod_d", ("axis",)), ("hinge_e", "revolute", "child", "rod_e", ("axis",)),
+    ("hinge_f", "revolute", "parent", "ground", ("axis",)), ("hinge_f", "revolute", "child", "rod_e", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("rod_a", "body", "centre", "rod_a", ()),
+    ("rod_b", "body", "centre", "rod_b", ()), ("rod_c", "body", "centre", "rod_c", ()), ("rod_d", "body", "centre", "rod_d", ()),
     ("rod_e", "body", "centre", "rod_e", ()),
 )
 
 CONSTANTS = (
-    ("length", "m"),
-    ("gravity", "m/s^2"),
-    ("rod_e_h_y", "kg m"),
-    ("rod_d_h_x", "kg m"),
-    ("rod_c_h_z", "kg m"),
-    ("rod_b_h_y", "kg m"),
-    ("rod_b_I_x_x", "kg m^2"),
-    ("rod_c_I_x_x", "kg m^2"),
-    ("rod_d_I_z_z", "kg m^2"),
-    ("rod_e_I_x_x", "kg m^2"),
-    ("twice_rod_b_I_x_x", "kg m^2"),
-    ("twice_length", "m"),
-    ("rod_d_I_z_z_plus_rod_e_I_x_x", "kg m^2"),
-    ("rod_a_I_y_y", "kg m^2"),
-    ("inverse_rod_e_I_x_x", "1/(kg m^2)"),
-    ("half_rod_e_I_x_x", "kg m^2"),
-    ("half_mass", "kg"),
-    ("half_length", "m"),
-    ("gravity_times_mass", "N"),
-    ("hinge_f_apart_x_softness", "1"),
-    ("hinge_f_apart_y_softness", "1"),
-    ("hinge_f_apart_z_softness", "1"),
-    ("hinge_f_turned_y_softness", "1"),
-    ("hinge_f_turned_z_softness", "1"),
+    ("length", "m"), ("gravity", "m/s^2"), ("rod_e_h_y", "kg m"), ("rod_d_h_x", "kg m"), ("rod_c_h_z", "kg m"), ("rod_b_h_y", "kg m"),
+    ("rod_b_I_x_x", "kg m^2"), ("rod_c_I_x_x", "kg m^2"), ("rod_d_I_z_z", "kg m^2"), ("rod_e_I_x_x", "kg m^2"),
+    ("twice_rod_b_I_x_x", "kg m^2"), ("twice_length", "m"), ("rod_d_I_z_z_plus_rod_e_I_x_x", "kg m^2"), ("rod_a_I_y_y", "kg m^2"),
+    ("inverse_rod_e_I_x_x", "1/(kg m^2)"), ("half_rod_e_I_x_x", "kg m^2"), ("half_mass", "kg"), ("half_length", "m"),
+    ("gravity_times_mass", "N"), ("hinge_f_apart_x_softness", "1"), ("hinge_f_apart_y_softness", "1"), ("hinge_f_apart_z_softness", "1"),
+    ("hinge_f_turned_y_softness", "1"), ("hinge_f_turned_z_softness", "1"),
 )
 
 OPERATIONS = (
-    ("constants", 35),
-    ("start", 0),
-    ("scales", 6),
-    ("coordinate_rates", 0),
-    ("gaps", 0),
-    ("gap_accelerations", 0),
-    ("applied", 44),
-    ("accelerations", 1774),
-    ("constraints", 176),
-    ("projection", 1049),
-    ("ledger", 0),
-    ("energy", 188),
-    ("poses", 94),
-    ("outputs", 0),
+    ("constants", 35), ("start", 0), ("scales", 6), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 44),
+    ("accelerations", 1774), ("constraints", 176), ("projection", 1049), ("ledger", 0), ("energy", 188), ("poses", 94), ("outputs", 0),
     ("landmarks", 5),
 )
 
@@ -152,15 +93,12 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (24,): length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x, rod_d_I_z_z,
-            rod_e_I_x_x, twice_rod_b_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x, rod_a_I_y_y,
-            inverse_rod_e_I_x_x, half_rod_e_I_x_x, half_mass, half_length, gravity_times_mass,
-            hinge_f_apart_x_softness, hinge_f_apart_y_softness, hinge_f_apart_z_softness, hinge_f_turned_y_softness,
-            hinge_f_turned_z_softness
+        c (24,): length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x, rod_d_I_z_z, rod_e_I_x_x,
+            twice_rod_b_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x, rod_a_I_y_y, inverse_rod_e_I_x_x, half_rod_e_I_x_x, half_mass,
+            half_length, gravity_times_mass, hinge_f_apart_x_softness, hinge_f_apart_y_softness, hinge_f_apart_z_softness,
+            hinge_f_turned_y_softness, hinge_f_turned_z_softness
     """
-    mass = p[0]
-    length = p[1]
-    gravity = p[2]
+    mass, length, gravity = p[0], p[1], p[2]
     rod_e_h_y = length*mass/2
     rod_d_h_x = -3*length*mass/2
     rod_d_total_mass = 2*mass
@@ -182,10 +120,9 @@ def constants(p):
     half_mass = mass/2
     half_length = length/2
     gravity_times_mass = gravity*mass
-    return ca.vertcat(length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x,
-        rod_d_I_z_z, rod_e_I_x_x, twice_rod_b_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x, rod_a_I_y_y,
-        inverse_rod_e_I_x_x, half_rod_e_I_x_x, half_mass, half_length, gravity_times_mass, 3e-09, 3e-09, 3e-09,
-        3e-09, 3e-09)
+    return ca.vertcat(length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x, rod_d_I_z_z, rod_e_I_x_x,
+        twice_rod_b_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x, rod_a_I_y_y, inverse_rod_e_I_x_x, half_rod_e_I_x_x, half_mass,
+        half_length, gravity_times_mass, *[3e-09]*5)
 
 
 def start(p):
@@ -193,12 +130,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (5,): hinge_a.angle [rad], hinge_b.angle [rad], hinge_c.angle [rad], hinge_d.angle [rad], hinge_e.angle
-            [rad]
-        u (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
-            hinge_e.speed [rad/s]
+        q (5,): COORDINATES
+        u (5,): SPEEDS
     """
-    return ca.vertcat(0, 0, 0, 0, 0), ca.vertcat(0, 0, 0, 0, 0)
+    return ca.vertcat(*[0]*5), ca.vertcat(*[0]*5)
 
 
 def scales(p):
@@ -206,27 +141,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (5,): hinge_a.angle [rad], hinge_b.angle [rad], hinge_c.angle [rad], hinge_d.angle [rad], hinge_e.angle
-            [rad]
-        su (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
-            hinge_e.speed [rad/s]
+        sq (5,): COORDINATES
+        su (5,): SPEEDS
         sz (0,): empty
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    length = p[1]
-    speed_scale = p[3]
+    mass, length, speed_scale = p[0], p[1], p[3]
     total_mass = 5*mass
     energy_scale = total_mass*speed_scale*speed_scale/2
     force_scale = energy_scale/length
     speed_scale_over_length = speed_scale/length
-    return (
-        ca.vertcat(1, 1, 1, 1, 1),
-        ca.vertcat(speed_scale_over_length, speed_scale_over_length, speed_scale_over_length,
-            speed_scale_over_length, speed_scale_over_length),
-        ca.vertcat(),
-        ca.vertcat(length, speed_scale, force_scale, energy_scale),
-    )
+    return (ca.vertcat(*[1]*5), ca.vertcat(*[speed_scale_over_length]*5), ca.vertcat(),
+        ca.vertcat(length, speed_scale, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -234,14 +160,9 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (5,): hinge_a.angle [rad/s], hinge_b.angle [rad/s], hinge_c.angle [rad/s], hinge_d.angle [rad/s],
-            hinge_e.angle [rad/s]
+        dq (5,): COORDINATES [rad/s]
     """
-    hinge_a_speed = u[0]
-    hinge_b_speed = u[1]
-    hinge_c_speed = u[2]
-    hinge_d_speed = u[3]
-    hinge_e_speed = u[4]
+    hinge_a_speed, hinge_b_speed, hinge_c_speed, hinge_d_speed, hinge_e_speed = u[0], u[1], u[2], u[3], u[4]
     return ca.vertcat(hinge_a_speed, hinge_b_speed, hinge_c_speed, hinge_d_speed, hinge_e_speed)
 
 
@@ -250,8 +171,7 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (0,): empty
-        dG (0,): empty
+        G, dG (0,): empty
     """
     return ca.vertcat(), ca.vertcat()
 
@@ -273,15 +193,8 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (5,): hinge_a [N m], hinge_b [N m], hinge_c [N m], hinge_d [N m], hinge_e [N m]
     """
-    gravity = c[1]
-    rod_e_h_y = c[2]
-    rod_d_h_x = c[3]
-    rod_c_h_z = c[4]
-    rod_b_h_y = c[5]
-    hinge_b_angle = q[1]
-    hinge_c_angle = q[2]
-    hinge_d_angle = q[3]
-    hinge_e_angle = q[4]
+    gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y = c[1], c[2], c[3], c[4], c[5]
+    hinge_b_angle, hinge_c_angle, hinge_d_angle, hinge_e_angle = q[1], q[2], q[3], q[4]
     cos_rod_b = ca.cos(hinge_b_angle)
     sin_rod_b = ca.sin(hinge_b_angle)
     cos_rod_c = ca.cos(hinge_c_angle)
@@ -302,9 +215,8 @@ def applied(t, q, u, c):
     rod_d_gravity_x = cos_rod_d*rod_b_gravity_x - rod_c_gravity_z*sin_rod_d
     rod_d_gravity_z = cos_rod_d*rod_c_gravity_z + rod_b_gravity_x*sin_rod_d
     rod_e_gravity_x = cos_rod_e*rod_d_gravity_x + rod_c_gravity_y*sin_rod_e
-    return ca.vertcat(0, rod_b_gravity_y*rod_c_total_moment_x - rod_b_gravity_x*rod_b_total_moment_y,
-        rod_c_gravity_z*rod_d_total_moment_y - rod_c_gravity_y*rod_c_total_moment_z,
-        -rod_d_gravity_z*rod_d_total_moment_x, -rod_e_gravity_x*rod_e_h_y)
+    return ca.vertcat(0, rod_b_gravity_y*rod_c_total_moment_x - rod_b_gravity_x*rod_b_total_moment_y, rod_c_gravity_z*rod_d_total_moment_y -
+        rod_c_gravity_y*rod_c_total_moment_z, -rod_d_gravity_z*rod_d_total_moment_x, -rod_e_gravity_x*rod_e_h_y)
 
 
 def accelerations(t, q, u, f, c):
@@ -312,46 +224,18 @@ def accelerations(t, q, u, f, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (5,): hinge_a.acceleration [rad/s^2], hinge_b.acceleration [rad/s^2], hinge_c.acceleration [rad/s^2],
-            hinge_d.acceleration [rad/s^2], hinge_e.acceleration [rad/s^2]
+        a (5,): hinge_a.acceleration [rad/s^2], hinge_b.acceleration [rad/s^2], hinge_c.acceleration [rad/s^2], hinge_d.acceleration
+            [rad/s^2], hinge_e.acceleration [rad/s^2]
         reactions (0,): empty
-        multipliers (5,): hinge_f.apart_x [N], hinge_f.apart_y [N], hinge_f.apart_z [N], hinge_f.turned_y [N m],
-            hinge_f.turned_z [N m]
+        multipliers (5,): hinge_f.apart_x [N], hinge_f.apart_y [N], hinge_f.apart_z [N], hinge_f.turned_y [N m], hinge_f.turned_z [N m]
     """
-    length = c[0]
-    rod_e_h_y = c[2]
-    rod_d_h_x = c[3]
-    rod_c_h_z = c[4]
-    rod_b_h_y = c[5]
-    rod_b_I_x_x = c[6]
-    rod_c_I_x_x = c[7]
-    rod_d_I_z_z = c[8]
-    rod_e_I_x_x = c[9]
-    twice_rod_b_I_x_x = c[10]
-    twice_length = c[11]
-    rod_d_I_z_z_plus_rod_e_I_x_x = c[12]
-    rod_a_I_y_y = c[13]
-    inverse_rod_e_I_x_x = c[14]
-    hinge_f_apart_x_softness = c[19]
-    hinge_f_apart_y_softness = c[20]
-    hinge_f_apart_z_softness = c[21]
-    hinge_f_turned_y_softness = c[22]
-    hinge_f_turned_z_softness = c[23]
-    hinge_a_angle = q[0]
-    hinge_b_angle = q[1]
-    hinge_c_angle = q[2]
-    hinge_d_angle = q[3]
-    hinge_e_angle = q[4]
-    hinge_a_speed = u[0]
-    hinge_b_speed = u[1]
-    hinge_c_speed = u[2]
-    hinge_d_speed = u[3]
-    hinge_e_speed = u[4]
-    hinge_a_force = f[0]
-    hinge_b_force = f[1]
-    hinge_c_force = f[2]
-    hinge_d_force = f[3]
-    hinge_e_force = f[4]
+    length, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x = c[0], c[2], c[3], c[4], c[5], c[6], c[7]
+    rod_d_I_z_z, rod_e_I_x_x, twice_rod_b_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x = c[8], c[9], c[10], c[11], c[12]
+    rod_a_I_y_y, inverse_rod_e_I_x_x, hinge_f_apart_x_softness, hinge_f_apart_y_softness = c[13], c[14], c[19], c[20]
+    hinge_f_apart_z_softness, hinge_f_turned_y_softness, hinge_f_turned_z_softness = c[21], c[22], c[23]
+    hinge_a_angle, hinge_b_angle, hinge_c_angle, hinge_d_angle, hinge_e_angle = q[0], q[1], q[2], q[3], q[4]
+    hinge_a_speed, hinge_b_speed, hinge_c_speed, hinge_d_speed, hinge_e_speed = u[0], u[1], u[2], u[3], u[4]
+    hinge_a_force, hinge_b_force, hinge_c_force, hinge_d_force, hinge_e_force = f[0], f[1], f[2], f[3], f[4]
     cos_rod_a = ca.cos(hinge_a_angle)
     sin_rod_a = ca.sin(hinge_a_angle)
     cos_rod_b = ca.cos(hinge_b_angle)
@@ -873,12 +757,8 @@ def accelerations(t, q, u, f, c):
     hinge_c_acc_4 = hinge_c_acc_3 + hinge_c_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_c_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_c_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
     hinge_d_acc_4 = hinge_d_acc_3 + hinge_d_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_d_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_d_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
     hinge_e_acc_4 = hinge_e_acc_3 + hinge_e_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_e_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_e_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
-    return (
-        ca.vertcat(hinge_a_acc_4, hinge_b_acc_4, hinge_c_acc_4, hinge_d_acc_4, hinge_e_acc_4),
-        ca.vertcat(),
-        ca.vertcat(hinge_f_apart_x_acc_5, hinge_f_apart_y_acc_5, hinge_f_apart_z_acc_5, hinge_f_turned_y_acc_5,
-            hinge_f_turned_z_acc_5),
-    )
+    return (ca.vertcat(hinge_a_acc_4, hinge_b_acc_4, hinge_c_acc_4, hinge_d_acc_4, hinge_e_acc_4), ca.vertcat(),
+        ca.vertcat(hinge_f_apart_x_acc_5, hinge_f_apart_y_acc_5, hinge_f_apart_z_acc_5, hinge_f_turned_y_acc_5, hinge_f_turned_z_acc_5))
 
 
 def constraints(t, q, u, c):
@@ -886,22 +766,12 @@ def constraints(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        phi (5,): hinge_f.apart_x [m], hinge_f.apart_y [m], hinge_f.apart_z [m], hinge_f.turned_y [1],
-            hinge_f.turned_z [1]
-        dphi (5,): hinge_f.apart_x [m/s], hinge_f.apart_y [m/s], hinge_f.apart_z [m/s], hinge_f.turned_y [1/s],
-            hinge_f.turned_z [1/s]
+        phi (5,): CONSTRAINTS
+        dphi (5,): hinge_f.apart_x [m/s], hinge_f.apart_y [m/s], hinge_f.apart_z [m/s], hinge_f.turned_y [1/s], hinge_f.turned_z [1/s]
     """
     length = c[0]
-    hinge_a_angle = q[0]
-    hinge_b_angle = q[1]
-    hinge_c_angle = q[2]
-    hinge_d_angle = q[3]
-    hinge_e_angle = q[4]
-    hinge_a_speed = u[0]
-    hinge_b_speed = u[1]
-    hinge_c_speed = u[2]
-    hinge_d_speed = u[3]
-    hinge_e_speed = u[4]
+    hinge_a_angle, hinge_b_angle, hinge_c_angle, hinge_d_angle, hinge_e_angle = q[0], q[1], q[2], q[3], q[4]
+    hinge_a_speed, hinge_b_speed, hinge_c_speed, hinge_d_speed, hinge_e_speed = u[0], u[1], u[2], u[3], u[4]
     cos_rod_a = ca.cos(hinge_a_angle)
     sin_rod_a = ca.sin(hinge_a_angle)
     cos_rod_b = ca.cos(hinge_b_angle)
@@ -1006,11 +876,8 @@ def constraints(t, q, u, c):
     hinge_f_apart_rate_z = hinge_f_child_arm_rate_z + rod_e_velocity_z
     hinge_f_turned_y_rate = rod_e_R_x_x*rod_e_rate_z - rod_e_R_z_x*rod_e_rate_x
     hinge_f_turned_z_rate = rod_e_R_y_x*rod_e_rate_x - rod_e_R_x_x*rod_e_rate_y
-    return (
-        ca.vertcat(hinge_f_apart_x, hinge_f_apart_y, hinge_f_apart_z, rod_e_R_y_x, rod_e_R_z_x),
-        ca.vertcat(hinge_f_apart_rate_x, hinge_f_apart_rate_y, hinge_f_apart_rate_z, hinge_f_turned_y_rate,
-            hinge_f_turned_z_rate),
-    )
+    return (ca.vertcat(hinge_f_apart_x, hinge_f_apart_y, hinge_f_apart_z, rod_e_R_y_x, rod_e_R_z_x),
+        ca.vertcat(hinge_f_apart_rate_x, hinge_f_apart_rate_y, hinge_f_apart_rate_z, hinge_f_turned_y_rate, hinge_f_turned_z_rate))
 
 
 def projection(t, q, wanted, c):
@@ -1018,39 +885,16 @@ def projection(t, q, wanted, c):
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
-        v (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
-            hinge_e.speed [rad/s]
-        independence (5,): hinge_f.apart_x [1], hinge_f.apart_y [1], hinge_f.apart_z [1], hinge_f.turned_y [1],
-            hinge_f.turned_z [1]
+        v (5,): SPEEDS
+        independence (5,): CONSTRAINTS [1]
     """
-    length = c[0]
-    rod_e_h_y = c[2]
-    rod_d_h_x = c[3]
-    rod_c_h_z = c[4]
-    rod_b_h_y = c[5]
-    rod_b_I_x_x = c[6]
-    rod_c_I_x_x = c[7]
-    rod_d_I_z_z = c[8]
-    rod_e_I_x_x = c[9]
-    twice_length = c[11]
-    rod_d_I_z_z_plus_rod_e_I_x_x = c[12]
-    rod_a_I_y_y = c[13]
-    inverse_rod_e_I_x_x = c[14]
-    hinge_f_apart_x_softness = c[19]
-    hinge_f_apart_y_softness = c[20]
-    hinge_f_apart_z_softness = c[21]
-    hinge_f_turned_y_softness = c[22]
-    hinge_f_turned_z_softness = c[23]
-    hinge_a_angle = q[0]
-    hinge_b_angle = q[1]
-    hinge_c_angle = q[2]
-    hinge_d_angle = q[3]
-    hinge_e_angle = q[4]
-    hinge_f_apart_x_wanted_rate = wanted[0]
-    hinge_f_apart_y_wanted_rate = wanted[1]
-    hinge_f_apart_z_wanted_rate = wanted[2]
-    hinge_f_turned_y_wanted_rate = wanted[3]
-    hinge_f_turned_z_wanted_rate = wanted[4]
+    length, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x = c[0], c[2], c[3], c[4], c[5], c[6], c[7]
+    rod_d_I_z_z, rod_e_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x, rod_a_I_y_y = c[8], c[9], c[11], c[12], c[13]
+    inverse_rod_e_I_x_x, hinge_f_apart_x_softness, hinge_f_apart_y_softness, hinge_f_apart_z_softness = c[14], c[19], c[20], c[21]
+    hinge_f_turned_y_softness, hinge_f_turned_z_softness = c[22], c[23]
+    hinge_a_angle, hinge_b_angle, hinge_c_angle, hinge_d_angle, hinge_e_angle = q[0], q[1], q[2], q[3], q[4]
+    hinge_f_apart_x_wanted_rate, hinge_f_apart_y_wanted_rate, hinge_f_apart_z_wanted_rate = wanted[0], wanted[1], wanted[2]
+    hinge_f_turned_y_wanted_rate, hinge_f_turned_z_wanted_rate = wanted[3], wanted[4]
     cos_rod_a = ca.cos(hinge_a_angle)
     sin_rod_a = ca.sin(hinge_a_angle)
     cos_rod_b = ca.cos(hinge_b_angle)
@@ -1359,11 +1203,9 @@ def projection(t, q, wanted, c):
     hinge_f_apart_z_independence = D_hinge_f_apart_z/hinge_f_apart_size
     hinge_f_turned_y_independence = D_hinge_f_turned_y/hinge_f_turned_size
     hinge_f_turned_z_independence = D_hinge_f_turned_z/hinge_f_turned_size
-    return (
-        ca.vertcat(hinge_a_push_2, hinge_b_push_2, hinge_c_push_2, hinge_d_push_2, hinge_e_push_2),
-        ca.vertcat(hinge_f_apart_x_independence, hinge_f_apart_y_independence, hinge_f_apart_z_independence,
-            hinge_f_turned_y_independence, hinge_f_turned_z_independence),
-    )
+    return (ca.vertcat(hinge_a_push_2, hinge_b_push_2, hinge_c_push_2, hinge_d_push_2, hinge_e_push_2),
+        ca.vertcat(hinge_f_apart_x_independence, hinge_f_apart_y_independence, hinge_f_apart_z_independence, hinge_f_turned_y_independence,
+            hinge_f_turned_z_independence))
 
 
 def ledger(t, q, u, reactions, c):
@@ -1385,22 +1227,9 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (0,): empty
     """
-    length = c[0]
-    rod_e_h_y = c[2]
-    half_rod_e_I_x_x = c[15]
-    half_mass = c[16]
-    half_length = c[17]
-    gravity_times_mass = c[18]
-    hinge_a_angle = q[0]
-    hinge_b_angle = q[1]
-    hinge_c_angle = q[2]
-    hinge_d_angle = q[3]
-    hinge_e_angle = q[4]
-    hinge_a_speed = u[0]
-    hinge_b_speed = u[1]
-    hinge_c_speed = u[2]
-    hinge_d_speed = u[3]
-    hinge_e_speed = u[4]
+    length, rod_e_h_y, half_rod_e_I_x_x, half_mass, half_length, gravity_times_mass = c[0], c[2], c[15], c[16], c[17], c[18]
+    hinge_a_angle, hinge_b_angle, hinge_c_angle, hinge_d_angle, hinge_e_angle = q[0], q[1], q[2], q[3], q[4]
+    hinge_a_speed, hinge_b_speed, hinge_c_speed, hinge_d_speed, hinge_e_speed = u[0], u[1], u[2], u[3], u[4]
     cos_rod_a = ca.cos(hinge_a_angle)
     sin_rod_a = ca.sin(hinge_a_angle)
     cos_rod_b = ca.cos(hinge_b_angle)
@@ -1467,23 +1296,17 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (15,): rod_a.x [m], rod_a.y [m], rod_a.z [m], rod_b.x [m], rod_b.y [m], rod_b.z [m], rod_c.x [m],
-            rod_c.y [m], rod_c.z [m], rod_d.x [m], rod_d.y [m], rod_d.z [m], rod_e.x [m], rod_e.y [m], rod_e.z [m]
-        rotations (45,): rod_a.R_xx [1], rod_a.R_xy [1], rod_a.R_xz [1], rod_a.R_yx [1], rod_a.R_yy [1], rod_a.R_yz
-            [1], rod_a.R_zx [1], rod_a.R_zy [1], rod_a.R_zz [1], rod_b.R_xx [1], rod_b.R_xy [1], rod_b.R_xz [1],
-            rod_b.R_yx [1], rod_b.R_yy [1], rod_b.R_yz [1], rod_b.R_zx [1], rod_b.R_zy [1], rod_b.R_zz [1],
-            rod_c.R_xx [1], rod_c.R_xy [1], rod_c.R_xz [1], rod_c.R_yx [1], rod_c.R_yy [1], rod_c.R_yz [1],
-            rod_c.R_zx [1], rod_c.R_zy [1], rod_c.R_zz [1], rod_d.R_xx [1], rod_d.R_xy [1], rod_d.R_xz [1],
-            rod_d.R_yx [1], rod_d.R_yy [1], rod_d.R_yz [1], rod_d.R_zx [1], rod_d.R_zy [1], rod_d.R_zz [1],
-            rod_e.R_xx [1], rod_e.R_xy [1], rod_e.R_xz [1], rod_e.R_yx [1], rod_e.R_yy [1], rod_e.R_yz [1],
-            rod_e.R_zx [1], rod_e.R_zy [1], rod_e.R_zz [1]
+        positions (15,): rod_a.x [m], rod_a.y [m], rod_a.z [m], rod_b.x [m], rod_b.y [m], rod_b.z [m], rod_c.x [m], rod_c.y [m], rod_c.z
+            [m], rod_d.x [m], rod_d.y [m], rod_d.z [m], rod_e.x [m], rod_e.y [m], rod_e.z [m]
+        rotations (45,): rod_a.R_xx [1], rod_a.R_xy [1], rod_a.R_xz [1], rod_a.R_yx [1], rod_a.R_yy [1], rod_a.R_yz [1], rod_a.R_zx [1],
+            rod_a.R_zy [1], rod_a.R_zz [1], rod_b.R_xx [1], rod_b.R_xy [1], rod_b.R_xz [1], rod_b.R_yx [1], rod_b.R_yy [1], rod_b.R_yz [1],
+            rod_b.R_zx [1], rod_b.R_zy [1], rod_b.R_zz [1], rod_c.R_xx [1], rod_c.R_xy [1], rod_c.R_xz [1], rod_c.R_yx [1], rod_c.R_yy [1],
+            rod_c.R_yz [1], rod_c.R_zx [1], rod_c.R_zy [1], rod_c.R_zz [1], rod_d.R_xx [1], rod_d.R_xy [1], rod_d.R_xz [1], rod_d.R_yx [1],
+            rod_d.R_yy [1], rod_d.R_yz [1], rod_d.R_zx [1], rod_d.R_zy [1], rod_d.R_zz [1], rod_e.R_xx [1], rod_e.R_xy [1], rod_e.R_xz [1],
+            rod_e.R_yx [1], rod_e.R_yy [1], rod_e.R_yz [1], rod_e.R_zx [1], rod_e.R_zy [1], rod_e.R_zz [1]
     """
     length = c[0]
-    hinge_a_angle = q[0]
-    hinge_b_angle = q[1]
-    hinge_c_angle = q[2]
-    hinge_d_angle = q[3]
-    hinge_e_angle = q[4]
+    hinge_a_angle, hinge_b_angle, hinge_c_angle, hinge_d_angle, hinge_e_angle = q[0], q[1], q[2], q[3], q[4]
     cos_rod_a = ca.cos(hinge_a_angle)
     sin_rod_a = ca.sin(hinge_a_angle)
     cos_rod_b = ca.cos(hinge_b_angle)
@@ -1535,15 +1358,13 @@ def poses(t, q, c):
     rod_e_R_y_y = cos_rod_e*rod_c_R_y_y - rod_d_R_y_x*sin_rod_e
     rod_e_R_z_x = cos_rod_e*rod_d_R_z_x + rod_c_R_z_y*sin_rod_e
     rod_e_R_z_y = cos_rod_e*rod_c_R_z_y - rod_d_R_z_x*sin_rod_e
-    return (
-        ca.vertcat(0, 0, 0, rod_b_arm_x, 0, rod_b_arm_z, rod_c_x, rod_c_arm_y, rod_c_z, rod_d_x, rod_d_y, rod_d_z,
-            rod_e_x, rod_e_y, rod_e_z),
-        ca.vertcat(cos_rod_a, 0, sin_rod_a, 0, 1, 0, -sin_rod_a, 0, cos_rod_a, rod_b_R_x_x, rod_b_R_x_y, sin_rod_a,
-            sin_rod_b, cos_rod_b, 0, rod_b_R_z_x, rod_b_R_z_y, cos_rod_a, rod_b_R_x_x, rod_c_R_x_y, rod_c_R_x_z,
-            sin_rod_b, rod_c_R_y_y, rod_c_R_y_z, rod_b_R_z_x, rod_c_R_z_y, rod_c_R_z_z, rod_d_R_x_x, rod_c_R_x_y,
-            rod_d_R_x_z, rod_d_R_y_x, rod_c_R_y_y, rod_d_R_y_z, rod_d_R_z_x, rod_c_R_z_y, rod_d_R_z_z, rod_e_R_x_x,
-            rod_e_R_x_y, rod_d_R_x_z, rod_e_R_y_x, rod_e_R_y_y, rod_d_R_y_z, rod_e_R_z_x, rod_e_R_z_y, rod_d_R_z_z),
-    )
+    return (ca.vertcat(0, 0, 0, rod_b_arm_x, 0, rod_b_arm_z, rod_c_x, rod_c_arm_y, rod_c_z, rod_d_x, rod_d_y, rod_d_z, rod_e_x, rod_e_y,
+            rod_e_z),
+        ca.vertcat(cos_rod_a, 0, sin_rod_a, 0, 1, 0, -sin_rod_a, 0, cos_rod_a, rod_b_R_x_x, rod_b_R_x_y, sin_rod_a, sin_rod_b, cos_rod_b, 0,
+            rod_b_R_z_x, rod_b_R_z_y, cos_rod_a, rod_b_R_x_x, rod_c_R_x_y, rod_c_R_x_z, sin_rod_b, rod_c_R_y_y, rod_c_R_y_z, rod_b_R_z_x,
+            rod_c_R_z_y, rod_c_R_z_z, rod_d_R_x_x, rod_c_R_x_y, rod_d_R_x_z, rod_d_R_y_x, rod_c_R_y_y, rod_d_R_y_z, rod_d_R_z_x,
+            rod_c_R_z_y, rod_d_R_z_z, rod_e_R_x_x, rod_e_R_x_y, rod_d_R_x_z, rod_e_R_y_x, rod_e_R_y_y, rod_d_R_y_z, rod_e_R_z_x,
+            rod_e_R_z_y, rod_d_R_z_z))
 
 
 def outputs(t, q, u, c):
@@ -1561,45 +1382,14 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        hinge_a.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_a.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_b.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_b.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_c.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_c.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_d.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_d.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_e.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_e.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_f.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge_f.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        rod_a.centre (3,): x [m], y [m], z [m]
-        rod_b.centre (3,): x [m], y [m], z [m]
-        rod_c.centre (3,): x [m], y [m], z [m]
-        rod_d.centre (3,): x [m], y [m], z [m]
-        rod_e.centre (3,): x [m], y [m], z [m]
+        hinge_a.parent to gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rod_a.centre to rod_e.centre (3,): x [m], y [m], z [m]
     """
     length = p[1]
     x1 = length/2
     minus_half_length = -length/2
-    return (
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, -length, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, length, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(-length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, length, 1, 0, 0),
-        ca.vertcat(0, length, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(x1, 0, 0),
-        ca.vertcat(0, minus_half_length, 0),
-        ca.vertcat(0, 0, x1),
-        ca.vertcat(minus_half_length, 0, 0),
-        ca.vertcat(0, x1, 0),
-    )
+    return (ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(length, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, -length, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, length, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(-length, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, length, 1, 0, 0), ca.vertcat(0, length, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(x1, 0, 0), ca.vertcat(0, minus_half_length, 0), ca.vertcat(0, 0, x1),
+        ca.vertcat(minus_half_length, 0, 0), ca.vertcat(0, x1, 0))

@@ -18,10 +18,8 @@ SOURCE = "derive/scenes/cam_follower.py"
 SUMMARY = "cam whose roller follower lifts off above a speed in closed form"
 
 EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("motor", "drive", "constant speed of shaft"),
-    ("spring", "spring", "linear spring of guide"),
-    ("roller", "contact", "power x power_damping"),
+    ("gravity", "gravity", "uniform gravity"), ("motor", "drive", "constant speed of shaft"),
+    ("spring", "spring", "linear spring of guide"), ("roller", "contact", "power x power_damping"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -54,176 +52,61 @@ LIMITS = (
     ("base", "defined", 0, None, True, False, "scales, arm"),
 )
 
-COORDINATES = (
-    ("guide.travel", "m"),
-)
+COORDINATES = (("guide.travel", "m"),)
 
-SPEEDS = (
-    ("guide.speed", "m/s"),
-)
+SPEEDS = (("guide.speed", "m/s"),)
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("roller.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("roller.dissipated", "J"))
 
 LATCHES = ()
 
-PAIRS = (
-    ("roller", "circle_on_curve"),
-)
+PAIRS = (("roller", "circle_on_curve"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    1,
-)
+DISSIPATED = (1,)
 
-OUTPUTS = (
-    ("roller.gap", "m"),
-    ("roller.parameter", "1"),
-)
+OUTPUTS = (("roller.gap", "m"), ("roller.parameter", "1"))
 
-BODIES = (
-    "cam",
-    "follower",
-)
+BODIES = ("cam", "follower")
 
 LANDMARKS = (
-    ("shaft", "revolute", "parent", "ground", ("axis",)),
-    ("shaft", "revolute", "child", "cam", ("axis",)),
-    ("guide", "prismatic", "parent", "ground", ("axis",)),
-    ("guide", "prismatic", "child", "follower", ("axis",)),
+    ("shaft", "revolute", "parent", "ground", ("axis",)), ("shaft", "revolute", "child", "cam", ("axis",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)), ("guide", "prismatic", "child", "follower", ("axis",)),
     ("roller", "circle_on_curve", "circle", "follower", ("radius",)),
-    ("roller", "circle_on_curve", "fixed", "cam", ("along", "across", "outline")),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("motor", "turn_drive", "child", "cam", ("axis",)),
-    ("spring", "slide_spring", "parent", "ground", ("axis",)),
-    ("spring", "slide_spring", "child", "follower", ()),
-    ("cam", "body", "centre", "cam", ()),
-    ("follower", "body", "centre", "follower", ()),
-    ("follower", "solid_rod", "shape_1", "follower", ("axis", "length")),
+    ("roller", "circle_on_curve", "fixed", "cam", ("along", "across", "outline")), ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("motor", "turn_drive", "child", "cam", ("axis",)), ("spring", "slide_spring", "parent", "ground", ("axis",)),
+    ("spring", "slide_spring", "child", "follower", ()), ("cam", "body", "centre", "cam", ()),
+    ("follower", "body", "centre", "follower", ()), ("follower", "solid_rod", "shape_1", "follower", ("axis", "length")),
 )
 
 CONSTANTS = (
-    ("follower_mass", "kg"),
-    ("roller_radius", "m"),
-    ("lift", "m"),
-    ("base", "m"),
-    ("gravity", "m/s^2"),
-    ("cam_speed", "1/s"),
-    ("spring_stiffness", "N/m"),
-    ("contact_stiffness", "N/m"),
-    ("contact_damping", "N s/m"),
-    ("k1", "m"),
-    ("rim_samples_1", "m"),
-    ("rim_samples_2", "m"),
-    ("rim_samples_3", "m"),
-    ("rim_samples_4", "m"),
-    ("rim_samples_5", "m"),
-    ("rim_samples_6", "m"),
-    ("rim_samples_7", "m"),
-    ("rim_samples_8", "m"),
-    ("rim_samples_9", "m"),
-    ("rim_samples_10", "m"),
-    ("rim_samples_11", "m"),
-    ("rim_samples_12", "m"),
-    ("rim_samples_13", "m"),
-    ("rim_samples_14", "m"),
-    ("rim_samples_15", "m"),
-    ("rim_samples_16", "m"),
-    ("rim_samples_17", "m"),
-    ("rim_samples_18", "m"),
-    ("rim_samples_19", "m"),
-    ("rim_samples_20", "m"),
-    ("rim_samples_21", "m"),
-    ("rim_samples_22", "m"),
-    ("rim_samples_23", "m"),
-    ("rim_samples_24", "m"),
-    ("rim_samples_25", "m"),
-    ("rim_samples_26", "m"),
-    ("rim_samples_27", "m"),
-    ("rim_samples_28", "m"),
-    ("rim_samples_29", "m"),
-    ("rim_samples_30", "m"),
-    ("rim_samples_31", "m"),
-    ("rim_samples_32", "m"),
-    ("rim_samples_33", "m"),
-    ("rim_samples_34", "m"),
-    ("rim_samples_35", "m"),
-    ("rim_samples_36", "m"),
-    ("rim_samples_37", "m"),
-    ("rim_samples_38", "m"),
-    ("rim_samples_39", "m"),
-    ("rim_samples_40", "m"),
-    ("rim_samples_41", "m"),
-    ("rim_samples_42", "m"),
-    ("rim_samples_43", "m"),
-    ("rim_samples_44", "m"),
-    ("rim_samples_45", "m"),
-    ("rim_samples_46", "m"),
-    ("rim_samples_47", "m"),
-    ("rim_samples_48", "m"),
-    ("rim_samples_49", "m"),
-    ("rim_samples_50", "m"),
-    ("rim_samples_51", "m"),
-    ("rim_samples_52", "m"),
-    ("rim_samples_53", "m"),
-    ("rim_samples_54", "m"),
-    ("rim_samples_55", "m"),
-    ("rim_samples_56", "m"),
-    ("rim_samples_57", "m"),
-    ("rim_samples_58", "m"),
-    ("rim_samples_59", "m"),
-    ("rim_samples_60", "m"),
-    ("rim_samples_61", "m"),
-    ("rim_samples_62", "m"),
-    ("rim_samples_63", "m"),
-    ("rim_samples_64", "m"),
-    ("rim_samples_65", "m"),
-    ("rim_samples_66", "m"),
-    ("rim_samples_67", "m"),
-    ("rim_samples_68", "m"),
-    ("rim_samples_69", "m"),
-    ("rim_samples_70", "m"),
-    ("rim_samples_71", "m"),
-    ("rim_samples_72", "m"),
-    ("rim_samples_73", "m"),
-    ("rim_samples_74", "m"),
-    ("rim_samples_75", "m"),
-    ("rim_samples_76", "m"),
-    ("rim_samples_77", "m"),
-    ("rim_samples_78", "m"),
-    ("rim_samples_79", "m"),
-    ("rim_samples_80", "m"),
-    ("rim_samples_81", "m"),
-    ("rim_samples_82", "m"),
-    ("cam_speed_squared", "1/s^2"),
-    ("half_contact_stiffness", "N/m"),
-    ("inverse_follower_mass", "1/kg"),
-    ("half_follower_mass", "kg"),
-    ("half_cam_speed_squared_times_cam_inertia", "J"),
-    ("follower_mass_times_gravity", "N"),
+    ("follower_mass", "kg"), ("roller_radius", "m"), ("lift", "m"), ("base", "m"), ("gravity", "m/s^2"), ("cam_speed", "1/s"),
+    ("spring_stiffness", "N/m"), ("contact_stiffness", "N/m"), ("contact_damping", "N s/m"), ("k1", "m"), ("rim_samples_1", "m"),
+    ("rim_samples_2", "m"), ("rim_samples_3", "m"), ("rim_samples_4", "m"), ("rim_samples_5", "m"), ("rim_samples_6", "m"),
+    ("rim_samples_7", "m"), ("rim_samples_8", "m"), ("rim_samples_9", "m"), ("rim_samples_10", "m"), ("rim_samples_11", "m"),
+    ("rim_samples_12", "m"), ("rim_samples_13", "m"), ("rim_samples_14", "m"), ("rim_samples_15", "m"), ("rim_samples_16", "m"),
+    ("rim_samples_17", "m"), ("rim_samples_18", "m"), ("rim_samples_19", "m"), ("rim_samples_20", "m"), ("rim_samples_21", "m"),
+    ("rim_samples_22", "m"), ("rim_samples_23", "m"), ("rim_samples_24", "m"), ("rim_samples_25", "m"), ("rim_samples_26", "m"),
+    ("rim_samples_27", "m"), ("rim_samples_28", "m"), ("rim_samples_29", "m"), ("rim_samples_30", "m"), ("rim_samples_31", "m"),
+    ("rim_samples_32", "m"), ("rim_samples_33", "m"), ("rim_samples_34", "m"), ("rim_samples_35", "m"), ("rim_samples_36", "m"),
+    ("rim_samples_37", "m"), ("rim_samples_38", "m"), ("rim_samples_39", "m"), ("rim_samples_40", "m"), ("rim_samples_41", "m"),
+    ("rim_samples_42", "m"), ("rim_samples_43", "m"), ("rim_samples_44", "m"), ("rim_samples_45", "m"), ("rim_samples_46", "m"),
+    ("rim_samples_47", "m"), ("rim_samples_48", "m"), ("rim_samples_49", "m"), ("rim_samples_50", "m"), ("rim_samples_51", "m"),
+    ("rim_samples_52", "m"), ("rim_samples_53", "m"), ("rim_samples_54", "m"), ("rim_samples_55", "m"), ("rim_samples_56", "m"),
+    ("rim_samples_57", "m"), ("rim_samples_58", "m"), ("rim_samples_59", "m"), ("rim_samples_60", "m"), ("rim_samples_61", "m"),
+    ("rim_samples_62", "m"), ("rim_samples_63", "m"), ("rim_samples_64", "m"), ("rim_samples_65", "m"), ("rim_samples_66", "m"),
+    ("rim_samples_67", "m"), ("rim_samples_68", "m"), ("rim_samples_69", "m"), ("rim_samples_70", "m"), ("rim_samples_71", "m"),
+    ("rim_samples_72", "m"), ("rim_samples_73", "m"), ("rim_samples_74", "m"), ("rim_samples_75", "m"), ("rim_samples_76", "m"),
+    ("rim_samples_77", "m"), ("rim_samples_78", "m"), ("rim_samples_79", "m"), ("rim_samples_80", "m"), ("rim_samples_81", "m"),
+    ("rim_samples_82", "m"), ("cam_speed_squared", "1/s^2"), ("half_contact_stiffness", "N/m"), ("inverse_follower_mass", "1/kg"),
+    ("half_follower_mass", "kg"), ("half_cam_speed_squared_times_cam_inertia", "J"), ("follower_mass_times_gravity", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 10),
-    ("start", 9),
-    ("scales", 8),
-    ("coordinate_rates", 0),
-    ("gaps", 19),
-    ("gap_accelerations", 44),
-    ("contact_roller", 32),
-    ("applied", 5),
-    ("accelerations", 2),
-    ("ledger", 1),
-    ("energy", 21),
-    ("poses", 4),
-    ("outputs", 7),
-    ("period", 3),
-    ("landmarks", 4),
+    ("constants", 10), ("start", 9), ("scales", 8), ("coordinate_rates", 0), ("gaps", 19), ("gap_accelerations", 44),
+    ("contact_roller", 32), ("applied", 5), ("accelerations", 2), ("ledger", 1), ("energy", 21), ("poses", 4), ("outputs", 7),
+    ("period", 3), ("landmarks", 4),
 )
 
 RIM_CURVE = (
@@ -373,21 +256,12 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (17,): follower_mass, roller_radius, lift, base, gravity, cam_speed, spring_stiffness, contact_stiffness,
-            contact_damping, k1, rim_samples, cam_speed_squared, half_contact_stiffness, inverse_follower_mass,
-            half_follower_mass, half_cam_speed_squared_times_cam_inertia, follower_mass_times_gravity
+        c (17,): follower_mass, roller_radius, lift, base, gravity, cam_speed, spring_stiffness, contact_stiffness, contact_damping, k1,
+            rim_samples, cam_speed_squared, half_contact_stiffness, inverse_follower_mass, half_follower_mass,
+            half_cam_speed_squared_times_cam_inertia, follower_mass_times_gravity
     """
-    cam_inertia = p[1]
-    follower_mass = p[2]
-    roller_radius = p[3]
-    lift = p[4]
-    base = p[5]
-    gravity = p[6]
-    cam_speed = p[7]
-    spring_stiffness = p[8]
-    preload = p[9]
-    contact_stiffness = p[10]
-    contact_damping = p[11]
+    cam_inertia, follower_mass, roller_radius, lift, base, gravity, cam_speed = p[1], p[2], p[3], p[4], p[5], p[6], p[7]
+    spring_stiffness, preload, contact_stiffness, contact_damping = p[8], p[9], p[10], p[11]
     k1 = preload/spring_stiffness - base
     rim_samples = _samples(rim_curve, RIM_CURVE, ca.vertcat(lift, base, roller_radius))
     cam_speed_squared = cam_speed*cam_speed
@@ -396,10 +270,9 @@ def constants(p):
     half_follower_mass = follower_mass/2
     half_cam_speed_squared_times_cam_inertia = cam_speed_squared*cam_inertia/2
     follower_mass_times_gravity = follower_mass*gravity
-    return ca.vertcat(follower_mass, roller_radius, lift, base, gravity, cam_speed, spring_stiffness,
-        contact_stiffness, contact_damping, k1, rim_samples, cam_speed_squared, half_contact_stiffness,
-        inverse_follower_mass, half_follower_mass, half_cam_speed_squared_times_cam_inertia,
-        follower_mass_times_gravity)
+    return ca.vertcat(follower_mass, roller_radius, lift, base, gravity, cam_speed, spring_stiffness, contact_stiffness, contact_damping,
+        k1, rim_samples, cam_speed_squared, half_contact_stiffness, inverse_follower_mass, half_follower_mass,
+        half_cam_speed_squared_times_cam_inertia, follower_mass_times_gravity)
 
 
 def start(p):
@@ -407,21 +280,11 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (1,): guide.travel [m]
-        u (1,): guide.speed [m/s]
+        q (1,): COORDINATES
+        u (1,): SPEEDS
     """
-    follower_mass = p[2]
-    lift = p[4]
-    base = p[5]
-    gravity = p[6]
-    cam_speed = p[7]
-    preload = p[9]
-    contact_stiffness = p[10]
-    return (
-        ca.vertcat(base - (follower_mass*gravity + cam_speed*cam_speed*follower_mass*lift/2 +
-            preload)/contact_stiffness),
-        ca.vertcat(0),
-    )
+    follower_mass, lift, base, gravity, cam_speed, preload, contact_stiffness = p[2], p[4], p[5], p[6], p[7], p[9], p[10]
+    return ca.vertcat(base - (follower_mass*gravity + cam_speed*cam_speed*follower_mass*lift/2 + preload)/contact_stiffness), ca.vertcat(0)
 
 
 def scales(p):
@@ -429,25 +292,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (1,): guide.travel [m]
-        su (1,): guide.speed [m/s]
-        sz (2,): energy_ledger.input [J], roller.dissipated [J]
+        sq (1,): COORDINATES
+        su (1,): SPEEDS
+        sz (2,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    cam_mass = p[0]
-    follower_mass = p[2]
-    lift = p[4]
-    cam_speed = p[7]
+    cam_mass, follower_mass, lift, cam_speed = p[0], p[2], p[4], p[7]
     total_mass = cam_mass + follower_mass
     energy_scale = total_mass*cam_speed*cam_speed*lift*lift/2
     force_scale = energy_scale/lift
     cam_speed_times_lift = cam_speed*lift
-    return (
-        ca.vertcat(lift),
-        ca.vertcat(cam_speed_times_lift),
-        ca.vertcat(energy_scale, energy_scale),
-        ca.vertcat(lift, cam_speed_times_lift, force_scale, energy_scale),
-    )
+    return (ca.vertcat(lift), ca.vertcat(cam_speed_times_lift), ca.vertcat(energy_scale, energy_scale),
+        ca.vertcat(lift, cam_speed_times_lift, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -455,7 +311,7 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (1,): guide.travel [m/s]
+        dq (1,): COORDINATES [m/s]
     """
     guide_speed = u[0]
     return ca.vertcat(guide_speed)
@@ -466,14 +322,10 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): roller [m]
-        dG (1,): roller [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    roller_radius = c[1]
-    lift = c[2]
-    base = c[3]
-    cam_speed = c[5]
-    rim_samples = c[10:92]
+    roller_radius, lift, base, cam_speed, rim_samples = c[1], c[2], c[3], c[5], c[10:92]
     guide_travel = q[0]
     guide_speed = u[0]
     cam_angle = t*cam_speed
@@ -499,14 +351,9 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): roller [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
-    roller_radius = c[1]
-    lift = c[2]
-    base = c[3]
-    cam_speed = c[5]
-    rim_samples = c[10:92]
-    cam_speed_squared = c[92]
+    roller_radius, lift, base, cam_speed, rim_samples, cam_speed_squared = c[1], c[2], c[3], c[5], c[10:92], c[92]
     guide_travel = q[0]
     guide_speed = u[0]
     guide_acceleration = a[0]
@@ -534,24 +381,17 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_roller(t, q, u, z, m, c):
-    """Forces of roller: power x power_damping. The normal force is the laws' own, not clamped: where it would pull,
-    the contact ends.
+    """Forces of roller: power x power_damping. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (2,): guide [N], shaft [N m]
-        dz (2,): energy_ledger.input [W], roller.dissipated [W]
-        normal_force (1,): roller [N]
+        dz (2,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
         sliding_velocity (0,): empty
-        in_range (1,): roller [1]
+        in_range (1,): PAIRS [1]
     """
-    roller_radius = c[1]
-    lift = c[2]
-    base = c[3]
-    cam_speed = c[5]
-    contact_stiffness = c[7]
-    contact_damping = c[8]
-    rim_samples = c[10:92]
+    roller_radius, lift, base, cam_speed, contact_stiffness, contact_damping, rim_samples = c[1], c[2], c[3], c[5], c[7], c[8], c[10:92]
     guide_travel = q[0]
     guide_speed = u[0]
     cam_angle = t*cam_speed
@@ -575,13 +415,9 @@ def contact_roller(t, q, u, z, m, c):
     roller_push_x = roller_normal_force*roller_normal_x_2
     roller_push_y = roller_normal_force*roller_normal_y_2
     roller_push_on_shaft = guide_travel*roller_push_x
-    return (
-        ca.vertcat(roller_push_y, roller_push_on_shaft),
-        ca.vertcat(0, roller_normal_power),
-        ca.vertcat(roller_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(roller_push_y, roller_push_on_shaft), ca.vertcat(0, roller_normal_power), ca.vertcat(roller_normal_force),
+            ca.vertcat(),
+        ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -591,10 +427,7 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (2,): guide [N], shaft [N m]
     """
-    follower_mass = c[0]
-    gravity = c[4]
-    spring_stiffness = c[6]
-    k1 = c[9]
+    follower_mass, gravity, spring_stiffness, k1 = c[0], c[4], c[6], c[9]
     guide_travel = q[0]
     spring_stretch = guide_travel + k1
     spring_force = -spring_stretch*spring_stiffness
@@ -610,8 +443,7 @@ def accelerations(t, q, u, f, c):
         reactions (1,): shaft.reaction [N m]
     """
     inverse_follower_mass = c[94]
-    guide_force = f[0]
-    shaft_force = f[1]
+    guide_force, shaft_force = f[0], f[1]
     guide_acc = guide_force*inverse_follower_mass
     return ca.vertcat(guide_acc), ca.vertcat(-shaft_force)
 
@@ -621,7 +453,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (2,): energy_ledger.input [W], roller.dissipated [W]
+        dz (2,): MEMORY [W]
     """
     cam_speed = c[5]
     shaft_reaction_in = reactions[0]
@@ -635,18 +467,10 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): roller [J]
+        stored (1,): PAIRS [J]
     """
-    roller_radius = c[1]
-    lift = c[2]
-    base = c[3]
-    cam_speed = c[5]
-    spring_stiffness = c[6]
-    k1 = c[9]
-    rim_samples = c[10:92]
-    half_contact_stiffness = c[93]
-    half_follower_mass = c[95]
-    half_cam_speed_squared_times_cam_inertia = c[96]
+    roller_radius, lift, base, cam_speed, spring_stiffness, k1, rim_samples = c[1], c[2], c[3], c[5], c[6], c[9], c[10:92]
+    half_contact_stiffness, half_follower_mass, half_cam_speed_squared_times_cam_inertia = c[93], c[95], c[96]
     follower_mass_times_gravity = c[97]
     guide_travel = q[0]
     guide_speed = u[0]
@@ -662,11 +486,7 @@ def energy(t, q, u, c):
     roller_stored_energy = ca.if_else(-roller_gap > 0, half_contact_stiffness*roller_gap*roller_gap, 0)
     kinetic = half_cam_speed_squared_times_cam_inertia + half_follower_mass*guide_speed*guide_speed
     potential = guide_travel*follower_mass_times_gravity
-    return (
-        ca.vertcat(kinetic),
-        ca.vertcat(potential + spring_stretch*spring_stretch*spring_stiffness/2),
-        ca.vertcat(roller_stored_energy),
-    )
+    return ca.vertcat(kinetic), ca.vertcat(potential + spring_stretch*spring_stretch*spring_stiffness/2), ca.vertcat(roller_stored_energy)
 
 
 def poses(t, q, c):
@@ -675,20 +495,17 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (6,): cam.x [m], cam.y [m], cam.z [m], follower.x [m], follower.y [m], follower.z [m]
-        rotations (18,): cam.R_xx [1], cam.R_xy [1], cam.R_xz [1], cam.R_yx [1], cam.R_yy [1], cam.R_yz [1],
-            cam.R_zx [1], cam.R_zy [1], cam.R_zz [1], follower.R_xx [1], follower.R_xy [1], follower.R_xz [1],
-            follower.R_yx [1], follower.R_yy [1], follower.R_yz [1], follower.R_zx [1], follower.R_zy [1],
-            follower.R_zz [1]
+        rotations (18,): cam.R_xx [1], cam.R_xy [1], cam.R_xz [1], cam.R_yx [1], cam.R_yy [1], cam.R_yz [1], cam.R_zx [1], cam.R_zy [1],
+            cam.R_zz [1], follower.R_xx [1], follower.R_xy [1], follower.R_xz [1], follower.R_yx [1], follower.R_yy [1], follower.R_yz [1],
+            follower.R_zx [1], follower.R_zy [1], follower.R_zz [1]
     """
     cam_speed = c[5]
     guide_travel = q[0]
     cam_angle = t*cam_speed
     cos_cam = ca.cos(cam_angle)
     sin_cam = ca.sin(cam_angle)
-    return (
-        ca.vertcat(0, 0, 0, 0, guide_travel, 0),
-        ca.vertcat(cos_cam, -sin_cam, 0, sin_cam, cos_cam, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, 0, guide_travel, 0), ca.vertcat(cos_cam, -sin_cam, 0, sin_cam, cos_cam, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0,
+            1))
 
 
 def outputs(t, q, u, c):
@@ -696,13 +513,9 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (2,): roller.gap [m], roller.parameter [1]
+        y (2,): OUTPUTS
     """
-    roller_radius = c[1]
-    lift = c[2]
-    base = c[3]
-    cam_speed = c[5]
-    rim_samples = c[10:92]
+    roller_radius, lift, base, cam_speed, rim_samples = c[1], c[2], c[3], c[5], c[10:92]
     guide_travel = q[0]
     cam_angle = t*cam_speed
     cos_cam = ca.cos(cam_angle)
@@ -732,36 +545,16 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        shaft.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        shaft.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        shaft.parent, shaft.child, guide.parent, guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         roller.circle (4,): x [m], y [m], z [m], radius [m]
-        roller.fixed (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
-            across_z [1], outline
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring.child (3,): x [m], y [m], z [m]
-        cam.centre (3,): x [m], y [m], z [m]
-        follower.centre (3,): x [m], y [m], z [m]
+        roller.fixed (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1], across_z [1], outline
+        gravity.direction, motor.child, spring.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        spring.child, cam.centre, follower.centre (3,): x [m], y [m], z [m]
         follower.shape_1 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
     """
-    roller_radius = p[3]
-    lift = p[4]
-    base = p[5]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
+    roller_radius, lift, base = p[3], p[4], p[5]
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0),
         ca.vertcat(0, 0, 0, roller_radius),
         ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, _drawn(rim_curve, RIM_CURVE, ca.vertcat(lift, base, roller_radius))),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 5*roller_radius/2, 0, 0, 1, 0, 5*roller_radius),
-    )
+        ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 0, 0), ca.vertcat(0, 5*roller_radius/2, 0, 0, 1, 0, 5*roller_radius))

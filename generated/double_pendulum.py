@@ -14,10 +14,7 @@ NAME = "double_pendulum"
 SOURCE = "derive/scenes/double_pendulum.py"
 SUMMARY = "double pendulum"
 
-EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
-)
+EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
 UNCHECKED = ()
 
@@ -34,15 +31,9 @@ LIMITS = (
     ("length", "defined", 0, None, True, False, "scales, length"),
 )
 
-COORDINATES = (
-    ("shoulder.angle", "rad"),
-    ("elbow.angle", "rad"),
-)
+COORDINATES = (("shoulder.angle", "rad"), ("elbow.angle", "rad"))
 
-SPEEDS = (
-    ("shoulder.speed", "rad/s"),
-    ("elbow.speed", "rad/s"),
-)
+SPEEDS = (("shoulder.speed", "rad/s"), ("elbow.speed", "rad/s"))
 
 MEMORY = ()
 
@@ -56,48 +47,24 @@ DISSIPATED = ()
 
 OUTPUTS = ()
 
-BODIES = (
-    "upper",
-    "lower",
-)
+BODIES = ("upper", "lower")
 
 LANDMARKS = (
-    ("shoulder", "revolute", "parent", "ground", ("axis",)),
-    ("shoulder", "revolute", "child", "upper", ("axis",)),
-    ("elbow", "revolute", "parent", "upper", ("axis",)),
-    ("elbow", "revolute", "child", "lower", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("upper", "body", "centre", "upper", ()),
+    ("shoulder", "revolute", "parent", "ground", ("axis",)), ("shoulder", "revolute", "child", "upper", ("axis",)),
+    ("elbow", "revolute", "parent", "upper", ("axis",)), ("elbow", "revolute", "child", "lower", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("upper", "body", "centre", "upper", ()),
     ("lower", "body", "centre", "lower", ()),
 )
 
 CONSTANTS = (
-    ("length", "m"),
-    ("gravity", "m/s^2"),
-    ("lower_h_y", "kg m"),
-    ("upper_h_y", "kg m"),
-    ("lower_I_z_z", "kg m^2"),
-    ("lower_I_z_z_plus_upper_I_z_z", "kg m^2"),
-    ("inverse_lower_I_z_z", "1/(kg m^2)"),
-    ("half_lower_I_z_z", "kg m^2"),
-    ("half_mass", "kg"),
+    ("length", "m"), ("gravity", "m/s^2"), ("lower_h_y", "kg m"), ("upper_h_y", "kg m"), ("lower_I_z_z", "kg m^2"),
+    ("lower_I_z_z_plus_upper_I_z_z", "kg m^2"), ("inverse_lower_I_z_z", "1/(kg m^2)"), ("half_lower_I_z_z", "kg m^2"), ("half_mass", "kg"),
     ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 13),
-    ("start", 0),
-    ("scales", 8),
-    ("coordinate_rates", 0),
-    ("gaps", 0),
-    ("gap_accelerations", 0),
-    ("applied", 12),
-    ("accelerations", 50),
-    ("ledger", 0),
-    ("energy", 37),
-    ("poses", 10),
-    ("outputs", 0),
-    ("landmarks", 3),
+    ("constants", 13), ("start", 0), ("scales", 8), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 12),
+    ("accelerations", 50), ("ledger", 0), ("energy", 37), ("poses", 10), ("outputs", 0), ("landmarks", 3),
 )
 
 
@@ -106,12 +73,10 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (10,): length, gravity, lower_h_y, upper_h_y, lower_I_z_z, lower_I_z_z_plus_upper_I_z_z,
-            inverse_lower_I_z_z, half_lower_I_z_z, half_mass, gravity_times_mass
+        c (10,): length, gravity, lower_h_y, upper_h_y, lower_I_z_z, lower_I_z_z_plus_upper_I_z_z, inverse_lower_I_z_z, half_lower_I_z_z,
+            half_mass, gravity_times_mass
     """
-    mass = p[0]
-    length = p[1]
-    gravity = p[2]
+    mass, length, gravity = p[0], p[1], p[2]
     lower_h_y = -length*mass
     upper_h_y = -2*length*mass
     length_squared = length*length
@@ -122,8 +87,8 @@ def constants(p):
     half_lower_I_z_z = lower_I_z_z/2
     half_mass = mass/2
     gravity_times_mass = gravity*mass
-    return ca.vertcat(length, gravity, lower_h_y, upper_h_y, lower_I_z_z, lower_I_z_z_plus_upper_I_z_z,
-        inverse_lower_I_z_z, half_lower_I_z_z, half_mass, gravity_times_mass)
+    return ca.vertcat(length, gravity, lower_h_y, upper_h_y, lower_I_z_z, lower_I_z_z_plus_upper_I_z_z, inverse_lower_I_z_z,
+        half_lower_I_z_z, half_mass, gravity_times_mass)
 
 
 def start(p):
@@ -131,11 +96,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): shoulder.angle [rad], elbow.angle [rad]
-        u (2,): shoulder.speed [rad/s], elbow.speed [rad/s]
+        q (2,): COORDINATES
+        u (2,): SPEEDS
     """
-    shoulder_angle = p[3]
-    elbow_angle = p[4]
+    shoulder_angle, elbow_angle = p[3], p[4]
     return ca.vertcat(shoulder_angle, elbow_angle), ca.vertcat(0, 0)
 
 
@@ -144,14 +108,12 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): shoulder.angle [rad], elbow.angle [rad]
-        su (2,): shoulder.speed [rad/s], elbow.speed [rad/s]
+        sq (2,): COORDINATES
+        su (2,): SPEEDS
         sz (0,): empty
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    length = p[1]
-    gravity = p[2]
+    mass, length, gravity = p[0], p[1], p[2]
     total_mass = 2*mass
     energy_scale = total_mass*gravity*length/2
     force_scale = energy_scale/length
@@ -166,10 +128,9 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (2,): shoulder.angle [rad/s], elbow.angle [rad/s]
+        dq (2,): COORDINATES [rad/s]
     """
-    shoulder_speed = u[0]
-    elbow_speed = u[1]
+    shoulder_speed, elbow_speed = u[0], u[1]
     return ca.vertcat(shoulder_speed, elbow_speed)
 
 
@@ -178,8 +139,7 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (0,): empty
-        dG (0,): empty
+        G, dG (0,): empty
     """
     return ca.vertcat(), ca.vertcat()
 
@@ -201,11 +161,8 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (2,): shoulder [N m], elbow [N m]
     """
-    gravity = c[1]
-    lower_h_y = c[2]
-    upper_h_y = c[3]
-    shoulder_angle_2 = q[0]
-    elbow_angle_2 = q[1]
+    gravity, lower_h_y, upper_h_y = c[1], c[2], c[3]
+    shoulder_angle_2, elbow_angle_2 = q[0], q[1]
     sin_upper = ca.sin(shoulder_angle_2)
     lower_angle = elbow_angle_2 + shoulder_angle_2
     sin_lower = ca.sin(lower_angle)
@@ -223,17 +180,10 @@ def accelerations(t, q, u, f, c):
         a (2,): shoulder.acceleration [rad/s^2], elbow.acceleration [rad/s^2]
         reactions (0,): empty
     """
-    length = c[0]
-    lower_h_y = c[2]
-    lower_I_z_z = c[4]
-    lower_I_z_z_plus_upper_I_z_z = c[5]
-    inverse_lower_I_z_z = c[6]
-    shoulder_angle_2 = q[0]
-    elbow_angle_2 = q[1]
-    shoulder_speed = u[0]
-    elbow_speed = u[1]
-    shoulder_force = f[0]
-    elbow_force = f[1]
+    length, lower_h_y, lower_I_z_z, lower_I_z_z_plus_upper_I_z_z, inverse_lower_I_z_z = c[0], c[2], c[4], c[5], c[6]
+    shoulder_angle_2, elbow_angle_2 = q[0], q[1]
+    shoulder_speed, elbow_speed = u[0], u[1]
+    shoulder_force, elbow_force = f[0], f[1]
     cos_upper = ca.cos(shoulder_angle_2)
     sin_upper = ca.sin(shoulder_angle_2)
     lower_angle = elbow_angle_2 + shoulder_angle_2
@@ -283,15 +233,9 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (0,): empty
     """
-    length = c[0]
-    lower_h_y = c[2]
-    half_lower_I_z_z = c[7]
-    half_mass = c[8]
-    gravity_times_mass = c[9]
-    shoulder_angle_2 = q[0]
-    elbow_angle_2 = q[1]
-    shoulder_speed = u[0]
-    elbow_speed = u[1]
+    length, lower_h_y, half_lower_I_z_z, half_mass, gravity_times_mass = c[0], c[2], c[7], c[8], c[9]
+    shoulder_angle_2, elbow_angle_2 = q[0], q[1]
+    shoulder_speed, elbow_speed = u[0], u[1]
     cos_upper = ca.cos(shoulder_angle_2)
     sin_upper = ca.sin(shoulder_angle_2)
     lower_angle = elbow_angle_2 + shoulder_angle_2
@@ -316,13 +260,12 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (6,): upper.x [m], upper.y [m], upper.z [m], lower.x [m], lower.y [m], lower.z [m]
-        rotations (18,): upper.R_xx [1], upper.R_xy [1], upper.R_xz [1], upper.R_yx [1], upper.R_yy [1], upper.R_yz
-            [1], upper.R_zx [1], upper.R_zy [1], upper.R_zz [1], lower.R_xx [1], lower.R_xy [1], lower.R_xz [1],
-            lower.R_yx [1], lower.R_yy [1], lower.R_yz [1], lower.R_zx [1], lower.R_zy [1], lower.R_zz [1]
+        rotations (18,): upper.R_xx [1], upper.R_xy [1], upper.R_xz [1], upper.R_yx [1], upper.R_yy [1], upper.R_yz [1], upper.R_zx [1],
+            upper.R_zy [1], upper.R_zz [1], lower.R_xx [1], lower.R_xy [1], lower.R_xz [1], lower.R_yx [1], lower.R_yy [1], lower.R_yz [1],
+            lower.R_zx [1], lower.R_zy [1], lower.R_zz [1]
     """
     length = c[0]
-    shoulder_angle_2 = q[0]
-    elbow_angle_2 = q[1]
+    shoulder_angle_2, elbow_angle_2 = q[0], q[1]
     cos_upper = ca.cos(shoulder_angle_2)
     sin_upper = ca.sin(shoulder_angle_2)
     lower_angle = elbow_angle_2 + shoulder_angle_2
@@ -330,11 +273,8 @@ def poses(t, q, c):
     sin_lower = ca.sin(lower_angle)
     lower_arm_x = sin_upper*length
     lower_arm_y = -cos_upper*length
-    return (
-        ca.vertcat(0, 0, 0, lower_arm_x, lower_arm_y, 0),
-        ca.vertcat(cos_upper, -sin_upper, 0, sin_upper, cos_upper, 0, 0, 0, 1, cos_lower, -sin_lower, 0, sin_lower,
-            cos_lower, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, lower_arm_x, lower_arm_y, 0),
+        ca.vertcat(cos_upper, -sin_upper, 0, sin_upper, cos_upper, 0, 0, 0, 1, cos_lower, -sin_lower, 0, sin_lower, cos_lower, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -352,21 +292,9 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        shoulder.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        shoulder.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        elbow.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        elbow.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        upper.centre (3,): x [m], y [m], z [m]
-        lower.centre (3,): x [m], y [m], z [m]
+        shoulder.parent to gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        upper.centre, lower.centre (3,): x [m], y [m], z [m]
     """
     length = p[1]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, -length, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, -length, 0),
-        ca.vertcat(0, -length, 0),
-    )
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, -length, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, -length, 0), ca.vertcat(0, -length, 0))

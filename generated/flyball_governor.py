@@ -16,8 +16,7 @@ SOURCE = "derive/scenes/flyball_governor.py"
 SUMMARY = "centrifugal governor, two loops on a turning spindle"
 
 EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("spring", "spring", "linear spring of guide"),
+    ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of guide"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -53,21 +52,13 @@ LIMITS = (
 )
 
 COORDINATES = (
-    ("spindle.angle", "rad"),
-    ("right_hinge.angle", "rad"),
-    ("right_knee.angle", "rad"),
-    ("left_hinge.angle", "rad"),
-    ("left_knee.angle", "rad"),
-    ("guide.travel", "m"),
+    ("spindle.angle", "rad"), ("right_hinge.angle", "rad"), ("right_knee.angle", "rad"), ("left_hinge.angle", "rad"),
+    ("left_knee.angle", "rad"), ("guide.travel", "m"),
 )
 
 SPEEDS = (
-    ("spindle.speed", "rad/s"),
-    ("right_hinge.speed", "rad/s"),
-    ("right_knee.speed", "rad/s"),
-    ("left_hinge.speed", "rad/s"),
-    ("left_knee.speed", "rad/s"),
-    ("guide.speed", "m/s"),
+    ("spindle.speed", "rad/s"), ("right_hinge.speed", "rad/s"), ("right_knee.speed", "rad/s"), ("left_hinge.speed", "rad/s"),
+    ("left_knee.speed", "rad/s"), ("guide.speed", "m/s"),
 )
 
 MEMORY = ()
@@ -81,120 +72,59 @@ RELEASES = ()
 DISSIPATED = ()
 
 CONSTRAINTS = (
-    ("right_foot.apart_x", "m"),
-    ("right_foot.apart_y", "m"),
-    ("right_foot.apart_z", "m"),
-    ("left_foot.apart_x", "m"),
-    ("left_foot.apart_y", "m"),
-    ("left_foot.apart_z", "m"),
+    ("right_foot.apart_x", "m"), ("right_foot.apart_y", "m"), ("right_foot.apart_z", "m"), ("left_foot.apart_x", "m"),
+    ("left_foot.apart_y", "m"), ("left_foot.apart_z", "m"),
 )
 
-GIVEN = (
-    "spindle.speed",
-    "right_hinge.angle",
-    "right_knee.angle",
-    "left_hinge.angle",
-    "left_knee.angle",
-    "guide.travel",
-)
+GIVEN = ("spindle.speed", "right_hinge.angle", "right_knee.angle", "left_hinge.angle", "left_knee.angle", "guide.travel")
 
 OUTPUTS = ()
 
-BODIES = (
-    "spindle",
-    "right_arm",
-    "right_rod",
-    "left_arm",
-    "left_rod",
-    "collar",
-)
+BODIES = ("spindle", "right_arm", "right_rod", "left_arm", "left_rod", "collar")
 
 LANDMARKS = (
-    ("spindle", "revolute", "parent", "ground", ("axis",)),
-    ("spindle", "revolute", "child", "spindle", ("axis",)),
-    ("right_hinge", "revolute", "parent", "spindle", ("axis",)),
-    ("right_hinge", "revolute", "child", "right_arm", ("axis",)),
-    ("right_knee", "revolute", "parent", "right_arm", ("axis",)),
-    ("right_knee", "revolute", "child", "right_rod", ("axis",)),
-    ("left_hinge", "revolute", "parent", "spindle", ("axis",)),
-    ("left_hinge", "revolute", "child", "left_arm", ("axis",)),
-    ("left_knee", "revolute", "parent", "left_arm", ("axis",)),
-    ("left_knee", "revolute", "child", "left_rod", ("axis",)),
-    ("guide", "prismatic", "parent", "spindle", ("axis",)),
-    ("guide", "prismatic", "child", "collar", ("axis",)),
-    ("right_foot", "revolute", "parent", "collar", ("axis",)),
-    ("right_foot", "revolute", "child", "right_rod", ("axis",)),
-    ("left_foot", "revolute", "parent", "collar", ("axis",)),
-    ("left_foot", "revolute", "child", "left_rod", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("spring", "slide_spring", "parent", "spindle", ("axis",)),
-    ("spring", "slide_spring", "child", "collar", ()),
-    ("spindle", "body", "centre", "spindle", ()),
-    ("right_arm", "body", "centre", "right_arm", ()),
-    ("right_rod", "body", "centre", "right_rod", ()),
-    ("left_arm", "body", "centre", "left_arm", ()),
-    ("left_rod", "body", "centre", "left_rod", ()),
+    ("spindle", "revolute", "parent", "ground", ("axis",)), ("spindle", "revolute", "child", "spindle", ("axis",)),
+    ("right_hinge", "revolute", "parent", "spindle", ("axis",)), ("right_hinge", "revolute", "child", "right_arm", ("axis",)),
+    ("right_knee", "revolute", "parent", "right_arm", ("axis",)), ("right_knee", "revolute", "child", "right_rod", ("axis",)),
+    ("left_hinge", "revolute", "parent", "spindle", ("axis",)), ("left_hinge", "revolute", "child", "left_arm", ("axis",)),
+    ("left_knee", "revolute", "parent", "left_arm", ("axis",)), ("left_knee", "revolute", "child", "left_rod", ("axis",)),
+    ("guide", "prismatic", "parent", "spindle", ("axis",)), ("guide", "prismatic", "child", "collar", ("axis",)),
+    ("right_foot", "revolute", "parent", "collar", ("axis",)), ("right_foot", "revolute", "child", "right_rod", ("axis",)),
+    ("left_foot", "revolute", "parent", "collar", ("axis",)), ("left_foot", "revolute", "child", "left_rod", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("spring", "slide_spring", "parent", "spindle", ("axis",)),
+    ("spring", "slide_spring", "child", "collar", ()), ("spindle", "body", "centre", "spindle", ()),
+    ("right_arm", "body", "centre", "right_arm", ()), ("right_rod", "body", "centre", "right_rod", ()),
+    ("left_arm", "body", "centre", "left_arm", ()), ("left_rod", "body", "centre", "left_rod", ()),
     ("collar", "body", "centre", "collar", ()),
 )
 
 CONSTANTS = (
-    ("arm_length", "m"),
-    ("rod_length", "m"),
-    ("collar_mass", "kg"),
-    ("offset", "m"),
-    ("gravity", "m/s^2"),
-    ("spring_stiffness", "N/m"),
-    ("spring_rest", "m"),
-    ("half_arm_length", "m"),
-    ("right_rod_h_y", "kg m"),
-    ("right_arm_h_y", "kg m"),
-    ("right_arm_I_x_x", "kg m^2"),
-    ("right_arm_I_y_y", "kg m^2"),
-    ("right_rod_I_x_x", "kg m^2"),
-    ("right_arm_I_x_x_minus_right_arm_I_y_y", "kg m^2"),
-    ("k3", "m"),
-    ("spindle_I_y_y_plus_collar_inertia", "kg m^2"),
-    ("right_arm_I_x_x_plus_right_rod_I_x_x", "kg m^2"),
-    ("inverse_right_rod_I_x_x", "1/(kg m^2)"),
-    ("inverse_collar_mass", "1/kg"),
-    ("right_arm_h_y_2", "kg m"),
-    ("half_right_arm_I_x_x_2", "kg m^2"),
-    ("half_right_arm_I_y_y", "kg m^2"),
-    ("half_right_rod_I_x_x", "kg m^2"),
-    ("half_collar_mass", "kg"),
-    ("half_collar_inertia", "kg m^2"),
-    ("half_spindle_inertia", "kg m^2"),
-    ("half_ball_mass", "kg"),
-    ("half_rod_mass", "kg"),
-    ("half_rod_length", "m"),
-    ("collar_mass_times_gravity", "N"),
-    ("ball_mass_times_gravity", "N"),
-    ("gravity_times_rod_mass", "N"),
-    ("right_foot_apart_x_softness", "1"),
-    ("right_foot_apart_y_softness", "1"),
-    ("right_foot_apart_z_softness", "1"),
-    ("left_foot_apart_x_softness", "1"),
-    ("left_foot_apart_y_softness", "1"),
+    ("arm_length", "m"), ("rod_length", "m"), ("collar_mass", "kg"), ("offset", "m"), ("gravity", "m/s^2"), ("spring_stiffness", "N/m"),
+    ("spring_rest", "m"), ("half_arm_length", "m"), ("right_rod_h_y", "kg m"), ("right_arm_h_y", "kg m"), ("right_arm_I_x_x", "kg m^2"),
+    ("right_arm_I_y_y", "kg m^2"), ("right_rod_I_x_x", "kg m^2"), ("right_arm_I_x_x_minus_right_arm_I_y_y", "kg m^2"), ("k3", "m"),
+    ("spindle_I_y_y_plus_collar_inertia", "kg m^2"), ("right_arm_I_x_x_plus_right_rod_I_x_x", "kg m^2"),
+    ("inverse_right_rod_I_x_x", "1/(kg m^2)"), ("inverse_collar_mass", "1/kg"), ("right_arm_h_y_2", "kg m"),
+    ("half_right_arm_I_x_x_2", "kg m^2"), ("half_right_arm_I_y_y", "kg m^2"), ("half_right_rod_I_x_x", "kg m^2"),
+    ("half_collar_mass", "kg"), ("half_collar_inertia", "kg m^2"), ("half_spindle_inertia", "kg m^2"), ("half_ball_mass", "kg"),
+    ("half_rod_mass", "kg"), ("half_rod_length", "m"), ("collar_mass_times_gravity", "N"), ("ball_mass_times_gravity", "N"),
+    ("gravity_times_rod_mass", "N"), ("right_foot_apart_x_softness", "1"), ("right_foot_apart_y_softness", "1"),
+    ("right_foot_apart_z_softness", "1"), ("left_foot_apart_x_softness", "1"), ("left_foot_apart_y_softness", "1"),
     ("left_foot_apart_z_softness", "1"),
 )
 
 OPERATIONS = (
-    ("constants", 46),
-    ("start", 21),
-    ("scales", 12),
-    ("coordinate_rates", 0),
-    ("gaps", 0),
-    ("gap_accelerations", 0),
-    ("applied", 42),
-    ("accelerations", 1477),
-    ("constraints", 141),
-    ("projection", 822),
-    ("ledger", 0),
-    ("energy", 224),
-    ("poses", 61),
-    ("outputs", 0),
+    ("constants", 46), ("start", 21), ("scales", 12), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 42),
+    ("accelerations", 1477), ("constraints", 141), ("projection", 822), ("ledger", 0), ("energy", 224), ("poses", 61), ("outputs", 0),
     ("landmarks", 10),
 )
+
+
+def revolute_apart_apart(W_apart_x_apart_x, y, W_apart_z_apart_x, W_apart_x_raised):
+    """Return apart_x_apart_x [1], apart_y_apart [1], apart_z_apart [1]."""
+    apart_x_apart_x = W_apart_x_apart_x/W_apart_x_raised
+    apart_y_apart = y/W_apart_x_raised
+    apart_z_apart = W_apart_z_apart_x/W_apart_x_raised
+    return apart_x_apart_x, apart_y_apart, apart_z_apart
 
 
 def constants(p):
@@ -202,28 +132,16 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (38,): arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest,
-            half_arm_length, right_rod_h_y, right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x,
-            right_arm_I_x_x_minus_right_arm_I_y_y, k3, spindle_I_y_y_plus_collar_inertia,
-            right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x, inverse_collar_mass, right_arm_h_y_2,
-            half_right_arm_I_x_x_2, half_right_arm_I_y_y, half_right_rod_I_x_x, half_collar_mass,
-            half_collar_inertia, half_spindle_inertia, half_ball_mass, half_rod_mass, half_rod_length,
-            collar_mass_times_gravity, ball_mass_times_gravity, gravity_times_rod_mass, right_foot_apart_x_softness,
-            right_foot_apart_y_softness, right_foot_apart_z_softness, left_foot_apart_x_softness,
-            left_foot_apart_y_softness, left_foot_apart_z_softness
+        c (38,): arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest, half_arm_length, right_rod_h_y,
+            right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x, right_arm_I_x_x_minus_right_arm_I_y_y, k3,
+            spindle_I_y_y_plus_collar_inertia, right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x, inverse_collar_mass,
+            right_arm_h_y_2, half_right_arm_I_x_x_2, half_right_arm_I_y_y, half_right_rod_I_x_x, half_collar_mass, half_collar_inertia,
+            half_spindle_inertia, half_ball_mass, half_rod_mass, half_rod_length, collar_mass_times_gravity, ball_mass_times_gravity,
+            gravity_times_rod_mass, right_foot_apart_x_softness, right_foot_apart_y_softness, right_foot_apart_z_softness,
+            left_foot_apart_x_softness, left_foot_apart_y_softness, left_foot_apart_z_softness
     """
-    spindle_inertia = p[1]
-    ball_mass = p[2]
-    ball_radius = p[3]
-    arm_length = p[4]
-    rod_mass = p[5]
-    rod_length = p[6]
-    collar_mass = p[7]
-    collar_inertia = p[8]
-    offset = p[9]
-    gravity = p[10]
-    spring_stiffness = p[11]
-    spring_rest = p[12]
+    spindle_inertia, ball_mass, ball_radius, arm_length, rod_mass, rod_length, collar_mass = p[1], p[2], p[3], p[4], p[5], p[6], p[7]
+    collar_inertia, offset, gravity, spring_stiffness, spring_rest = p[8], p[9], p[10], p[11], p[12]
     half_arm_length = arm_length/2
     right_rod_h_y = -rod_length*rod_mass/2
     right_arm_h_y_2 = -arm_length*ball_mass
@@ -255,13 +173,12 @@ def constants(p):
     collar_mass_times_gravity = collar_mass*gravity
     ball_mass_times_gravity = ball_mass*gravity
     gravity_times_rod_mass = gravity*rod_mass
-    return ca.vertcat(arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest,
-        half_arm_length, right_rod_h_y, right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x,
-        right_arm_I_x_x_minus_right_arm_I_y_y, k3, spindle_I_y_y_plus_collar_inertia,
-        right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x, inverse_collar_mass, right_arm_h_y_2,
-        half_right_arm_I_x_x_2, half_right_arm_I_y_y, half_right_rod_I_x_x, half_collar_mass, half_collar_inertia,
-        half_spindle_inertia, half_ball_mass, half_rod_mass, half_rod_length, collar_mass_times_gravity,
-        ball_mass_times_gravity, gravity_times_rod_mass, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09)
+    return ca.vertcat(arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest, half_arm_length, right_rod_h_y,
+        right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x, right_arm_I_x_x_minus_right_arm_I_y_y, k3,
+        spindle_I_y_y_plus_collar_inertia, right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x, inverse_collar_mass,
+        right_arm_h_y_2, half_right_arm_I_x_x_2, half_right_arm_I_y_y, half_right_rod_I_x_x, half_collar_mass, half_collar_inertia,
+        half_spindle_inertia, half_ball_mass, half_rod_mass, half_rod_length, collar_mass_times_gravity, ball_mass_times_gravity,
+        gravity_times_rod_mass, *[3e-09]*6)
 
 
 def start(p):
@@ -269,26 +186,18 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (6,): spindle.angle [rad], right_hinge.angle [rad], right_knee.angle [rad], left_hinge.angle [rad],
-            left_knee.angle [rad], guide.travel [m]
-        u (6,): spindle.speed [rad/s], right_hinge.speed [rad/s], right_knee.speed [rad/s], left_hinge.speed
-            [rad/s], left_knee.speed [rad/s], guide.speed [m/s]
+        q (6,): COORDINATES
+        u (6,): SPEEDS
     """
-    arm_length = p[4]
-    rod_length = p[6]
-    start_speed = p[13]
-    start_angle = p[14]
+    arm_length, rod_length, start_speed, start_angle = p[4], p[6], p[13], p[14]
     sin_start_angle = ca.sin(start_angle)
     x2 = sin_start_angle*arm_length/(2*rod_length)
     x3 = ca.asin(x2)
     x4 = -x3
     x5 = x4 - start_angle
-    return (
-        ca.vertcat(0, start_angle, x5, start_angle, x5, -ca.sqrt(1 -
-            sin_start_angle*sin_start_angle*arm_length*arm_length/(4*rod_length*rod_length))*rod_length -
-            arm_length*ca.cos(start_angle)/2),
-        ca.vertcat(start_speed, 0, 0, 0, 0, 0),
-    )
+    return (ca.vertcat(0, start_angle, x5, start_angle, x5, -ca.sqrt(1 -
+            sin_start_angle*sin_start_angle*arm_length*arm_length/(4*rod_length*rod_length))*rod_length - arm_length*ca.cos(start_angle)/2),
+        ca.vertcat(start_speed, *[0]*5))
 
 
 def scales(p):
@@ -296,29 +205,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (6,): spindle.angle [rad], right_hinge.angle [rad], right_knee.angle [rad], left_hinge.angle [rad],
-            left_knee.angle [rad], guide.travel [m]
-        su (6,): spindle.speed [rad/s], right_hinge.speed [rad/s], right_knee.speed [rad/s], left_hinge.speed
-            [rad/s], left_knee.speed [rad/s], guide.speed [m/s]
+        sq (6,): COORDINATES
+        su (6,): SPEEDS
         sz (0,): empty
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    spindle_mass = p[0]
-    ball_mass = p[2]
-    arm_length = p[4]
-    rod_mass = p[5]
-    collar_mass = p[7]
-    start_speed = p[13]
+    spindle_mass, ball_mass, arm_length, rod_mass, collar_mass, start_speed = p[0], p[2], p[4], p[5], p[7], p[13]
     total_mass = 2*ball_mass + 2*rod_mass + collar_mass + spindle_mass
     energy_scale = total_mass*arm_length*arm_length*start_speed*start_speed/2
     force_scale = energy_scale/arm_length
     arm_length_times_start_speed = arm_length*start_speed
-    return (
-        ca.vertcat(1, 1, 1, 1, 1, arm_length),
-        ca.vertcat(start_speed, start_speed, start_speed, start_speed, start_speed, arm_length_times_start_speed),
-        ca.vertcat(),
-        ca.vertcat(arm_length, arm_length_times_start_speed, force_scale, energy_scale),
-    )
+    return (ca.vertcat(*[1]*5, arm_length), ca.vertcat(*[start_speed]*5, arm_length_times_start_speed), ca.vertcat(),
+        ca.vertcat(arm_length, arm_length_times_start_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -326,17 +224,11 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (6,): spindle.angle [rad/s], right_hinge.angle [rad/s], right_knee.angle [rad/s], left_hinge.angle
-            [rad/s], left_knee.angle [rad/s], guide.travel [m/s]
+        dq (6,): spindle.angle [rad/s], right_hinge.angle [rad/s], right_knee.angle [rad/s], left_hinge.angle [rad/s], left_knee.angle
+            [rad/s], guide.travel [m/s]
     """
-    spindle_speed = u[0]
-    right_hinge_speed = u[1]
-    right_knee_speed = u[2]
-    left_hinge_speed = u[3]
-    left_knee_speed = u[4]
-    guide_speed = u[5]
-    return ca.vertcat(spindle_speed, right_hinge_speed, right_knee_speed, left_hinge_speed, left_knee_speed,
-        guide_speed)
+    spindle_speed, right_hinge_speed, right_knee_speed, left_hinge_speed, left_knee_speed, guide_speed = u[0], u[1], u[2], u[3], u[4], u[5]
+    return ca.vertcat(spindle_speed, right_hinge_speed, right_knee_speed, left_hinge_speed, left_knee_speed, guide_speed)
 
 
 def gaps(t, q, u, c):
@@ -344,8 +236,7 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (0,): empty
-        dG (0,): empty
+        G, dG (0,): empty
     """
     return ca.vertcat(), ca.vertcat()
 
@@ -367,17 +258,8 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (6,): spindle [N m], right_hinge [N m], right_knee [N m], left_hinge [N m], left_knee [N m], guide [N]
     """
-    collar_mass = c[2]
-    gravity = c[4]
-    spring_stiffness = c[5]
-    spring_rest = c[6]
-    right_rod_h_y = c[8]
-    right_arm_h_y = c[9]
-    right_hinge_angle = q[1]
-    right_knee_angle = q[2]
-    left_hinge_angle = q[3]
-    left_knee_angle = q[4]
-    guide_travel = q[5]
+    collar_mass, gravity, spring_stiffness, spring_rest, right_rod_h_y, right_arm_h_y = c[2], c[4], c[5], c[6], c[8], c[9]
+    right_hinge_angle, right_knee_angle, left_hinge_angle, left_knee_angle, guide_travel = q[1], q[2], q[3], q[4], q[5]
     cos_right_arm = ca.cos(right_hinge_angle)
     sin_right_arm = ca.sin(right_hinge_angle)
     right_rod_angle = right_hinge_angle + right_knee_angle
@@ -404,11 +286,10 @@ def applied(t, q, u, c):
     left_arm_gravity_y = -cos_left_arm*gravity
     right_arm_gravity_y_times_right_rod_moment_x = right_arm_gravity_y*right_rod_moment_x
     minus_left_arm_gravity_y_times_left_rod_moment_x = -left_arm_gravity_y*left_rod_moment_x
-    return ca.vertcat(0, right_arm_gravity_y_times_right_rod_moment_x -
-        right_arm_gravity_x*right_arm_total_moment_y, right_arm_gravity_y_times_right_rod_moment_x -
-        right_arm_gravity_x*right_rod_moment_y, minus_left_arm_gravity_y_times_left_rod_moment_x +
-        left_arm_gravity_x*left_arm_total_moment_y, minus_left_arm_gravity_y_times_left_rod_moment_x +
-        left_arm_gravity_x*left_rod_moment_y, spring_force - collar_mass*gravity)
+    return ca.vertcat(0, right_arm_gravity_y_times_right_rod_moment_x - right_arm_gravity_x*right_arm_total_moment_y,
+        right_arm_gravity_y_times_right_rod_moment_x - right_arm_gravity_x*right_rod_moment_y,
+        minus_left_arm_gravity_y_times_left_rod_moment_x + left_arm_gravity_x*left_arm_total_moment_y,
+        minus_left_arm_gravity_y_times_left_rod_moment_x + left_arm_gravity_x*left_rod_moment_y, spring_force - collar_mass*gravity)
 
 
 def accelerations(t, q, u, f, c):
@@ -416,49 +297,19 @@ def accelerations(t, q, u, f, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (6,): spindle.acceleration [rad/s^2], right_hinge.acceleration [rad/s^2], right_knee.acceleration
-            [rad/s^2], left_hinge.acceleration [rad/s^2], left_knee.acceleration [rad/s^2], guide.acceleration
-            [m/s^2]
+        a (6,): spindle.acceleration [rad/s^2], right_hinge.acceleration [rad/s^2], right_knee.acceleration [rad/s^2],
+            left_hinge.acceleration [rad/s^2], left_knee.acceleration [rad/s^2], guide.acceleration [m/s^2]
         reactions (0,): empty
-        multipliers (6,): right_foot.apart_x [N], right_foot.apart_y [N], right_foot.apart_z [N], left_foot.apart_x
-            [N], left_foot.apart_y [N], left_foot.apart_z [N]
+        multipliers (6,): CONSTRAINTS [N]
     """
-    rod_length = c[1]
-    offset = c[3]
-    half_arm_length = c[7]
-    right_rod_h_y = c[8]
-    right_arm_h_y = c[9]
-    right_arm_I_x_x = c[10]
-    right_arm_I_y_y = c[11]
-    right_rod_I_x_x = c[12]
-    right_arm_I_x_x_minus_right_arm_I_y_y = c[13]
-    k3 = c[14]
-    spindle_I_y_y_plus_collar_inertia = c[15]
-    right_arm_I_x_x_plus_right_rod_I_x_x = c[16]
-    inverse_right_rod_I_x_x = c[17]
-    inverse_collar_mass = c[18]
-    right_foot_apart_x_softness = c[32]
-    right_foot_apart_y_softness = c[33]
-    right_foot_apart_z_softness = c[34]
-    left_foot_apart_x_softness = c[35]
-    left_foot_apart_y_softness = c[36]
-    left_foot_apart_z_softness = c[37]
-    spindle_angle = q[0]
-    right_hinge_angle = q[1]
-    right_knee_angle = q[2]
-    left_hinge_angle = q[3]
-    left_knee_angle = q[4]
-    spindle_speed = u[0]
-    right_hinge_speed = u[1]
-    right_knee_speed = u[2]
-    left_hinge_speed = u[3]
-    left_knee_speed = u[4]
-    spindle_force = f[0]
-    right_hinge_force = f[1]
-    right_knee_force = f[2]
-    left_hinge_force = f[3]
-    left_knee_force = f[4]
-    guide_force = f[5]
+    rod_length, offset, half_arm_length, right_rod_h_y, right_arm_h_y, right_arm_I_x_x = c[1], c[3], c[7], c[8], c[9], c[10]
+    right_arm_I_y_y, right_rod_I_x_x, right_arm_I_x_x_minus_right_arm_I_y_y, k3 = c[11], c[12], c[13], c[14]
+    spindle_I_y_y_plus_collar_inertia, right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x = c[15], c[16], c[17]
+    inverse_collar_mass, right_foot_apart_x_softness, right_foot_apart_y_softness, right_foot_apart_z_softness = c[18], c[32], c[33], c[34]
+    left_foot_apart_x_softness, left_foot_apart_y_softness, left_foot_apart_z_softness = c[35], c[36], c[37]
+    spindle_angle, right_hinge_angle, right_knee_angle, left_hinge_angle, left_knee_angle = q[0], q[1], q[2], q[3], q[4]
+    spindle_speed, right_hinge_speed, right_knee_speed, left_hinge_speed, left_knee_speed = u[0], u[1], u[2], u[3], u[4]
+    spindle_force, right_hinge_force, right_knee_force, left_hinge_force, left_knee_force, guide_force = f[0], f[1], f[2], f[3], f[4], f[5]
     cos_spindle = ca.cos(spindle_angle)
     sin_spindle = ca.sin(spindle_angle)
     cos_right_arm = ca.cos(right_hinge_angle)
@@ -830,25 +681,19 @@ def accelerations(t, q, u, f, c):
     L_right_foot_apart_z_right_foot_apart_y = W_right_foot_apart_z_right_foot_apart_y - W_right_foot_apart_z_right_foot_apart_x*l_right_foot_apart_y_right_foot_apart_x
     l_right_foot_apart_z_right_foot_apart_y = L_right_foot_apart_z_right_foot_apart_y/D_right_foot_apart_y
     D_right_foot_apart_z = W_right_foot_apart_z_raised - L_right_foot_apart_z_right_foot_apart_y*l_right_foot_apart_z_right_foot_apart_y - W_right_foot_apart_z_right_foot_apart_x*l_right_foot_apart_z_right_foot_apart_x
-    l_left_foot_apart_x_right_foot_apart_x = W_left_foot_apart_x_right_foot_apart_x/W_right_foot_apart_x_raised
     L_left_foot_apart_x_right_foot_apart_y = W_left_foot_apart_x_right_foot_apart_y - W_left_foot_apart_x_right_foot_apart_x*l_right_foot_apart_y_right_foot_apart_x
-    l_left_foot_apart_x_right_foot_apart_y = L_left_foot_apart_x_right_foot_apart_y/D_right_foot_apart_y
     L_left_foot_apart_x_right_foot_apart_z = W_left_foot_apart_x_right_foot_apart_z - L_left_foot_apart_x_right_foot_apart_y*l_right_foot_apart_z_right_foot_apart_y - W_left_foot_apart_x_right_foot_apart_x*l_right_foot_apart_z_right_foot_apart_x
-    l_left_foot_apart_x_right_foot_apart_z = L_left_foot_apart_x_right_foot_apart_z/D_right_foot_apart_z
-    D_left_foot_apart_x = W_left_foot_apart_x_raised - L_left_foot_apart_x_right_foot_apart_y*l_left_foot_apart_x_right_foot_apart_y - L_left_foot_apart_x_right_foot_apart_z*l_left_foot_apart_x_right_foot_apart_z - W_left_foot_apart_x_right_foot_apart_x*l_left_foot_apart_x_right_foot_apart_x
-    l_left_foot_apart_y_right_foot_apart_x = W_left_foot_apart_y_right_foot_apart_x/W_right_foot_apart_x_raised
+    l_left_foot_apart_x_right_foot_apart_x, l_left_foot_apart_y_right_foot_apart_x, l_left_foot_apart_z_right_foot_apart_x = revolute_apart_apart(W_left_foot_apart_x_right_foot_apart_x, W_left_foot_apart_y_right_foot_apart_x, W_left_foot_apart_z_right_foot_apart_x, W_right_foot_apart_x_raised)
+    L_left_foot_apart_z_right_foot_apart_y = W_left_foot_apart_z_right_foot_apart_y - W_left_foot_apart_z_right_foot_apart_x*l_right_foot_apart_y_right_foot_apart_x
+    L_left_foot_apart_z_right_foot_apart_z = W_left_foot_apart_z_right_foot_apart_z - L_left_foot_apart_z_right_foot_apart_y*l_right_foot_apart_z_right_foot_apart_y - W_left_foot_apart_z_right_foot_apart_x*l_right_foot_apart_z_right_foot_apart_x
     L_left_foot_apart_y_right_foot_apart_y = W_left_foot_apart_y_right_foot_apart_y - W_left_foot_apart_y_right_foot_apart_x*l_right_foot_apart_y_right_foot_apart_x
-    l_left_foot_apart_y_right_foot_apart_y = L_left_foot_apart_y_right_foot_apart_y/D_right_foot_apart_y
     L_left_foot_apart_y_right_foot_apart_z = W_left_foot_apart_y_right_foot_apart_z - L_left_foot_apart_y_right_foot_apart_y*l_right_foot_apart_z_right_foot_apart_y - W_left_foot_apart_y_right_foot_apart_x*l_right_foot_apart_z_right_foot_apart_x
-    l_left_foot_apart_y_right_foot_apart_z = L_left_foot_apart_y_right_foot_apart_z/D_right_foot_apart_z
+    l_left_foot_apart_x_right_foot_apart_z, l_left_foot_apart_y_right_foot_apart_z, l_left_foot_apart_z_right_foot_apart_z = revolute_apart_apart(L_left_foot_apart_x_right_foot_apart_z, L_left_foot_apart_y_right_foot_apart_z, L_left_foot_apart_z_right_foot_apart_z, D_right_foot_apart_z)
+    l_left_foot_apart_x_right_foot_apart_y, l_left_foot_apart_y_right_foot_apart_y, l_left_foot_apart_z_right_foot_apart_y = revolute_apart_apart(L_left_foot_apart_x_right_foot_apart_y, L_left_foot_apart_y_right_foot_apart_y, L_left_foot_apart_z_right_foot_apart_y, D_right_foot_apart_y)
+    D_left_foot_apart_x = W_left_foot_apart_x_raised - L_left_foot_apart_x_right_foot_apart_y*l_left_foot_apart_x_right_foot_apart_y - L_left_foot_apart_x_right_foot_apart_z*l_left_foot_apart_x_right_foot_apart_z - W_left_foot_apart_x_right_foot_apart_x*l_left_foot_apart_x_right_foot_apart_x
     L_left_foot_apart_y_left_foot_apart_x = W_left_foot_apart_y_left_foot_apart_x - L_left_foot_apart_y_right_foot_apart_y*l_left_foot_apart_x_right_foot_apart_y - L_left_foot_apart_y_right_foot_apart_z*l_left_foot_apart_x_right_foot_apart_z - W_left_foot_apart_y_right_foot_apart_x*l_left_foot_apart_x_right_foot_apart_x
     l_left_foot_apart_y_left_foot_apart_x = L_left_foot_apart_y_left_foot_apart_x/D_left_foot_apart_x
     D_left_foot_apart_y = W_left_foot_apart_y_raised - L_left_foot_apart_y_left_foot_apart_x*l_left_foot_apart_y_left_foot_apart_x - L_left_foot_apart_y_right_foot_apart_y*l_left_foot_apart_y_right_foot_apart_y - L_left_foot_apart_y_right_foot_apart_z*l_left_foot_apart_y_right_foot_apart_z - W_left_foot_apart_y_right_foot_apart_x*l_left_foot_apart_y_right_foot_apart_x
-    l_left_foot_apart_z_right_foot_apart_x = W_left_foot_apart_z_right_foot_apart_x/W_right_foot_apart_x_raised
-    L_left_foot_apart_z_right_foot_apart_y = W_left_foot_apart_z_right_foot_apart_y - W_left_foot_apart_z_right_foot_apart_x*l_right_foot_apart_y_right_foot_apart_x
-    l_left_foot_apart_z_right_foot_apart_y = L_left_foot_apart_z_right_foot_apart_y/D_right_foot_apart_y
-    L_left_foot_apart_z_right_foot_apart_z = W_left_foot_apart_z_right_foot_apart_z - L_left_foot_apart_z_right_foot_apart_y*l_right_foot_apart_z_right_foot_apart_y - W_left_foot_apart_z_right_foot_apart_x*l_right_foot_apart_z_right_foot_apart_x
-    l_left_foot_apart_z_right_foot_apart_z = L_left_foot_apart_z_right_foot_apart_z/D_right_foot_apart_z
     L_left_foot_apart_z_left_foot_apart_x = W_left_foot_apart_z_left_foot_apart_x - L_left_foot_apart_z_right_foot_apart_y*l_left_foot_apart_x_right_foot_apart_y - L_left_foot_apart_z_right_foot_apart_z*l_left_foot_apart_x_right_foot_apart_z - W_left_foot_apart_z_right_foot_apart_x*l_left_foot_apart_x_right_foot_apart_x
     l_left_foot_apart_z_left_foot_apart_x = L_left_foot_apart_z_left_foot_apart_x/D_left_foot_apart_x
     L_left_foot_apart_z_left_foot_apart_y = W_left_foot_apart_z_left_foot_apart_y - L_left_foot_apart_z_left_foot_apart_x*l_left_foot_apart_y_left_foot_apart_x - L_left_foot_apart_z_right_foot_apart_y*l_left_foot_apart_y_right_foot_apart_y - L_left_foot_apart_z_right_foot_apart_z*l_left_foot_apart_y_right_foot_apart_z - W_left_foot_apart_z_right_foot_apart_x*l_left_foot_apart_y_right_foot_apart_x
@@ -935,13 +780,9 @@ def accelerations(t, q, u, f, c):
     left_hinge_acc_4 = left_hinge_acc_3 + left_foot_apart_x_acc_4*left_hinge_by_left_foot_apart_x + left_foot_apart_y_acc_4*left_hinge_by_left_foot_apart_y + left_foot_apart_z_acc_4*left_hinge_by_left_foot_apart_z + left_hinge_by_right_foot_apart_x*right_foot_apart_x_acc_4 + left_hinge_by_right_foot_apart_y*right_foot_apart_y_acc_4 + left_hinge_by_right_foot_apart_z*right_foot_apart_z_acc_4
     left_knee_acc_4 = left_knee_acc_3 + left_foot_apart_x_acc_4*left_knee_by_left_foot_apart_x + left_foot_apart_y_acc_4*left_knee_by_left_foot_apart_y + left_foot_apart_z_acc_4*left_knee_by_left_foot_apart_z + left_knee_by_right_foot_apart_x*right_foot_apart_x_acc_4 + left_knee_by_right_foot_apart_y*right_foot_apart_y_acc_4 + left_knee_by_right_foot_apart_z*right_foot_apart_z_acc_4
     guide_acc_4 = guide_acc_3 - inverse_collar_mass*left_foot_apart_y_acc_4 - inverse_collar_mass*right_foot_apart_y_acc_4
-    return (
-        ca.vertcat(spindle_acc_4, right_hinge_acc_4, right_knee_acc_4, left_hinge_acc_4, left_knee_acc_4,
-            guide_acc_4),
-        ca.vertcat(),
-        ca.vertcat(right_foot_apart_x_acc_5, right_foot_apart_y_acc_5, right_foot_apart_z_acc_5,
-            left_foot_apart_x_acc_5, left_foot_apart_y_acc_5, left_foot_apart_z_acc_5),
-    )
+    return (ca.vertcat(spindle_acc_4, right_hinge_acc_4, right_knee_acc_4, left_hinge_acc_4, left_knee_acc_4, guide_acc_4), ca.vertcat(),
+        ca.vertcat(right_foot_apart_x_acc_5, right_foot_apart_y_acc_5, right_foot_apart_z_acc_5, left_foot_apart_x_acc_5,
+            left_foot_apart_y_acc_5, left_foot_apart_z_acc_5))
 
 
 def constraints(t, q, u, c):
@@ -949,26 +790,12 @@ def constraints(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        phi (6,): right_foot.apart_x [m], right_foot.apart_y [m], right_foot.apart_z [m], left_foot.apart_x [m],
-            left_foot.apart_y [m], left_foot.apart_z [m]
-        dphi (6,): right_foot.apart_x [m/s], right_foot.apart_y [m/s], right_foot.apart_z [m/s], left_foot.apart_x
-            [m/s], left_foot.apart_y [m/s], left_foot.apart_z [m/s]
+        phi (6,): CONSTRAINTS
+        dphi (6,): CONSTRAINTS [m/s]
     """
-    rod_length = c[1]
-    offset = c[3]
-    half_arm_length = c[7]
-    spindle_angle = q[0]
-    right_hinge_angle = q[1]
-    right_knee_angle = q[2]
-    left_hinge_angle = q[3]
-    left_knee_angle = q[4]
-    guide_travel = q[5]
-    spindle_speed = u[0]
-    right_hinge_speed = u[1]
-    right_knee_speed = u[2]
-    left_hinge_speed = u[3]
-    left_knee_speed = u[4]
-    guide_speed = u[5]
+    rod_length, offset, half_arm_length = c[1], c[3], c[7]
+    spindle_angle, right_hinge_angle, right_knee_angle, left_hinge_angle, left_knee_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
+    spindle_speed, right_hinge_speed, right_knee_speed, left_hinge_speed, left_knee_speed, guide_speed = u[0], u[1], u[2], u[3], u[4], u[5]
     cos_spindle = ca.cos(spindle_angle)
     sin_spindle = ca.sin(spindle_angle)
     cos_right_arm = ca.cos(right_hinge_angle)
@@ -1052,12 +879,9 @@ def constraints(t, q, u, c):
     left_foot_apart_rate_x = left_foot_child_arm_rate_x + left_rod_velocity_x - left_arm_arm_rate_x
     left_foot_apart_rate_y = left_foot_child_arm_rate_y + left_rod_arm_rate_y - guide_speed
     left_foot_apart_rate_z = left_foot_child_arm_rate_z + left_rod_velocity_z - left_arm_arm_rate_z
-    return (
-        ca.vertcat(right_foot_apart_x, right_foot_apart_y, right_foot_apart_z, left_foot_apart_x, left_foot_apart_y,
-            left_foot_apart_z),
-        ca.vertcat(right_foot_apart_rate_x, right_foot_apart_rate_y, right_foot_apart_rate_z,
-            left_foot_apart_rate_x, left_foot_apart_rate_y, left_foot_apart_rate_z),
-    )
+    return (ca.vertcat(right_foot_apart_x, right_foot_apart_y, right_foot_apart_z, left_foot_apart_x, left_foot_apart_y, left_foot_apart_z),
+        ca.vertcat(right_foot_apart_rate_x, right_foot_apart_rate_y, right_foot_apart_rate_z, left_foot_apart_rate_x,
+            left_foot_apart_rate_y, left_foot_apart_rate_z))
 
 
 def projection(t, q, wanted, c):
@@ -1065,41 +889,17 @@ def projection(t, q, wanted, c):
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
-        v (6,): spindle.speed [rad/s], right_hinge.speed [rad/s], right_knee.speed [rad/s], left_hinge.speed
-            [rad/s], left_knee.speed [rad/s], guide.speed [m/s]
-        independence (6,): right_foot.apart_x [1], right_foot.apart_y [1], right_foot.apart_z [1], left_foot.apart_x
-            [1], left_foot.apart_y [1], left_foot.apart_z [1]
+        v (6,): SPEEDS
+        independence (6,): CONSTRAINTS [1]
     """
-    rod_length = c[1]
-    offset = c[3]
-    half_arm_length = c[7]
-    right_rod_h_y = c[8]
-    right_arm_h_y = c[9]
-    right_arm_I_x_x = c[10]
-    right_arm_I_y_y = c[11]
-    right_rod_I_x_x = c[12]
-    k3 = c[14]
-    spindle_I_y_y_plus_collar_inertia = c[15]
-    right_arm_I_x_x_plus_right_rod_I_x_x = c[16]
-    inverse_right_rod_I_x_x = c[17]
-    inverse_collar_mass = c[18]
-    right_foot_apart_x_softness = c[32]
-    right_foot_apart_y_softness = c[33]
-    right_foot_apart_z_softness = c[34]
-    left_foot_apart_x_softness = c[35]
-    left_foot_apart_y_softness = c[36]
-    left_foot_apart_z_softness = c[37]
-    spindle_angle = q[0]
-    right_hinge_angle = q[1]
-    right_knee_angle = q[2]
-    left_hinge_angle = q[3]
-    left_knee_angle = q[4]
-    right_foot_apart_x_wanted_rate = wanted[0]
-    right_foot_apart_y_wanted_rate = wanted[1]
-    right_foot_apart_z_wanted_rate = wanted[2]
-    left_foot_apart_x_wanted_rate = wanted[3]
-    left_foot_apart_y_wanted_rate = wanted[4]
-    left_foot_apart_z_wanted_rate = wanted[5]
+    rod_length, offset, half_arm_length, right_rod_h_y, right_arm_h_y, right_arm_I_x_x = c[1], c[3], c[7], c[8], c[9], c[10]
+    right_arm_I_y_y, right_rod_I_x_x, k3, spindle_I_y_y_plus_collar_inertia = c[11], c[12], c[14], c[15]
+    right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x, inverse_collar_mass = c[16], c[17], c[18]
+    right_foot_apart_x_softness, right_foot_apart_y_softness, right_foot_apart_z_softness = c[32], c[33], c[34]
+    left_foot_apart_x_softness, left_foot_apart_y_softness, left_foot_apart_z_softness = c[35], c[36], c[37]
+    spindle_angle, right_hinge_angle, right_knee_angle, left_hinge_angle, left_knee_angle = q[0], q[1], q[2], q[3], q[4]
+    right_foot_apart_x_wanted_rate, right_foot_apart_y_wanted_rate, right_foot_apart_z_wanted_rate = wanted[0], wanted[1], wanted[2]
+    left_foot_apart_x_wanted_rate, left_foot_apart_y_wanted_rate, left_foot_apart_z_wanted_rate = wanted[3], wanted[4], wanted[5]
     cos_spindle = ca.cos(spindle_angle)
     sin_spindle = ca.sin(spindle_angle)
     cos_right_arm = ca.cos(right_hinge_angle)
@@ -1235,42 +1035,38 @@ def projection(t, q, wanted, c):
     D_spindle = spindle_total_J_y_y - L_spindle_left_hinge*l_spindle_left_hinge - L_spindle_right_hinge*l_spindle_right_hinge - l_spindle_left_knee*left_knee_left_arm_torque_y - l_spindle_right_knee*right_knee_right_arm_torque_y
     y_right_hinge_2 = right_foot_x_on_right_hinge - l_right_hinge_right_knee*right_foot_x_on_right_knee
     y_spindle_2 = -l_spindle_right_hinge*y_right_hinge_2 - l_spindle_right_knee*right_foot_x_on_right_knee
-    spindle_by_right_foot_apart_x = y_spindle_2/D_spindle
+    y_right_hinge_4 = right_foot_z_on_right_hinge - l_right_hinge_right_knee*right_foot_z_on_right_knee
+    y_spindle_4 = -l_spindle_right_hinge*y_right_hinge_4 - l_spindle_right_knee*right_foot_z_on_right_knee
+    y_right_hinge_3 = right_foot_y_on_right_hinge - l_right_hinge_right_knee*right_foot_y_on_right_knee
+    y_spindle_3 = -l_spindle_right_hinge*y_right_hinge_3 - l_spindle_right_knee*right_foot_y_on_right_knee
+    spindle_by_right_foot_apart_x, spindle_by_right_foot_apart_y, spindle_by_right_foot_apart_z = revolute_apart_apart(y_spindle_2, y_spindle_3, y_spindle_4, D_spindle)
     right_hinge_by_right_foot_apart_x = y_right_hinge_2/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_x
     right_knee_by_right_foot_apart_x = inverse_right_rod_I_x_x*right_foot_x_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_x - l_spindle_right_knee*spindle_by_right_foot_apart_x
     left_hinge_by_right_foot_apart_x = -l_spindle_left_hinge*spindle_by_right_foot_apart_x
     left_knee_by_right_foot_apart_x = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_x - l_spindle_left_knee*spindle_by_right_foot_apart_x
-    y_right_hinge_3 = right_foot_y_on_right_hinge - l_right_hinge_right_knee*right_foot_y_on_right_knee
-    y_spindle_3 = -l_spindle_right_hinge*y_right_hinge_3 - l_spindle_right_knee*right_foot_y_on_right_knee
-    spindle_by_right_foot_apart_y = y_spindle_3/D_spindle
     right_hinge_by_right_foot_apart_y = y_right_hinge_3/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_y
     right_knee_by_right_foot_apart_y = inverse_right_rod_I_x_x*right_foot_y_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_y - l_spindle_right_knee*spindle_by_right_foot_apart_y
     left_hinge_by_right_foot_apart_y = -l_spindle_left_hinge*spindle_by_right_foot_apart_y
     left_knee_by_right_foot_apart_y = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_y - l_spindle_left_knee*spindle_by_right_foot_apart_y
-    y_right_hinge_4 = right_foot_z_on_right_hinge - l_right_hinge_right_knee*right_foot_z_on_right_knee
-    y_spindle_4 = -l_spindle_right_hinge*y_right_hinge_4 - l_spindle_right_knee*right_foot_z_on_right_knee
-    spindle_by_right_foot_apart_z = y_spindle_4/D_spindle
     right_hinge_by_right_foot_apart_z = y_right_hinge_4/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_z
     right_knee_by_right_foot_apart_z = inverse_right_rod_I_x_x*right_foot_z_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_z - l_spindle_right_knee*spindle_by_right_foot_apart_z
     left_hinge_by_right_foot_apart_z = -l_spindle_left_hinge*spindle_by_right_foot_apart_z
     left_knee_by_right_foot_apart_z = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_z - l_spindle_left_knee*spindle_by_right_foot_apart_z
     y_left_hinge_2 = left_foot_x_on_left_hinge - l_left_hinge_left_knee*left_foot_x_on_left_knee
     y_spindle_5 = -l_spindle_left_hinge*y_left_hinge_2 - l_spindle_left_knee*left_foot_x_on_left_knee
-    spindle_by_left_foot_apart_x = y_spindle_5/D_spindle
+    y_left_hinge_4 = left_foot_z_on_left_hinge - l_left_hinge_left_knee*left_foot_z_on_left_knee
+    y_spindle_7 = -l_spindle_left_hinge*y_left_hinge_4 - l_spindle_left_knee*left_foot_z_on_left_knee
+    y_left_hinge_3 = left_foot_y_on_left_hinge - l_left_hinge_left_knee*left_foot_y_on_left_knee
+    y_spindle_6 = -l_spindle_left_hinge*y_left_hinge_3 - l_spindle_left_knee*left_foot_y_on_left_knee
+    spindle_by_left_foot_apart_x, spindle_by_left_foot_apart_y, spindle_by_left_foot_apart_z = revolute_apart_apart(y_spindle_5, y_spindle_6, y_spindle_7, D_spindle)
     right_hinge_by_left_foot_apart_x = -l_spindle_right_hinge*spindle_by_left_foot_apart_x
     right_knee_by_left_foot_apart_x = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_x - l_spindle_right_knee*spindle_by_left_foot_apart_x
     left_hinge_by_left_foot_apart_x = y_left_hinge_2/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_x
     left_knee_by_left_foot_apart_x = inverse_right_rod_I_x_x*left_foot_x_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_x - l_spindle_left_knee*spindle_by_left_foot_apart_x
-    y_left_hinge_3 = left_foot_y_on_left_hinge - l_left_hinge_left_knee*left_foot_y_on_left_knee
-    y_spindle_6 = -l_spindle_left_hinge*y_left_hinge_3 - l_spindle_left_knee*left_foot_y_on_left_knee
-    spindle_by_left_foot_apart_y = y_spindle_6/D_spindle
     right_hinge_by_left_foot_apart_y = -l_spindle_right_hinge*spindle_by_left_foot_apart_y
     right_knee_by_left_foot_apart_y = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_y - l_spindle_right_knee*spindle_by_left_foot_apart_y
     left_hinge_by_left_foot_apart_y = y_left_hinge_3/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_y
     left_knee_by_left_foot_apart_y = inverse_right_rod_I_x_x*left_foot_y_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_y - l_spindle_left_knee*spindle_by_left_foot_apart_y
-    y_left_hinge_4 = left_foot_z_on_left_hinge - l_left_hinge_left_knee*left_foot_z_on_left_knee
-    y_spindle_7 = -l_spindle_left_hinge*y_left_hinge_4 - l_spindle_left_knee*left_foot_z_on_left_knee
-    spindle_by_left_foot_apart_z = y_spindle_7/D_spindle
     right_hinge_by_left_foot_apart_z = -l_spindle_right_hinge*spindle_by_left_foot_apart_z
     right_knee_by_left_foot_apart_z = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_z - l_spindle_right_knee*spindle_by_left_foot_apart_z
     left_hinge_by_left_foot_apart_z = y_left_hinge_4/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_z
@@ -1374,19 +1170,11 @@ def projection(t, q, wanted, c):
     right_knee_push_2 = right_knee_push + left_foot_apart_x_push_2*right_knee_by_left_foot_apart_x + left_foot_apart_y_push_2*right_knee_by_left_foot_apart_y + left_foot_apart_z_push_2*right_knee_by_left_foot_apart_z + right_foot_apart_x_push_2*right_knee_by_right_foot_apart_x + right_foot_apart_y_push_2*right_knee_by_right_foot_apart_y + right_foot_apart_z_push_2*right_knee_by_right_foot_apart_z
     right_hinge_push_2 = right_hinge_push + left_foot_apart_x_push_2*right_hinge_by_left_foot_apart_x + left_foot_apart_y_push_2*right_hinge_by_left_foot_apart_y + left_foot_apart_z_push_2*right_hinge_by_left_foot_apart_z + right_foot_apart_x_push_2*right_hinge_by_right_foot_apart_x + right_foot_apart_y_push_2*right_hinge_by_right_foot_apart_y + right_foot_apart_z_push_2*right_hinge_by_right_foot_apart_z
     spindle_push_2 = spindle_push + left_foot_apart_x_push_2*spindle_by_left_foot_apart_x + left_foot_apart_y_push_2*spindle_by_left_foot_apart_y + left_foot_apart_z_push_2*spindle_by_left_foot_apart_z + right_foot_apart_x_push_2*spindle_by_right_foot_apart_x + right_foot_apart_y_push_2*spindle_by_right_foot_apart_y + right_foot_apart_z_push_2*spindle_by_right_foot_apart_z
-    right_foot_apart_x_independence = W_right_foot_apart_x_raised/right_foot_apart_size
-    right_foot_apart_y_independence = D_right_foot_apart_y/right_foot_apart_size
-    right_foot_apart_z_independence = D_right_foot_apart_z/right_foot_apart_size
-    left_foot_apart_x_independence = D_left_foot_apart_x/left_foot_apart_size
-    left_foot_apart_y_independence = D_left_foot_apart_y/left_foot_apart_size
-    left_foot_apart_z_independence = D_left_foot_apart_z/left_foot_apart_size
-    return (
-        ca.vertcat(spindle_push_2, right_hinge_push_2, right_knee_push_2, left_hinge_push_2, left_knee_push_2,
-            guide_push_2),
-        ca.vertcat(right_foot_apart_x_independence, right_foot_apart_y_independence,
-            right_foot_apart_z_independence, left_foot_apart_x_independence, left_foot_apart_y_independence,
-            left_foot_apart_z_independence),
-    )
+    right_foot_apart_x_independence, right_foot_apart_y_independence, right_foot_apart_z_independence = revolute_apart_apart(W_right_foot_apart_x_raised, D_right_foot_apart_y, D_right_foot_apart_z, right_foot_apart_size)
+    left_foot_apart_x_independence, left_foot_apart_y_independence, left_foot_apart_z_independence = revolute_apart_apart(D_left_foot_apart_x, D_left_foot_apart_y, D_left_foot_apart_z, left_foot_apart_size)
+    return (ca.vertcat(spindle_push_2, right_hinge_push_2, right_knee_push_2, left_hinge_push_2, left_knee_push_2, guide_push_2),
+        ca.vertcat(right_foot_apart_x_independence, right_foot_apart_y_independence, right_foot_apart_z_independence,
+            left_foot_apart_x_independence, left_foot_apart_y_independence, left_foot_apart_z_independence))
 
 
 def ledger(t, q, u, reactions, c):
@@ -1408,38 +1196,12 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (0,): empty
     """
-    arm_length = c[0]
-    offset = c[3]
-    spring_stiffness = c[5]
-    spring_rest = c[6]
-    half_arm_length = c[7]
-    right_rod_h_y = c[8]
-    right_rod_I_x_x = c[12]
-    right_arm_h_y_2 = c[19]
-    half_right_arm_I_x_x_2 = c[20]
-    half_right_arm_I_y_y = c[21]
-    half_right_rod_I_x_x = c[22]
-    half_collar_mass = c[23]
-    half_collar_inertia = c[24]
-    half_spindle_inertia = c[25]
-    half_ball_mass = c[26]
-    half_rod_mass = c[27]
-    half_rod_length = c[28]
-    collar_mass_times_gravity = c[29]
-    ball_mass_times_gravity = c[30]
-    gravity_times_rod_mass = c[31]
-    spindle_angle = q[0]
-    right_hinge_angle = q[1]
-    right_knee_angle = q[2]
-    left_hinge_angle = q[3]
-    left_knee_angle = q[4]
-    guide_travel = q[5]
-    spindle_speed = u[0]
-    right_hinge_speed = u[1]
-    right_knee_speed = u[2]
-    left_hinge_speed = u[3]
-    left_knee_speed = u[4]
-    guide_speed = u[5]
+    arm_length, offset, spring_stiffness, spring_rest, half_arm_length, right_rod_h_y = c[0], c[3], c[5], c[6], c[7], c[8]
+    right_rod_I_x_x, right_arm_h_y_2, half_right_arm_I_x_x_2, half_right_arm_I_y_y, half_right_rod_I_x_x = c[12], c[19], c[20], c[21], c[22]
+    half_collar_mass, half_collar_inertia, half_spindle_inertia, half_ball_mass, half_rod_mass = c[23], c[24], c[25], c[26], c[27]
+    half_rod_length, collar_mass_times_gravity, ball_mass_times_gravity, gravity_times_rod_mass = c[28], c[29], c[30], c[31]
+    spindle_angle, right_hinge_angle, right_knee_angle, left_hinge_angle, left_knee_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
+    spindle_speed, right_hinge_speed, right_knee_speed, left_hinge_speed, left_knee_speed, guide_speed = u[0], u[1], u[2], u[3], u[4], u[5]
     cos_spindle = ca.cos(spindle_angle)
     sin_spindle = ca.sin(spindle_angle)
     cos_right_arm = ca.cos(right_hinge_angle)
@@ -1504,11 +1266,7 @@ def energy(t, q, u, c):
     left_arm_centre_arm_y = -cos_left_arm*arm_length
     left_rod_centre_arm_y = -cos_left_rod*half_rod_length
     potential = guide_travel*collar_mass_times_gravity + ball_mass_times_gravity*left_arm_centre_arm_y + ball_mass_times_gravity*right_arm_centre_arm_y + gravity_times_rod_mass*(left_rod_arm_y + left_rod_centre_arm_y) + gravity_times_rod_mass*(right_rod_arm_y + right_rod_centre_arm_y)
-    return (
-        ca.vertcat(kinetic),
-        ca.vertcat(potential + spring_stretch*spring_stretch*spring_stiffness/2),
-        ca.vertcat(),
-    )
+    return ca.vertcat(kinetic), ca.vertcat(potential + spring_stretch*spring_stretch*spring_stiffness/2), ca.vertcat()
 
 
 def poses(t, q, c):
@@ -1516,29 +1274,21 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (18,): spindle.x [m], spindle.y [m], spindle.z [m], right_arm.x [m], right_arm.y [m], right_arm.z
-            [m], right_rod.x [m], right_rod.y [m], right_rod.z [m], left_arm.x [m], left_arm.y [m], left_arm.z [m],
-            left_rod.x [m], left_rod.y [m], left_rod.z [m], collar.x [m], collar.y [m], collar.z [m]
-        rotations (54,): spindle.R_xx [1], spindle.R_xy [1], spindle.R_xz [1], spindle.R_yx [1], spindle.R_yy [1],
-            spindle.R_yz [1], spindle.R_zx [1], spindle.R_zy [1], spindle.R_zz [1], right_arm.R_xx [1],
-            right_arm.R_xy [1], right_arm.R_xz [1], right_arm.R_yx [1], right_arm.R_yy [1], right_arm.R_yz [1],
-            right_arm.R_zx [1], right_arm.R_zy [1], right_arm.R_zz [1], right_rod.R_xx [1], right_rod.R_xy [1],
-            right_rod.R_xz [1], right_rod.R_yx [1], right_rod.R_yy [1], right_rod.R_yz [1], right_rod.R_zx [1],
-            right_rod.R_zy [1], right_rod.R_zz [1], left_arm.R_xx [1], left_arm.R_xy [1], left_arm.R_xz [1],
-            left_arm.R_yx [1], left_arm.R_yy [1], left_arm.R_yz [1], left_arm.R_zx [1], left_arm.R_zy [1],
-            left_arm.R_zz [1], left_rod.R_xx [1], left_rod.R_xy [1], left_rod.R_xz [1], left_rod.R_yx [1],
-            left_rod.R_yy [1], left_rod.R_yz [1], left_rod.R_zx [1], left_rod.R_zy [1], left_rod.R_zz [1],
-            collar.R_xx [1], collar.R_xy [1], collar.R_xz [1], collar.R_yx [1], collar.R_yy [1], collar.R_yz [1],
+        positions (18,): spindle.x [m], spindle.y [m], spindle.z [m], right_arm.x [m], right_arm.y [m], right_arm.z [m], right_rod.x [m],
+            right_rod.y [m], right_rod.z [m], left_arm.x [m], left_arm.y [m], left_arm.z [m], left_rod.x [m], left_rod.y [m], left_rod.z
+            [m], collar.x [m], collar.y [m], collar.z [m]
+        rotations (54,): spindle.R_xx [1], spindle.R_xy [1], spindle.R_xz [1], spindle.R_yx [1], spindle.R_yy [1], spindle.R_yz [1],
+            spindle.R_zx [1], spindle.R_zy [1], spindle.R_zz [1], right_arm.R_xx [1], right_arm.R_xy [1], right_arm.R_xz [1], right_arm.R_yx
+            [1], right_arm.R_yy [1], right_arm.R_yz [1], right_arm.R_zx [1], right_arm.R_zy [1], right_arm.R_zz [1], right_rod.R_xx [1],
+            right_rod.R_xy [1], right_rod.R_xz [1], right_rod.R_yx [1], right_rod.R_yy [1], right_rod.R_yz [1], right_rod.R_zx [1],
+            right_rod.R_zy [1], right_rod.R_zz [1], left_arm.R_xx [1], left_arm.R_xy [1], left_arm.R_xz [1], left_arm.R_yx [1],
+            left_arm.R_yy [1], left_arm.R_yz [1], left_arm.R_zx [1], left_arm.R_zy [1], left_arm.R_zz [1], left_rod.R_xx [1], left_rod.R_xy
+            [1], left_rod.R_xz [1], left_rod.R_yx [1], left_rod.R_yy [1], left_rod.R_yz [1], left_rod.R_zx [1], left_rod.R_zy [1],
+            left_rod.R_zz [1], collar.R_xx [1], collar.R_xy [1], collar.R_xz [1], collar.R_yx [1], collar.R_yy [1], collar.R_yz [1],
             collar.R_zx [1], collar.R_zy [1], collar.R_zz [1]
     """
-    offset = c[3]
-    half_arm_length = c[7]
-    spindle_angle = q[0]
-    right_hinge_angle = q[1]
-    right_knee_angle = q[2]
-    left_hinge_angle = q[3]
-    left_knee_angle = q[4]
-    guide_travel = q[5]
+    offset, half_arm_length = c[3], c[7]
+    spindle_angle, right_hinge_angle, right_knee_angle, left_hinge_angle, left_knee_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
     cos_spindle = ca.cos(spindle_angle)
     sin_spindle = ca.sin(spindle_angle)
     cos_right_arm = ca.cos(right_hinge_angle)
@@ -1580,17 +1330,14 @@ def poses(t, q, c):
     left_rod_R_x_y = cos_spindle*sin_left_rod
     left_rod_R_z_x = -cos_left_rod*sin_spindle
     left_rod_R_z_y = -sin_left_rod*sin_spindle
-    return (
-        ca.vertcat(0, 0, 0, right_arm_arm_x, 0, right_arm_arm_z, right_rod_x, right_rod_arm_y, right_rod_z,
-            -right_arm_arm_x, 0, left_arm_arm_z, left_rod_x, left_rod_arm_y, left_rod_z, 0, guide_travel, 0),
-        ca.vertcat(cos_spindle, 0, sin_spindle, 0, 1, 0, -sin_spindle, 0, cos_spindle, right_arm_R_x_x,
-            right_arm_R_x_y, sin_spindle, sin_right_arm, cos_right_arm, 0, right_arm_R_z_x, right_arm_R_z_y,
-            cos_spindle, right_rod_R_x_x, right_rod_R_x_y, sin_spindle, sin_right_rod, cos_right_rod, 0,
-            right_rod_R_z_x, right_rod_R_z_y, cos_spindle, left_arm_R_x_x, left_arm_R_x_y, sin_spindle,
-            -sin_left_arm, cos_left_arm, 0, left_arm_R_z_x, left_arm_R_z_y, cos_spindle, left_rod_R_x_x,
-            left_rod_R_x_y, sin_spindle, -sin_left_rod, cos_left_rod, 0, left_rod_R_z_x, left_rod_R_z_y,
-            cos_spindle, cos_spindle, 0, sin_spindle, 0, 1, 0, -sin_spindle, 0, cos_spindle),
-    )
+    return (ca.vertcat(0, 0, 0, right_arm_arm_x, 0, right_arm_arm_z, right_rod_x, right_rod_arm_y, right_rod_z, -right_arm_arm_x, 0,
+            left_arm_arm_z, left_rod_x, left_rod_arm_y, left_rod_z, 0, guide_travel, 0),
+        ca.vertcat(cos_spindle, 0, sin_spindle, 0, 1, 0, -sin_spindle, 0, cos_spindle, right_arm_R_x_x, right_arm_R_x_y, sin_spindle,
+            sin_right_arm, cos_right_arm, 0, right_arm_R_z_x, right_arm_R_z_y, cos_spindle, right_rod_R_x_x, right_rod_R_x_y, sin_spindle,
+            sin_right_rod, cos_right_rod, 0, right_rod_R_z_x, right_rod_R_z_y, cos_spindle, left_arm_R_x_x, left_arm_R_x_y, sin_spindle,
+            -sin_left_arm, cos_left_arm, 0, left_arm_R_z_x, left_arm_R_z_y, cos_spindle, left_rod_R_x_x, left_rod_R_x_y, sin_spindle,
+            -sin_left_rod, cos_left_rod, 0, left_rod_R_z_x, left_rod_R_z_y, cos_spindle, cos_spindle, 0, sin_spindle, 0, 1, 0, -sin_spindle,
+            0, cos_spindle))
 
 
 def outputs(t, q, u, c):
@@ -1608,61 +1355,17 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        spindle.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spindle.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_hinge.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_knee.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_knee.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_hinge.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_knee.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_knee.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_foot.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_foot.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_foot.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_foot.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring.child (3,): x [m], y [m], z [m]
-        spindle.centre (3,): x [m], y [m], z [m]
-        right_arm.centre (3,): x [m], y [m], z [m]
-        right_rod.centre (3,): x [m], y [m], z [m]
-        left_arm.centre (3,): x [m], y [m], z [m]
-        left_rod.centre (3,): x [m], y [m], z [m]
-        collar.centre (3,): x [m], y [m], z [m]
+        spindle.parent to spring.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        spring.child to collar.centre (3,): x [m], y [m], z [m]
     """
-    arm_length = p[4]
-    rod_length = p[6]
-    offset = p[9]
+    arm_length, rod_length, offset = p[4], p[6], p[9]
     minus_half_arm_length = -arm_length/2
     minus_half_rod_length = -rod_length/2
-    return (
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(offset, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, minus_half_arm_length, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(-offset, 0, 0, 0, 0, -1),
-        ca.vertcat(0, 0, 0, 0, 0, -1),
-        ca.vertcat(0, minus_half_arm_length, 0, 0, 0, -1),
-        ca.vertcat(0, 0, 0, 0, 0, -1),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(offset, 0, 0, 0, 0, 1),
-        ca.vertcat(0, -rod_length, 0, 0, 0, 1),
-        ca.vertcat(-offset, 0, 0, 0, 0, -1),
-        ca.vertcat(0, -rod_length, 0, 0, 0, -1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, -arm_length, 0),
-        ca.vertcat(0, minus_half_rod_length, 0),
-        ca.vertcat(0, -arm_length, 0),
-        ca.vertcat(0, minus_half_rod_length, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    return (ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(offset, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, minus_half_arm_length, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(-offset, 0, 0, 0, 0, -1),
+        ca.vertcat(*[0]*5, -1), ca.vertcat(0, minus_half_arm_length, 0, 0, 0, -1), ca.vertcat(*[0]*5, -1), ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(offset, 0, 0, 0, 0, 1), ca.vertcat(0, -rod_length, 0, 0, 0, 1),
+        ca.vertcat(-offset, 0, 0, 0, 0, -1), ca.vertcat(0, -rod_length, 0, 0, 0, -1), ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0), ca.vertcat(0, -arm_length, 0),
+        ca.vertcat(0, minus_half_rod_length, 0), ca.vertcat(0, -arm_length, 0), ca.vertcat(0, minus_half_rod_length, 0),
+        ca.vertcat(0, 0, 0))

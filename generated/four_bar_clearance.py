@@ -18,10 +18,8 @@ SOURCE = "derive/scenes/four_bar_clearance.py"
 SUMMARY = "four-bar linkage with a clearance joint between coupler and rocker"
 
 EFFECTS = (
-    ("crank_drive", "drive", "constant speed of main_bearing"),
-    ("gravity", "gravity", "uniform gravity"),
-    ("rocker_pin", "contact", "hertz_point x flores"),
-    ("rocker_pin_friction", "friction", "smooth_coulomb at rocker_pin"),
+    ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
+    ("rocker_pin", "contact", "hertz_point x flores"), ("rocker_pin_friction", "friction", "smooth_coulomb at rocker_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -78,126 +76,52 @@ SUM_LIMITS = (
     ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair rocker_pin, pin radius (bush radius minus clearance)"),
 )
 
-COORDINATES = (
-    ("crank_pin.angle", "rad"),
-    ("rocker_bearing.angle", "rad"),
-)
+COORDINATES = (("crank_pin.angle", "rad"), ("rocker_bearing.angle", "rad"))
 
-SPEEDS = (
-    ("crank_pin.speed", "rad/s"),
-    ("rocker_bearing.speed", "rad/s"),
-)
+SPEEDS = (("crank_pin.speed", "rad/s"), ("rocker_bearing.speed", "rad/s"))
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("rocker_pin.dissipated", "J"),
-    ("rocker_pin_friction.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("rocker_pin.dissipated", "J"), ("rocker_pin_friction.dissipated", "J"))
 
-LATCHES = (
-    ("rocker_pin.approach_speed", "m/s", 0),
-)
+LATCHES = (("rocker_pin.approach_speed", "m/s", 0),)
 
-PAIRS = (
-    ("rocker_pin", "pin_in_bush"),
-)
+PAIRS = (("rocker_pin", "pin_in_bush"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    1,
-)
+DISSIPATED = (1,)
 
-GIVEN = (
-    "crank_pin.angle",
-    "crank_pin.speed",
-    "rocker_bearing.angle",
-    "rocker_bearing.speed",
-)
+GIVEN = ("crank_pin.angle", "crank_pin.speed", "rocker_bearing.angle", "rocker_bearing.speed")
 
-OUTPUTS = (
-    ("rocker_pin.eccentricity_x", "m"),
-    ("rocker_pin.eccentricity_y", "m"),
-)
+OUTPUTS = (("rocker_pin.eccentricity_x", "m"), ("rocker_pin.eccentricity_y", "m"))
 
-SPEED_LIMITED = (
-    "rocker_pin",
-)
+SPEED_LIMITED = ("rocker_pin",)
 
-BODIES = (
-    "crank",
-    "coupler",
-    "rocker",
-)
+BODIES = ("crank", "coupler", "rocker")
 
 LANDMARKS = (
-    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
-    ("main_bearing", "revolute", "child", "crank", ("axis",)),
-    ("crank_pin", "revolute", "parent", "crank", ("axis",)),
-    ("crank_pin", "revolute", "child", "coupler", ("axis",)),
-    ("rocker_bearing", "revolute", "parent", "ground", ("axis",)),
-    ("rocker_bearing", "revolute", "child", "rocker", ("axis",)),
-    ("rocker_pin", "pin_in_bush", "pin", "coupler", ("radius",)),
-    ("rocker_pin", "pin_in_bush", "bush", "rocker", ("radius", "axis")),
-    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("crank", "body", "centre", "crank", ()),
-    ("coupler", "body", "centre", "coupler", ()),
-    ("rocker", "body", "centre", "rocker", ()),
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)), ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("crank_pin", "revolute", "parent", "crank", ("axis",)), ("crank_pin", "revolute", "child", "coupler", ("axis",)),
+    ("rocker_bearing", "revolute", "parent", "ground", ("axis",)), ("rocker_bearing", "revolute", "child", "rocker", ("axis",)),
+    ("rocker_pin", "pin_in_bush", "pin", "coupler", ("radius",)), ("rocker_pin", "pin_in_bush", "bush", "rocker", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)), ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()), ("coupler", "body", "centre", "coupler", ()), ("rocker", "body", "centre", "rocker", ()),
 )
 
 CONSTANTS = (
-    ("coupler_length", "m"),
-    ("rocker_length", "m"),
-    ("crank_length", "m"),
-    ("base_length", "m"),
-    ("clearance", "m"),
-    ("crank_speed", "1/s"),
-    ("gravity", "m/s^2"),
-    ("friction_coefficient", "1"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("rocker_pin_R_min", "m"),
-    ("rocker_pin_K", "N/m^1.5"),
-    ("two_fifths_of_rocker_pin_K", "N/m^1.5"),
-    ("rocker_pin_hysteresis_factor", "1"),
-    ("inverse_friction_speed", "s/m"),
-    ("coupler_h_x", "kg m"),
-    ("rocker_h_x", "kg m"),
-    ("crank_h_x", "kg m"),
-    ("crank_rate_zz", "1/s^2"),
-    ("coupler_I_z_z", "kg m^2"),
-    ("inverse_coupler_I_z_z", "1/(kg m^2)"),
-    ("inverse_rocker_I_z_z", "1/(kg m^2)"),
-    ("half_coupler_I_z_z", "kg m^2"),
-    ("half_rocker_I_z_z", "kg m^2"),
-    ("half_coupler_mass", "kg"),
-    ("half_crank_speed_squared_times_crank_inertia", "J"),
-    ("half_coupler_length", "m"),
-    ("half_rocker_length", "m"),
-    ("gravity_times_rocker_mass", "N"),
-    ("coupler_mass_times_gravity", "N"),
+    ("coupler_length", "m"), ("rocker_length", "m"), ("crank_length", "m"), ("base_length", "m"), ("clearance", "m"),
+    ("crank_speed", "1/s"), ("gravity", "m/s^2"), ("friction_coefficient", "1"), ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"), ("rocker_pin_R_min", "m"), ("rocker_pin_K", "N/m^1.5"), ("two_fifths_of_rocker_pin_K", "N/m^1.5"),
+    ("rocker_pin_hysteresis_factor", "1"), ("inverse_friction_speed", "s/m"), ("coupler_h_x", "kg m"), ("rocker_h_x", "kg m"),
+    ("crank_h_x", "kg m"), ("crank_rate_zz", "1/s^2"), ("coupler_I_z_z", "kg m^2"), ("inverse_coupler_I_z_z", "1/(kg m^2)"),
+    ("inverse_rocker_I_z_z", "1/(kg m^2)"), ("half_coupler_I_z_z", "kg m^2"), ("half_rocker_I_z_z", "kg m^2"), ("half_coupler_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia", "J"), ("half_coupler_length", "m"), ("half_rocker_length", "m"),
+    ("gravity_times_rocker_mass", "N"), ("coupler_mass_times_gravity", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 46),
-    ("start", 48),
-    ("scales", 12),
-    ("coordinate_rates", 0),
-    ("gaps", 45),
-    ("gap_accelerations", 65),
-    ("contact_rocker_pin", 113),
-    ("applied", 15),
-    ("accelerations", 37),
-    ("ledger", 1),
-    ("energy", 59),
-    ("poses", 13),
-    ("outputs", 25),
-    ("speed_limits", 3),
-    ("period", 3),
-    ("landmarks", 3),
+    ("constants", 46), ("start", 48), ("scales", 12), ("coordinate_rates", 0), ("gaps", 45), ("gap_accelerations", 65),
+    ("contact_rocker_pin", 113), ("applied", 15), ("accelerations", 37), ("ledger", 1), ("energy", 59), ("poses", 13), ("outputs", 25),
+    ("speed_limits", 3), ("period", 3), ("landmarks", 3),
 )
 
 
@@ -206,31 +130,16 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (30,): coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity,
-            friction_coefficient, clearance_squared, half_inverse_clearance, rocker_pin_R_min, rocker_pin_K,
-            two_fifths_of_rocker_pin_K, rocker_pin_hysteresis_factor, inverse_friction_speed, coupler_h_x,
-            rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z, inverse_coupler_I_z_z, inverse_rocker_I_z_z,
-            half_coupler_I_z_z, half_rocker_I_z_z, half_coupler_mass, half_crank_speed_squared_times_crank_inertia,
-            half_coupler_length, half_rocker_length, gravity_times_rocker_mass, coupler_mass_times_gravity
+        c (30,): coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity, friction_coefficient,
+            clearance_squared, half_inverse_clearance, rocker_pin_R_min, rocker_pin_K, two_fifths_of_rocker_pin_K,
+            rocker_pin_hysteresis_factor, inverse_friction_speed, coupler_h_x, rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z,
+            inverse_coupler_I_z_z, inverse_rocker_I_z_z, half_coupler_I_z_z, half_rocker_I_z_z, half_coupler_mass,
+            half_crank_speed_squared_times_crank_inertia, half_coupler_length, half_rocker_length, gravity_times_rocker_mass,
+            coupler_mass_times_gravity
     """
-    crank_inertia = p[1]
-    coupler_mass = p[2]
-    coupler_inertia = p[3]
-    coupler_length = p[4]
-    rocker_mass = p[5]
-    rocker_inertia = p[6]
-    rocker_length = p[7]
-    crank_length = p[8]
-    base_length = p[9]
-    bush_radius = p[10]
-    clearance = p[11]
-    crank_speed = p[12]
-    gravity = p[13]
-    youngs_modulus = p[14]
-    poissons_ratio = p[15]
-    restitution = p[17]
-    friction_coefficient = p[19]
-    friction_speed = p[20]
+    crank_inertia, coupler_mass, coupler_inertia, coupler_length, rocker_mass, rocker_inertia = p[1], p[2], p[3], p[4], p[5], p[6]
+    rocker_length, crank_length, base_length, bush_radius, clearance, crank_speed, gravity = p[7], p[8], p[9], p[10], p[11], p[12], p[13]
+    youngs_modulus, poissons_ratio, restitution, friction_coefficient, friction_speed = p[14], p[15], p[17], p[19], p[20]
     clearance_squared = clearance*clearance
     half_inverse_clearance = 1/(2*clearance)
     rocker_pin_R_min = bush_radius - clearance
@@ -256,12 +165,11 @@ def constants(p):
     half_rocker_length = rocker_length/2
     gravity_times_rocker_mass = gravity*rocker_mass
     coupler_mass_times_gravity = coupler_mass*gravity
-    return ca.vertcat(coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity,
-        friction_coefficient, clearance_squared, half_inverse_clearance, rocker_pin_R_min, rocker_pin_K,
-        two_fifths_of_rocker_pin_K, rocker_pin_hysteresis_factor, inverse_friction_speed, coupler_h_x, rocker_h_x,
-        crank_h_x, crank_rate_zz, coupler_I_z_z, inverse_coupler_I_z_z, inverse_rocker_I_z_z, half_coupler_I_z_z,
-        half_rocker_I_z_z, half_coupler_mass, half_crank_speed_squared_times_crank_inertia, half_coupler_length,
-        half_rocker_length, gravity_times_rocker_mass, coupler_mass_times_gravity)
+    return ca.vertcat(coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity, friction_coefficient,
+        clearance_squared, half_inverse_clearance, rocker_pin_R_min, rocker_pin_K, two_fifths_of_rocker_pin_K, rocker_pin_hysteresis_factor,
+        inverse_friction_speed, coupler_h_x, rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z, inverse_coupler_I_z_z,
+        inverse_rocker_I_z_z, half_coupler_I_z_z, half_rocker_I_z_z, half_coupler_mass, half_crank_speed_squared_times_crank_inertia,
+        half_coupler_length, half_rocker_length, gravity_times_rocker_mass, coupler_mass_times_gravity)
 
 
 def start(p):
@@ -269,14 +177,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): crank_pin.angle [rad], rocker_bearing.angle [rad]
-        u (2,): crank_pin.speed [rad/s], rocker_bearing.speed [rad/s]
+        q (2,): COORDINATES
+        u (2,): SPEEDS
     """
-    coupler_length = p[4]
-    rocker_length = p[7]
-    crank_length = p[8]
-    base_length = p[9]
-    crank_speed = p[12]
+    coupler_length, rocker_length, crank_length, base_length, crank_speed = p[4], p[7], p[8], p[9], p[12]
     base_length_minus_crank_length = base_length - crank_length
     x2 = base_length_minus_crank_length*base_length_minus_crank_length
     coupler_length_squared = coupler_length*coupler_length
@@ -292,12 +196,9 @@ def start(p):
     x13 = 1/(base_length_minus_crank_length*base_length_minus_crank_length)
     x14 = x12 + x8
     x15 = ca.sin(x14)
-    return (
-        ca.vertcat(x8, 3.141592653589793 - x12),
-        ca.vertcat(-crank_speed - ca.sqrt(1 -
-            x13*x10*x10/(4*rocker_length*rocker_length))*crank_length*crank_speed/(x15*coupler_length), -ca.sqrt(1 -
-            x13*x6*x6/(4*coupler_length*coupler_length))*crank_length*crank_speed/(x15*rocker_length)),
-    )
+    return (ca.vertcat(x8, 3.141592653589793 - x12),
+        ca.vertcat(-crank_speed - ca.sqrt(1 - x13*x10*x10/(4*rocker_length*rocker_length))*crank_length*crank_speed/(x15*coupler_length),
+            -ca.sqrt(1 - x13*x6*x6/(4*coupler_length*coupler_length))*crank_length*crank_speed/(x15*rocker_length)))
 
 
 def scales(p):
@@ -305,29 +206,19 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): crank_pin.angle [rad], rocker_bearing.angle [rad]
-        su (2,): crank_pin.speed [rad/s], rocker_bearing.speed [rad/s]
-        sz (3,): energy_ledger.input [J], rocker_pin.dissipated [J], rocker_pin_friction.dissipated [J]
+        sq (2,): COORDINATES
+        su (2,): SPEEDS
+        sz (3,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    crank_mass = p[0]
-    coupler_mass = p[2]
-    coupler_length = p[4]
-    rocker_mass = p[5]
-    crank_length = p[8]
-    clearance = p[11]
-    crank_speed = p[12]
+    crank_mass, coupler_mass, coupler_length, rocker_mass, crank_length, clearance, crank_speed = p[0], p[2], p[4], p[5], p[8], p[11], p[12]
     total_mass = coupler_mass + crank_mass + rocker_mass
     energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
     clearance_over_coupler_length = clearance/coupler_length
     x2 = crank_length*crank_speed/coupler_length
-    return (
-        ca.vertcat(clearance_over_coupler_length, clearance_over_coupler_length),
-        ca.vertcat(x2, x2),
-        ca.vertcat(energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, crank_length*crank_speed, force_scale, energy_scale),
-    )
+    return (ca.vertcat(clearance_over_coupler_length, clearance_over_coupler_length), ca.vertcat(x2, x2),
+        ca.vertcat(energy_scale, energy_scale, energy_scale), ca.vertcat(clearance, crank_length*crank_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -335,10 +226,9 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (2,): crank_pin.angle [rad/s], rocker_bearing.angle [rad/s]
+        dq (2,): COORDINATES [rad/s]
     """
-    crank_pin_speed = u[0]
-    rocker_bearing_speed = u[1]
+    crank_pin_speed, rocker_bearing_speed = u[0], u[1]
     return ca.vertcat(crank_pin_speed, rocker_bearing_speed)
 
 
@@ -347,20 +237,13 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): rocker_pin [m]
-        dG (1,): rocker_pin [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    coupler_length = c[0]
-    rocker_length = c[1]
-    crank_length = c[2]
-    base_length = c[3]
-    crank_speed = c[5]
-    clearance_squared = c[8]
+    coupler_length, rocker_length, crank_length, base_length, crank_speed, clearance_squared = c[0], c[1], c[2], c[3], c[5], c[8]
     half_inverse_clearance = c[9]
-    crank_pin_angle = q[0]
-    rocker_bearing_angle = q[1]
-    crank_pin_speed = u[0]
-    rocker_bearing_speed = u[1]
+    crank_pin_angle, rocker_bearing_angle = q[0], q[1]
+    crank_pin_speed, rocker_bearing_speed = u[0], u[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -398,20 +281,12 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): rocker_pin [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
-    coupler_length = c[0]
-    rocker_length = c[1]
-    crank_length = c[2]
-    base_length = c[3]
-    crank_speed = c[5]
-    half_inverse_clearance = c[9]
-    crank_pin_angle = q[0]
-    rocker_bearing_angle = q[1]
-    crank_pin_speed = u[0]
-    rocker_bearing_speed = u[1]
-    crank_pin_acceleration = a[0]
-    rocker_bearing_acceleration = a[1]
+    coupler_length, rocker_length, crank_length, base_length, crank_speed, half_inverse_clearance = c[0], c[1], c[2], c[3], c[5], c[9]
+    crank_pin_angle, rocker_bearing_angle = q[0], q[1]
+    crank_pin_speed, rocker_bearing_speed = u[0], u[1]
+    crank_pin_acceleration, rocker_bearing_acceleration = a[0], a[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -447,32 +322,22 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_rocker_pin(t, q, u, z, m, c):
-    """Forces of rocker_pin: hertz_point x flores, smooth_coulomb. The normal force is the laws' own, not clamped:
-    where it would pull, the contact ends.
+    """Forces of rocker_pin: hertz_point x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where it would pull, the
+    contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (3,): crank_pin [N m], rocker_bearing [N m], main_bearing [N m]
-        dz (3,): energy_ledger.input [W], rocker_pin.dissipated [W], rocker_pin_friction.dissipated [W]
-        normal_force (1,): rocker_pin [N]
-        sliding_velocity (1,): rocker_pin [m/s]
-        in_range (1,): rocker_pin [1]
+        dz (3,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
+        sliding_velocity (1,): PAIRS [m/s]
+        in_range (1,): PAIRS [1]
     """
-    coupler_length = c[0]
-    rocker_length = c[1]
-    crank_length = c[2]
-    base_length = c[3]
-    clearance = c[4]
-    crank_speed = c[5]
-    friction_coefficient = c[7]
-    rocker_pin_R_min = c[10]
-    rocker_pin_K = c[11]
-    rocker_pin_hysteresis_factor = c[13]
+    coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed = c[0], c[1], c[2], c[3], c[4], c[5]
+    friction_coefficient, rocker_pin_R_min, rocker_pin_K, rocker_pin_hysteresis_factor = c[7], c[10], c[11], c[13]
     inverse_friction_speed = c[14]
-    crank_pin_angle = q[0]
-    rocker_bearing_angle = q[1]
-    crank_pin_speed = u[0]
-    rocker_bearing_speed = u[1]
+    crank_pin_angle, rocker_bearing_angle = q[0], q[1]
+    crank_pin_speed, rocker_bearing_speed = u[0], u[1]
     rocker_pin_approach_speed = m[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -524,14 +389,10 @@ def contact_rocker_pin(t, q, u, z, m, c):
     rocker_pin_drag_on_crank_pin = rocker_pin_drag_x*(rocker_pin_R_min_times_rocker_pin_normal_y - rocker_pin_pin_arm_y) + rocker_pin_drag_y*(rocker_pin_pin_arm_x + minus_rocker_pin_R_min_times_rocker_pin_normal_x)
     rocker_pin_drag_on_rocker_bearing = -rocker_pin_drag_x*x4 - rocker_pin_drag_y*(coupler_arm_x + rocker_pin_pin_arm_x + minus_rocker_pin_R_min_times_rocker_pin_normal_x - base_length)
     rocker_pin_in_range = ca.if_else(rocker_pin_penetration <= rocker_pin_R_min, 1, 0)
-    return (
-        ca.vertcat(rocker_pin_drag_on_crank_pin + rocker_pin_push_on_crank_pin, rocker_pin_drag_on_rocker_bearing +
+    return (ca.vertcat(rocker_pin_drag_on_crank_pin + rocker_pin_push_on_crank_pin, rocker_pin_drag_on_rocker_bearing +
             rocker_pin_push_on_rocker_bearing, rocker_pin_drag_on_main_bearing + rocker_pin_push_on_main_bearing),
-        ca.vertcat(0, rocker_pin_normal_power, rocker_pin_friction_power),
-        ca.vertcat(rocker_pin_normal_force),
-        ca.vertcat(rocker_pin_sliding_velocity),
-        ca.vertcat(rocker_pin_in_range),
-    )
+        ca.vertcat(0, rocker_pin_normal_power, rocker_pin_friction_power), ca.vertcat(rocker_pin_normal_force),
+        ca.vertcat(rocker_pin_sliding_velocity), ca.vertcat(rocker_pin_in_range))
 
 
 def applied(t, q, u, c):
@@ -541,13 +402,8 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): crank_pin [N m], rocker_bearing [N m], main_bearing [N m]
     """
-    crank_speed = c[5]
-    gravity = c[6]
-    coupler_h_x = c[15]
-    rocker_h_x = c[16]
-    crank_h_x = c[17]
-    crank_pin_angle = q[0]
-    rocker_bearing_angle = q[1]
+    crank_speed, gravity, coupler_h_x, rocker_h_x, crank_h_x = c[5], c[6], c[15], c[16], c[17]
+    crank_pin_angle, rocker_bearing_angle = q[0], q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     coupler_angle = crank_angle + crank_pin_angle
@@ -568,18 +424,11 @@ def accelerations(t, q, u, f, c):
         a (2,): crank_pin.acceleration [rad/s^2], rocker_bearing.acceleration [rad/s^2]
         reactions (1,): main_bearing.reaction [N m]
     """
-    crank_length = c[2]
-    crank_speed = c[5]
-    coupler_h_x = c[15]
-    crank_rate_zz = c[18]
-    coupler_I_z_z = c[19]
-    inverse_coupler_I_z_z = c[20]
+    crank_length, crank_speed, coupler_h_x, crank_rate_zz, coupler_I_z_z, inverse_coupler_I_z_z = c[2], c[5], c[15], c[18], c[19], c[20]
     inverse_rocker_I_z_z = c[21]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
-    crank_pin_force = f[0]
-    rocker_bearing_force = f[1]
-    main_bearing_force = f[2]
+    crank_pin_force, rocker_bearing_force, main_bearing_force = f[0], f[1], f[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -611,7 +460,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (3,): energy_ledger.input [W], rocker_pin.dissipated [W], rocker_pin_friction.dissipated [W]
+        dz (3,): MEMORY [W]
     """
     crank_speed = c[5]
     main_bearing_reaction_in = reactions[0]
@@ -625,28 +474,14 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): rocker_pin [J]
+        stored (1,): PAIRS [J]
     """
-    coupler_length = c[0]
-    rocker_length = c[1]
-    crank_length = c[2]
-    base_length = c[3]
-    clearance = c[4]
-    crank_speed = c[5]
-    two_fifths_of_rocker_pin_K = c[12]
-    coupler_h_x = c[15]
-    half_coupler_I_z_z = c[22]
-    half_rocker_I_z_z = c[23]
-    half_coupler_mass = c[24]
-    half_crank_speed_squared_times_crank_inertia = c[25]
-    half_coupler_length = c[26]
-    half_rocker_length = c[27]
-    gravity_times_rocker_mass = c[28]
-    coupler_mass_times_gravity = c[29]
-    crank_pin_angle = q[0]
-    rocker_bearing_angle = q[1]
-    crank_pin_speed = u[0]
-    rocker_bearing_speed = u[1]
+    coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed = c[0], c[1], c[2], c[3], c[4], c[5]
+    two_fifths_of_rocker_pin_K, coupler_h_x, half_coupler_I_z_z, half_rocker_I_z_z, half_coupler_mass = c[12], c[15], c[22], c[23], c[24]
+    half_crank_speed_squared_times_crank_inertia, half_coupler_length, half_rocker_length = c[25], c[26], c[27]
+    gravity_times_rocker_mass, coupler_mass_times_gravity = c[28], c[29]
+    crank_pin_angle, rocker_bearing_angle = q[0], q[1]
+    crank_pin_speed, rocker_bearing_speed = u[0], u[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -684,19 +519,15 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (9,): crank.x [m], crank.y [m], crank.z [m], coupler.x [m], coupler.y [m], coupler.z [m], rocker.x
-            [m], rocker.y [m], rocker.z [m]
-        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
-            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], coupler.R_xx [1], coupler.R_xy [1], coupler.R_xz
-            [1], coupler.R_yx [1], coupler.R_yy [1], coupler.R_yz [1], coupler.R_zx [1], coupler.R_zy [1],
-            coupler.R_zz [1], rocker.R_xx [1], rocker.R_xy [1], rocker.R_xz [1], rocker.R_yx [1], rocker.R_yy [1],
-            rocker.R_yz [1], rocker.R_zx [1], rocker.R_zy [1], rocker.R_zz [1]
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], coupler.x [m], coupler.y [m], coupler.z [m], rocker.x [m], rocker.y [m],
+            rocker.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz [1], crank.R_zx [1],
+            crank.R_zy [1], crank.R_zz [1], coupler.R_xx [1], coupler.R_xy [1], coupler.R_xz [1], coupler.R_yx [1], coupler.R_yy [1],
+            coupler.R_yz [1], coupler.R_zx [1], coupler.R_zy [1], coupler.R_zz [1], rocker.R_xx [1], rocker.R_xy [1], rocker.R_xz [1],
+            rocker.R_yx [1], rocker.R_yy [1], rocker.R_yz [1], rocker.R_zx [1], rocker.R_zy [1], rocker.R_zz [1]
     """
-    crank_length = c[2]
-    base_length = c[3]
-    crank_speed = c[5]
-    crank_pin_angle = q[0]
-    rocker_bearing_angle = q[1]
+    crank_length, base_length, crank_speed = c[2], c[3], c[5]
+    crank_pin_angle, rocker_bearing_angle = q[0], q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -707,11 +538,9 @@ def poses(t, q, c):
     sin_rocker = ca.sin(rocker_bearing_angle)
     coupler_arm_x = cos_crank*crank_length
     coupler_arm_y = sin_crank*crank_length
-    return (
-        ca.vertcat(0, 0, 0, coupler_arm_x, coupler_arm_y, 0, base_length, 0, 0),
-        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_coupler, -sin_coupler, 0,
-            sin_coupler, cos_coupler, 0, 0, 0, 1, cos_rocker, -sin_rocker, 0, sin_rocker, cos_rocker, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, coupler_arm_x, coupler_arm_y, 0, base_length, 0, 0),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_coupler, -sin_coupler, 0, sin_coupler, cos_coupler, 0, 0,
+            0, 1, cos_rocker, -sin_rocker, 0, sin_rocker, cos_rocker, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -719,15 +548,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (2,): rocker_pin.eccentricity_x [m], rocker_pin.eccentricity_y [m]
+        y (2,): OUTPUTS
     """
-    coupler_length = c[0]
-    rocker_length = c[1]
-    crank_length = c[2]
-    base_length = c[3]
-    crank_speed = c[5]
-    crank_pin_angle = q[0]
-    rocker_bearing_angle = q[1]
+    coupler_length, rocker_length, crank_length, base_length, crank_speed = c[0], c[1], c[2], c[3], c[5]
+    crank_pin_angle, rocker_bearing_angle = q[0], q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -754,10 +578,9 @@ def speed_limits(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        limits (1,): rocker_pin [m/s]
+        limits (1,): PAIRS [m/s]
     """
-    youngs_modulus = p[14]
-    density = p[16]
+    youngs_modulus, density = p[14], p[16]
     return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
@@ -777,38 +600,14 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        rocker_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        rocker_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.parent to rocker_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         rocker_pin.pin (4,): x [m], y [m], z [m], radius [m]
         rocker_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank.centre (3,): x [m], y [m], z [m]
-        coupler.centre (3,): x [m], y [m], z [m]
-        rocker.centre (3,): x [m], y [m], z [m]
+        crank_drive.child, gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre, coupler.centre, rocker.centre (3,): x [m], y [m], z [m]
     """
-    coupler_length = p[4]
-    rocker_length = p[7]
-    crank_length = p[8]
-    base_length = p[9]
-    bush_radius = p[10]
-    clearance = p[11]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(crank_length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(base_length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(coupler_length, 0, 0, bush_radius - clearance),
-        ca.vertcat(rocker_length, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(coupler_length/2, 0, 0),
-        ca.vertcat(rocker_length/2, 0, 0),
-    )
+    coupler_length, rocker_length, crank_length, base_length, bush_radius, clearance = p[4], p[7], p[8], p[9], p[10], p[11]
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(crank_length, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(base_length, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(coupler_length, 0, 0, bush_radius - clearance),
+        ca.vertcat(rocker_length, 0, 0, bush_radius, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, 0, 0),
+        ca.vertcat(coupler_length/2, 0, 0), ca.vertcat(rocker_length/2, 0, 0))

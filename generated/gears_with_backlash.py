@@ -4,8 +4,7 @@ Do not edit; regenerate with `hertzwerk derive gears_with_backlash`.
 Effects:
     engine: position of input = pinion_speed*t + swing*(1 - cos(firing*t))/firing**2
     oil: force on idler = drag
-    mesh_1: power x power_damping
-    mesh_2: power x power_damping
+    mesh_1, mesh_2: power x power_damping
     energy_ledger: work put in, energy dissipated per effect
 Units: 113 assignments and 180 outputs checked, all consistent
 Operations: flight 178 (equations of motion and gaps); in contact also contact_mesh_1 68, contact_mesh_2 68
@@ -19,10 +18,8 @@ SUMMARY = "an idle gear that rattles within its backlash: involute flanks, an un
 
 EFFECTS = (
     ("engine", "drive", "position of input = pinion_speed*t + swing*(1 - cos(firing*t))/firing**2"),
-    ("oil", "force", "force on idler = drag"),
-    ("mesh_1", "contact", "power x power_damping"),
-    ("mesh_2", "contact", "power x power_damping"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+    ("oil", "force", "force on idler = drag"), ("mesh_1", "contact", "power x power_damping"),
+    ("mesh_2", "contact", "power x power_damping"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
 UNCHECKED = ()
@@ -55,259 +52,101 @@ LIMITS = (
     ("thinning", "defined", 0, None, True, False, "scales, length"),
 )
 
-COORDINATES = (
-    ("idler.angle", "rad"),
-)
+COORDINATES = (("idler.angle", "rad"),)
 
-SPEEDS = (
-    ("idler.speed", "rad/s"),
-)
+SPEEDS = (("idler.speed", "rad/s"),)
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("oil.input", "J"),
-    ("mesh_1.dissipated", "J"),
-    ("mesh_2.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("oil.input", "J"), ("mesh_1.dissipated", "J"), ("mesh_2.dissipated", "J"))
 
 LATCHES = ()
 
-PAIRS = (
-    ("mesh_1", "curve_on_curve"),
-    ("mesh_2", "curve_on_curve"),
-)
+PAIRS = (("mesh_1", "curve_on_curve"), ("mesh_2", "curve_on_curve"))
 
-RELEASES = (
-    "force",
-    "force",
-)
+RELEASES = ("force", "force")
 
-DISSIPATED = (
-    2,
-    3,
-)
+DISSIPATED = (2, 3)
 
 OUTPUTS = (
-    ("mesh_1.gap", "m"),
-    ("mesh_1.first_parameter", "1"),
-    ("mesh_1.second_parameter", "1"),
-    ("mesh_2.gap", "m"),
-    ("mesh_2.first_parameter", "1"),
-    ("mesh_2.second_parameter", "1"),
+    ("mesh_1.gap", "m"), ("mesh_1.first_parameter", "1"), ("mesh_1.second_parameter", "1"), ("mesh_2.gap", "m"),
+    ("mesh_2.first_parameter", "1"), ("mesh_2.second_parameter", "1"),
 )
 
-BODIES = (
-    "pinion",
-    "wheel",
-)
+BODIES = ("pinion", "wheel")
 
 LANDMARKS = (
-    ("input", "revolute", "parent", "ground", ("axis",)),
-    ("input", "revolute", "child", "pinion", ("axis",)),
-    ("idler", "revolute", "parent", "ground", ("axis",)),
-    ("idler", "revolute", "child", "wheel", ("axis",)),
+    ("input", "revolute", "parent", "ground", ("axis",)), ("input", "revolute", "child", "pinion", ("axis",)),
+    ("idler", "revolute", "parent", "ground", ("axis",)), ("idler", "revolute", "child", "wheel", ("axis",)),
     ("mesh_1", "curve_on_curve", "first", "pinion", ("along", "across", "outline")),
     ("mesh_1", "curve_on_curve", "second", "wheel", ("along", "across", "outline")),
     ("mesh_2", "curve_on_curve", "first", "pinion", ("along", "across", "outline")),
-    ("mesh_2", "curve_on_curve", "second", "wheel", ("along", "across", "outline")),
-    ("engine", "turn_drive", "child", "pinion", ("axis",)),
-    ("oil", "turn_force", "child", "wheel", ("axis",)),
-    ("pinion", "body", "centre", "pinion", ()),
+    ("mesh_2", "curve_on_curve", "second", "wheel", ("along", "across", "outline")), ("engine", "turn_drive", "child", "pinion", ("axis",)),
+    ("oil", "turn_force", "child", "wheel", ("axis",)), ("pinion", "body", "centre", "pinion", ()),
     ("wheel", "body", "centre", "wheel", ()),
 )
 
 CONSTANTS = (
-    ("pinion_inertia", "kg m^2"),
-    ("module", "m"),
-    ("pressure_angle", "1"),
-    ("thinning", "m"),
-    ("pinion_speed", "1/s"),
-    ("firing", "1/s"),
-    ("swing", "1/s^2"),
-    ("drag", "J"),
-    ("mesh_stiffness", "N/m"),
-    ("mesh_damping", "Pa s"),
-    ("swing_over_firing_squared", "1"),
-    ("swing_over_firing", "1/s"),
-    ("wheel_arm_x", "m"),
-    ("wheel_teeth_left_samples_1", "m"),
-    ("wheel_teeth_left_samples_2", "m"),
-    ("wheel_teeth_left_samples_3", "m"),
-    ("wheel_teeth_left_samples_4", "m"),
-    ("wheel_teeth_left_samples_5", "m"),
-    ("wheel_teeth_left_samples_6", "m"),
-    ("wheel_teeth_left_samples_7", "m"),
-    ("wheel_teeth_left_samples_8", "m"),
-    ("wheel_teeth_left_samples_9", "m"),
-    ("wheel_teeth_left_samples_10", "m"),
-    ("wheel_teeth_left_samples_11", "m"),
-    ("wheel_teeth_left_samples_12", "m"),
-    ("wheel_teeth_left_samples_13", "m"),
-    ("wheel_teeth_left_samples_14", "m"),
-    ("wheel_teeth_left_samples_15", "m"),
-    ("wheel_teeth_left_samples_16", "m"),
-    ("wheel_teeth_left_samples_17", "m"),
-    ("wheel_teeth_left_samples_18", "m"),
-    ("wheel_teeth_left_samples_19", "m"),
-    ("wheel_teeth_left_samples_20", "m"),
-    ("wheel_teeth_left_samples_21", "m"),
-    ("wheel_teeth_left_samples_22", "m"),
-    ("wheel_teeth_left_samples_23", "m"),
-    ("wheel_teeth_left_samples_24", "m"),
-    ("wheel_teeth_left_samples_25", "m"),
-    ("wheel_teeth_left_samples_26", "m"),
-    ("wheel_teeth_left_samples_27", "m"),
-    ("wheel_teeth_left_samples_28", "m"),
-    ("wheel_teeth_left_samples_29", "m"),
-    ("wheel_teeth_left_samples_30", "m"),
-    ("wheel_teeth_left_samples_31", "m"),
-    ("wheel_teeth_left_samples_32", "m"),
-    ("wheel_teeth_left_samples_33", "m"),
-    ("wheel_teeth_left_samples_34", "m"),
-    ("wheel_teeth_left_samples_35", "m"),
-    ("wheel_teeth_left_samples_36", "m"),
-    ("wheel_teeth_left_samples_37", "m"),
-    ("wheel_teeth_left_samples_38", "m"),
-    ("pinion_teeth_left_samples_1", "m"),
-    ("pinion_teeth_left_samples_2", "m"),
-    ("pinion_teeth_left_samples_3", "m"),
-    ("pinion_teeth_left_samples_4", "m"),
-    ("pinion_teeth_left_samples_5", "m"),
-    ("pinion_teeth_left_samples_6", "m"),
-    ("pinion_teeth_left_samples_7", "m"),
-    ("pinion_teeth_left_samples_8", "m"),
-    ("pinion_teeth_left_samples_9", "m"),
-    ("pinion_teeth_left_samples_10", "m"),
-    ("pinion_teeth_left_samples_11", "m"),
-    ("pinion_teeth_left_samples_12", "m"),
-    ("pinion_teeth_left_samples_13", "m"),
-    ("pinion_teeth_left_samples_14", "m"),
-    ("pinion_teeth_left_samples_15", "m"),
-    ("pinion_teeth_left_samples_16", "m"),
-    ("pinion_teeth_left_samples_17", "m"),
-    ("pinion_teeth_left_samples_18", "m"),
-    ("pinion_teeth_left_samples_19", "m"),
-    ("pinion_teeth_left_samples_20", "m"),
-    ("pinion_teeth_left_samples_21", "m"),
-    ("pinion_teeth_left_samples_22", "m"),
-    ("pinion_teeth_left_samples_23", "m"),
-    ("pinion_teeth_left_samples_24", "m"),
-    ("pinion_teeth_left_samples_25", "m"),
-    ("pinion_teeth_left_samples_26", "m"),
-    ("pinion_teeth_left_samples_27", "m"),
-    ("pinion_teeth_left_samples_28", "m"),
-    ("pinion_teeth_left_samples_29", "m"),
-    ("pinion_teeth_left_samples_30", "m"),
-    ("pinion_teeth_left_samples_31", "m"),
-    ("pinion_teeth_left_samples_32", "m"),
-    ("pinion_teeth_left_samples_33", "m"),
-    ("pinion_teeth_left_samples_34", "m"),
-    ("pinion_teeth_left_samples_35", "m"),
-    ("pinion_teeth_left_samples_36", "m"),
-    ("pinion_teeth_left_samples_37", "m"),
-    ("pinion_teeth_left_samples_38", "m"),
-    ("pinion_teeth_left_samples_39", "m"),
-    ("pinion_teeth_left_samples_40", "m"),
-    ("wheel_teeth_right_samples_1", "m"),
-    ("wheel_teeth_right_samples_2", "m"),
-    ("wheel_teeth_right_samples_3", "m"),
-    ("wheel_teeth_right_samples_4", "m"),
-    ("wheel_teeth_right_samples_5", "m"),
-    ("wheel_teeth_right_samples_6", "m"),
-    ("wheel_teeth_right_samples_7", "m"),
-    ("wheel_teeth_right_samples_8", "m"),
-    ("wheel_teeth_right_samples_9", "m"),
-    ("wheel_teeth_right_samples_10", "m"),
-    ("wheel_teeth_right_samples_11", "m"),
-    ("wheel_teeth_right_samples_12", "m"),
-    ("wheel_teeth_right_samples_13", "m"),
-    ("wheel_teeth_right_samples_14", "m"),
-    ("wheel_teeth_right_samples_15", "m"),
-    ("wheel_teeth_right_samples_16", "m"),
-    ("wheel_teeth_right_samples_17", "m"),
-    ("wheel_teeth_right_samples_18", "m"),
-    ("wheel_teeth_right_samples_19", "m"),
-    ("wheel_teeth_right_samples_20", "m"),
-    ("wheel_teeth_right_samples_21", "m"),
-    ("wheel_teeth_right_samples_22", "m"),
-    ("wheel_teeth_right_samples_23", "m"),
-    ("wheel_teeth_right_samples_24", "m"),
-    ("wheel_teeth_right_samples_25", "m"),
-    ("wheel_teeth_right_samples_26", "m"),
-    ("wheel_teeth_right_samples_27", "m"),
-    ("wheel_teeth_right_samples_28", "m"),
-    ("wheel_teeth_right_samples_29", "m"),
-    ("wheel_teeth_right_samples_30", "m"),
-    ("wheel_teeth_right_samples_31", "m"),
-    ("wheel_teeth_right_samples_32", "m"),
-    ("wheel_teeth_right_samples_33", "m"),
-    ("wheel_teeth_right_samples_34", "m"),
-    ("wheel_teeth_right_samples_35", "m"),
-    ("wheel_teeth_right_samples_36", "m"),
-    ("wheel_teeth_right_samples_37", "m"),
-    ("wheel_teeth_right_samples_38", "m"),
-    ("pinion_teeth_right_samples_1", "m"),
-    ("pinion_teeth_right_samples_2", "m"),
-    ("pinion_teeth_right_samples_3", "m"),
-    ("pinion_teeth_right_samples_4", "m"),
-    ("pinion_teeth_right_samples_5", "m"),
-    ("pinion_teeth_right_samples_6", "m"),
-    ("pinion_teeth_right_samples_7", "m"),
-    ("pinion_teeth_right_samples_8", "m"),
-    ("pinion_teeth_right_samples_9", "m"),
-    ("pinion_teeth_right_samples_10", "m"),
-    ("pinion_teeth_right_samples_11", "m"),
-    ("pinion_teeth_right_samples_12", "m"),
-    ("pinion_teeth_right_samples_13", "m"),
-    ("pinion_teeth_right_samples_14", "m"),
-    ("pinion_teeth_right_samples_15", "m"),
-    ("pinion_teeth_right_samples_16", "m"),
-    ("pinion_teeth_right_samples_17", "m"),
-    ("pinion_teeth_right_samples_18", "m"),
-    ("pinion_teeth_right_samples_19", "m"),
-    ("pinion_teeth_right_samples_20", "m"),
-    ("pinion_teeth_right_samples_21", "m"),
-    ("pinion_teeth_right_samples_22", "m"),
-    ("pinion_teeth_right_samples_23", "m"),
-    ("pinion_teeth_right_samples_24", "m"),
-    ("pinion_teeth_right_samples_25", "m"),
-    ("pinion_teeth_right_samples_26", "m"),
-    ("pinion_teeth_right_samples_27", "m"),
-    ("pinion_teeth_right_samples_28", "m"),
-    ("pinion_teeth_right_samples_29", "m"),
-    ("pinion_teeth_right_samples_30", "m"),
-    ("pinion_teeth_right_samples_31", "m"),
-    ("pinion_teeth_right_samples_32", "m"),
-    ("pinion_teeth_right_samples_33", "m"),
-    ("pinion_teeth_right_samples_34", "m"),
-    ("pinion_teeth_right_samples_35", "m"),
-    ("pinion_teeth_right_samples_36", "m"),
-    ("pinion_teeth_right_samples_37", "m"),
-    ("pinion_teeth_right_samples_38", "m"),
-    ("pinion_teeth_right_samples_39", "m"),
-    ("pinion_teeth_right_samples_40", "m"),
-    ("half_mesh_stiffness", "N/m"),
-    ("inverse_wheel_inertia", "1/(kg m^2)"),
-    ("half_wheel_inertia", "kg m^2"),
-    ("half_pinion_inertia", "kg m^2"),
+    ("pinion_inertia", "kg m^2"), ("module", "m"), ("pressure_angle", "1"), ("thinning", "m"), ("pinion_speed", "1/s"), ("firing", "1/s"),
+    ("swing", "1/s^2"), ("drag", "J"), ("mesh_stiffness", "N/m"), ("mesh_damping", "Pa s"), ("swing_over_firing_squared", "1"),
+    ("swing_over_firing", "1/s"), ("wheel_arm_x", "m"), ("wheel_teeth_left_samples_1", "m"), ("wheel_teeth_left_samples_2", "m"),
+    ("wheel_teeth_left_samples_3", "m"), ("wheel_teeth_left_samples_4", "m"), ("wheel_teeth_left_samples_5", "m"),
+    ("wheel_teeth_left_samples_6", "m"), ("wheel_teeth_left_samples_7", "m"), ("wheel_teeth_left_samples_8", "m"),
+    ("wheel_teeth_left_samples_9", "m"), ("wheel_teeth_left_samples_10", "m"), ("wheel_teeth_left_samples_11", "m"),
+    ("wheel_teeth_left_samples_12", "m"), ("wheel_teeth_left_samples_13", "m"), ("wheel_teeth_left_samples_14", "m"),
+    ("wheel_teeth_left_samples_15", "m"), ("wheel_teeth_left_samples_16", "m"), ("wheel_teeth_left_samples_17", "m"),
+    ("wheel_teeth_left_samples_18", "m"), ("wheel_teeth_left_samples_19", "m"), ("wheel_teeth_left_samples_20", "m"),
+    ("wheel_teeth_left_samples_21", "m"), ("wheel_teeth_left_samples_22", "m"), ("wheel_teeth_left_samples_23", "m"),
+    ("wheel_teeth_left_samples_24", "m"), ("wheel_teeth_left_samples_25", "m"), ("wheel_teeth_left_samples_26", "m"),
+    ("wheel_teeth_left_samples_27", "m"), ("wheel_teeth_left_samples_28", "m"), ("wheel_teeth_left_samples_29", "m"),
+    ("wheel_teeth_left_samples_30", "m"), ("wheel_teeth_left_samples_31", "m"), ("wheel_teeth_left_samples_32", "m"),
+    ("wheel_teeth_left_samples_33", "m"), ("wheel_teeth_left_samples_34", "m"), ("wheel_teeth_left_samples_35", "m"),
+    ("wheel_teeth_left_samples_36", "m"), ("wheel_teeth_left_samples_37", "m"), ("wheel_teeth_left_samples_38", "m"),
+    ("pinion_teeth_left_samples_1", "m"), ("pinion_teeth_left_samples_2", "m"), ("pinion_teeth_left_samples_3", "m"),
+    ("pinion_teeth_left_samples_4", "m"), ("pinion_teeth_left_samples_5", "m"), ("pinion_teeth_left_samples_6", "m"),
+    ("pinion_teeth_left_samples_7", "m"), ("pinion_teeth_left_samples_8", "m"), ("pinion_teeth_left_samples_9", "m"),
+    ("pinion_teeth_left_samples_10", "m"), ("pinion_teeth_left_samples_11", "m"), ("pinion_teeth_left_samples_12", "m"),
+    ("pinion_teeth_left_samples_13", "m"), ("pinion_teeth_left_samples_14", "m"), ("pinion_teeth_left_samples_15", "m"),
+    ("pinion_teeth_left_samples_16", "m"), ("pinion_teeth_left_samples_17", "m"), ("pinion_teeth_left_samples_18", "m"),
+    ("pinion_teeth_left_samples_19", "m"), ("pinion_teeth_left_samples_20", "m"), ("pinion_teeth_left_samples_21", "m"),
+    ("pinion_teeth_left_samples_22", "m"), ("pinion_teeth_left_samples_23", "m"), ("pinion_teeth_left_samples_24", "m"),
+    ("pinion_teeth_left_samples_25", "m"), ("pinion_teeth_left_samples_26", "m"), ("pinion_teeth_left_samples_27", "m"),
+    ("pinion_teeth_left_samples_28", "m"), ("pinion_teeth_left_samples_29", "m"), ("pinion_teeth_left_samples_30", "m"),
+    ("pinion_teeth_left_samples_31", "m"), ("pinion_teeth_left_samples_32", "m"), ("pinion_teeth_left_samples_33", "m"),
+    ("pinion_teeth_left_samples_34", "m"), ("pinion_teeth_left_samples_35", "m"), ("pinion_teeth_left_samples_36", "m"),
+    ("pinion_teeth_left_samples_37", "m"), ("pinion_teeth_left_samples_38", "m"), ("pinion_teeth_left_samples_39", "m"),
+    ("pinion_teeth_left_samples_40", "m"), ("wheel_teeth_right_samples_1", "m"), ("wheel_teeth_right_samples_2", "m"),
+    ("wheel_teeth_right_samples_3", "m"), ("wheel_teeth_right_samples_4", "m"), ("wheel_teeth_right_samples_5", "m"),
+    ("wheel_teeth_right_samples_6", "m"), ("wheel_teeth_right_samples_7", "m"), ("wheel_teeth_right_samples_8", "m"),
+    ("wheel_teeth_right_samples_9", "m"), ("wheel_teeth_right_samples_10", "m"), ("wheel_teeth_right_samples_11", "m"),
+    ("wheel_teeth_right_samples_12", "m"), ("wheel_teeth_right_samples_13", "m"), ("wheel_teeth_right_samples_14", "m"),
+    ("wheel_teeth_right_samples_15", "m"), ("wheel_teeth_right_samples_16", "m"), ("wheel_teeth_right_samples_17", "m"),
+    ("wheel_teeth_right_samples_18", "m"), ("wheel_teeth_right_samples_19", "m"), ("wheel_teeth_right_samples_20", "m"),
+    ("wheel_teeth_right_samples_21", "m"), ("wheel_teeth_right_samples_22", "m"), ("wheel_teeth_right_samples_23", "m"),
+    ("wheel_teeth_right_samples_24", "m"), ("wheel_teeth_right_samples_25", "m"), ("wheel_teeth_right_samples_26", "m"),
+    ("wheel_teeth_right_samples_27", "m"), ("wheel_teeth_right_samples_28", "m"), ("wheel_teeth_right_samples_29", "m"),
+    ("wheel_teeth_right_samples_30", "m"), ("wheel_teeth_right_samples_31", "m"), ("wheel_teeth_right_samples_32", "m"),
+    ("wheel_teeth_right_samples_33", "m"), ("wheel_teeth_right_samples_34", "m"), ("wheel_teeth_right_samples_35", "m"),
+    ("wheel_teeth_right_samples_36", "m"), ("wheel_teeth_right_samples_37", "m"), ("wheel_teeth_right_samples_38", "m"),
+    ("pinion_teeth_right_samples_1", "m"), ("pinion_teeth_right_samples_2", "m"), ("pinion_teeth_right_samples_3", "m"),
+    ("pinion_teeth_right_samples_4", "m"), ("pinion_teeth_right_samples_5", "m"), ("pinion_teeth_right_samples_6", "m"),
+    ("pinion_teeth_right_samples_7", "m"), ("pinion_teeth_right_samples_8", "m"), ("pinion_teeth_right_samples_9", "m"),
+    ("pinion_teeth_right_samples_10", "m"), ("pinion_teeth_right_samples_11", "m"), ("pinion_teeth_right_samples_12", "m"),
+    ("pinion_teeth_right_samples_13", "m"), ("pinion_teeth_right_samples_14", "m"), ("pinion_teeth_right_samples_15", "m"),
+    ("pinion_teeth_right_samples_16", "m"), ("pinion_teeth_right_samples_17", "m"), ("pinion_teeth_right_samples_18", "m"),
+    ("pinion_teeth_right_samples_19", "m"), ("pinion_teeth_right_samples_20", "m"), ("pinion_teeth_right_samples_21", "m"),
+    ("pinion_teeth_right_samples_22", "m"), ("pinion_teeth_right_samples_23", "m"), ("pinion_teeth_right_samples_24", "m"),
+    ("pinion_teeth_right_samples_25", "m"), ("pinion_teeth_right_samples_26", "m"), ("pinion_teeth_right_samples_27", "m"),
+    ("pinion_teeth_right_samples_28", "m"), ("pinion_teeth_right_samples_29", "m"), ("pinion_teeth_right_samples_30", "m"),
+    ("pinion_teeth_right_samples_31", "m"), ("pinion_teeth_right_samples_32", "m"), ("pinion_teeth_right_samples_33", "m"),
+    ("pinion_teeth_right_samples_34", "m"), ("pinion_teeth_right_samples_35", "m"), ("pinion_teeth_right_samples_36", "m"),
+    ("pinion_teeth_right_samples_37", "m"), ("pinion_teeth_right_samples_38", "m"), ("pinion_teeth_right_samples_39", "m"),
+    ("pinion_teeth_right_samples_40", "m"), ("half_mesh_stiffness", "N/m"), ("inverse_wheel_inertia", "1/(kg m^2)"),
+    ("half_wheel_inertia", "kg m^2"), ("half_pinion_inertia", "kg m^2"),
 )
 
 OPERATIONS = (
-    ("constants", 13),
-    ("start", 18),
-    ("scales", 18),
-    ("coordinate_rates", 0),
-    ("gaps", 49),
-    ("gap_accelerations", 123),
-    ("contact_mesh_1", 68),
-    ("contact_mesh_2", 68),
-    ("applied", 0),
-    ("accelerations", 6),
-    ("ledger", 6),
-    ("energy", 39),
-    ("poses", 12),
-    ("outputs", 21),
-    ("landmarks", 8),
+    ("constants", 13), ("start", 18), ("scales", 18), ("coordinate_rates", 0), ("gaps", 49), ("gap_accelerations", 123),
+    ("contact_mesh_1", 68), ("contact_mesh_2", 68), ("applied", 0), ("accelerations", 6), ("ledger", 6), ("energy", 39), ("poses", 12),
+    ("outputs", 21), ("landmarks", 8),
 )
 
 WHEEL_TEETH_LEFT_CURVE = (
@@ -635,28 +474,47 @@ def pinion_teeth_right_curve(s, pressure_angle, module, thinning):
     return 10*cos_pressure_angle*(x15 - x14*x5*x7)*module, 10*cos_pressure_angle*(-x14 - x15*x5*x7)*module, 9.6*cos_pressure_angle*x15*x4*x7*module, -9.6*cos_pressure_angle*x14*x4*x7*module, -10*cos_pressure_angle*(x15*x17 + 0.96*x14*x19*x5*x7)*module, -10*cos_pressure_angle*(0.96*x15*x19*x5*x7 - x14*x17)*module
 
 
+def curve_on_curve_contact(t_times_firing, cos, sin, between, second_speed, third_speed, mesh_stiffness, mesh_damping, swing_over_firing,
+        arm_x):
+    """Return normal_force [N], normal_power [W], first_push_on [N m], second_push_on [N m]."""
+    first_speed = swing_over_firing*ca.sin(t_times_firing) + third_speed
+    distance = between[0]
+    normal_x = between[1]
+    normal_y = between[2]
+    foot_x = between[3]
+    foot_y = between[4]
+    elastic_force = ca.if_else(-distance > 0, -distance*mesh_stiffness, 0)
+    normal_x_2 = normal_x*cos - normal_y*sin
+    normal_y_2 = normal_y*cos + normal_x*sin
+    foot_x_2 = foot_x*cos - foot_y*sin
+    foot_y_2 = foot_y*cos + foot_x*sin
+    contact_x = arm_x + foot_x_2
+    relative_rate_x = second_speed*foot_y_2 - foot_y_2*first_speed
+    contact_x_minus_arm_x = contact_x - arm_x
+    relative_rate_y = contact_x*first_speed - second_speed*contact_x_minus_arm_x
+    penetration_rate = -normal_x_2*relative_rate_x - normal_y_2*relative_rate_y
+    resistance = ca.if_else(-distance > 0, -distance*penetration_rate*mesh_damping, 0)
+    normal_force = resistance + elastic_force
+    normal_power = penetration_rate*resistance
+    push_x = normal_force*normal_x_2
+    push_y = normal_force*normal_y_2
+    first_push_on = contact_x*push_y - push_x*foot_y_2
+    second_push_on = push_x*foot_y_2 - contact_x_minus_arm_x*push_y
+    return normal_force, normal_power, first_push_on, second_push_on
+
+
 def constants(p):
     """Quantities that depend on the parameters alone, once per run.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (21,): pinion_inertia, module, pressure_angle, thinning, pinion_speed, firing, swing, drag,
-            mesh_stiffness, mesh_damping, swing_over_firing_squared, swing_over_firing, wheel_arm_x,
-            wheel_teeth_left_samples, pinion_teeth_left_samples, wheel_teeth_right_samples,
-            pinion_teeth_right_samples, half_mesh_stiffness, inverse_wheel_inertia, half_wheel_inertia,
+        c (21,): pinion_inertia, module, pressure_angle, thinning, pinion_speed, firing, swing, drag, mesh_stiffness, mesh_damping,
+            swing_over_firing_squared, swing_over_firing, wheel_arm_x, wheel_teeth_left_samples, pinion_teeth_left_samples,
+            wheel_teeth_right_samples, pinion_teeth_right_samples, half_mesh_stiffness, inverse_wheel_inertia, half_wheel_inertia,
             half_pinion_inertia
     """
-    pinion_inertia = p[1]
-    wheel_inertia = p[3]
-    module = p[4]
-    pressure_angle = p[5]
-    thinning = p[6]
-    pinion_speed = p[7]
-    firing = p[8]
-    swing = p[9]
-    drag = p[10]
-    mesh_stiffness = p[11]
-    mesh_damping = p[12]
+    pinion_inertia, wheel_inertia, module, pressure_angle, thinning, pinion_speed, firing = p[1], p[3], p[4], p[5], p[6], p[7], p[8]
+    swing, drag, mesh_stiffness, mesh_damping = p[9], p[10], p[11], p[12]
     swing_over_firing_squared = swing/(firing*firing)
     swing_over_firing = swing/firing
     wheel_arm_x = 51*module/2
@@ -668,10 +526,10 @@ def constants(p):
     inverse_wheel_inertia = 1/wheel_inertia
     half_wheel_inertia = wheel_inertia/2
     half_pinion_inertia = pinion_inertia/2
-    return ca.vertcat(pinion_inertia, module, pressure_angle, thinning, pinion_speed, firing, swing, drag,
-        mesh_stiffness, mesh_damping, swing_over_firing_squared, swing_over_firing, wheel_arm_x,
-        wheel_teeth_left_samples, pinion_teeth_left_samples, wheel_teeth_right_samples, pinion_teeth_right_samples,
-        half_mesh_stiffness, inverse_wheel_inertia, half_wheel_inertia, half_pinion_inertia)
+    return ca.vertcat(pinion_inertia, module, pressure_angle, thinning, pinion_speed, firing, swing, drag, mesh_stiffness, mesh_damping,
+        swing_over_firing_squared, swing_over_firing, wheel_arm_x, wheel_teeth_left_samples, pinion_teeth_left_samples,
+        wheel_teeth_right_samples, pinion_teeth_right_samples, half_mesh_stiffness, inverse_wheel_inertia, half_wheel_inertia,
+        half_pinion_inertia)
 
 
 def start(p):
@@ -679,22 +537,14 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (1,): idler.angle [rad]
-        u (1,): idler.speed [rad/s]
+        q (1,): COORDINATES
+        u (1,): SPEEDS
     """
-    wheel_inertia = p[3]
-    module = p[4]
-    pressure_angle = p[5]
-    thinning = p[6]
-    pinion_speed = p[7]
-    swing = p[9]
-    drag = p[10]
+    wheel_inertia, module, pressure_angle, thinning, pinion_speed, swing, drag = p[3], p[4], p[5], p[6], p[7], p[9], p[10]
     mesh_stiffness = p[11]
-    return (
-        ca.vertcat(2*thinning/(31*module) + 4*(20*swing*wheel_inertia/31 +
+    return (ca.vertcat(2*thinning/(31*module) + 4*(20*swing*wheel_inertia/31 +
             drag)/(961*mesh_stiffness*module*module*ca.cos(pressure_angle)**2)),
-        ca.vertcat(-20*pinion_speed/31),
-    )
+        ca.vertcat(-20*pinion_speed/31))
 
 
 def scales(p):
@@ -702,27 +552,19 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (1,): idler.angle [rad]
-        su (1,): idler.speed [rad/s]
-        sz (4,): energy_ledger.input [J], oil.input [J], mesh_1.dissipated [J], mesh_2.dissipated [J]
+        sq (1,): COORDINATES
+        su (1,): SPEEDS
+        sz (4,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    pinion_mass = p[0]
-    wheel_mass = p[2]
-    module = p[4]
-    pressure_angle = p[5]
-    thinning = p[6]
-    pinion_speed = p[7]
+    pinion_mass, wheel_mass, module, pressure_angle, thinning, pinion_speed = p[0], p[2], p[4], p[5], p[6], p[7]
     total_mass = pinion_mass + wheel_mass
     cos_pressure_angle = ca.cos(pressure_angle)
     energy_scale = total_mass*cos_pressure_angle*cos_pressure_angle*module*module*pinion_speed*pinion_speed/2
     force_scale = energy_scale/thinning
-    return (
-        ca.vertcat(2*thinning/(31*cos_pressure_angle*module)),
-        ca.vertcat(2*pinion_speed/31),
+    return (ca.vertcat(2*thinning/(31*cos_pressure_angle*module)), ca.vertcat(2*pinion_speed/31),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(thinning, cos_pressure_angle*module*pinion_speed, force_scale, energy_scale),
-    )
+        ca.vertcat(thinning, cos_pressure_angle*module*pinion_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -730,7 +572,7 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (1,): idler.angle [rad/s]
+        dq (1,): COORDINATES [rad/s]
     """
     idler_speed = u[0]
     return ca.vertcat(idler_speed)
@@ -741,21 +583,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (2,): mesh_1 [m], mesh_2 [m]
-        dG (2,): mesh_1 [m/s], mesh_2 [m/s]
+        G (2,): PAIRS [m]
+        dG (2,): PAIRS [m/s]
     """
-    module = c[1]
-    pressure_angle = c[2]
-    thinning = c[3]
-    pinion_speed = c[4]
-    firing = c[5]
-    swing_over_firing_squared = c[10]
-    swing_over_firing = c[11]
-    wheel_arm_x = c[12]
-    wheel_teeth_left_samples = c[13:51]
-    pinion_teeth_left_samples = c[51:91]
-    wheel_teeth_right_samples = c[91:129]
-    pinion_teeth_right_samples = c[129:169]
+    module, pressure_angle, thinning, pinion_speed, firing, swing_over_firing_squared = c[1], c[2], c[3], c[4], c[5], c[10]
+    swing_over_firing, wheel_arm_x, wheel_teeth_left_samples, pinion_teeth_left_samples = c[11], c[12], c[13:51], c[51:91]
+    wheel_teeth_right_samples, pinion_teeth_right_samples = c[91:129], c[129:169]
     idler_angle = q[0]
     idler_speed = u[0]
     t_times_firing = t*firing
@@ -800,21 +633,11 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (2,): mesh_1 [m/s^2], mesh_2 [m/s^2]
+        ddG (2,): PAIRS [m/s^2]
     """
-    module = c[1]
-    pressure_angle = c[2]
-    thinning = c[3]
-    pinion_speed = c[4]
-    firing = c[5]
-    swing = c[6]
-    swing_over_firing_squared = c[10]
-    swing_over_firing = c[11]
-    wheel_arm_x = c[12]
-    wheel_teeth_left_samples = c[13:51]
-    pinion_teeth_left_samples = c[51:91]
-    wheel_teeth_right_samples = c[91:129]
-    pinion_teeth_right_samples = c[129:169]
+    module, pressure_angle, thinning, pinion_speed, firing, swing, swing_over_firing_squared = c[1], c[2], c[3], c[4], c[5], c[6], c[10]
+    swing_over_firing, wheel_arm_x, wheel_teeth_left_samples, pinion_teeth_left_samples = c[11], c[12], c[13:51], c[51:91]
+    wheel_teeth_right_samples, pinion_teeth_right_samples = c[91:129], c[129:169]
     idler_angle = q[0]
     idler_speed = u[0]
     idler_acceleration = a[0]
@@ -882,34 +705,21 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_mesh_1(t, q, u, z, m, c):
-    """Forces of mesh_1: power x power_damping. The normal force is the laws' own, not clamped: where it would pull,
-    the contact ends.
+    """Forces of mesh_1: power x power_damping. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (2,): idler [N m], input [N m]
-        dz (4,): energy_ledger.input [W], oil.input [W], mesh_1.dissipated [W], mesh_2.dissipated [W]
+        dz (4,): MEMORY [W]
         normal_force (1,): mesh_1 [N]
         sliding_velocity (0,): empty
         in_range (1,): mesh_1 [1]
     """
-    module = c[1]
-    pressure_angle = c[2]
-    thinning = c[3]
-    pinion_speed = c[4]
-    firing = c[5]
-    mesh_stiffness = c[8]
-    mesh_damping = c[9]
-    swing_over_firing_squared = c[10]
-    swing_over_firing = c[11]
-    wheel_arm_x = c[12]
-    wheel_teeth_left_samples = c[13:51]
-    pinion_teeth_left_samples = c[51:91]
+    module, pressure_angle, thinning, pinion_speed, firing, swing_over_firing_squared = c[1], c[2], c[3], c[4], c[5], c[10]
+    wheel_arm_x, wheel_teeth_left_samples, pinion_teeth_left_samples = c[12], c[13:51], c[51:91]
     idler_angle = q[0]
-    idler_speed = u[0]
     t_times_firing = t*firing
     input_angle = swing_over_firing_squared*(1 - ca.cos(t_times_firing)) + t*pinion_speed
-    input_speed = swing_over_firing*ca.sin(t_times_firing) + pinion_speed
     cos_pinion = ca.cos(input_angle)
     sin_pinion = ca.sin(input_angle)
     cos_wheel = ca.cos(idler_angle)
@@ -919,66 +729,18 @@ def contact_mesh_1(t, q, u, z, m, c):
     mesh_1_turned_x = cos_pinion*cos_wheel + sin_pinion*sin_wheel
     mesh_1_turned_y = cos_wheel*sin_pinion - cos_pinion*sin_wheel
     mesh_1_between = _between(pinion_teeth_left_curve, PINION_TEETH_LEFT_CURVE, wheel_teeth_left_curve, WHEEL_TEETH_LEFT_CURVE, pinion_teeth_left_samples, wheel_teeth_left_samples, ca.vertcat(pressure_angle, module, thinning), ca.vertcat(pressure_angle, module, thinning), ca.vertcat(mesh_1_local_x, mesh_1_local_y, mesh_1_turned_x, mesh_1_turned_y))
-    mesh_1_distance = mesh_1_between[0]
-    mesh_1_normal_x = mesh_1_between[1]
-    mesh_1_normal_y = mesh_1_between[2]
-    mesh_1_foot_x = mesh_1_between[3]
-    mesh_1_foot_y = mesh_1_between[4]
-    mesh_1_elastic_force = ca.if_else(-mesh_1_distance > 0, -mesh_1_distance*mesh_stiffness, 0)
-    mesh_1_normal_x_2 = cos_wheel*mesh_1_normal_x - mesh_1_normal_y*sin_wheel
-    mesh_1_normal_y_2 = cos_wheel*mesh_1_normal_y + mesh_1_normal_x*sin_wheel
-    mesh_1_foot_x_2 = cos_wheel*mesh_1_foot_x - mesh_1_foot_y*sin_wheel
-    mesh_1_foot_y_2 = cos_wheel*mesh_1_foot_y + mesh_1_foot_x*sin_wheel
-    mesh_1_contact_x = mesh_1_foot_x_2 + wheel_arm_x
-    mesh_1_relative_rate_x = idler_speed*mesh_1_foot_y_2 - input_speed*mesh_1_foot_y_2
-    mesh_1_contact_x_minus_wheel_arm_x = mesh_1_contact_x - wheel_arm_x
-    mesh_1_relative_rate_y = input_speed*mesh_1_contact_x - idler_speed*mesh_1_contact_x_minus_wheel_arm_x
-    mesh_1_penetration_rate = -mesh_1_normal_x_2*mesh_1_relative_rate_x - mesh_1_normal_y_2*mesh_1_relative_rate_y
-    mesh_1_resistance = ca.if_else(-mesh_1_distance > 0, -mesh_1_distance*mesh_1_penetration_rate*mesh_damping, 0)
-    mesh_1_normal_force = mesh_1_elastic_force + mesh_1_resistance
-    mesh_1_normal_power = mesh_1_penetration_rate*mesh_1_resistance
-    mesh_1_push_x = mesh_1_normal_force*mesh_1_normal_x_2
-    mesh_1_push_y = mesh_1_normal_force*mesh_1_normal_y_2
-    mesh_1_push_on_input = mesh_1_contact_x*mesh_1_push_y - mesh_1_foot_y_2*mesh_1_push_x
-    mesh_1_push_on_idler = mesh_1_foot_y_2*mesh_1_push_x - mesh_1_push_y*mesh_1_contact_x_minus_wheel_arm_x
-    return (
-        ca.vertcat(mesh_1_push_on_idler, mesh_1_push_on_input),
-        ca.vertcat(0, 0, mesh_1_normal_power, 0),
-        ca.vertcat(mesh_1_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    normal_force, normal_power, first_push_on, second_push_on = curve_on_curve_contact(t_times_firing, cos_wheel, sin_wheel, mesh_1_between, u[0], pinion_speed, c[8], c[9], c[11], wheel_arm_x)
+    return (ca.vertcat(second_push_on, first_push_on), ca.vertcat(0, 0, normal_power, 0), ca.vertcat(normal_force), ca.vertcat(),
+            ca.vertcat(1))
 
 
 def contact_mesh_2(t, q, u, z, m, c):
-    """Forces of mesh_2: power x power_damping. The normal force is the laws' own, not clamped: where it would pull,
-    the contact ends.
-
-    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
-    Returns, each a column vector:
-        f (2,): idler [N m], input [N m]
-        dz (4,): energy_ledger.input [W], oil.input [W], mesh_1.dissipated [W], mesh_2.dissipated [W]
-        normal_force (1,): mesh_2 [N]
-        sliding_velocity (0,): empty
-        in_range (1,): mesh_2 [1]
-    """
-    module = c[1]
-    pressure_angle = c[2]
-    thinning = c[3]
-    pinion_speed = c[4]
-    firing = c[5]
-    mesh_stiffness = c[8]
-    mesh_damping = c[9]
-    swing_over_firing_squared = c[10]
-    swing_over_firing = c[11]
-    wheel_arm_x = c[12]
-    wheel_teeth_right_samples = c[91:129]
-    pinion_teeth_right_samples = c[129:169]
+    """Forces of mesh_2: power x power_damping; arguments and returns as of contact_mesh_1."""
+    module, pressure_angle, thinning, pinion_speed, firing, swing_over_firing_squared = c[1], c[2], c[3], c[4], c[5], c[10]
+    wheel_arm_x, wheel_teeth_right_samples, pinion_teeth_right_samples = c[12], c[91:129], c[129:169]
     idler_angle = q[0]
-    idler_speed = u[0]
     t_times_firing = t*firing
     input_angle = swing_over_firing_squared*(1 - ca.cos(t_times_firing)) + t*pinion_speed
-    input_speed = swing_over_firing*ca.sin(t_times_firing) + pinion_speed
     cos_pinion = ca.cos(input_angle)
     sin_pinion = ca.sin(input_angle)
     cos_wheel = ca.cos(idler_angle)
@@ -988,35 +750,9 @@ def contact_mesh_2(t, q, u, z, m, c):
     mesh_1_turned_x = cos_pinion*cos_wheel + sin_pinion*sin_wheel
     mesh_1_turned_y = cos_wheel*sin_pinion - cos_pinion*sin_wheel
     mesh_2_between = _between(pinion_teeth_right_curve, PINION_TEETH_RIGHT_CURVE, wheel_teeth_right_curve, WHEEL_TEETH_RIGHT_CURVE, pinion_teeth_right_samples, wheel_teeth_right_samples, ca.vertcat(pressure_angle, module, thinning), ca.vertcat(pressure_angle, module, thinning), ca.vertcat(mesh_1_local_x, mesh_1_local_y, mesh_1_turned_x, mesh_1_turned_y))
-    mesh_2_distance = mesh_2_between[0]
-    mesh_2_normal_x = mesh_2_between[1]
-    mesh_2_normal_y = mesh_2_between[2]
-    mesh_2_foot_x = mesh_2_between[3]
-    mesh_2_foot_y = mesh_2_between[4]
-    mesh_2_elastic_force = ca.if_else(-mesh_2_distance > 0, -mesh_2_distance*mesh_stiffness, 0)
-    mesh_2_normal_x_2 = cos_wheel*mesh_2_normal_x - mesh_2_normal_y*sin_wheel
-    mesh_2_normal_y_2 = cos_wheel*mesh_2_normal_y + mesh_2_normal_x*sin_wheel
-    mesh_2_foot_x_2 = cos_wheel*mesh_2_foot_x - mesh_2_foot_y*sin_wheel
-    mesh_2_foot_y_2 = cos_wheel*mesh_2_foot_y + mesh_2_foot_x*sin_wheel
-    mesh_2_contact_x = mesh_2_foot_x_2 + wheel_arm_x
-    mesh_2_relative_rate_x = idler_speed*mesh_2_foot_y_2 - input_speed*mesh_2_foot_y_2
-    mesh_2_contact_x_minus_wheel_arm_x = mesh_2_contact_x - wheel_arm_x
-    mesh_2_relative_rate_y = input_speed*mesh_2_contact_x - idler_speed*mesh_2_contact_x_minus_wheel_arm_x
-    mesh_2_penetration_rate = -mesh_2_normal_x_2*mesh_2_relative_rate_x - mesh_2_normal_y_2*mesh_2_relative_rate_y
-    mesh_2_resistance = ca.if_else(-mesh_2_distance > 0, -mesh_2_distance*mesh_2_penetration_rate*mesh_damping, 0)
-    mesh_2_normal_force = mesh_2_elastic_force + mesh_2_resistance
-    mesh_2_normal_power = mesh_2_penetration_rate*mesh_2_resistance
-    mesh_2_push_x = mesh_2_normal_force*mesh_2_normal_x_2
-    mesh_2_push_y = mesh_2_normal_force*mesh_2_normal_y_2
-    mesh_2_push_on_input = mesh_2_contact_x*mesh_2_push_y - mesh_2_foot_y_2*mesh_2_push_x
-    mesh_2_push_on_idler = mesh_2_foot_y_2*mesh_2_push_x - mesh_2_push_y*mesh_2_contact_x_minus_wheel_arm_x
-    return (
-        ca.vertcat(mesh_2_push_on_idler, mesh_2_push_on_input),
-        ca.vertcat(0, 0, 0, mesh_2_normal_power),
-        ca.vertcat(mesh_2_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    normal_force, normal_power, first_push_on, second_push_on = curve_on_curve_contact(t_times_firing, cos_wheel, sin_wheel, mesh_2_between, u[0], pinion_speed, c[8], c[9], c[11], wheel_arm_x)
+    return (ca.vertcat(second_push_on, first_push_on), ca.vertcat(0, 0, 0, normal_power), ca.vertcat(normal_force), ca.vertcat(),
+            ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -1038,12 +774,8 @@ def accelerations(t, q, u, f, c):
         a (1,): idler.acceleration [rad/s^2]
         reactions (1,): input.reaction [N m]
     """
-    pinion_inertia = c[0]
-    firing = c[5]
-    swing = c[6]
-    inverse_wheel_inertia = c[170]
-    idler_force = f[0]
-    input_force = f[1]
+    pinion_inertia, firing, swing, inverse_wheel_inertia = c[0], c[5], c[6], c[170]
+    idler_force, input_force = f[0], f[1]
     input_acceleration = swing*ca.cos(t*firing)
     idler_acc = idler_force*inverse_wheel_inertia
     pinion_torque_z = input_acceleration*pinion_inertia
@@ -1056,12 +788,9 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (4,): energy_ledger.input [W], oil.input [W], mesh_1.dissipated [W], mesh_2.dissipated [W]
+        dz (4,): MEMORY [W]
     """
-    pinion_speed = c[4]
-    firing = c[5]
-    drag = c[7]
-    swing_over_firing = c[11]
+    pinion_speed, firing, drag, swing_over_firing = c[4], c[5], c[7], c[11]
     idler_speed = u[0]
     input_reaction_in = reactions[0]
     input_speed = swing_over_firing*ca.sin(t*firing) + pinion_speed
@@ -1075,22 +804,11 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (2,): mesh_1 [J], mesh_2 [J]
+        stored (2,): PAIRS [J]
     """
-    module = c[1]
-    pressure_angle = c[2]
-    thinning = c[3]
-    pinion_speed = c[4]
-    firing = c[5]
-    swing_over_firing_squared = c[10]
-    swing_over_firing = c[11]
-    wheel_arm_x = c[12]
-    wheel_teeth_left_samples = c[13:51]
-    pinion_teeth_left_samples = c[51:91]
-    wheel_teeth_right_samples = c[91:129]
-    pinion_teeth_right_samples = c[129:169]
-    half_mesh_stiffness = c[169]
-    half_wheel_inertia = c[171]
+    module, pressure_angle, thinning, pinion_speed, firing, swing_over_firing_squared = c[1], c[2], c[3], c[4], c[5], c[10]
+    swing_over_firing, wheel_arm_x, wheel_teeth_left_samples, pinion_teeth_left_samples = c[11], c[12], c[13:51], c[51:91]
+    wheel_teeth_right_samples, pinion_teeth_right_samples, half_mesh_stiffness, half_wheel_inertia = c[91:129], c[129:169], c[169], c[171]
     half_pinion_inertia = c[172]
     idler_angle = q[0]
     idler_speed = u[0]
@@ -1121,26 +839,20 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (6,): pinion.x [m], pinion.y [m], pinion.z [m], wheel.x [m], wheel.y [m], wheel.z [m]
-        rotations (18,): pinion.R_xx [1], pinion.R_xy [1], pinion.R_xz [1], pinion.R_yx [1], pinion.R_yy [1],
-            pinion.R_yz [1], pinion.R_zx [1], pinion.R_zy [1], pinion.R_zz [1], wheel.R_xx [1], wheel.R_xy [1],
-            wheel.R_xz [1], wheel.R_yx [1], wheel.R_yy [1], wheel.R_yz [1], wheel.R_zx [1], wheel.R_zy [1],
-            wheel.R_zz [1]
+        rotations (18,): pinion.R_xx [1], pinion.R_xy [1], pinion.R_xz [1], pinion.R_yx [1], pinion.R_yy [1], pinion.R_yz [1], pinion.R_zx
+            [1], pinion.R_zy [1], pinion.R_zz [1], wheel.R_xx [1], wheel.R_xy [1], wheel.R_xz [1], wheel.R_yx [1], wheel.R_yy [1],
+            wheel.R_yz [1], wheel.R_zx [1], wheel.R_zy [1], wheel.R_zz [1]
     """
-    pinion_speed = c[4]
-    firing = c[5]
-    swing_over_firing_squared = c[10]
-    wheel_arm_x = c[12]
+    pinion_speed, firing, swing_over_firing_squared, wheel_arm_x = c[4], c[5], c[10], c[12]
     idler_angle = q[0]
     input_angle = swing_over_firing_squared*(1 - ca.cos(t*firing)) + t*pinion_speed
     cos_pinion = ca.cos(input_angle)
     sin_pinion = ca.sin(input_angle)
     cos_wheel = ca.cos(idler_angle)
     sin_wheel = ca.sin(idler_angle)
-    return (
-        ca.vertcat(0, 0, 0, wheel_arm_x, 0, 0),
-        ca.vertcat(cos_pinion, -sin_pinion, 0, sin_pinion, cos_pinion, 0, 0, 0, 1, cos_wheel, -sin_wheel, 0,
-            sin_wheel, cos_wheel, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, wheel_arm_x, 0, 0),
+        ca.vertcat(cos_pinion, -sin_pinion, 0, sin_pinion, cos_pinion, 0, 0, 0, 1, cos_wheel, -sin_wheel, 0, sin_wheel, cos_wheel, 0, 0, 0,
+            1))
 
 
 def outputs(t, q, u, c):
@@ -1148,19 +860,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (6,): mesh_1.gap [m], mesh_1.first_parameter [1], mesh_1.second_parameter [1], mesh_2.gap [m],
-            mesh_2.first_parameter [1], mesh_2.second_parameter [1]
+        y (6,): OUTPUTS
     """
-    module = c[1]
-    pressure_angle = c[2]
-    thinning = c[3]
-    pinion_speed = c[4]
-    firing = c[5]
-    swing_over_firing_squared = c[10]
-    wheel_arm_x = c[12]
-    wheel_teeth_left_samples = c[13:51]
-    pinion_teeth_left_samples = c[51:91]
-    wheel_teeth_right_samples = c[91:129]
+    module, pressure_angle, thinning, pinion_speed, firing, swing_over_firing_squared = c[1], c[2], c[3], c[4], c[5], c[10]
+    wheel_arm_x, wheel_teeth_left_samples, pinion_teeth_left_samples, wheel_teeth_right_samples = c[12], c[13:51], c[51:91], c[91:129]
     pinion_teeth_right_samples = c[129:169]
     idler_angle = q[0]
     input_angle = swing_over_firing_squared*(1 - ca.cos(t*firing)) + t*pinion_speed
@@ -1180,8 +883,8 @@ def outputs(t, q, u, c):
     mesh_2_distance = mesh_2_between[0]
     mesh_2_first_parameter = mesh_2_between[8]
     mesh_2_second_parameter = mesh_2_between[9]
-    return ca.vertcat(mesh_1_distance, mesh_1_first_parameter, mesh_1_second_parameter, mesh_2_distance,
-        mesh_2_first_parameter, mesh_2_second_parameter)
+    return ca.vertcat(mesh_1_distance, mesh_1_first_parameter, mesh_1_second_parameter, mesh_2_distance, mesh_2_first_parameter,
+        mesh_2_second_parameter)
 
 
 def landmarks(p):
@@ -1189,41 +892,17 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        input.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        input.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        idler.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        idler.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        mesh_1.first (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
-            across_z [1], outline
-        mesh_1.second (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
-            across_z [1], outline
-        mesh_2.first (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
-            across_z [1], outline
-        mesh_2.second (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
-            across_z [1], outline
-        engine.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        oil.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        pinion.centre (3,): x [m], y [m], z [m]
-        wheel.centre (3,): x [m], y [m], z [m]
+        input.parent, input.child, idler.parent, idler.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        mesh_1.first, mesh_1.second, mesh_2.first, mesh_2.second (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x
+            [1], across_y [1], across_z [1], outline
+        engine.child, oil.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        pinion.centre, wheel.centre (3,): x [m], y [m], z [m]
     """
-    module = p[4]
-    pressure_angle = p[5]
-    thinning = p[6]
+    module, pressure_angle, thinning = p[4], p[5], p[6]
     x1 = 35*module/4
     x2 = _drawn_teeth(pinion_teeth_right_curve, PINION_TEETH_RIGHT_CURVE, ca.vertcat(pressure_angle, module, thinning), x1)
     x3 = 57*module/4
     x4 = _drawn_teeth(wheel_teeth_right_curve, WHEEL_TEETH_RIGHT_CURVE, ca.vertcat(pressure_angle, module, thinning), x3)
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(51*module/2, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x2),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x4),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x2),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x4),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(51*module/2, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x2), ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x4), ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x2),
+        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x4), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0))

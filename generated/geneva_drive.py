@@ -3,8 +3,7 @@
 Do not edit; regenerate with `hertzwerk derive geneva_drive`.
 Effects:
     motor: constant speed of shaft
-    slot: power x power_damping
-    lock: power x power_damping
+    slot, lock: power x power_damping
     energy_ledger: work put in, energy dissipated per effect
 Units: 107 assignments and 163 outputs checked, all consistent
 Operations: flight 228 (equations of motion and gaps); in contact also contact_slot 57, contact_lock 67
@@ -17,10 +16,8 @@ SOURCE = "derive/scenes/geneva_drive.py"
 SUMMARY = "a pin that turns a slotted wheel by a quarter, and a disc that locks it, in closed form within the plays"
 
 EFFECTS = (
-    ("motor", "drive", "constant speed of shaft"),
-    ("slot", "contact", "power x power_damping"),
-    ("lock", "contact", "power x power_damping"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+    ("motor", "drive", "constant speed of shaft"), ("slot", "contact", "power x power_damping"),
+    ("lock", "contact", "power x power_damping"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
 UNCHECKED = ()
@@ -56,439 +53,125 @@ LIMITS = (
     ("distance", "defined", 0, None, True, False, "scales, arm"),
 )
 
-COORDINATES = (
-    ("axle.angle", "rad"),
-)
+COORDINATES = (("axle.angle", "rad"),)
 
-SPEEDS = (
-    ("axle.speed", "rad/s"),
-)
+SPEEDS = (("axle.speed", "rad/s"),)
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("slot.dissipated", "J"),
-    ("lock.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("slot.dissipated", "J"), ("lock.dissipated", "J"))
 
 LATCHES = ()
 
-PAIRS = (
-    ("slot", "circle_on_curve"),
-    ("lock", "curve_on_curve"),
-)
+PAIRS = (("slot", "circle_on_curve"), ("lock", "curve_on_curve"))
 
-RELEASES = (
-    "force",
-    "force",
-)
+RELEASES = ("force", "force")
 
-DISSIPATED = (
-    1,
-    2,
-)
+DISSIPATED = (1, 2)
 
-OUTPUTS = (
-    ("slot.gap", "m"),
-    ("slot.parameter", "1"),
-    ("lock.gap", "m"),
-    ("lock.first_parameter", "1"),
-    ("lock.second_parameter", "1"),
-)
+OUTPUTS = (("slot.gap", "m"), ("slot.parameter", "1"), ("lock.gap", "m"), ("lock.first_parameter", "1"), ("lock.second_parameter", "1"))
 
-BODIES = (
-    "crank",
-    "wheel",
-)
+BODIES = ("crank", "wheel")
 
 LANDMARKS = (
-    ("shaft", "revolute", "parent", "ground", ("axis",)),
-    ("shaft", "revolute", "child", "crank", ("axis",)),
-    ("axle", "revolute", "parent", "ground", ("axis",)),
-    ("axle", "revolute", "child", "wheel", ("axis",)),
+    ("shaft", "revolute", "parent", "ground", ("axis",)), ("shaft", "revolute", "child", "crank", ("axis",)),
+    ("axle", "revolute", "parent", "ground", ("axis",)), ("axle", "revolute", "child", "wheel", ("axis",)),
     ("slot", "circle_on_curve", "circle", "crank", ("radius",)),
     ("slot", "circle_on_curve", "fixed", "wheel", ("along", "across", "outline")),
     ("lock", "curve_on_curve", "first", "crank", ("along", "across", "outline")),
-    ("lock", "curve_on_curve", "second", "wheel", ("along", "across", "outline")),
-    ("motor", "turn_drive", "child", "crank", ("axis",)),
-    ("crank", "body", "centre", "crank", ()),
-    ("wheel", "body", "centre", "wheel", ()),
+    ("lock", "curve_on_curve", "second", "wheel", ("along", "across", "outline")), ("motor", "turn_drive", "child", "crank", ("axis",)),
+    ("crank", "body", "centre", "crank", ()), ("wheel", "body", "centre", "wheel", ()),
 )
 
 CONSTANTS = (
-    ("distance", "m"),
-    ("rim", "m"),
-    ("pin_radius", "m"),
-    ("play", "m"),
-    ("root", "m"),
-    ("lock_radius", "m"),
-    ("lock_play", "m"),
-    ("hub", "m"),
-    ("crank_speed", "1/s"),
-    ("contact_stiffness", "N/m"),
-    ("contact_damping", "Pa s"),
-    ("quarter_of_sqrt_2_times_distance", "m"),
-    ("quarter_of_sqrt_6_times_distance", "m"),
-    ("slots_samples_1", "m"),
-    ("slots_samples_2", "m"),
-    ("slots_samples_3", "m"),
-    ("slots_samples_4", "m"),
-    ("slots_samples_5", "m"),
-    ("slots_samples_6", "m"),
-    ("slots_samples_7", "m"),
-    ("slots_samples_8", "m"),
-    ("slots_samples_9", "m"),
-    ("slots_samples_10", "m"),
-    ("slots_samples_11", "m"),
-    ("slots_samples_12", "m"),
-    ("slots_samples_13", "m"),
-    ("slots_samples_14", "m"),
-    ("slots_samples_15", "m"),
-    ("slots_samples_16", "m"),
-    ("slots_samples_17", "m"),
-    ("slots_samples_18", "m"),
-    ("slots_samples_19", "m"),
-    ("slots_samples_20", "m"),
-    ("slots_samples_21", "m"),
-    ("slots_samples_22", "m"),
-    ("slots_samples_23", "m"),
-    ("slots_samples_24", "m"),
-    ("slots_samples_25", "m"),
-    ("slots_samples_26", "m"),
-    ("slots_samples_27", "m"),
-    ("slots_samples_28", "m"),
-    ("slots_samples_29", "m"),
-    ("slots_samples_30", "m"),
-    ("slots_samples_31", "m"),
-    ("slots_samples_32", "m"),
-    ("slots_samples_33", "m"),
-    ("slots_samples_34", "m"),
-    ("slots_samples_35", "m"),
-    ("slots_samples_36", "m"),
-    ("slots_samples_37", "m"),
-    ("slots_samples_38", "m"),
-    ("slots_samples_39", "m"),
-    ("slots_samples_40", "m"),
-    ("slots_samples_41", "m"),
-    ("slots_samples_42", "m"),
-    ("slots_samples_43", "m"),
-    ("slots_samples_44", "m"),
-    ("slots_samples_45", "m"),
-    ("slots_samples_46", "m"),
-    ("slots_samples_47", "m"),
-    ("slots_samples_48", "m"),
-    ("slots_samples_49", "m"),
-    ("slots_samples_50", "m"),
-    ("slots_samples_51", "m"),
-    ("slots_samples_52", "m"),
-    ("slots_samples_53", "m"),
-    ("slots_samples_54", "m"),
-    ("slots_samples_55", "m"),
-    ("slots_samples_56", "m"),
-    ("slots_samples_57", "m"),
-    ("slots_samples_58", "m"),
-    ("slots_samples_59", "m"),
-    ("slots_samples_60", "m"),
-    ("slots_samples_61", "m"),
-    ("slots_samples_62", "m"),
-    ("slots_samples_63", "m"),
-    ("slots_samples_64", "m"),
-    ("slots_samples_65", "m"),
-    ("slots_samples_66", "m"),
-    ("slots_samples_67", "m"),
-    ("slots_samples_68", "m"),
-    ("slots_samples_69", "m"),
-    ("slots_samples_70", "m"),
-    ("slots_samples_71", "m"),
-    ("slots_samples_72", "m"),
-    ("slots_samples_73", "m"),
-    ("slots_samples_74", "m"),
-    ("slots_samples_75", "m"),
-    ("slots_samples_76", "m"),
-    ("slots_samples_77", "m"),
-    ("slots_samples_78", "m"),
-    ("slots_samples_79", "m"),
-    ("slots_samples_80", "m"),
-    ("slots_samples_81", "m"),
-    ("slots_samples_82", "m"),
-    ("slots_samples_83", "m"),
-    ("slots_samples_84", "m"),
-    ("slots_samples_85", "m"),
-    ("slots_samples_86", "m"),
-    ("slots_samples_87", "m"),
-    ("slots_samples_88", "m"),
-    ("slots_samples_89", "m"),
-    ("slots_samples_90", "m"),
-    ("slots_samples_91", "m"),
-    ("slots_samples_92", "m"),
-    ("slots_samples_93", "m"),
-    ("slots_samples_94", "m"),
-    ("slots_samples_95", "m"),
-    ("slots_samples_96", "m"),
-    ("slots_samples_97", "m"),
-    ("slots_samples_98", "m"),
-    ("slots_samples_99", "m"),
-    ("slots_samples_100", "m"),
-    ("slots_samples_101", "m"),
-    ("slots_samples_102", "m"),
-    ("slots_samples_103", "m"),
-    ("slots_samples_104", "m"),
-    ("slots_samples_105", "m"),
-    ("slots_samples_106", "m"),
-    ("slots_samples_107", "m"),
-    ("slots_samples_108", "m"),
-    ("slots_samples_109", "m"),
-    ("slots_samples_110", "m"),
-    ("slots_samples_111", "m"),
-    ("slots_samples_112", "m"),
-    ("slots_samples_113", "m"),
-    ("slots_samples_114", "m"),
-    ("slots_samples_115", "m"),
-    ("slots_samples_116", "m"),
-    ("slots_samples_117", "m"),
-    ("slots_samples_118", "m"),
-    ("slots_samples_119", "m"),
-    ("slots_samples_120", "m"),
-    ("slots_samples_121", "m"),
-    ("slots_samples_122", "m"),
-    ("slots_samples_123", "m"),
-    ("slots_samples_124", "m"),
-    ("slots_samples_125", "m"),
-    ("slots_samples_126", "m"),
-    ("slots_samples_127", "m"),
-    ("slots_samples_128", "m"),
-    ("slots_samples_129", "m"),
-    ("slots_samples_130", "m"),
-    ("slots_samples_131", "m"),
-    ("slots_samples_132", "m"),
-    ("slots_samples_133", "m"),
-    ("slots_samples_134", "m"),
-    ("slots_samples_135", "m"),
-    ("slots_samples_136", "m"),
-    ("slots_samples_137", "m"),
-    ("slots_samples_138", "m"),
-    ("slots_samples_139", "m"),
-    ("slots_samples_140", "m"),
-    ("slots_samples_141", "m"),
-    ("slots_samples_142", "m"),
-    ("slots_samples_143", "m"),
-    ("slots_samples_144", "m"),
-    ("slots_samples_145", "m"),
-    ("slots_samples_146", "m"),
-    ("slots_samples_147", "m"),
-    ("slots_samples_148", "m"),
-    ("slots_samples_149", "m"),
-    ("slots_samples_150", "m"),
-    ("slots_samples_151", "m"),
-    ("slots_samples_152", "m"),
-    ("slots_samples_153", "m"),
-    ("slots_samples_154", "m"),
-    ("slots_samples_155", "m"),
-    ("slots_samples_156", "m"),
-    ("slots_samples_157", "m"),
-    ("slots_samples_158", "m"),
-    ("slots_samples_159", "m"),
-    ("slots_samples_160", "m"),
-    ("slots_samples_161", "m"),
-    ("slots_samples_162", "m"),
-    ("slots_samples_163", "m"),
-    ("slots_samples_164", "m"),
-    ("slots_samples_165", "m"),
-    ("slots_samples_166", "m"),
-    ("slots_samples_167", "m"),
-    ("slots_samples_168", "m"),
-    ("slots_samples_169", "m"),
-    ("slots_samples_170", "m"),
-    ("slots_samples_171", "m"),
-    ("slots_samples_172", "m"),
-    ("slots_samples_173", "m"),
-    ("slots_samples_174", "m"),
-    ("slots_samples_175", "m"),
-    ("slots_samples_176", "m"),
-    ("slots_samples_177", "m"),
-    ("slots_samples_178", "m"),
-    ("slots_samples_179", "m"),
-    ("slots_samples_180", "m"),
-    ("slots_samples_181", "m"),
-    ("slots_samples_182", "m"),
-    ("slots_samples_183", "m"),
-    ("slots_samples_184", "m"),
-    ("slots_samples_185", "m"),
-    ("slots_samples_186", "m"),
-    ("slots_samples_187", "m"),
-    ("slots_samples_188", "m"),
-    ("slots_samples_189", "m"),
-    ("slots_samples_190", "m"),
-    ("slots_samples_191", "m"),
-    ("slots_samples_192", "m"),
-    ("slots_samples_193", "m"),
-    ("slots_samples_194", "m"),
-    ("slots_samples_195", "m"),
-    ("slots_samples_196", "m"),
-    ("slots_samples_197", "m"),
-    ("slots_samples_198", "m"),
-    ("slots_samples_199", "m"),
-    ("slots_samples_200", "m"),
-    ("slots_samples_201", "m"),
-    ("slots_samples_202", "m"),
-    ("slots_samples_203", "m"),
-    ("slots_samples_204", "m"),
-    ("slots_samples_205", "m"),
-    ("slots_samples_206", "m"),
-    ("slots_samples_207", "m"),
-    ("slots_samples_208", "m"),
-    ("slots_samples_209", "m"),
-    ("slots_samples_210", "m"),
-    ("slots_samples_211", "m"),
-    ("slots_samples_212", "m"),
-    ("slots_samples_213", "m"),
-    ("slots_samples_214", "m"),
-    ("slots_samples_215", "m"),
-    ("slots_samples_216", "m"),
-    ("slots_samples_217", "m"),
-    ("slots_samples_218", "m"),
-    ("slots_samples_219", "m"),
-    ("slots_samples_220", "m"),
-    ("slots_samples_221", "m"),
-    ("slots_samples_222", "m"),
-    ("slots_samples_223", "m"),
-    ("slots_samples_224", "m"),
-    ("slots_samples_225", "m"),
-    ("slots_samples_226", "m"),
-    ("slots_samples_227", "m"),
-    ("slots_samples_228", "m"),
-    ("slots_samples_229", "m"),
-    ("slots_samples_230", "m"),
-    ("slots_samples_231", "m"),
-    ("slots_samples_232", "m"),
-    ("slots_samples_233", "m"),
-    ("slots_samples_234", "m"),
-    ("slots_samples_235", "m"),
-    ("slots_samples_236", "m"),
-    ("slots_samples_237", "m"),
-    ("slots_samples_238", "m"),
-    ("slots_samples_239", "m"),
-    ("slots_samples_240", "m"),
-    ("slots_samples_241", "m"),
-    ("slots_samples_242", "m"),
-    ("slots_samples_243", "m"),
-    ("slots_samples_244", "m"),
-    ("slots_samples_245", "m"),
-    ("slots_samples_246", "m"),
-    ("slots_samples_247", "m"),
-    ("slots_samples_248", "m"),
-    ("slots_samples_249", "m"),
-    ("slots_samples_250", "m"),
-    ("slots_samples_251", "m"),
-    ("slots_samples_252", "m"),
-    ("slots_samples_253", "m"),
-    ("slots_samples_254", "m"),
-    ("slots_samples_255", "m"),
-    ("slots_samples_256", "m"),
-    ("slots_samples_257", "m"),
-    ("slots_samples_258", "m"),
-    ("slots_samples_259", "m"),
-    ("slots_samples_260", "m"),
-    ("slots_samples_261", "m"),
-    ("slots_samples_262", "m"),
-    ("slots_samples_263", "m"),
-    ("slots_samples_264", "m"),
-    ("slots_samples_265", "m"),
-    ("slots_samples_266", "m"),
-    ("slots_samples_267", "m"),
-    ("slots_samples_268", "m"),
-    ("slots_samples_269", "m"),
-    ("slots_samples_270", "m"),
-    ("slots_samples_271", "m"),
-    ("slots_samples_272", "m"),
-    ("slots_samples_273", "m"),
-    ("slots_samples_274", "m"),
-    ("slots_samples_275", "m"),
-    ("slots_samples_276", "m"),
-    ("slots_samples_277", "m"),
-    ("slots_samples_278", "m"),
-    ("slots_samples_279", "m"),
-    ("slots_samples_280", "m"),
-    ("slots_samples_281", "m"),
-    ("slots_samples_282", "m"),
-    ("slots_samples_283", "m"),
-    ("slots_samples_284", "m"),
-    ("slots_samples_285", "m"),
-    ("slots_samples_286", "m"),
-    ("slots_samples_287", "m"),
-    ("slots_samples_288", "m"),
-    ("half_sqrt_3", "1"),
-    ("disc_samples_1", "m"),
-    ("disc_samples_2", "m"),
-    ("disc_samples_3", "m"),
-    ("disc_samples_4", "m"),
-    ("disc_samples_5", "m"),
-    ("disc_samples_6", "m"),
-    ("disc_samples_7", "m"),
-    ("disc_samples_8", "m"),
-    ("disc_samples_9", "m"),
-    ("disc_samples_10", "m"),
-    ("disc_samples_11", "m"),
-    ("disc_samples_12", "m"),
-    ("disc_samples_13", "m"),
-    ("disc_samples_14", "m"),
-    ("disc_samples_15", "m"),
-    ("disc_samples_16", "m"),
-    ("disc_samples_17", "m"),
-    ("disc_samples_18", "m"),
-    ("disc_samples_19", "m"),
-    ("disc_samples_20", "m"),
-    ("disc_samples_21", "m"),
-    ("disc_samples_22", "m"),
-    ("disc_samples_23", "m"),
-    ("disc_samples_24", "m"),
-    ("disc_samples_25", "m"),
-    ("disc_samples_26", "m"),
-    ("disc_samples_27", "m"),
-    ("disc_samples_28", "m"),
-    ("disc_samples_29", "m"),
-    ("disc_samples_30", "m"),
-    ("disc_samples_31", "m"),
-    ("disc_samples_32", "m"),
-    ("disc_samples_33", "m"),
-    ("disc_samples_34", "m"),
-    ("disc_samples_35", "m"),
-    ("disc_samples_36", "m"),
-    ("half_contact_stiffness", "N/m"),
-    ("inverse_wheel_inertia", "1/(kg m^2)"),
-    ("half_wheel_inertia", "kg m^2"),
+    ("distance", "m"), ("rim", "m"), ("pin_radius", "m"), ("play", "m"), ("root", "m"), ("lock_radius", "m"), ("lock_play", "m"),
+    ("hub", "m"), ("crank_speed", "1/s"), ("contact_stiffness", "N/m"), ("contact_damping", "Pa s"),
+    ("quarter_of_sqrt_2_times_distance", "m"), ("quarter_of_sqrt_6_times_distance", "m"), ("slots_samples_1", "m"),
+    ("slots_samples_2", "m"), ("slots_samples_3", "m"), ("slots_samples_4", "m"), ("slots_samples_5", "m"), ("slots_samples_6", "m"),
+    ("slots_samples_7", "m"), ("slots_samples_8", "m"), ("slots_samples_9", "m"), ("slots_samples_10", "m"), ("slots_samples_11", "m"),
+    ("slots_samples_12", "m"), ("slots_samples_13", "m"), ("slots_samples_14", "m"), ("slots_samples_15", "m"), ("slots_samples_16", "m"),
+    ("slots_samples_17", "m"), ("slots_samples_18", "m"), ("slots_samples_19", "m"), ("slots_samples_20", "m"), ("slots_samples_21", "m"),
+    ("slots_samples_22", "m"), ("slots_samples_23", "m"), ("slots_samples_24", "m"), ("slots_samples_25", "m"), ("slots_samples_26", "m"),
+    ("slots_samples_27", "m"), ("slots_samples_28", "m"), ("slots_samples_29", "m"), ("slots_samples_30", "m"), ("slots_samples_31", "m"),
+    ("slots_samples_32", "m"), ("slots_samples_33", "m"), ("slots_samples_34", "m"), ("slots_samples_35", "m"), ("slots_samples_36", "m"),
+    ("slots_samples_37", "m"), ("slots_samples_38", "m"), ("slots_samples_39", "m"), ("slots_samples_40", "m"), ("slots_samples_41", "m"),
+    ("slots_samples_42", "m"), ("slots_samples_43", "m"), ("slots_samples_44", "m"), ("slots_samples_45", "m"), ("slots_samples_46", "m"),
+    ("slots_samples_47", "m"), ("slots_samples_48", "m"), ("slots_samples_49", "m"), ("slots_samples_50", "m"), ("slots_samples_51", "m"),
+    ("slots_samples_52", "m"), ("slots_samples_53", "m"), ("slots_samples_54", "m"), ("slots_samples_55", "m"), ("slots_samples_56", "m"),
+    ("slots_samples_57", "m"), ("slots_samples_58", "m"), ("slots_samples_59", "m"), ("slots_samples_60", "m"), ("slots_samples_61", "m"),
+    ("slots_samples_62", "m"), ("slots_samples_63", "m"), ("slots_samples_64", "m"), ("slots_samples_65", "m"), ("slots_samples_66", "m"),
+    ("slots_samples_67", "m"), ("slots_samples_68", "m"), ("slots_samples_69", "m"), ("slots_samples_70", "m"), ("slots_samples_71", "m"),
+    ("slots_samples_72", "m"), ("slots_samples_73", "m"), ("slots_samples_74", "m"), ("slots_samples_75", "m"), ("slots_samples_76", "m"),
+    ("slots_samples_77", "m"), ("slots_samples_78", "m"), ("slots_samples_79", "m"), ("slots_samples_80", "m"), ("slots_samples_81", "m"),
+    ("slots_samples_82", "m"), ("slots_samples_83", "m"), ("slots_samples_84", "m"), ("slots_samples_85", "m"), ("slots_samples_86", "m"),
+    ("slots_samples_87", "m"), ("slots_samples_88", "m"), ("slots_samples_89", "m"), ("slots_samples_90", "m"), ("slots_samples_91", "m"),
+    ("slots_samples_92", "m"), ("slots_samples_93", "m"), ("slots_samples_94", "m"), ("slots_samples_95", "m"), ("slots_samples_96", "m"),
+    ("slots_samples_97", "m"), ("slots_samples_98", "m"), ("slots_samples_99", "m"), ("slots_samples_100", "m"), ("slots_samples_101", "m"),
+    ("slots_samples_102", "m"), ("slots_samples_103", "m"), ("slots_samples_104", "m"), ("slots_samples_105", "m"),
+    ("slots_samples_106", "m"), ("slots_samples_107", "m"), ("slots_samples_108", "m"), ("slots_samples_109", "m"),
+    ("slots_samples_110", "m"), ("slots_samples_111", "m"), ("slots_samples_112", "m"), ("slots_samples_113", "m"),
+    ("slots_samples_114", "m"), ("slots_samples_115", "m"), ("slots_samples_116", "m"), ("slots_samples_117", "m"),
+    ("slots_samples_118", "m"), ("slots_samples_119", "m"), ("slots_samples_120", "m"), ("slots_samples_121", "m"),
+    ("slots_samples_122", "m"), ("slots_samples_123", "m"), ("slots_samples_124", "m"), ("slots_samples_125", "m"),
+    ("slots_samples_126", "m"), ("slots_samples_127", "m"), ("slots_samples_128", "m"), ("slots_samples_129", "m"),
+    ("slots_samples_130", "m"), ("slots_samples_131", "m"), ("slots_samples_132", "m"), ("slots_samples_133", "m"),
+    ("slots_samples_134", "m"), ("slots_samples_135", "m"), ("slots_samples_136", "m"), ("slots_samples_137", "m"),
+    ("slots_samples_138", "m"), ("slots_samples_139", "m"), ("slots_samples_140", "m"), ("slots_samples_141", "m"),
+    ("slots_samples_142", "m"), ("slots_samples_143", "m"), ("slots_samples_144", "m"), ("slots_samples_145", "m"),
+    ("slots_samples_146", "m"), ("slots_samples_147", "m"), ("slots_samples_148", "m"), ("slots_samples_149", "m"),
+    ("slots_samples_150", "m"), ("slots_samples_151", "m"), ("slots_samples_152", "m"), ("slots_samples_153", "m"),
+    ("slots_samples_154", "m"), ("slots_samples_155", "m"), ("slots_samples_156", "m"), ("slots_samples_157", "m"),
+    ("slots_samples_158", "m"), ("slots_samples_159", "m"), ("slots_samples_160", "m"), ("slots_samples_161", "m"),
+    ("slots_samples_162", "m"), ("slots_samples_163", "m"), ("slots_samples_164", "m"), ("slots_samples_165", "m"),
+    ("slots_samples_166", "m"), ("slots_samples_167", "m"), ("slots_samples_168", "m"), ("slots_samples_169", "m"),
+    ("slots_samples_170", "m"), ("slots_samples_171", "m"), ("slots_samples_172", "m"), ("slots_samples_173", "m"),
+    ("slots_samples_174", "m"), ("slots_samples_175", "m"), ("slots_samples_176", "m"), ("slots_samples_177", "m"),
+    ("slots_samples_178", "m"), ("slots_samples_179", "m"), ("slots_samples_180", "m"), ("slots_samples_181", "m"),
+    ("slots_samples_182", "m"), ("slots_samples_183", "m"), ("slots_samples_184", "m"), ("slots_samples_185", "m"),
+    ("slots_samples_186", "m"), ("slots_samples_187", "m"), ("slots_samples_188", "m"), ("slots_samples_189", "m"),
+    ("slots_samples_190", "m"), ("slots_samples_191", "m"), ("slots_samples_192", "m"), ("slots_samples_193", "m"),
+    ("slots_samples_194", "m"), ("slots_samples_195", "m"), ("slots_samples_196", "m"), ("slots_samples_197", "m"),
+    ("slots_samples_198", "m"), ("slots_samples_199", "m"), ("slots_samples_200", "m"), ("slots_samples_201", "m"),
+    ("slots_samples_202", "m"), ("slots_samples_203", "m"), ("slots_samples_204", "m"), ("slots_samples_205", "m"),
+    ("slots_samples_206", "m"), ("slots_samples_207", "m"), ("slots_samples_208", "m"), ("slots_samples_209", "m"),
+    ("slots_samples_210", "m"), ("slots_samples_211", "m"), ("slots_samples_212", "m"), ("slots_samples_213", "m"),
+    ("slots_samples_214", "m"), ("slots_samples_215", "m"), ("slots_samples_216", "m"), ("slots_samples_217", "m"),
+    ("slots_samples_218", "m"), ("slots_samples_219", "m"), ("slots_samples_220", "m"), ("slots_samples_221", "m"),
+    ("slots_samples_222", "m"), ("slots_samples_223", "m"), ("slots_samples_224", "m"), ("slots_samples_225", "m"),
+    ("slots_samples_226", "m"), ("slots_samples_227", "m"), ("slots_samples_228", "m"), ("slots_samples_229", "m"),
+    ("slots_samples_230", "m"), ("slots_samples_231", "m"), ("slots_samples_232", "m"), ("slots_samples_233", "m"),
+    ("slots_samples_234", "m"), ("slots_samples_235", "m"), ("slots_samples_236", "m"), ("slots_samples_237", "m"),
+    ("slots_samples_238", "m"), ("slots_samples_239", "m"), ("slots_samples_240", "m"), ("slots_samples_241", "m"),
+    ("slots_samples_242", "m"), ("slots_samples_243", "m"), ("slots_samples_244", "m"), ("slots_samples_245", "m"),
+    ("slots_samples_246", "m"), ("slots_samples_247", "m"), ("slots_samples_248", "m"), ("slots_samples_249", "m"),
+    ("slots_samples_250", "m"), ("slots_samples_251", "m"), ("slots_samples_252", "m"), ("slots_samples_253", "m"),
+    ("slots_samples_254", "m"), ("slots_samples_255", "m"), ("slots_samples_256", "m"), ("slots_samples_257", "m"),
+    ("slots_samples_258", "m"), ("slots_samples_259", "m"), ("slots_samples_260", "m"), ("slots_samples_261", "m"),
+    ("slots_samples_262", "m"), ("slots_samples_263", "m"), ("slots_samples_264", "m"), ("slots_samples_265", "m"),
+    ("slots_samples_266", "m"), ("slots_samples_267", "m"), ("slots_samples_268", "m"), ("slots_samples_269", "m"),
+    ("slots_samples_270", "m"), ("slots_samples_271", "m"), ("slots_samples_272", "m"), ("slots_samples_273", "m"),
+    ("slots_samples_274", "m"), ("slots_samples_275", "m"), ("slots_samples_276", "m"), ("slots_samples_277", "m"),
+    ("slots_samples_278", "m"), ("slots_samples_279", "m"), ("slots_samples_280", "m"), ("slots_samples_281", "m"),
+    ("slots_samples_282", "m"), ("slots_samples_283", "m"), ("slots_samples_284", "m"), ("slots_samples_285", "m"),
+    ("slots_samples_286", "m"), ("slots_samples_287", "m"), ("slots_samples_288", "m"), ("half_sqrt_3", "1"), ("disc_samples_1", "m"),
+    ("disc_samples_2", "m"), ("disc_samples_3", "m"), ("disc_samples_4", "m"), ("disc_samples_5", "m"), ("disc_samples_6", "m"),
+    ("disc_samples_7", "m"), ("disc_samples_8", "m"), ("disc_samples_9", "m"), ("disc_samples_10", "m"), ("disc_samples_11", "m"),
+    ("disc_samples_12", "m"), ("disc_samples_13", "m"), ("disc_samples_14", "m"), ("disc_samples_15", "m"), ("disc_samples_16", "m"),
+    ("disc_samples_17", "m"), ("disc_samples_18", "m"), ("disc_samples_19", "m"), ("disc_samples_20", "m"), ("disc_samples_21", "m"),
+    ("disc_samples_22", "m"), ("disc_samples_23", "m"), ("disc_samples_24", "m"), ("disc_samples_25", "m"), ("disc_samples_26", "m"),
+    ("disc_samples_27", "m"), ("disc_samples_28", "m"), ("disc_samples_29", "m"), ("disc_samples_30", "m"), ("disc_samples_31", "m"),
+    ("disc_samples_32", "m"), ("disc_samples_33", "m"), ("disc_samples_34", "m"), ("disc_samples_35", "m"), ("disc_samples_36", "m"),
+    ("half_contact_stiffness", "N/m"), ("inverse_wheel_inertia", "1/(kg m^2)"), ("half_wheel_inertia", "kg m^2"),
     ("half_crank_speed_squared_times_crank_inertia", "J"),
 )
 
 OPERATIONS = (
-    ("constants", 16),
-    ("start", 0),
-    ("scales", 14),
-    ("coordinate_rates", 0),
-    ("gaps", 73),
-    ("gap_accelerations", 153),
-    ("contact_slot", 57),
-    ("contact_lock", 67),
-    ("applied", 0),
-    ("accelerations", 2),
-    ("ledger", 1),
-    ("energy", 50),
-    ("poses", 7),
-    ("outputs", 37),
-    ("period", 3),
-    ("landmarks", 15),
+    ("constants", 16), ("start", 0), ("scales", 14), ("coordinate_rates", 0), ("gaps", 73), ("gap_accelerations", 153),
+    ("contact_slot", 57), ("contact_lock", 67), ("applied", 0), ("accelerations", 2), ("ledger", 1), ("energy", 50), ("poses", 7),
+    ("outputs", 37), ("period", 3), ("landmarks", 15),
 )
 
-SLOTS_CURVE = (
-    True,
-    False,
-    (0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1),
-)
+SLOTS_CURVE = (True, False, (0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1))
 
-DISC_CURVE = (
-    True,
-    False,
-    (1, 0, 0),
-)
+DISC_CURVE = (True, False, (1, 0, 0))
 
 
 def _called(name, inputs, result, slope):
@@ -774,29 +457,25 @@ def disc_curve(lock_play, lock_radius, hub):
     return x3, x3, x3, x4, 0, 0, x3, x4, hub, 0, x3, x4, hub, 0, x3, x3, hub, 0
 
 
+def body_gaps_terms(t, speed):
+    """Return cos [1], sin [1]."""
+    angle = t*speed
+    cos = ca.cos(angle)
+    sin = ca.sin(angle)
+    return cos, sin
+
+
 def constants(p):
     """Quantities that depend on the parameters alone, once per run.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (20,): distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed, contact_stiffness,
-            contact_damping, quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples,
-            half_sqrt_3, disc_samples, half_contact_stiffness, inverse_wheel_inertia, half_wheel_inertia,
-            half_crank_speed_squared_times_crank_inertia
+        c (20,): distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed, contact_stiffness, contact_damping,
+            quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples, half_sqrt_3, disc_samples,
+            half_contact_stiffness, inverse_wheel_inertia, half_wheel_inertia, half_crank_speed_squared_times_crank_inertia
     """
-    crank_inertia = p[1]
-    wheel_inertia = p[3]
-    distance = p[4]
-    rim = p[5]
-    pin_radius = p[6]
-    play = p[7]
-    root = p[8]
-    lock_radius = p[9]
-    lock_play = p[10]
-    hub = p[11]
-    crank_speed = p[12]
-    contact_stiffness = p[13]
-    contact_damping = p[14]
+    crank_inertia, wheel_inertia, distance, rim, pin_radius, play, root, lock_radius = p[1], p[3], p[4], p[5], p[6], p[7], p[8], p[9]
+    lock_play, hub, crank_speed, contact_stiffness, contact_damping = p[10], p[11], p[12], p[13], p[14]
     quarter_of_sqrt_2_times_distance = ca.sqrt(2)*distance/4
     quarter_of_sqrt_6_times_distance = ca.sqrt(6)*distance/4
     slots_samples = _samples_of_chain(slots_curve, SLOTS_CURVE, ca.vertcat(rim, pin_radius, play, root, distance, lock_radius))
@@ -806,10 +485,9 @@ def constants(p):
     inverse_wheel_inertia = 1/wheel_inertia
     half_wheel_inertia = wheel_inertia/2
     half_crank_speed_squared_times_crank_inertia = crank_speed*crank_speed*crank_inertia/2
-    return ca.vertcat(distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed,
-        contact_stiffness, contact_damping, quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance,
-        slots_samples, half_sqrt_3, disc_samples, half_contact_stiffness, inverse_wheel_inertia, half_wheel_inertia,
-        half_crank_speed_squared_times_crank_inertia)
+    return ca.vertcat(distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed, contact_stiffness, contact_damping,
+        quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples, half_sqrt_3, disc_samples,
+        half_contact_stiffness, inverse_wheel_inertia, half_wheel_inertia, half_crank_speed_squared_times_crank_inertia)
 
 
 def start(p):
@@ -817,8 +495,8 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (1,): axle.angle [rad]
-        u (1,): axle.speed [rad/s]
+        q (1,): COORDINATES
+        u (1,): SPEEDS
     """
     start_angle = p[15]
     return ca.vertcat(start_angle), ca.vertcat(0)
@@ -829,26 +507,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (1,): axle.angle [rad]
-        su (1,): axle.speed [rad/s]
-        sz (3,): energy_ledger.input [J], slot.dissipated [J], lock.dissipated [J]
+        sq (1,): COORDINATES
+        su (1,): SPEEDS
+        sz (3,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    crank_mass = p[0]
-    wheel_mass = p[2]
-    distance = p[4]
-    play = p[7]
-    crank_speed = p[12]
+    crank_mass, wheel_mass, distance, play, crank_speed = p[0], p[2], p[4], p[7], p[12]
     total_mass = crank_mass + wheel_mass
     energy_scale = total_mass*crank_speed*crank_speed*distance*distance/400
     force_scale = energy_scale/play
     sqrt_2 = ca.sqrt(2)
-    return (
-        ca.vertcat(play/distance),
-        ca.vertcat(sqrt_2*crank_speed/20),
-        ca.vertcat(energy_scale, energy_scale, energy_scale),
-        ca.vertcat(play, sqrt_2*crank_speed*distance/20, force_scale, energy_scale),
-    )
+    return (ca.vertcat(play/distance), ca.vertcat(sqrt_2*crank_speed/20), ca.vertcat(energy_scale, energy_scale, energy_scale),
+        ca.vertcat(play, sqrt_2*crank_speed*distance/20, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -856,7 +526,7 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (1,): axle.angle [rad/s]
+        dq (1,): COORDINATES [rad/s]
     """
     axle_speed = u[0]
     return ca.vertcat(axle_speed)
@@ -867,32 +537,19 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (2,): slot [m], lock [m]
-        dG (2,): slot [m/s], lock [m/s]
+        G (2,): PAIRS [m]
+        dG (2,): PAIRS [m/s]
     """
-    distance = c[0]
-    rim = c[1]
-    pin_radius = c[2]
-    play = c[3]
-    root = c[4]
-    lock_radius = c[5]
-    lock_play = c[6]
-    hub = c[7]
-    crank_speed = c[8]
-    quarter_of_sqrt_2_times_distance = c[11]
-    quarter_of_sqrt_6_times_distance = c[12]
-    slots_samples = c[13:301]
-    half_sqrt_3 = c[301]
+    distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]
+    quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples, half_sqrt_3 = c[11], c[12], c[13:301], c[301]
     disc_samples = c[302:338]
     axle_angle = q[0]
     axle_speed = u[0]
-    crank_angle = t*crank_speed
-    cos_crank = ca.cos(crank_angle)
-    sin_crank = ca.sin(crank_angle)
+    cos, sin = body_gaps_terms(t, crank_speed)
     cos_wheel = ca.cos(axle_angle)
     sin_wheel = ca.sin(axle_angle)
-    slot_first_arm_x = cos_crank*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin_crank
-    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin_crank - cos_crank*quarter_of_sqrt_6_times_distance
+    slot_first_arm_x = cos*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin
+    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin - cos*quarter_of_sqrt_6_times_distance
     slot_first_arm_rate_x = -slot_first_arm_y*crank_speed
     slot_first_arm_rate_y = slot_first_arm_x*crank_speed
     slot_apart_x = slot_first_arm_x - distance
@@ -910,11 +567,11 @@ def gaps(t, q, u, c):
     slot_gap = slot_distance - pin_radius
     lock_local_x = -cos_wheel*distance
     lock_local_y = sin_wheel*distance
-    half_cos_crank = cos_crank/2
-    x2 = half_sqrt_3*sin_crank
+    half_cos_crank = cos/2
+    x2 = half_sqrt_3*sin
     x3 = half_cos_crank + x2
-    half_sin_crank = sin_crank/2
-    x5 = -cos_crank*half_sqrt_3
+    half_sin_crank = sin/2
+    x5 = -cos*half_sqrt_3
     x6 = half_sin_crank + x5
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
@@ -938,32 +595,19 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (2,): slot [m/s^2], lock [m/s^2]
+        ddG (2,): PAIRS [m/s^2]
     """
-    distance = c[0]
-    rim = c[1]
-    pin_radius = c[2]
-    play = c[3]
-    root = c[4]
-    lock_radius = c[5]
-    lock_play = c[6]
-    hub = c[7]
-    crank_speed = c[8]
-    quarter_of_sqrt_2_times_distance = c[11]
-    quarter_of_sqrt_6_times_distance = c[12]
-    slots_samples = c[13:301]
-    half_sqrt_3 = c[301]
+    distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]
+    quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples, half_sqrt_3 = c[11], c[12], c[13:301], c[301]
     disc_samples = c[302:338]
     axle_angle = q[0]
     axle_speed = u[0]
     axle_acceleration = a[0]
-    crank_angle = t*crank_speed
-    cos_crank = ca.cos(crank_angle)
-    sin_crank = ca.sin(crank_angle)
+    cos, sin = body_gaps_terms(t, crank_speed)
     cos_wheel = ca.cos(axle_angle)
     sin_wheel = ca.sin(axle_angle)
-    slot_first_arm_x = cos_crank*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin_crank
-    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin_crank - cos_crank*quarter_of_sqrt_6_times_distance
+    slot_first_arm_x = cos*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin
+    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin - cos*quarter_of_sqrt_6_times_distance
     slot_first_arm_rate_x = -slot_first_arm_y*crank_speed
     slot_first_arm_rate_y = slot_first_arm_x*crank_speed
     slot_apart_x = slot_first_arm_x - distance
@@ -983,11 +627,11 @@ def gap_accelerations(t, q, u, a, c):
     slot_turning = slot_along_curve*slot_bend
     lock_local_x = -cos_wheel*distance
     lock_local_y = sin_wheel*distance
-    half_cos_crank = cos_crank/2
-    x2 = half_sqrt_3*sin_crank
+    half_cos_crank = cos/2
+    x2 = half_sqrt_3*sin
     x3 = half_cos_crank + x2
-    half_sin_crank = sin_crank/2
-    x5 = -cos_crank*half_sqrt_3
+    half_sin_crank = sin/2
+    x5 = -cos*half_sqrt_3
     x6 = half_sin_crank + x5
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
@@ -1023,29 +667,18 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_slot(t, q, u, z, m, c):
-    """Forces of slot: power x power_damping. The normal force is the laws' own, not clamped: where it would pull,
-    the contact ends.
+    """Forces of slot: power x power_damping. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (2,): axle [N m], shaft [N m]
-        dz (3,): energy_ledger.input [W], slot.dissipated [W], lock.dissipated [W]
+        dz (3,): MEMORY [W]
         normal_force (1,): slot [N]
         sliding_velocity (0,): empty
         in_range (1,): slot [1]
     """
-    distance = c[0]
-    rim = c[1]
-    pin_radius = c[2]
-    play = c[3]
-    root = c[4]
-    lock_radius = c[5]
-    crank_speed = c[8]
-    contact_stiffness = c[9]
-    contact_damping = c[10]
-    quarter_of_sqrt_2_times_distance = c[11]
-    quarter_of_sqrt_6_times_distance = c[12]
-    slots_samples = c[13:301]
+    distance, rim, pin_radius, play, root, lock_radius, crank_speed, contact_stiffness = c[0], c[1], c[2], c[3], c[4], c[5], c[8], c[9]
+    contact_damping, quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples = c[10], c[11], c[12], c[13:301]
     axle_angle = q[0]
     axle_speed = u[0]
     crank_angle = t*crank_speed
@@ -1076,41 +709,15 @@ def contact_slot(t, q, u, z, m, c):
     slot_push_y = slot_normal_force*slot_normal_y_2
     slot_push_on_shaft = slot_first_arm_x*slot_push_y - slot_first_arm_y*slot_push_x
     slot_push_on_axle = slot_first_arm_y*slot_push_x - slot_apart_x*slot_push_y
-    return (
-        ca.vertcat(slot_push_on_axle, slot_push_on_shaft),
-        ca.vertcat(0, slot_normal_power, 0),
-        ca.vertcat(slot_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(slot_push_on_axle, slot_push_on_shaft), ca.vertcat(0, slot_normal_power, 0), ca.vertcat(slot_normal_force),
+            ca.vertcat(),
+        ca.vertcat(1))
 
 
 def contact_lock(t, q, u, z, m, c):
-    """Forces of lock: power x power_damping. The normal force is the laws' own, not clamped: where it would pull,
-    the contact ends.
-
-    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
-    Returns, each a column vector:
-        f (2,): axle [N m], shaft [N m]
-        dz (3,): energy_ledger.input [W], slot.dissipated [W], lock.dissipated [W]
-        normal_force (1,): lock [N]
-        sliding_velocity (0,): empty
-        in_range (1,): lock [1]
-    """
-    distance = c[0]
-    rim = c[1]
-    pin_radius = c[2]
-    play = c[3]
-    root = c[4]
-    lock_radius = c[5]
-    lock_play = c[6]
-    hub = c[7]
-    crank_speed = c[8]
-    contact_stiffness = c[9]
-    contact_damping = c[10]
-    slots_samples = c[13:301]
-    half_sqrt_3 = c[301]
-    disc_samples = c[302:338]
+    """Forces of lock: power x power_damping; arguments and returns as of contact_slot."""
+    distance, rim, pin_radius, play, root, lock_radius, lock_play, hub, crank_speed = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]
+    contact_stiffness, contact_damping, slots_samples, half_sqrt_3, disc_samples = c[9], c[10], c[13:301], c[301], c[302:338]
     axle_angle = q[0]
     axle_speed = u[0]
     crank_angle = t*crank_speed
@@ -1151,13 +758,9 @@ def contact_lock(t, q, u, z, m, c):
     lock_push_y = lock_normal_force*lock_normal_y_2
     lock_push_on_shaft = lock_contact_x*lock_push_y - lock_foot_y_2*lock_push_x
     lock_push_on_axle = lock_foot_y_2*lock_push_x - lock_push_y*lock_contact_x_minus_distance
-    return (
-        ca.vertcat(lock_push_on_axle, lock_push_on_shaft),
-        ca.vertcat(0, 0, lock_normal_power),
-        ca.vertcat(lock_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(lock_push_on_axle, lock_push_on_shaft), ca.vertcat(0, 0, lock_normal_power), ca.vertcat(lock_normal_force),
+            ca.vertcat(),
+        ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -1179,8 +782,7 @@ def accelerations(t, q, u, f, c):
         reactions (1,): shaft.reaction [N m]
     """
     inverse_wheel_inertia = c[339]
-    axle_force = f[0]
-    shaft_force = f[1]
+    axle_force, shaft_force = f[0], f[1]
     axle_acc = axle_force*inverse_wheel_inertia
     return ca.vertcat(axle_acc), ca.vertcat(-shaft_force)
 
@@ -1190,7 +792,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (3,): energy_ledger.input [W], slot.dissipated [W], lock.dissipated [W]
+        dz (3,): MEMORY [W]
     """
     crank_speed = c[8]
     shaft_reaction_in = reactions[0]
@@ -1204,34 +806,19 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (2,): slot [J], lock [J]
+        stored (2,): PAIRS [J]
     """
-    distance = c[0]
-    rim = c[1]
-    pin_radius = c[2]
-    play = c[3]
-    root = c[4]
-    lock_radius = c[5]
-    lock_play = c[6]
-    hub = c[7]
-    crank_speed = c[8]
-    quarter_of_sqrt_2_times_distance = c[11]
-    quarter_of_sqrt_6_times_distance = c[12]
-    slots_samples = c[13:301]
-    half_sqrt_3 = c[301]
-    disc_samples = c[302:338]
-    half_contact_stiffness = c[338]
-    half_wheel_inertia = c[340]
+    distance, rim, pin_radius, play, root, lock_radius, lock_play, hub = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]
+    quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples, half_sqrt_3 = c[11], c[12], c[13:301], c[301]
+    disc_samples, half_contact_stiffness, half_wheel_inertia = c[302:338], c[338], c[340]
     half_crank_speed_squared_times_crank_inertia = c[341]
     axle_angle = q[0]
     axle_speed = u[0]
-    crank_angle = t*crank_speed
-    cos_crank = ca.cos(crank_angle)
-    sin_crank = ca.sin(crank_angle)
+    cos, sin = body_gaps_terms(t, c[8])
     cos_wheel = ca.cos(axle_angle)
     sin_wheel = ca.sin(axle_angle)
-    slot_first_arm_x = cos_crank*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin_crank
-    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin_crank - cos_crank*quarter_of_sqrt_6_times_distance
+    slot_first_arm_x = cos*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin
+    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin - cos*quarter_of_sqrt_6_times_distance
     slot_apart_x = slot_first_arm_x - distance
     slot_local_x = cos_wheel*slot_apart_x + sin_wheel*slot_first_arm_y
     slot_local_y = cos_wheel*slot_first_arm_y - sin_wheel*slot_apart_x
@@ -1240,11 +827,11 @@ def energy(t, q, u, c):
     slot_gap = slot_distance - pin_radius
     lock_local_x = -cos_wheel*distance
     lock_local_y = sin_wheel*distance
-    half_cos_crank = cos_crank/2
-    x2 = half_sqrt_3*sin_crank
+    half_cos_crank = cos/2
+    x2 = half_sqrt_3*sin
     x3 = half_cos_crank + x2
-    half_sin_crank = sin_crank/2
-    x5 = -cos_crank*half_sqrt_3
+    half_sin_crank = sin/2
+    x5 = -cos*half_sqrt_3
     x6 = half_sin_crank + x5
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
@@ -1262,23 +849,17 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (6,): crank.x [m], crank.y [m], crank.z [m], wheel.x [m], wheel.y [m], wheel.z [m]
-        rotations (18,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
-            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], wheel.R_xx [1], wheel.R_xy [1], wheel.R_xz [1],
-            wheel.R_yx [1], wheel.R_yy [1], wheel.R_yz [1], wheel.R_zx [1], wheel.R_zy [1], wheel.R_zz [1]
+        rotations (18,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz [1], crank.R_zx [1],
+            crank.R_zy [1], crank.R_zz [1], wheel.R_xx [1], wheel.R_xy [1], wheel.R_xz [1], wheel.R_yx [1], wheel.R_yy [1], wheel.R_yz [1],
+            wheel.R_zx [1], wheel.R_zy [1], wheel.R_zz [1]
     """
     distance = c[0]
-    crank_speed = c[8]
     axle_angle = q[0]
-    crank_angle = t*crank_speed
-    cos_crank = ca.cos(crank_angle)
-    sin_crank = ca.sin(crank_angle)
+    cos, sin = body_gaps_terms(t, c[8])
     cos_wheel = ca.cos(axle_angle)
     sin_wheel = ca.sin(axle_angle)
-    return (
-        ca.vertcat(0, 0, 0, distance, 0, 0),
-        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_wheel, -sin_wheel, 0, sin_wheel,
-            cos_wheel, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, distance, 0, 0),
+        ca.vertcat(cos, -sin, 0, sin, cos, 0, 0, 0, 1, cos_wheel, -sin_wheel, 0, sin_wheel, cos_wheel, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -1286,30 +867,17 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (5,): slot.gap [m], slot.parameter [1], lock.gap [m], lock.first_parameter [1], lock.second_parameter [1]
+        y (5,): OUTPUTS
     """
-    distance = c[0]
-    rim = c[1]
-    pin_radius = c[2]
-    play = c[3]
-    root = c[4]
-    lock_radius = c[5]
-    lock_play = c[6]
-    hub = c[7]
-    crank_speed = c[8]
-    quarter_of_sqrt_2_times_distance = c[11]
-    quarter_of_sqrt_6_times_distance = c[12]
-    slots_samples = c[13:301]
-    half_sqrt_3 = c[301]
+    distance, rim, pin_radius, play, root, lock_radius, lock_play, hub = c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]
+    quarter_of_sqrt_2_times_distance, quarter_of_sqrt_6_times_distance, slots_samples, half_sqrt_3 = c[11], c[12], c[13:301], c[301]
     disc_samples = c[302:338]
     axle_angle = q[0]
-    crank_angle = t*crank_speed
-    cos_crank = ca.cos(crank_angle)
-    sin_crank = ca.sin(crank_angle)
+    cos, sin = body_gaps_terms(t, c[8])
     cos_wheel = ca.cos(axle_angle)
     sin_wheel = ca.sin(axle_angle)
-    slot_first_arm_x = cos_crank*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin_crank
-    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin_crank - cos_crank*quarter_of_sqrt_6_times_distance
+    slot_first_arm_x = cos*quarter_of_sqrt_2_times_distance + quarter_of_sqrt_6_times_distance*sin
+    slot_first_arm_y = quarter_of_sqrt_2_times_distance*sin - cos*quarter_of_sqrt_6_times_distance
     slot_apart_x = slot_first_arm_x - distance
     slot_local_x = cos_wheel*slot_apart_x + sin_wheel*slot_first_arm_y
     slot_local_y = cos_wheel*slot_first_arm_y - sin_wheel*slot_apart_x
@@ -1319,11 +887,11 @@ def outputs(t, q, u, c):
     slot_gap = slot_distance - pin_radius
     lock_local_x = -cos_wheel*distance
     lock_local_y = sin_wheel*distance
-    half_cos_crank = cos_crank/2
-    x2 = half_sqrt_3*sin_crank
+    half_cos_crank = cos/2
+    x2 = half_sqrt_3*sin
     x3 = half_cos_crank + x2
-    half_sin_crank = sin_crank/2
-    x5 = -cos_crank*half_sqrt_3
+    half_sin_crank = sin/2
+    x5 = -cos*half_sqrt_3
     x6 = half_sin_crank + x5
     lock_turned_x = cos_wheel*x3 + sin_wheel*x6
     lock_turned_y = cos_wheel*x6 - sin_wheel*x3
@@ -1350,42 +918,18 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        shaft.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        shaft.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        axle.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        axle.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        shaft.parent, shaft.child, axle.parent, axle.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         slot.circle (4,): x [m], y [m], z [m], radius [m]
-        slot.fixed (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
-            across_z [1], outline
-        lock.first (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
-            across_z [1], outline
-        lock.second (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
+        slot.fixed, lock.first, lock.second (10,): x [m], y [m], z [m], along_x [1], along_y [1], along_z [1], across_x [1], across_y [1],
             across_z [1], outline
         motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank.centre (3,): x [m], y [m], z [m]
-        wheel.centre (3,): x [m], y [m], z [m]
+        crank.centre, wheel.centre (3,): x [m], y [m], z [m]
     """
-    distance = p[4]
-    rim = p[5]
-    pin_radius = p[6]
-    play = p[7]
-    root = p[8]
-    lock_radius = p[9]
-    lock_play = p[10]
-    hub = p[11]
+    distance, rim, pin_radius, play, root, lock_radius, lock_play, hub = p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11]
     x1 = _drawn_of_chain(slots_curve, SLOTS_CURVE, ca.vertcat(rim, pin_radius, play, root, distance, lock_radius))
     sqrt_3 = ca.sqrt(3)
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(distance, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(ca.sqrt(2)*distance/4, -ca.sqrt(6)*distance/4, 0, pin_radius),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x1),
-        ca.vertcat(0, 0, 0, 1/2, -sqrt_3/2, 0, sqrt_3/2, 1/2, 0, _drawn_of_chain(disc_curve, DISC_CURVE,
-            ca.vertcat(lock_play, lock_radius, hub))),
-        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(distance, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(ca.sqrt(2)*distance/4, -ca.sqrt(6)*distance/4, 0, pin_radius), ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x1),
+        ca.vertcat(0, 0, 0, 1/2, -sqrt_3/2, 0, sqrt_3/2, 1/2, 0, _drawn_of_chain(disc_curve, DISC_CURVE, ca.vertcat(lock_play, lock_radius,
+            hub))),
+        ca.vertcat(0, 0, 0, 1, 0, 0, 0, 1, 0, x1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0))

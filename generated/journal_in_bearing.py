@@ -18,10 +18,8 @@ SOURCE = "derive/scenes/journal_in_bearing.py"
 SUMMARY = "loaded journal turning in a bush with clearance"
 
 EFFECTS = (
-    ("motor", "drive", "constant speed of shaft.angle"),
-    ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
-    ("bearing", "contact", "power x flores"),
-    ("bearing_friction", "friction", "smooth_coulomb at bearing"),
+    ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
+    ("bearing", "contact", "power x flores"), ("bearing_friction", "friction", "smooth_coulomb at bearing"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -59,96 +57,44 @@ SUM_LIMITS = (
     ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair bearing, pin radius (bush radius minus clearance)"),
 )
 
-COORDINATES = (
-    ("shaft.x", "m"),
-    ("shaft.y", "m"),
-)
+COORDINATES = (("shaft.x", "m"), ("shaft.y", "m"))
 
-SPEEDS = (
-    ("shaft.x_speed", "m/s"),
-    ("shaft.y_speed", "m/s"),
-)
+SPEEDS = (("shaft.x_speed", "m/s"), ("shaft.y_speed", "m/s"))
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("load.input", "J"),
-    ("bearing.dissipated", "J"),
-    ("bearing_friction.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("load.input", "J"), ("bearing.dissipated", "J"), ("bearing_friction.dissipated", "J"))
 
-LATCHES = (
-    ("bearing.approach_speed", "m/s", 0),
-)
+LATCHES = (("bearing.approach_speed", "m/s", 0),)
 
-PAIRS = (
-    ("bearing", "pin_in_bush"),
-)
+PAIRS = (("bearing", "pin_in_bush"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    2,
-)
+DISSIPATED = (2,)
 
 GIVEN = ()
 
-OUTPUTS = (
-    ("bearing.eccentricity_x", "m"),
-    ("bearing.eccentricity_y", "m"),
-)
+OUTPUTS = (("bearing.eccentricity_x", "m"), ("bearing.eccentricity_y", "m"))
 
-BODIES = (
-    "journal",
-)
+BODIES = ("journal",)
 
 LANDMARKS = (
-    ("shaft", "planar", "parent", "ground", ("normal",)),
-    ("shaft", "planar", "child", "journal", ("normal",)),
-    ("bearing", "pin_in_bush", "pin", "journal", ("radius",)),
-    ("bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
-    ("motor", "turn_drive", "child", "journal", ("axis",)),
-    ("load", "force", "point", "journal", ()),
-    ("load", "force", "axes", "ground", ("force",)),
-    ("journal", "body", "centre", "journal", ()),
+    ("shaft", "planar", "parent", "ground", ("normal",)), ("shaft", "planar", "child", "journal", ("normal",)),
+    ("bearing", "pin_in_bush", "pin", "journal", ("radius",)), ("bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
+    ("motor", "turn_drive", "child", "journal", ("axis",)), ("load", "force", "point", "journal", ()),
+    ("load", "force", "axes", "ground", ("force",)), ("journal", "body", "centre", "journal", ()),
 )
 
 CONSTANTS = (
-    ("clearance", "m"),
-    ("speed", "1/s"),
-    ("load", "N"),
-    ("contact_stiffness", "N/m^exponent"),
-    ("exponent", "1"),
-    ("friction_coefficient", "1"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("k3", "N/m^exponent"),
-    ("bearing_hysteresis_factor", "1"),
-    ("k4", "m/s"),
-    ("inverse_friction_speed", "s/m"),
-    ("bush_radius_minus_clearance", "m"),
-    ("inverse_mass", "1/kg"),
-    ("half_mass", "kg"),
-    ("half_speed_squared_times_inertia", "J"),
+    ("clearance", "m"), ("speed", "1/s"), ("load", "N"), ("contact_stiffness", "N/m^exponent"), ("exponent", "1"),
+    ("friction_coefficient", "1"), ("clearance_squared", "m^2"), ("half_inverse_clearance", "1/m"), ("k3", "N/m^exponent"),
+    ("bearing_hysteresis_factor", "1"), ("k4", "m/s"), ("inverse_friction_speed", "s/m"), ("bush_radius_minus_clearance", "m"),
+    ("inverse_mass", "1/kg"), ("half_mass", "kg"), ("half_speed_squared_times_inertia", "J"),
 )
 
 OPERATIONS = (
-    ("constants", 18),
-    ("start", 0),
-    ("scales", 7),
-    ("coordinate_rates", 0),
-    ("gaps", 12),
-    ("gap_accelerations", 13),
-    ("contact_bearing", 43),
-    ("applied", 1),
-    ("accelerations", 3),
-    ("ledger", 3),
-    ("energy", 15),
-    ("poses", 4),
-    ("outputs", 0),
-    ("period", 3),
-    ("landmarks", 2),
+    ("constants", 18), ("start", 0), ("scales", 7), ("coordinate_rates", 0), ("gaps", 12), ("gap_accelerations", 13),
+    ("contact_bearing", 43), ("applied", 1), ("accelerations", 3), ("ledger", 3), ("energy", 15), ("poses", 4), ("outputs", 0),
+    ("period", 3), ("landmarks", 2),
 )
 
 
@@ -157,21 +103,12 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (16,): clearance, speed, load, contact_stiffness, exponent, friction_coefficient, clearance_squared,
-            half_inverse_clearance, k3, bearing_hysteresis_factor, k4, inverse_friction_speed,
-            bush_radius_minus_clearance, inverse_mass, half_mass, half_speed_squared_times_inertia
+        c (16,): clearance, speed, load, contact_stiffness, exponent, friction_coefficient, clearance_squared, half_inverse_clearance, k3,
+            bearing_hysteresis_factor, k4, inverse_friction_speed, bush_radius_minus_clearance, inverse_mass, half_mass,
+            half_speed_squared_times_inertia
     """
-    mass = p[0]
-    inertia = p[1]
-    bush_radius = p[2]
-    clearance = p[3]
-    speed = p[4]
-    load = p[5]
-    contact_stiffness = p[6]
-    exponent = p[7]
-    restitution = p[8]
-    friction_coefficient = p[10]
-    friction_speed = p[11]
+    mass, inertia, bush_radius, clearance, speed, load, contact_stiffness, exponent = p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]
+    restitution, friction_coefficient, friction_speed = p[8], p[10], p[11]
     clearance_squared = clearance*clearance
     half_inverse_clearance = 1/(2*clearance)
     k3 = contact_stiffness/(1 + exponent)
@@ -182,9 +119,9 @@ def constants(p):
     inverse_mass = 1/mass
     half_mass = mass/2
     half_speed_squared_times_inertia = speed*speed*inertia/2
-    return ca.vertcat(clearance, speed, load, contact_stiffness, exponent, friction_coefficient, clearance_squared,
-        half_inverse_clearance, k3, bearing_hysteresis_factor, k4, inverse_friction_speed,
-        bush_radius_minus_clearance, inverse_mass, half_mass, half_speed_squared_times_inertia)
+    return ca.vertcat(clearance, speed, load, contact_stiffness, exponent, friction_coefficient, clearance_squared, half_inverse_clearance,
+        k3, bearing_hysteresis_factor, k4, inverse_friction_speed, bush_radius_minus_clearance, inverse_mass, half_mass,
+        half_speed_squared_times_inertia)
 
 
 def start(p):
@@ -192,8 +129,8 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): shaft.x [m], shaft.y [m]
-        u (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
+        q (2,): COORDINATES
+        u (2,): SPEEDS
     """
     return ca.vertcat(0, 0), ca.vertcat(0, 0)
 
@@ -203,24 +140,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): shaft.x [m], shaft.y [m]
-        su (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
-        sz (4,): energy_ledger.input [J], load.input [J], bearing.dissipated [J], bearing_friction.dissipated [J]
+        sq (2,): COORDINATES
+        su (2,): SPEEDS
+        sz (4,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    bush_radius = p[2]
-    clearance = p[3]
-    speed = p[4]
+    mass, bush_radius, clearance, speed = p[0], p[2], p[3], p[4]
     energy_scale = bush_radius*bush_radius*speed*speed*mass/2
     force_scale = energy_scale/clearance
     bush_radius_times_speed = bush_radius*speed
-    return (
-        ca.vertcat(clearance, clearance),
-        ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
+    return (ca.vertcat(clearance, clearance), ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, bush_radius_times_speed, force_scale, energy_scale),
-    )
+        ca.vertcat(clearance, bush_radius_times_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -228,10 +159,9 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (2,): shaft.x [m/s], shaft.y [m/s]
+        dq (2,): COORDINATES [m/s]
     """
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     return ca.vertcat(shaft_x_speed, shaft_y_speed)
 
 
@@ -240,15 +170,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): bearing [m]
-        dG (1,): bearing [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    clearance_squared = c[6]
-    half_inverse_clearance = c[7]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance_squared, half_inverse_clearance = c[6], c[7]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     bearing_apart_squared = shaft_x*shaft_x + shaft_y*shaft_y
     bearing_gap = half_inverse_clearance*(clearance_squared - bearing_apart_squared)
     bearing_apart_squared_rate = 2*shaft_x*shaft_x_speed + 2*shaft_y*shaft_y_speed
@@ -261,44 +188,33 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): bearing [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
     half_inverse_clearance = c[7]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
-    shaft_x_acceleration = a[0]
-    shaft_y_acceleration = a[1]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
+    shaft_x_acceleration, shaft_y_acceleration = a[0], a[1]
     bearing_apart_squared_rate_rate = 2*shaft_x_speed*shaft_x_speed + 2*shaft_y_speed*shaft_y_speed + 2*shaft_x*shaft_x_acceleration + 2*shaft_y*shaft_y_acceleration
     bearing_gap_rate_rate = -bearing_apart_squared_rate_rate*half_inverse_clearance
     return ca.vertcat(bearing_gap_rate_rate)
 
 
 def contact_bearing(t, q, u, z, m, c):
-    """Forces of bearing: power x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where it
-    would pull, the contact ends.
+    """Forces of bearing: power x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where it would pull, the contact
+    ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
-        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], bearing_friction.dissipated [W]
-        normal_force (1,): bearing [N]
-        sliding_velocity (1,): bearing [m/s]
-        in_range (1,): bearing [1]
+        dz (4,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
+        sliding_velocity (1,): PAIRS [m/s]
+        in_range (1,): PAIRS [1]
     """
-    clearance = c[0]
-    contact_stiffness = c[3]
-    exponent = c[4]
-    friction_coefficient = c[5]
-    bearing_hysteresis_factor = c[9]
-    k4 = c[10]
-    inverse_friction_speed = c[11]
-    bush_radius_minus_clearance = c[12]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance, contact_stiffness, exponent, friction_coefficient, bearing_hysteresis_factor, k4 = c[0], c[3], c[4], c[5], c[9], c[10]
+    inverse_friction_speed, bush_radius_minus_clearance = c[11], c[12]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     bearing_approach_speed = m[0]
     bearing_apart_squared = shaft_x*shaft_x + shaft_y*shaft_y
     bearing_distance = ca.sqrt(bearing_apart_squared)
@@ -318,13 +234,9 @@ def contact_bearing(t, q, u, z, m, c):
     bearing_drag_x = bearing_friction_force*bearing_normal_y
     bearing_drag_y = -bearing_friction_force*bearing_normal_x
     bearing_drag_on_shaft_angle = bearing_drag_x*bearing_normal_y*bush_radius_minus_clearance - bearing_drag_y*bearing_normal_x*bush_radius_minus_clearance
-    return (
-        ca.vertcat(bearing_drag_x + bearing_push_x, bearing_drag_y + bearing_push_y, bearing_drag_on_shaft_angle),
-        ca.vertcat(0, 0, bearing_normal_power, bearing_friction_power),
-        ca.vertcat(bearing_normal_force),
-        ca.vertcat(bearing_sliding_velocity),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(bearing_drag_x + bearing_push_x, bearing_drag_y + bearing_push_y, bearing_drag_on_shaft_angle),
+        ca.vertcat(0, 0, bearing_normal_power, bearing_friction_power), ca.vertcat(bearing_normal_force),
+        ca.vertcat(bearing_sliding_velocity), ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -347,9 +259,7 @@ def accelerations(t, q, u, f, c):
         reactions (1,): shaft.angle.reaction [N m]
     """
     inverse_mass = c[13]
-    shaft_x_force = f[0]
-    shaft_y_force = f[1]
-    shaft_angle_force = f[2]
+    shaft_x_force, shaft_y_force, shaft_angle_force = f[0], f[1], f[2]
     shaft_x_acc = inverse_mass*shaft_x_force
     shaft_y_acc = inverse_mass*shaft_y_force
     return ca.vertcat(shaft_x_acc, shaft_y_acc), ca.vertcat(-shaft_angle_force)
@@ -360,10 +270,9 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], bearing_friction.dissipated [W]
+        dz (4,): MEMORY [W]
     """
-    speed = c[1]
-    load = c[2]
+    speed, load = c[1], c[2]
     shaft_y_speed = u[1]
     shaft_angle_reaction_in = reactions[0]
     return ca.vertcat(shaft_angle_reaction_in*speed, -shaft_y_speed*load, 0, 0)
@@ -376,17 +285,11 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): bearing [J]
+        stored (1,): PAIRS [J]
     """
-    clearance = c[0]
-    exponent = c[4]
-    k3 = c[8]
-    half_mass = c[14]
-    half_speed_squared_times_inertia = c[15]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance, exponent, k3, half_mass, half_speed_squared_times_inertia = c[0], c[4], c[8], c[14], c[15]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     bearing_apart_squared = shaft_x*shaft_x + shaft_y*shaft_y
     bearing_distance = ca.sqrt(bearing_apart_squared)
     bearing_penetration = bearing_distance - clearance
@@ -401,19 +304,15 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (3,): journal.x [m], journal.y [m], journal.z [m]
-        rotations (9,): journal.R_xx [1], journal.R_xy [1], journal.R_xz [1], journal.R_yx [1], journal.R_yy [1],
-            journal.R_yz [1], journal.R_zx [1], journal.R_zy [1], journal.R_zz [1]
+        rotations (9,): journal.R_xx [1], journal.R_xy [1], journal.R_xz [1], journal.R_yx [1], journal.R_yy [1], journal.R_yz [1],
+            journal.R_zx [1], journal.R_zy [1], journal.R_zz [1]
     """
     speed = c[1]
-    shaft_x = q[0]
-    shaft_y = q[1]
+    shaft_x, shaft_y = q[0], q[1]
     journal_angle = t*speed
     cos_journal = ca.cos(journal_angle)
     sin_journal = ca.sin(journal_angle)
-    return (
-        ca.vertcat(shaft_x, shaft_y, 0),
-        ca.vertcat(cos_journal, -sin_journal, 0, sin_journal, cos_journal, 0, 0, 0, 1),
-    )
+    return ca.vertcat(shaft_x, shaft_y, 0), ca.vertcat(cos_journal, -sin_journal, 0, sin_journal, cos_journal, 0, 0, 0, 1)
 
 
 def outputs(t, q, u, c):
@@ -421,10 +320,9 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (2,): bearing.eccentricity_x [m], bearing.eccentricity_y [m]
+        y (2,): OUTPUTS
     """
-    shaft_x = q[0]
-    shaft_y = q[1]
+    shaft_x, shaft_y = q[0], q[1]
     return ca.vertcat(shaft_x, shaft_y)
 
 
@@ -444,8 +342,7 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        shaft.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        shaft.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        shaft.parent, shaft.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         bearing.pin (4,): x [m], y [m], z [m], radius [m]
         bearing.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
         motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
@@ -453,16 +350,7 @@ def landmarks(p):
         load.axes (6,): x [m], y [m], z [m], force_x [N], force_y [N], force_z [N]
         journal.centre (3,): x [m], y [m], z [m]
     """
-    bush_radius = p[2]
-    clearance = p[3]
-    load = p[5]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, bush_radius - clearance),
-        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0, 0, -load, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    bush_radius, clearance, load = p[2], p[3], p[5]
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, bush_radius - clearance),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0, 0, -load, 0),
+        ca.vertcat(0, 0, 0))

@@ -18,10 +18,8 @@ SOURCE = "derive/scenes/journal_lubricated.py"
 SUMMARY = "loaded journal on the oil film of a short bearing"
 
 EFFECTS = (
-    ("motor", "drive", "constant speed of shaft.angle"),
-    ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
-    ("bearing", "contact", "power x flores"),
-    ("oil", "lubrication", "short_bearing film at bearing"),
+    ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
+    ("bearing", "contact", "power x flores"), ("oil", "lubrication", "short_bearing film at bearing"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -59,106 +57,46 @@ SUM_LIMITS = (
     ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair bearing, pin radius (bush radius minus clearance)"),
 )
 
-COORDINATES = (
-    ("shaft.x", "m"),
-    ("shaft.y", "m"),
-)
+COORDINATES = (("shaft.x", "m"), ("shaft.y", "m"))
 
-SPEEDS = (
-    ("shaft.x_speed", "m/s"),
-    ("shaft.y_speed", "m/s"),
-)
+SPEEDS = (("shaft.x_speed", "m/s"), ("shaft.y_speed", "m/s"))
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("load.input", "J"),
-    ("bearing.dissipated", "J"),
-    ("oil.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("load.input", "J"), ("bearing.dissipated", "J"), ("oil.dissipated", "J"))
 
-LATCHES = (
-    ("bearing.approach_speed", "m/s", 0),
-)
+LATCHES = (("bearing.approach_speed", "m/s", 0),)
 
-PAIRS = (
-    ("bearing", "pin_in_bush"),
-)
+PAIRS = (("bearing", "pin_in_bush"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    2,
-)
+DISSIPATED = (2,)
 
 GIVEN = ()
 
-OUTPUTS = (
-    ("bearing.eccentricity_x", "m"),
-    ("bearing.eccentricity_y", "m"),
-    ("oil.force", "N"),
-    ("oil.thickness", "m"),
-)
+OUTPUTS = (("bearing.eccentricity_x", "m"), ("bearing.eccentricity_y", "m"), ("oil.force", "N"), ("oil.thickness", "m"))
 
-BODIES = (
-    "journal",
-)
+BODIES = ("journal",)
 
 LANDMARKS = (
-    ("shaft", "planar", "parent", "ground", ("normal",)),
-    ("shaft", "planar", "child", "journal", ("normal",)),
-    ("bearing", "pin_in_bush", "pin", "journal", ("radius",)),
-    ("bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
-    ("motor", "turn_drive", "child", "journal", ("axis",)),
-    ("load", "force", "point", "journal", ()),
-    ("load", "force", "axes", "ground", ("force",)),
-    ("journal", "body", "centre", "journal", ()),
+    ("shaft", "planar", "parent", "ground", ("normal",)), ("shaft", "planar", "child", "journal", ("normal",)),
+    ("bearing", "pin_in_bush", "pin", "journal", ("radius",)), ("bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
+    ("motor", "turn_drive", "child", "journal", ("axis",)), ("load", "force", "point", "journal", ()),
+    ("load", "force", "axes", "ground", ("force",)), ("journal", "body", "centre", "journal", ()),
 )
 
 CONSTANTS = (
-    ("clearance", "m"),
-    ("speed", "1/s"),
-    ("load", "N"),
-    ("contact_stiffness", "N/m^1.5"),
-    ("boundary_layer", "m"),
-    ("half_speed", "1/s"),
-    ("oil_free", "1"),
-    ("inverse_clearance_squared", "1/m^2"),
-    ("oil_free_squared", "1"),
-    ("half_clearance_over_boundary_layer", "1"),
-    ("twice_boundary_layer_over_clearance", "1"),
-    ("clearance_over_boundary_layer", "1"),
-    ("inverse_clearance", "1/m"),
-    ("bush_radius_squared_times_speed_squared", "m^2/s^2"),
-    ("half_pi", "1"),
-    ("k10", "N s/m"),
-    ("k11", "J s"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("two_fifths_of_contact_stiffness", "N/m^1.5"),
-    ("bearing_hysteresis_factor", "1"),
-    ("inverse_mass", "1/kg"),
-    ("half_mass", "kg"),
-    ("half_speed_squared_times_inertia", "J"),
+    ("clearance", "m"), ("speed", "1/s"), ("load", "N"), ("contact_stiffness", "N/m^1.5"), ("boundary_layer", "m"), ("half_speed", "1/s"),
+    ("oil_free", "1"), ("inverse_clearance_squared", "1/m^2"), ("oil_free_squared", "1"), ("half_clearance_over_boundary_layer", "1"),
+    ("twice_boundary_layer_over_clearance", "1"), ("clearance_over_boundary_layer", "1"), ("inverse_clearance", "1/m"),
+    ("bush_radius_squared_times_speed_squared", "m^2/s^2"), ("half_pi", "1"), ("k10", "N s/m"), ("k11", "J s"),
+    ("clearance_squared", "m^2"), ("half_inverse_clearance", "1/m"), ("two_fifths_of_contact_stiffness", "N/m^1.5"),
+    ("bearing_hysteresis_factor", "1"), ("inverse_mass", "1/kg"), ("half_mass", "kg"), ("half_speed_squared_times_inertia", "J"),
 )
 
 OPERATIONS = (
-    ("constants", 44),
-    ("start", 0),
-    ("scales", 7),
-    ("coordinate_rates", 0),
-    ("gaps", 12),
-    ("gap_accelerations", 13),
-    ("contact_bearing", 25),
-    ("applied", 107),
-    ("accelerations", 3),
-    ("ledger", 109),
-    ("energy", 16),
-    ("poses", 4),
-    ("outputs", 104),
-    ("period", 3),
-    ("landmarks", 2),
+    ("constants", 44), ("start", 0), ("scales", 7), ("coordinate_rates", 0), ("gaps", 12), ("gap_accelerations", 13),
+    ("contact_bearing", 25), ("applied", 107), ("accelerations", 3), ("ledger", 109), ("energy", 16), ("poses", 4), ("outputs", 104),
+    ("period", 3), ("landmarks", 2),
 )
 
 
@@ -167,24 +105,13 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (24,): clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free,
-            inverse_clearance_squared, oil_free_squared, half_clearance_over_boundary_layer,
-            twice_boundary_layer_over_clearance, clearance_over_boundary_layer, inverse_clearance,
-            bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
-            two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass,
-            half_speed_squared_times_inertia
+        c (24,): clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free, inverse_clearance_squared,
+            oil_free_squared, half_clearance_over_boundary_layer, twice_boundary_layer_over_clearance, clearance_over_boundary_layer,
+            inverse_clearance, bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
+            two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass, half_speed_squared_times_inertia
     """
-    mass = p[0]
-    inertia = p[1]
-    bush_radius = p[2]
-    clearance = p[3]
-    length = p[4]
-    speed = p[5]
-    load = p[6]
-    contact_stiffness = p[7]
-    restitution = p[8]
-    viscosity = p[10]
-    boundary_layer = p[11]
+    mass, inertia, bush_radius, clearance, length, speed, load, contact_stiffness = p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]
+    restitution, viscosity, boundary_layer = p[8], p[10], p[11]
     half_speed = speed/2
     oil_free = 1 - 2*boundary_layer/clearance
     inverse_clearance_squared = 1/(clearance*clearance)
@@ -206,12 +133,10 @@ def constants(p):
     inverse_mass = 1/mass
     half_mass = mass/2
     half_speed_squared_times_inertia = speed_squared*inertia/2
-    return ca.vertcat(clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free,
-        inverse_clearance_squared, oil_free_squared, half_clearance_over_boundary_layer,
-        twice_boundary_layer_over_clearance, clearance_over_boundary_layer, inverse_clearance,
-        bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
-        two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass,
-        half_speed_squared_times_inertia)
+    return ca.vertcat(clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free, inverse_clearance_squared,
+        oil_free_squared, half_clearance_over_boundary_layer, twice_boundary_layer_over_clearance, clearance_over_boundary_layer,
+        inverse_clearance, bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
+        two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass, half_speed_squared_times_inertia)
 
 
 def start(p):
@@ -219,8 +144,8 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): shaft.x [m], shaft.y [m]
-        u (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
+        q (2,): COORDINATES
+        u (2,): SPEEDS
     """
     return ca.vertcat(0, 0), ca.vertcat(0, 0)
 
@@ -230,24 +155,18 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): shaft.x [m], shaft.y [m]
-        su (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
-        sz (4,): energy_ledger.input [J], load.input [J], bearing.dissipated [J], oil.dissipated [J]
+        sq (2,): COORDINATES
+        su (2,): SPEEDS
+        sz (4,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    bush_radius = p[2]
-    clearance = p[3]
-    speed = p[5]
+    mass, bush_radius, clearance, speed = p[0], p[2], p[3], p[5]
     energy_scale = bush_radius*bush_radius*speed*speed*mass/2
     force_scale = energy_scale/clearance
     bush_radius_times_speed = bush_radius*speed
-    return (
-        ca.vertcat(clearance, clearance),
-        ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
+    return (ca.vertcat(clearance, clearance), ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, bush_radius_times_speed, force_scale, energy_scale),
-    )
+        ca.vertcat(clearance, bush_radius_times_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -255,10 +174,9 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (2,): shaft.x [m/s], shaft.y [m/s]
+        dq (2,): COORDINATES [m/s]
     """
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     return ca.vertcat(shaft_x_speed, shaft_y_speed)
 
 
@@ -267,15 +185,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): bearing [m]
-        dG (1,): bearing [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    clearance_squared = c[17]
-    half_inverse_clearance = c[18]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance_squared, half_inverse_clearance = c[17], c[18]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
     bearing_gap = half_inverse_clearance*(clearance_squared - oil_e_squared)
     oil_e_squared_rate = 2*shaft_x*shaft_x_speed + 2*shaft_y*shaft_y_speed
@@ -288,39 +203,31 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): bearing [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
     half_inverse_clearance = c[18]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
-    shaft_x_acceleration = a[0]
-    shaft_y_acceleration = a[1]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
+    shaft_x_acceleration, shaft_y_acceleration = a[0], a[1]
     oil_e_squared_rate_rate = 2*shaft_x_speed*shaft_x_speed + 2*shaft_y_speed*shaft_y_speed + 2*shaft_x*shaft_x_acceleration + 2*shaft_y*shaft_y_acceleration
     bearing_gap_rate_rate = -half_inverse_clearance*oil_e_squared_rate_rate
     return ca.vertcat(bearing_gap_rate_rate)
 
 
 def contact_bearing(t, q, u, z, m, c):
-    """Forces of bearing: power x flores. The normal force is the laws' own, not clamped: where it would pull, the
-    contact ends.
+    """Forces of bearing: power x flores. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
-        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], oil.dissipated [W]
-        normal_force (1,): bearing [N]
+        dz (4,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
         sliding_velocity (0,): empty
-        in_range (1,): bearing [1]
+        in_range (1,): PAIRS [1]
     """
-    clearance = c[0]
-    contact_stiffness = c[3]
-    bearing_hysteresis_factor = c[20]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance, contact_stiffness, bearing_hysteresis_factor = c[0], c[3], c[20]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     bearing_approach_speed = m[0]
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
     oil_e_size = ca.sqrt(oil_e_squared)
@@ -334,13 +241,8 @@ def contact_bearing(t, q, u, z, m, c):
     bearing_normal_power = bearing_penetration_rate*bearing_resistance
     bearing_push_x = bearing_normal_force*bearing_normal_x
     bearing_push_y = bearing_normal_force*bearing_normal_y
-    return (
-        ca.vertcat(bearing_push_x, bearing_push_y, 0),
-        ca.vertcat(0, 0, bearing_normal_power, 0),
-        ca.vertcat(bearing_normal_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(bearing_push_x, bearing_push_y, 0), ca.vertcat(0, 0, bearing_normal_power, 0), ca.vertcat(bearing_normal_force),
+        ca.vertcat(), ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -350,26 +252,12 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
     """
-    clearance = c[0]
-    speed = c[1]
-    load = c[2]
-    boundary_layer = c[4]
-    half_speed = c[5]
-    oil_free = c[6]
-    inverse_clearance_squared = c[7]
-    oil_free_squared = c[8]
-    half_clearance_over_boundary_layer = c[9]
-    twice_boundary_layer_over_clearance = c[10]
-    clearance_over_boundary_layer = c[11]
-    inverse_clearance = c[12]
-    bush_radius_squared_times_speed_squared = c[13]
-    half_pi = c[14]
-    k10 = c[15]
-    k11 = c[16]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance, speed, load, boundary_layer, half_speed, oil_free, inverse_clearance_squared = c[0], c[1], c[2], c[4], c[5], c[6], c[7]
+    oil_free_squared, half_clearance_over_boundary_layer, twice_boundary_layer_over_clearance = c[8], c[9], c[10]
+    clearance_over_boundary_layer, inverse_clearance, bush_radius_squared_times_speed_squared, half_pi = c[11], c[12], c[13], c[14]
+    k10, k11 = c[15], c[16]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     oil_squeeze_x = shaft_x_speed + half_speed*shaft_y
     oil_squeeze_y = shaft_y_speed - half_speed*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
@@ -410,9 +298,7 @@ def accelerations(t, q, u, f, c):
         reactions (1,): shaft.angle.reaction [N m]
     """
     inverse_mass = c[21]
-    shaft_x_force = f[0]
-    shaft_y_force = f[1]
-    shaft_angle_force = f[2]
+    shaft_x_force, shaft_y_force, shaft_angle_force = f[0], f[1], f[2]
     shaft_x_acc = inverse_mass*shaft_x_force
     shaft_y_acc = inverse_mass*shaft_y_force
     return ca.vertcat(shaft_x_acc, shaft_y_acc), ca.vertcat(-shaft_angle_force)
@@ -423,28 +309,14 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], oil.dissipated [W]
+        dz (4,): MEMORY [W]
     """
-    clearance = c[0]
-    speed = c[1]
-    load = c[2]
-    boundary_layer = c[4]
-    half_speed = c[5]
-    oil_free = c[6]
-    inverse_clearance_squared = c[7]
-    oil_free_squared = c[8]
-    half_clearance_over_boundary_layer = c[9]
-    twice_boundary_layer_over_clearance = c[10]
-    clearance_over_boundary_layer = c[11]
-    inverse_clearance = c[12]
-    bush_radius_squared_times_speed_squared = c[13]
-    half_pi = c[14]
-    k10 = c[15]
-    k11 = c[16]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance, speed, load, boundary_layer, half_speed, oil_free, inverse_clearance_squared = c[0], c[1], c[2], c[4], c[5], c[6], c[7]
+    oil_free_squared, half_clearance_over_boundary_layer, twice_boundary_layer_over_clearance = c[8], c[9], c[10]
+    clearance_over_boundary_layer, inverse_clearance, bush_radius_squared_times_speed_squared, half_pi = c[11], c[12], c[13], c[14]
+    k10, k11 = c[15], c[16]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     shaft_angle_reaction_in = reactions[0]
     oil_squeeze_x = shaft_x_speed + half_speed*shaft_y
     oil_squeeze_y = shaft_y_speed - half_speed*shaft_x
@@ -484,16 +356,11 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): bearing [J]
+        stored (1,): PAIRS [J]
     """
-    clearance = c[0]
-    two_fifths_of_contact_stiffness = c[19]
-    half_mass = c[22]
-    half_speed_squared_times_inertia = c[23]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance, two_fifths_of_contact_stiffness, half_mass, half_speed_squared_times_inertia = c[0], c[19], c[22], c[23]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
     oil_e_size = ca.sqrt(oil_e_squared)
     bearing_penetration = oil_e_size - clearance
@@ -508,19 +375,15 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (3,): journal.x [m], journal.y [m], journal.z [m]
-        rotations (9,): journal.R_xx [1], journal.R_xy [1], journal.R_xz [1], journal.R_yx [1], journal.R_yy [1],
-            journal.R_yz [1], journal.R_zx [1], journal.R_zy [1], journal.R_zz [1]
+        rotations (9,): journal.R_xx [1], journal.R_xy [1], journal.R_xz [1], journal.R_yx [1], journal.R_yy [1], journal.R_yz [1],
+            journal.R_zx [1], journal.R_zy [1], journal.R_zz [1]
     """
     speed = c[1]
-    shaft_x = q[0]
-    shaft_y = q[1]
+    shaft_x, shaft_y = q[0], q[1]
     journal_angle = t*speed
     cos_journal = ca.cos(journal_angle)
     sin_journal = ca.sin(journal_angle)
-    return (
-        ca.vertcat(shaft_x, shaft_y, 0),
-        ca.vertcat(cos_journal, -sin_journal, 0, sin_journal, cos_journal, 0, 0, 0, 1),
-    )
+    return ca.vertcat(shaft_x, shaft_y, 0), ca.vertcat(cos_journal, -sin_journal, 0, sin_journal, cos_journal, 0, 0, 0, 1)
 
 
 def outputs(t, q, u, c):
@@ -528,25 +391,13 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (4,): bearing.eccentricity_x [m], bearing.eccentricity_y [m], oil.force [N], oil.thickness [m]
+        y (4,): OUTPUTS
     """
-    clearance = c[0]
-    boundary_layer = c[4]
-    half_speed = c[5]
-    oil_free = c[6]
-    inverse_clearance_squared = c[7]
-    oil_free_squared = c[8]
-    half_clearance_over_boundary_layer = c[9]
-    twice_boundary_layer_over_clearance = c[10]
-    clearance_over_boundary_layer = c[11]
-    inverse_clearance = c[12]
-    bush_radius_squared_times_speed_squared = c[13]
-    half_pi = c[14]
-    k10 = c[15]
-    shaft_x = q[0]
-    shaft_y = q[1]
-    shaft_x_speed = u[0]
-    shaft_y_speed = u[1]
+    clearance, boundary_layer, half_speed, oil_free, inverse_clearance_squared, oil_free_squared = c[0], c[4], c[5], c[6], c[7], c[8]
+    half_clearance_over_boundary_layer, twice_boundary_layer_over_clearance, clearance_over_boundary_layer = c[9], c[10], c[11]
+    inverse_clearance, bush_radius_squared_times_speed_squared, half_pi, k10 = c[12], c[13], c[14], c[15]
+    shaft_x, shaft_y = q[0], q[1]
+    shaft_x_speed, shaft_y_speed = u[0], u[1]
     oil_squeeze_x = shaft_x_speed + half_speed*shaft_y
     oil_squeeze_y = shaft_y_speed - half_speed*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
@@ -595,8 +446,7 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        shaft.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        shaft.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        shaft.parent, shaft.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         bearing.pin (4,): x [m], y [m], z [m], radius [m]
         bearing.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
         motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
@@ -604,16 +454,7 @@ def landmarks(p):
         load.axes (6,): x [m], y [m], z [m], force_x [N], force_y [N], force_z [N]
         journal.centre (3,): x [m], y [m], z [m]
     """
-    bush_radius = p[2]
-    clearance = p[3]
-    load = p[6]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, bush_radius - clearance),
-        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0, 0, -load, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    bush_radius, clearance, load = p[2], p[3], p[6]
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, bush_radius - clearance),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0, 0, -load, 0),
+        ca.vertcat(0, 0, 0))

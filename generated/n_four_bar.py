@@ -14,10 +14,7 @@ NAME = "n_four_bar"
 SOURCE = "derive/scenes/n_four_bar.py"
 SUMMARY = "four-bar linkages in a row, 2 windows, through singular positions"
 
-EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
-)
+EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
 UNCHECKED = ()
 
@@ -34,20 +31,10 @@ LIMITS = (
     ("speed", "defined", 0, None, True, False, "scales, speed"),
 )
 
-COORDINATES = (
-    ("foot_0.angle", "rad"),
-    ("foot_1.angle", "rad"),
-    ("foot_2.angle", "rad"),
-    ("left_0.angle", "rad"),
-    ("left_1.angle", "rad"),
-)
+COORDINATES = (("foot_0.angle", "rad"), ("foot_1.angle", "rad"), ("foot_2.angle", "rad"), ("left_0.angle", "rad"), ("left_1.angle", "rad"))
 
 SPEEDS = (
-    ("foot_0.speed", "rad/s"),
-    ("foot_1.speed", "rad/s"),
-    ("foot_2.speed", "rad/s"),
-    ("left_0.speed", "rad/s"),
-    ("left_1.speed", "rad/s"),
+    ("foot_0.speed", "rad/s"), ("foot_1.speed", "rad/s"), ("foot_2.speed", "rad/s"), ("left_0.speed", "rad/s"), ("left_1.speed", "rad/s"),
 )
 
 MEMORY = ()
@@ -60,84 +47,38 @@ RELEASES = ()
 
 DISSIPATED = ()
 
-CONSTRAINTS = (
-    ("right_0.apart_x", "m"),
-    ("right_0.apart_y", "m"),
-    ("right_1.apart_x", "m"),
-    ("right_1.apart_y", "m"),
-)
+CONSTRAINTS = (("right_0.apart_x", "m"), ("right_0.apart_y", "m"), ("right_1.apart_x", "m"), ("right_1.apart_y", "m"))
 
-GIVEN = (
-    "foot_0.speed",
-)
+GIVEN = ("foot_0.speed",)
 
 OUTPUTS = ()
 
-BODIES = (
-    "post_0",
-    "post_1",
-    "post_2",
-    "beam_0",
-    "beam_1",
-)
+BODIES = ("post_0", "post_1", "post_2", "beam_0", "beam_1")
 
 LANDMARKS = (
-    ("foot_0", "revolute", "parent", "ground", ("axis",)),
-    ("foot_0", "revolute", "child", "post_0", ("axis",)),
-    ("foot_1", "revolute", "parent", "ground", ("axis",)),
-    ("foot_1", "revolute", "child", "post_1", ("axis",)),
-    ("foot_2", "revolute", "parent", "ground", ("axis",)),
-    ("foot_2", "revolute", "child", "post_2", ("axis",)),
-    ("left_0", "revolute", "parent", "post_0", ("axis",)),
-    ("left_0", "revolute", "child", "beam_0", ("axis",)),
-    ("left_1", "revolute", "parent", "post_1", ("axis",)),
-    ("left_1", "revolute", "child", "beam_1", ("axis",)),
-    ("right_0", "revolute", "parent", "post_1", ("axis",)),
-    ("right_0", "revolute", "child", "beam_0", ("axis",)),
-    ("right_1", "revolute", "parent", "post_2", ("axis",)),
-    ("right_1", "revolute", "child", "beam_1", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("post_0", "body", "centre", "post_0", ()),
-    ("post_1", "body", "centre", "post_1", ()),
-    ("post_2", "body", "centre", "post_2", ()),
-    ("beam_0", "body", "centre", "beam_0", ()),
+    ("foot_0", "revolute", "parent", "ground", ("axis",)), ("foot_0", "revolute", "child", "post_0", ("axis",)),
+    ("foot_1", "revolute", "parent", "ground", ("axis",)), ("foot_1", "revolute", "child", "post_1", ("axis",)),
+    ("foot_2", "revolute", "parent", "ground", ("axis",)), ("foot_2", "revolute", "child", "post_2", ("axis",)),
+    ("left_0", "revolute", "parent", "post_0", ("axis",)), ("left_0", "revolute", "child", "beam_0", ("axis",)),
+    ("left_1", "revolute", "parent", "post_1", ("axis",)), ("left_1", "revolute", "child", "beam_1", ("axis",)),
+    ("right_0", "revolute", "parent", "post_1", ("axis",)), ("right_0", "revolute", "child", "beam_0", ("axis",)),
+    ("right_1", "revolute", "parent", "post_2", ("axis",)), ("right_1", "revolute", "child", "beam_1", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("post_0", "body", "centre", "post_0", ()),
+    ("post_1", "body", "centre", "post_1", ()), ("post_2", "body", "centre", "post_2", ()), ("beam_0", "body", "centre", "beam_0", ()),
     ("beam_1", "body", "centre", "beam_1", ()),
 )
 
 CONSTANTS = (
-    ("length", "m"),
-    ("gravity", "m/s^2"),
-    ("post_2_arm_x", "m"),
-    ("beam_0_h_x", "kg m"),
-    ("post_0_h_y", "kg m"),
-    ("beam_0_I_z_z", "kg m^2"),
-    ("beam_0_I_z_z_plus_post_0_I_z_z", "kg m^2"),
-    ("inverse_beam_0_I_z_z", "1/(kg m^2)"),
-    ("half_beam_0_I_z_z", "kg m^2"),
-    ("half_mass", "kg"),
-    ("half_length", "m"),
-    ("gravity_times_mass", "N"),
-    ("right_0_apart_x_softness", "1"),
-    ("right_0_apart_y_softness", "1"),
-    ("right_1_apart_x_softness", "1"),
+    ("length", "m"), ("gravity", "m/s^2"), ("post_2_arm_x", "m"), ("beam_0_h_x", "kg m"), ("post_0_h_y", "kg m"),
+    ("beam_0_I_z_z", "kg m^2"), ("beam_0_I_z_z_plus_post_0_I_z_z", "kg m^2"), ("inverse_beam_0_I_z_z", "1/(kg m^2)"),
+    ("half_beam_0_I_z_z", "kg m^2"), ("half_mass", "kg"), ("half_length", "m"), ("gravity_times_mass", "N"),
+    ("right_0_apart_x_softness", "1"), ("right_0_apart_y_softness", "1"), ("right_1_apart_x_softness", "1"),
     ("right_1_apart_y_softness", "1"),
 )
 
 OPERATIONS = (
-    ("constants", 18),
-    ("start", 2),
-    ("scales", 6),
-    ("coordinate_rates", 0),
-    ("gaps", 0),
-    ("gap_accelerations", 0),
-    ("applied", 27),
-    ("accelerations", 525),
-    ("constraints", 61),
-    ("projection", 311),
-    ("ledger", 0),
-    ("energy", 81),
-    ("poses", 24),
-    ("outputs", 0),
+    ("constants", 18), ("start", 2), ("scales", 6), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 27),
+    ("accelerations", 525), ("constraints", 61), ("projection", 311), ("ledger", 0), ("energy", 81), ("poses", 24), ("outputs", 0),
     ("landmarks", 2),
 )
 
@@ -147,14 +88,11 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (16,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z,
-            beam_0_I_z_z_plus_post_0_I_z_z, inverse_beam_0_I_z_z, half_beam_0_I_z_z, half_mass, half_length,
-            gravity_times_mass, right_0_apart_x_softness, right_0_apart_y_softness, right_1_apart_x_softness,
-            right_1_apart_y_softness
+        c (16,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, beam_0_I_z_z_plus_post_0_I_z_z, inverse_beam_0_I_z_z,
+            half_beam_0_I_z_z, half_mass, half_length, gravity_times_mass, right_0_apart_x_softness, right_0_apart_y_softness,
+            right_1_apart_x_softness, right_1_apart_y_softness
     """
-    mass = p[0]
-    length = p[1]
-    gravity = p[2]
+    mass, length, gravity = p[0], p[1], p[2]
     post_2_arm_x = 2*length
     beam_0_h_x = length*mass/2
     post_0_h_y = 3*length*mass/2
@@ -167,9 +105,8 @@ def constants(p):
     half_mass = mass/2
     half_length = length/2
     gravity_times_mass = gravity*mass
-    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z,
-        beam_0_I_z_z_plus_post_0_I_z_z, inverse_beam_0_I_z_z, half_beam_0_I_z_z, half_mass, half_length,
-        gravity_times_mass, 3e-09, 3e-09, 3e-09, 3e-09)
+    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, beam_0_I_z_z_plus_post_0_I_z_z,
+        inverse_beam_0_I_z_z, half_beam_0_I_z_z, half_mass, half_length, gravity_times_mass, 3e-09, 3e-09, 3e-09, 3e-09)
 
 
 def start(p):
@@ -177,13 +114,11 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (5,): foot_0.angle [rad], foot_1.angle [rad], foot_2.angle [rad], left_0.angle [rad], left_1.angle [rad]
-        u (5,): foot_0.speed [rad/s], foot_1.speed [rad/s], foot_2.speed [rad/s], left_0.speed [rad/s], left_1.speed
-            [rad/s]
+        q (5,): COORDINATES
+        u (5,): SPEEDS
     """
-    length = p[1]
-    speed = p[3]
-    return ca.vertcat(0, 0, 0, 0, 0), ca.vertcat(-speed/length, 0, 0, 0, 0)
+    length, speed = p[1], p[3]
+    return ca.vertcat(*[0]*5), ca.vertcat(-speed/length, 0, 0, 0, 0)
 
 
 def scales(p):
@@ -191,25 +126,17 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (5,): foot_0.angle [rad], foot_1.angle [rad], foot_2.angle [rad], left_0.angle [rad], left_1.angle [rad]
-        su (5,): foot_0.speed [rad/s], foot_1.speed [rad/s], foot_2.speed [rad/s], left_0.speed [rad/s],
-            left_1.speed [rad/s]
+        sq (5,): COORDINATES
+        su (5,): SPEEDS
         sz (0,): empty
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    length = p[1]
-    speed = p[3]
+    mass, length, speed = p[0], p[1], p[3]
     total_mass = 5*mass
     energy_scale = total_mass*speed*speed/2
     force_scale = energy_scale/length
     speed_over_length = speed/length
-    return (
-        ca.vertcat(1, 1, 1, 1, 1),
-        ca.vertcat(speed_over_length, speed_over_length, speed_over_length, speed_over_length, speed_over_length),
-        ca.vertcat(),
-        ca.vertcat(length, speed, force_scale, energy_scale),
-    )
+    return ca.vertcat(*[1]*5), ca.vertcat(*[speed_over_length]*5), ca.vertcat(), ca.vertcat(length, speed, force_scale, energy_scale)
 
 
 def coordinate_rates(t, q, u, c):
@@ -217,14 +144,9 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (5,): foot_0.angle [rad/s], foot_1.angle [rad/s], foot_2.angle [rad/s], left_0.angle [rad/s],
-            left_1.angle [rad/s]
+        dq (5,): COORDINATES [rad/s]
     """
-    foot_0_speed = u[0]
-    foot_1_speed = u[1]
-    foot_2_speed = u[2]
-    left_0_speed = u[3]
-    left_1_speed = u[4]
+    foot_0_speed, foot_1_speed, foot_2_speed, left_0_speed, left_1_speed = u[0], u[1], u[2], u[3], u[4]
     return ca.vertcat(foot_0_speed, foot_1_speed, foot_2_speed, left_0_speed, left_1_speed)
 
 
@@ -233,8 +155,7 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (0,): empty
-        dG (0,): empty
+        G, dG (0,): empty
     """
     return ca.vertcat(), ca.vertcat()
 
@@ -256,14 +177,8 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (5,): foot_0 [N m], foot_1 [N m], foot_2 [N m], left_0 [N m], left_1 [N m]
     """
-    gravity = c[1]
-    beam_0_h_x = c[3]
-    post_0_h_y = c[4]
-    foot_0_angle = q[0]
-    foot_1_angle = q[1]
-    foot_2_angle = q[2]
-    left_0_angle = q[3]
-    left_1_angle = q[4]
+    gravity, beam_0_h_x, post_0_h_y = c[1], c[3], c[4]
+    foot_0_angle, foot_1_angle, foot_2_angle, left_0_angle, left_1_angle = q[0], q[1], q[2], q[3], q[4]
     sin_post_0 = ca.sin(foot_0_angle)
     sin_post_1 = ca.sin(foot_1_angle)
     sin_post_2 = ca.sin(foot_2_angle)
@@ -278,8 +193,8 @@ def applied(t, q, u, c):
     post_1_moment_x = -post_0_h_y*sin_post_1
     post_1_total_moment_x = beam_1_moment_x + post_1_moment_x
     post_2_moment_x = -beam_0_h_x*sin_post_2
-    return ca.vertcat(-post_0_total_moment_x*gravity, -post_1_total_moment_x*gravity, -post_2_moment_x*gravity,
-        -beam_0_moment_x*gravity, -beam_1_moment_x*gravity)
+    return ca.vertcat(-post_0_total_moment_x*gravity, -post_1_total_moment_x*gravity, -post_2_moment_x*gravity, -beam_0_moment_x*gravity,
+        -beam_1_moment_x*gravity)
 
 
 def accelerations(t, q, u, f, c):
@@ -287,36 +202,17 @@ def accelerations(t, q, u, f, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (5,): foot_0.acceleration [rad/s^2], foot_1.acceleration [rad/s^2], foot_2.acceleration [rad/s^2],
-            left_0.acceleration [rad/s^2], left_1.acceleration [rad/s^2]
+        a (5,): foot_0.acceleration [rad/s^2], foot_1.acceleration [rad/s^2], foot_2.acceleration [rad/s^2], left_0.acceleration [rad/s^2],
+            left_1.acceleration [rad/s^2]
         reactions (0,): empty
-        multipliers (4,): right_0.apart_x [N], right_0.apart_y [N], right_1.apart_x [N], right_1.apart_y [N]
+        multipliers (4,): CONSTRAINTS [N]
     """
-    length = c[0]
-    post_2_arm_x = c[2]
-    beam_0_h_x = c[3]
-    beam_0_I_z_z = c[5]
-    beam_0_I_z_z_plus_post_0_I_z_z = c[6]
-    inverse_beam_0_I_z_z = c[7]
-    right_0_apart_x_softness = c[12]
-    right_0_apart_y_softness = c[13]
-    right_1_apart_x_softness = c[14]
+    length, post_2_arm_x, beam_0_h_x, beam_0_I_z_z, beam_0_I_z_z_plus_post_0_I_z_z = c[0], c[2], c[3], c[5], c[6]
+    inverse_beam_0_I_z_z, right_0_apart_x_softness, right_0_apart_y_softness, right_1_apart_x_softness = c[7], c[12], c[13], c[14]
     right_1_apart_y_softness = c[15]
-    foot_0_angle = q[0]
-    foot_1_angle = q[1]
-    foot_2_angle = q[2]
-    left_0_angle = q[3]
-    left_1_angle = q[4]
-    foot_0_speed = u[0]
-    foot_1_speed = u[1]
-    foot_2_speed = u[2]
-    left_0_speed = u[3]
-    left_1_speed = u[4]
-    foot_0_force = f[0]
-    foot_1_force = f[1]
-    foot_2_force = f[2]
-    left_0_force = f[3]
-    left_1_force = f[4]
+    foot_0_angle, foot_1_angle, foot_2_angle, left_0_angle, left_1_angle = q[0], q[1], q[2], q[3], q[4]
+    foot_0_speed, foot_1_speed, foot_2_speed, left_0_speed, left_1_speed = u[0], u[1], u[2], u[3], u[4]
+    foot_0_force, foot_1_force, foot_2_force, left_0_force, left_1_force = f[0], f[1], f[2], f[3], f[4]
     cos_post_0 = ca.cos(foot_0_angle)
     sin_post_0 = ca.sin(foot_0_angle)
     cos_post_1 = ca.cos(foot_1_angle)
@@ -509,11 +405,8 @@ def accelerations(t, q, u, f, c):
     foot_2_acc_4 = foot_2_acc_3 + foot_2_by_right_1_apart_x*right_1_apart_x_acc_4 + foot_2_by_right_1_apart_y*right_1_apart_y_acc_4
     left_0_acc_4 = left_0_acc_3 + left_0_by_right_0_apart_x*right_0_apart_x_acc_4 + left_0_by_right_0_apart_y*right_0_apart_y_acc_4
     left_1_acc_4 = left_1_acc_3 + left_1_by_right_0_apart_x*right_0_apart_x_acc_4 + left_1_by_right_0_apart_y*right_0_apart_y_acc_4 + left_1_by_right_1_apart_x*right_1_apart_x_acc_4 + left_1_by_right_1_apart_y*right_1_apart_y_acc_4
-    return (
-        ca.vertcat(foot_0_acc_4, foot_1_acc_4, foot_2_acc_4, left_0_acc_4, left_1_acc_4),
-        ca.vertcat(),
-        ca.vertcat(right_0_apart_x_acc_5, right_0_apart_y_acc_5, right_1_apart_x_acc_5, right_1_apart_y_acc_5),
-    )
+    return (ca.vertcat(foot_0_acc_4, foot_1_acc_4, foot_2_acc_4, left_0_acc_4, left_1_acc_4), ca.vertcat(),
+        ca.vertcat(right_0_apart_x_acc_5, right_0_apart_y_acc_5, right_1_apart_x_acc_5, right_1_apart_y_acc_5))
 
 
 def constraints(t, q, u, c):
@@ -521,21 +414,12 @@ def constraints(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        phi (4,): right_0.apart_x [m], right_0.apart_y [m], right_1.apart_x [m], right_1.apart_y [m]
-        dphi (4,): right_0.apart_x [m/s], right_0.apart_y [m/s], right_1.apart_x [m/s], right_1.apart_y [m/s]
+        phi (4,): CONSTRAINTS
+        dphi (4,): CONSTRAINTS [m/s]
     """
-    length = c[0]
-    post_2_arm_x = c[2]
-    foot_0_angle = q[0]
-    foot_1_angle = q[1]
-    foot_2_angle = q[2]
-    left_0_angle = q[3]
-    left_1_angle = q[4]
-    foot_0_speed = u[0]
-    foot_1_speed = u[1]
-    foot_2_speed = u[2]
-    left_0_speed = u[3]
-    left_1_speed = u[4]
+    length, post_2_arm_x = c[0], c[2]
+    foot_0_angle, foot_1_angle, foot_2_angle, left_0_angle, left_1_angle = q[0], q[1], q[2], q[3], q[4]
+    foot_0_speed, foot_1_speed, foot_2_speed, left_0_speed, left_1_speed = u[0], u[1], u[2], u[3], u[4]
     cos_post_0 = ca.cos(foot_0_angle)
     sin_post_0 = ca.sin(foot_0_angle)
     cos_post_1 = ca.cos(foot_1_angle)
@@ -579,10 +463,8 @@ def constraints(t, q, u, c):
     right_1_apart_y = right_0_parent_arm_y + right_1_child_arm_y - right_1_parent_arm_y
     right_1_apart_rate_x = right_0_parent_arm_rate_x + right_1_child_arm_rate_x - right_1_parent_arm_rate_x
     right_1_apart_rate_y = right_0_parent_arm_rate_y + right_1_child_arm_rate_y - right_1_parent_arm_rate_y
-    return (
-        ca.vertcat(right_0_apart_x, right_0_apart_y, right_1_apart_x, right_1_apart_y),
-        ca.vertcat(right_0_apart_rate_x, right_0_apart_rate_y, right_1_apart_rate_x, right_1_apart_rate_y),
-    )
+    return (ca.vertcat(right_0_apart_x, right_0_apart_y, right_1_apart_x, right_1_apart_y),
+        ca.vertcat(right_0_apart_rate_x, right_0_apart_rate_y, right_1_apart_rate_x, right_1_apart_rate_y))
 
 
 def projection(t, q, wanted, c):
@@ -590,27 +472,14 @@ def projection(t, q, wanted, c):
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
-        v (5,): foot_0.speed [rad/s], foot_1.speed [rad/s], foot_2.speed [rad/s], left_0.speed [rad/s], left_1.speed
-            [rad/s]
-        independence (4,): right_0.apart_x [1], right_0.apart_y [1], right_1.apart_x [1], right_1.apart_y [1]
+        v (5,): SPEEDS
+        independence (4,): CONSTRAINTS [1]
     """
-    length = c[0]
-    post_2_arm_x = c[2]
-    beam_0_h_x = c[3]
-    beam_0_I_z_z = c[5]
-    beam_0_I_z_z_plus_post_0_I_z_z = c[6]
-    inverse_beam_0_I_z_z = c[7]
-    right_0_apart_x_softness = c[12]
-    right_0_apart_y_softness = c[13]
-    right_1_apart_x_softness = c[14]
+    length, post_2_arm_x, beam_0_h_x, beam_0_I_z_z, beam_0_I_z_z_plus_post_0_I_z_z = c[0], c[2], c[3], c[5], c[6]
+    inverse_beam_0_I_z_z, right_0_apart_x_softness, right_0_apart_y_softness, right_1_apart_x_softness = c[7], c[12], c[13], c[14]
     right_1_apart_y_softness = c[15]
-    foot_0_angle = q[0]
-    foot_1_angle = q[1]
-    left_0_angle = q[3]
-    left_1_angle = q[4]
-    right_0_apart_x_wanted_rate = wanted[0]
-    right_0_apart_y_wanted_rate = wanted[1]
-    right_1_apart_x_wanted_rate = wanted[2]
+    foot_0_angle, foot_1_angle, left_0_angle, left_1_angle = q[0], q[1], q[3], q[4]
+    right_0_apart_x_wanted_rate, right_0_apart_y_wanted_rate, right_1_apart_x_wanted_rate = wanted[0], wanted[1], wanted[2]
     right_1_apart_y_wanted_rate = wanted[3]
     cos_post_0 = ca.cos(foot_0_angle)
     sin_post_0 = ca.sin(foot_0_angle)
@@ -729,11 +598,8 @@ def projection(t, q, wanted, c):
     right_0_apart_y_independence = D_right_0_apart_y/right_0_apart_size
     right_1_apart_x_independence = D_right_1_apart_x/right_1_apart_size
     right_1_apart_y_independence = D_right_1_apart_y/right_1_apart_size
-    return (
-        ca.vertcat(foot_0_push_2, foot_1_push_2, foot_2_push_2, left_0_push_2, left_1_push_2),
-        ca.vertcat(right_0_apart_x_independence, right_0_apart_y_independence, right_1_apart_x_independence,
-            right_1_apart_y_independence),
-    )
+    return (ca.vertcat(foot_0_push_2, foot_1_push_2, foot_2_push_2, left_0_push_2, left_1_push_2),
+        ca.vertcat(right_0_apart_x_independence, right_0_apart_y_independence, right_1_apart_x_independence, right_1_apart_y_independence))
 
 
 def ledger(t, q, u, reactions, c):
@@ -755,22 +621,9 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (0,): empty
     """
-    length = c[0]
-    beam_0_h_x = c[3]
-    half_beam_0_I_z_z = c[8]
-    half_mass = c[9]
-    half_length = c[10]
-    gravity_times_mass = c[11]
-    foot_0_angle = q[0]
-    foot_1_angle = q[1]
-    foot_2_angle = q[2]
-    left_0_angle = q[3]
-    left_1_angle = q[4]
-    foot_0_speed = u[0]
-    foot_1_speed = u[1]
-    foot_2_speed = u[2]
-    left_0_speed = u[3]
-    left_1_speed = u[4]
+    length, beam_0_h_x, half_beam_0_I_z_z, half_mass, half_length, gravity_times_mass = c[0], c[3], c[8], c[9], c[10], c[11]
+    foot_0_angle, foot_1_angle, foot_2_angle, left_0_angle, left_1_angle = q[0], q[1], q[2], q[3], q[4]
+    foot_0_speed, foot_1_speed, foot_2_speed, left_0_speed, left_1_speed = u[0], u[1], u[2], u[3], u[4]
     cos_post_0 = ca.cos(foot_0_angle)
     sin_post_0 = ca.sin(foot_0_angle)
     cos_post_1 = ca.cos(foot_1_angle)
@@ -811,25 +664,18 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (15,): post_0.x [m], post_0.y [m], post_0.z [m], post_1.x [m], post_1.y [m], post_1.z [m],
-            post_2.x [m], post_2.y [m], post_2.z [m], beam_0.x [m], beam_0.y [m], beam_0.z [m], beam_1.x [m],
-            beam_1.y [m], beam_1.z [m]
-        rotations (45,): post_0.R_xx [1], post_0.R_xy [1], post_0.R_xz [1], post_0.R_yx [1], post_0.R_yy [1],
-            post_0.R_yz [1], post_0.R_zx [1], post_0.R_zy [1], post_0.R_zz [1], post_1.R_xx [1], post_1.R_xy [1],
-            post_1.R_xz [1], post_1.R_yx [1], post_1.R_yy [1], post_1.R_yz [1], post_1.R_zx [1], post_1.R_zy [1],
-            post_1.R_zz [1], post_2.R_xx [1], post_2.R_xy [1], post_2.R_xz [1], post_2.R_yx [1], post_2.R_yy [1],
-            post_2.R_yz [1], post_2.R_zx [1], post_2.R_zy [1], post_2.R_zz [1], beam_0.R_xx [1], beam_0.R_xy [1],
-            beam_0.R_xz [1], beam_0.R_yx [1], beam_0.R_yy [1], beam_0.R_yz [1], beam_0.R_zx [1], beam_0.R_zy [1],
-            beam_0.R_zz [1], beam_1.R_xx [1], beam_1.R_xy [1], beam_1.R_xz [1], beam_1.R_yx [1], beam_1.R_yy [1],
-            beam_1.R_yz [1], beam_1.R_zx [1], beam_1.R_zy [1], beam_1.R_zz [1]
+        positions (15,): post_0.x [m], post_0.y [m], post_0.z [m], post_1.x [m], post_1.y [m], post_1.z [m], post_2.x [m], post_2.y [m],
+            post_2.z [m], beam_0.x [m], beam_0.y [m], beam_0.z [m], beam_1.x [m], beam_1.y [m], beam_1.z [m]
+        rotations (45,): post_0.R_xx [1], post_0.R_xy [1], post_0.R_xz [1], post_0.R_yx [1], post_0.R_yy [1], post_0.R_yz [1], post_0.R_zx
+            [1], post_0.R_zy [1], post_0.R_zz [1], post_1.R_xx [1], post_1.R_xy [1], post_1.R_xz [1], post_1.R_yx [1], post_1.R_yy [1],
+            post_1.R_yz [1], post_1.R_zx [1], post_1.R_zy [1], post_1.R_zz [1], post_2.R_xx [1], post_2.R_xy [1], post_2.R_xz [1],
+            post_2.R_yx [1], post_2.R_yy [1], post_2.R_yz [1], post_2.R_zx [1], post_2.R_zy [1], post_2.R_zz [1], beam_0.R_xx [1],
+            beam_0.R_xy [1], beam_0.R_xz [1], beam_0.R_yx [1], beam_0.R_yy [1], beam_0.R_yz [1], beam_0.R_zx [1], beam_0.R_zy [1],
+            beam_0.R_zz [1], beam_1.R_xx [1], beam_1.R_xy [1], beam_1.R_xz [1], beam_1.R_yx [1], beam_1.R_yy [1], beam_1.R_yz [1],
+            beam_1.R_zx [1], beam_1.R_zy [1], beam_1.R_zz [1]
     """
-    length = c[0]
-    post_2_arm_x = c[2]
-    foot_0_angle = q[0]
-    foot_1_angle = q[1]
-    foot_2_angle = q[2]
-    left_0_angle = q[3]
-    left_1_angle = q[4]
+    length, post_2_arm_x = c[0], c[2]
+    foot_0_angle, foot_1_angle, foot_2_angle, left_0_angle, left_1_angle = q[0], q[1], q[2], q[3], q[4]
     cos_post_0 = ca.cos(foot_0_angle)
     sin_post_0 = ca.sin(foot_0_angle)
     cos_post_1 = ca.cos(foot_1_angle)
@@ -847,14 +693,10 @@ def poses(t, q, c):
     right_0_parent_arm_x = -sin_post_1*length
     right_0_parent_arm_y = cos_post_1*length
     beam_1_x = right_0_parent_arm_x + length
-    return (
-        ca.vertcat(0, 0, 0, length, 0, 0, post_2_arm_x, 0, 0, beam_0_arm_x, beam_0_arm_y, 0, beam_1_x,
-            right_0_parent_arm_y, 0),
-        ca.vertcat(cos_post_0, -sin_post_0, 0, sin_post_0, cos_post_0, 0, 0, 0, 1, cos_post_1, -sin_post_1, 0,
-            sin_post_1, cos_post_1, 0, 0, 0, 1, cos_post_2, -sin_post_2, 0, sin_post_2, cos_post_2, 0, 0, 0, 1,
-            cos_beam_0, -sin_beam_0, 0, sin_beam_0, cos_beam_0, 0, 0, 0, 1, cos_beam_1, -sin_beam_1, 0, sin_beam_1,
-            cos_beam_1, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, length, 0, 0, post_2_arm_x, 0, 0, beam_0_arm_x, beam_0_arm_y, 0, beam_1_x, right_0_parent_arm_y, 0),
+        ca.vertcat(cos_post_0, -sin_post_0, 0, sin_post_0, cos_post_0, 0, 0, 0, 1, cos_post_1, -sin_post_1, 0, sin_post_1, cos_post_1, 0, 0,
+            0, 1, cos_post_2, -sin_post_2, 0, sin_post_2, cos_post_2, 0, 0, 0, 1, cos_beam_0, -sin_beam_0, 0, sin_beam_0, cos_beam_0, 0, 0,
+            0, 1, cos_beam_1, -sin_beam_1, 0, sin_beam_1, cos_beam_1, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -872,48 +714,13 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        foot_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_2.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_2.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        post_0.centre (3,): x [m], y [m], z [m]
-        post_1.centre (3,): x [m], y [m], z [m]
-        post_2.centre (3,): x [m], y [m], z [m]
-        beam_0.centre (3,): x [m], y [m], z [m]
-        beam_1.centre (3,): x [m], y [m], z [m]
+        foot_0.parent to gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        post_0.centre to beam_1.centre (3,): x [m], y [m], z [m]
     """
     length = p[1]
     x1 = length/2
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(2*length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, x1, 0),
-        ca.vertcat(0, x1, 0),
-        ca.vertcat(0, x1, 0),
-        ca.vertcat(x1, 0, 0),
-        ca.vertcat(x1, 0, 0),
-    )
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(length, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(2*length, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, length, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, length, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, length, 0, 0, 0, 1), ca.vertcat(length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, length, 0, 0, 0, 1), ca.vertcat(length, 0, 0, 0, 0, 1), ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, x1, 0),
+        ca.vertcat(0, x1, 0), ca.vertcat(0, x1, 0), ca.vertcat(x1, 0, 0), ca.vertcat(x1, 0, 0))

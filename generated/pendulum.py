@@ -14,10 +14,7 @@ NAME = "pendulum"
 SOURCE = "derive/scenes/pendulum.py"
 SUMMARY = "pendulum let go horizontal"
 
-EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
-)
+EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
 UNCHECKED = ()
 
@@ -33,13 +30,9 @@ LIMITS = (
     ("length", "defined", 0, None, True, False, "scales, length"),
 )
 
-COORDINATES = (
-    ("hinge.angle", "rad"),
-)
+COORDINATES = (("hinge.angle", "rad"),)
 
-SPEEDS = (
-    ("hinge.speed", "rad/s"),
-)
+SPEEDS = (("hinge.speed", "rad/s"),)
 
 MEMORY = ()
 
@@ -53,40 +46,21 @@ DISSIPATED = ()
 
 OUTPUTS = ()
 
-BODIES = (
-    "bob",
-)
+BODIES = ("bob",)
 
 LANDMARKS = (
-    ("hinge", "revolute", "parent", "ground", ("axis",)),
-    ("hinge", "revolute", "child", "bob", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("bob", "body", "centre", "bob", ()),
+    ("hinge", "revolute", "parent", "ground", ("axis",)), ("hinge", "revolute", "child", "bob", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("bob", "body", "centre", "bob", ()),
 )
 
 CONSTANTS = (
-    ("length", "m"),
-    ("gravity", "m/s^2"),
-    ("bob_h_y", "kg m"),
-    ("inverse_bob_I_z_z", "1/(kg m^2)"),
-    ("half_bob_I_z_z", "kg m^2"),
+    ("length", "m"), ("gravity", "m/s^2"), ("bob_h_y", "kg m"), ("inverse_bob_I_z_z", "1/(kg m^2)"), ("half_bob_I_z_z", "kg m^2"),
     ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 7),
-    ("start", 0),
-    ("scales", 7),
-    ("coordinate_rates", 0),
-    ("gaps", 0),
-    ("gap_accelerations", 0),
-    ("applied", 5),
-    ("accelerations", 1),
-    ("ledger", 0),
-    ("energy", 7),
-    ("poses", 3),
-    ("outputs", 0),
-    ("landmarks", 1),
+    ("constants", 7), ("start", 0), ("scales", 7), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 5),
+    ("accelerations", 1), ("ledger", 0), ("energy", 7), ("poses", 3), ("outputs", 0), ("landmarks", 1),
 )
 
 
@@ -97,9 +71,7 @@ def constants(p):
     Returns, each a column vector:
         c (6,): length, gravity, bob_h_y, inverse_bob_I_z_z, half_bob_I_z_z, gravity_times_mass
     """
-    mass = p[0]
-    length = p[1]
-    gravity = p[2]
+    mass, length, gravity = p[0], p[1], p[2]
     bob_h_y = -length*mass
     bob_I_z_z = length*length*mass
     inverse_bob_I_z_z = 1/bob_I_z_z
@@ -113,8 +85,8 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (1,): hinge.angle [rad]
-        u (1,): hinge.speed [rad/s]
+        q (1,): COORDINATES
+        u (1,): SPEEDS
     """
     start_angle = p[3]
     return ca.vertcat(start_angle), ca.vertcat(0)
@@ -125,14 +97,12 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (1,): hinge.angle [rad]
-        su (1,): hinge.speed [rad/s]
+        sq (1,): COORDINATES
+        su (1,): SPEEDS
         sz (0,): empty
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    length = p[1]
-    gravity = p[2]
+    mass, length, gravity = p[0], p[1], p[2]
     energy_scale = gravity*length*mass/2
     force_scale = energy_scale/length
     gravity_times_length = gravity*length
@@ -145,7 +115,7 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (1,): hinge.angle [rad/s]
+        dq (1,): COORDINATES [rad/s]
     """
     hinge_speed = u[0]
     return ca.vertcat(hinge_speed)
@@ -156,8 +126,7 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (0,): empty
-        dG (0,): empty
+        G, dG (0,): empty
     """
     return ca.vertcat(), ca.vertcat()
 
@@ -179,8 +148,7 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (1,): hinge [N m]
     """
-    gravity = c[1]
-    bob_h_y = c[2]
+    gravity, bob_h_y = c[1], c[2]
     hinge_angle = q[0]
     sin_bob = ca.sin(hinge_angle)
     bob_moment_x = -bob_h_y*sin_bob
@@ -220,9 +188,7 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (0,): empty
     """
-    length = c[0]
-    half_bob_I_z_z = c[4]
-    gravity_times_mass = c[5]
+    length, half_bob_I_z_z, gravity_times_mass = c[0], c[4], c[5]
     hinge_angle = q[0]
     hinge_speed = u[0]
     cos_bob = ca.cos(hinge_angle)
@@ -238,8 +204,8 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (3,): bob.x [m], bob.y [m], bob.z [m]
-        rotations (9,): bob.R_xx [1], bob.R_xy [1], bob.R_xz [1], bob.R_yx [1], bob.R_yy [1], bob.R_yz [1], bob.R_zx
-            [1], bob.R_zy [1], bob.R_zz [1]
+        rotations (9,): bob.R_xx [1], bob.R_xy [1], bob.R_xz [1], bob.R_yx [1], bob.R_yy [1], bob.R_yz [1], bob.R_zx [1], bob.R_zy [1],
+            bob.R_zz [1]
     """
     length = c[0]
     hinge_angle = q[0]
@@ -263,15 +229,8 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        hinge.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge.parent, hinge.child, gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         bob.centre (3,): x [m], y [m], z [m]
     """
     length = p[1]
-    return (
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, -length, 0),
-    )
+    return ca.vertcat(0, length, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, -length, 0)

@@ -18,10 +18,8 @@ SOURCE = "derive/scenes/slider_crank.py"
 SUMMARY = "slider-crank with a clearance joint between rod and slider"
 
 EFFECTS = (
-    ("crank_drive", "drive", "constant speed of main_bearing"),
-    ("gravity", "gravity", "uniform gravity"),
-    ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"),
-    ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
+    ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
+    ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"), ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -76,119 +74,50 @@ SUM_LIMITS = (
     ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair slider_pin, pin radius (bush radius minus clearance)"),
 )
 
-COORDINATES = (
-    ("crank_pin.angle", "rad"),
-    ("guide.travel", "m"),
-)
+COORDINATES = (("crank_pin.angle", "rad"), ("guide.travel", "m"))
 
-SPEEDS = (
-    ("crank_pin.speed", "rad/s"),
-    ("guide.speed", "m/s"),
-)
+SPEEDS = (("crank_pin.speed", "rad/s"), ("guide.speed", "m/s"))
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("slider_pin.dissipated", "J"),
-    ("slider_pin_friction.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("slider_pin.dissipated", "J"), ("slider_pin_friction.dissipated", "J"))
 
-LATCHES = (
-    ("slider_pin.approach_speed", "m/s", 0),
-)
+LATCHES = (("slider_pin.approach_speed", "m/s", 0),)
 
-PAIRS = (
-    ("slider_pin", "pin_in_bush"),
-)
+PAIRS = (("slider_pin", "pin_in_bush"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    1,
-)
+DISSIPATED = (1,)
 
-GIVEN = (
-    "crank_pin.speed",
-    "guide.travel",
-)
+GIVEN = ("crank_pin.speed", "guide.travel")
 
-OUTPUTS = (
-    ("slider_pin.eccentricity_x", "m"),
-    ("slider_pin.eccentricity_y", "m"),
-)
+OUTPUTS = (("slider_pin.eccentricity_x", "m"), ("slider_pin.eccentricity_y", "m"))
 
-SPEED_LIMITED = (
-    "slider_pin",
-)
+SPEED_LIMITED = ("slider_pin",)
 
-BODIES = (
-    "crank",
-    "rod",
-    "slider",
-)
+BODIES = ("crank", "rod", "slider")
 
 LANDMARKS = (
-    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
-    ("main_bearing", "revolute", "child", "crank", ("axis",)),
-    ("crank_pin", "revolute", "parent", "crank", ("axis",)),
-    ("crank_pin", "revolute", "child", "rod", ("axis",)),
-    ("guide", "prismatic", "parent", "ground", ("axis",)),
-    ("guide", "prismatic", "child", "slider", ("axis",)),
-    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)),
-    ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
-    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("crank", "body", "centre", "crank", ()),
-    ("rod", "body", "centre", "rod", ()),
-    ("slider", "body", "centre", "slider", ()),
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)), ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("crank_pin", "revolute", "parent", "crank", ("axis",)), ("crank_pin", "revolute", "child", "rod", ("axis",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)), ("guide", "prismatic", "child", "slider", ("axis",)),
+    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)), ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)), ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()), ("rod", "body", "centre", "rod", ()), ("slider", "body", "centre", "slider", ()),
 )
 
 CONSTANTS = (
-    ("rod_mass_centre", "m"),
-    ("crank_radius", "m"),
-    ("clearance", "m"),
-    ("rod_length", "m"),
-    ("crank_speed", "1/s"),
-    ("gravity", "m/s^2"),
-    ("friction_coefficient", "1"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("slider_pin_R_min", "m"),
-    ("slider_pin_K", "N/m^1.5"),
-    ("two_fifths_of_slider_pin_K", "N/m^1.5"),
-    ("slider_pin_hysteresis_factor", "1"),
-    ("inverse_friction_speed", "s/m"),
-    ("rod_h_x", "kg m"),
-    ("crank_h_x", "kg m"),
-    ("crank_rate_zz", "1/s^2"),
-    ("rod_I_z_z", "kg m^2"),
-    ("inverse_rod_I_z_z", "1/(kg m^2)"),
-    ("inverse_slider_mass", "1/kg"),
-    ("half_rod_I_z_z", "kg m^2"),
-    ("half_slider_mass", "kg"),
-    ("half_rod_mass", "kg"),
-    ("half_crank_speed_squared_times_crank_inertia", "J"),
-    ("gravity_times_rod_mass", "N"),
+    ("rod_mass_centre", "m"), ("crank_radius", "m"), ("clearance", "m"), ("rod_length", "m"), ("crank_speed", "1/s"), ("gravity", "m/s^2"),
+    ("friction_coefficient", "1"), ("clearance_squared", "m^2"), ("half_inverse_clearance", "1/m"), ("slider_pin_R_min", "m"),
+    ("slider_pin_K", "N/m^1.5"), ("two_fifths_of_slider_pin_K", "N/m^1.5"), ("slider_pin_hysteresis_factor", "1"),
+    ("inverse_friction_speed", "s/m"), ("rod_h_x", "kg m"), ("crank_h_x", "kg m"), ("crank_rate_zz", "1/s^2"), ("rod_I_z_z", "kg m^2"),
+    ("inverse_rod_I_z_z", "1/(kg m^2)"), ("inverse_slider_mass", "1/kg"), ("half_rod_I_z_z", "kg m^2"), ("half_slider_mass", "kg"),
+    ("half_rod_mass", "kg"), ("half_crank_speed_squared_times_crank_inertia", "J"), ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 36),
-    ("start", 5),
-    ("scales", 12),
-    ("coordinate_rates", 0),
-    ("gaps", 35),
-    ("gap_accelerations", 48),
-    ("contact_slider_pin", 90),
-    ("applied", 11),
-    ("accelerations", 37),
-    ("ledger", 1),
-    ("energy", 50),
-    ("poses", 10),
-    ("outputs", 13),
-    ("speed_limits", 3),
-    ("period", 3),
-    ("landmarks", 1),
+    ("constants", 36), ("start", 5), ("scales", 12), ("coordinate_rates", 0), ("gaps", 35), ("gap_accelerations", 48),
+    ("contact_slider_pin", 90), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 50), ("poses", 10), ("outputs", 13),
+    ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
 
@@ -197,28 +126,14 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (25,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient,
-            clearance_squared, half_inverse_clearance, slider_pin_R_min, slider_pin_K, two_fifths_of_slider_pin_K,
-            slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z,
-            inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
-            half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass
+        c (25,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient, clearance_squared,
+            half_inverse_clearance, slider_pin_R_min, slider_pin_K, two_fifths_of_slider_pin_K, slider_pin_hysteresis_factor,
+            inverse_friction_speed, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z,
+            half_slider_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass
     """
-    crank_inertia = p[1]
-    rod_mass = p[2]
-    rod_inertia = p[3]
-    rod_mass_centre = p[4]
-    slider_mass = p[5]
-    crank_radius = p[6]
-    bush_radius = p[7]
-    clearance = p[8]
-    rod_length = p[9]
-    crank_speed = p[10]
-    gravity = p[11]
-    youngs_modulus = p[12]
-    poissons_ratio = p[13]
-    restitution = p[15]
-    friction_coefficient = p[17]
-    friction_speed = p[18]
+    crank_inertia, rod_mass, rod_inertia, rod_mass_centre, slider_mass, crank_radius, bush_radius = p[1], p[2], p[3], p[4], p[5], p[6], p[7]
+    clearance, rod_length, crank_speed, gravity, youngs_modulus, poissons_ratio, restitution = p[8], p[9], p[10], p[11], p[12], p[13], p[15]
+    friction_coefficient, friction_speed = p[17], p[18]
     clearance_squared = clearance*clearance
     half_inverse_clearance = 1/(2*clearance)
     slider_pin_R_min = bush_radius - clearance
@@ -239,11 +154,10 @@ def constants(p):
     half_rod_mass = rod_mass/2
     half_crank_speed_squared_times_crank_inertia = crank_rate_zz*crank_inertia/2
     gravity_times_rod_mass = gravity*rod_mass
-    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
-        friction_coefficient, clearance_squared, half_inverse_clearance, slider_pin_R_min, slider_pin_K,
-        two_fifths_of_slider_pin_K, slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x,
-        crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass,
-        half_rod_mass, half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass)
+    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient, clearance_squared,
+        half_inverse_clearance, slider_pin_R_min, slider_pin_K, two_fifths_of_slider_pin_K, slider_pin_hysteresis_factor,
+        inverse_friction_speed, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z,
+        half_slider_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass)
 
 
 def start(p):
@@ -251,12 +165,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): crank_pin.angle [rad], guide.travel [m]
-        u (2,): crank_pin.speed [rad/s], guide.speed [m/s]
+        q (2,): COORDINATES
+        u (2,): SPEEDS
     """
-    crank_radius = p[6]
-    rod_length = p[9]
-    crank_speed = p[10]
+    crank_radius, rod_length, crank_speed = p[6], p[9], p[10]
     return ca.vertcat(0, crank_radius + rod_length), ca.vertcat(-(1 + crank_radius/rod_length)*crank_speed, 0)
 
 
@@ -265,28 +177,19 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): crank_pin.angle [rad], guide.travel [m]
-        su (2,): crank_pin.speed [rad/s], guide.speed [m/s]
-        sz (3,): energy_ledger.input [J], slider_pin.dissipated [J], slider_pin_friction.dissipated [J]
+        sq (2,): COORDINATES
+        su (2,): SPEEDS
+        sz (3,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    crank_mass = p[0]
-    rod_mass = p[2]
-    slider_mass = p[5]
-    crank_radius = p[6]
-    clearance = p[8]
-    rod_length = p[9]
-    crank_speed = p[10]
+    crank_mass, rod_mass, slider_mass, crank_radius, clearance, rod_length, crank_speed = p[0], p[2], p[5], p[6], p[8], p[9], p[10]
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
     crank_radius_times_crank_speed = crank_radius*crank_speed
-    return (
-        ca.vertcat(clearance/rod_length, clearance),
-        ca.vertcat(crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
+    return (ca.vertcat(clearance/rod_length, clearance), ca.vertcat(crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale),
-    )
+        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -296,8 +199,7 @@ def coordinate_rates(t, q, u, c):
     Returns, each a column vector:
         dq (2,): crank_pin.angle [rad/s], guide.travel [m/s]
     """
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     return ca.vertcat(crank_pin_speed, guide_speed)
 
 
@@ -306,18 +208,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): slider_pin [m]
-        dG (1,): slider_pin [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    crank_radius = c[1]
-    rod_length = c[3]
-    crank_speed = c[4]
-    clearance_squared = c[7]
-    half_inverse_clearance = c[8]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    crank_radius, rod_length, crank_speed, clearance_squared, half_inverse_clearance = c[1], c[3], c[4], c[7], c[8]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -349,18 +245,12 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): slider_pin [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
-    crank_radius = c[1]
-    rod_length = c[3]
-    crank_speed = c[4]
-    half_inverse_clearance = c[8]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
-    crank_pin_acceleration = a[0]
-    guide_acceleration = a[1]
+    crank_radius, rod_length, crank_speed, half_inverse_clearance = c[1], c[3], c[4], c[8]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
+    crank_pin_acceleration, guide_acceleration = a[0], a[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -390,30 +280,21 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_slider_pin(t, q, u, z, m, c):
-    """Forces of slider_pin: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
-    not clamped: where it would pull, the contact ends.
+    """Forces of slider_pin: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own, not clamped: where it
+    would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (3,): crank_pin [N m], guide [N], main_bearing [N m]
-        dz (3,): energy_ledger.input [W], slider_pin.dissipated [W], slider_pin_friction.dissipated [W]
-        normal_force (1,): slider_pin [N]
-        sliding_velocity (1,): slider_pin [m/s]
-        in_range (1,): slider_pin [1]
+        dz (3,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
+        sliding_velocity (1,): PAIRS [m/s]
+        in_range (1,): PAIRS [1]
     """
-    crank_radius = c[1]
-    clearance = c[2]
-    rod_length = c[3]
-    crank_speed = c[4]
-    friction_coefficient = c[6]
-    slider_pin_R_min = c[9]
-    slider_pin_K = c[10]
-    slider_pin_hysteresis_factor = c[12]
-    inverse_friction_speed = c[13]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    crank_radius, clearance, rod_length, crank_speed, friction_coefficient, slider_pin_R_min = c[1], c[2], c[3], c[4], c[6], c[9]
+    slider_pin_K, slider_pin_hysteresis_factor, inverse_friction_speed = c[10], c[12], c[13]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     slider_pin_approach_speed = m[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -456,14 +337,10 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_drag_on_main_bearing = slider_pin_drag_x*(slider_pin_R_min_times_slider_pin_normal_y - rod_arm_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(rod_arm_x + slider_pin_pin_arm_x + minus_slider_pin_R_min_times_slider_pin_normal_x)
     slider_pin_drag_on_crank_pin = slider_pin_drag_x*(slider_pin_R_min_times_slider_pin_normal_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x + minus_slider_pin_R_min_times_slider_pin_normal_x)
     slider_pin_in_range = ca.if_else(slider_pin_penetration <= slider_pin_R_min, 1, 0)
-    return (
-        ca.vertcat(slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x -
-            slider_pin_push_x, slider_pin_drag_on_main_bearing + slider_pin_push_on_main_bearing),
-        ca.vertcat(0, slider_pin_normal_power, slider_pin_friction_power),
-        ca.vertcat(slider_pin_normal_force),
-        ca.vertcat(slider_pin_sliding_velocity),
-        ca.vertcat(slider_pin_in_range),
-    )
+    return (ca.vertcat(slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x - slider_pin_push_x,
+            slider_pin_drag_on_main_bearing + slider_pin_push_on_main_bearing),
+        ca.vertcat(0, slider_pin_normal_power, slider_pin_friction_power), ca.vertcat(slider_pin_normal_force),
+        ca.vertcat(slider_pin_sliding_velocity), ca.vertcat(slider_pin_in_range))
 
 
 def applied(t, q, u, c):
@@ -473,10 +350,7 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): crank_pin [N m], guide [N], main_bearing [N m]
     """
-    crank_speed = c[4]
-    gravity = c[5]
-    rod_h_x = c[14]
-    crank_h_x = c[15]
+    crank_speed, gravity, rod_h_x, crank_h_x = c[4], c[5], c[14], c[15]
     crank_pin_angle = q[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -496,18 +370,11 @@ def accelerations(t, q, u, f, c):
         a (2,): crank_pin.acceleration [rad/s^2], guide.acceleration [m/s^2]
         reactions (1,): main_bearing.reaction [N m]
     """
-    crank_radius = c[1]
-    crank_speed = c[4]
-    rod_h_x = c[14]
-    crank_rate_zz = c[16]
-    rod_I_z_z = c[17]
-    inverse_rod_I_z_z = c[18]
+    crank_radius, crank_speed, rod_h_x, crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z = c[1], c[4], c[14], c[16], c[17], c[18]
     inverse_slider_mass = c[19]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
-    crank_pin_force = f[0]
-    guide_force = f[1]
-    main_bearing_force = f[2]
+    crank_pin_force, guide_force, main_bearing_force = f[0], f[1], f[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -539,7 +406,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (3,): energy_ledger.input [W], slider_pin.dissipated [W], slider_pin_friction.dissipated [W]
+        dz (3,): MEMORY [W]
     """
     crank_speed = c[4]
     main_bearing_reaction_in = reactions[0]
@@ -553,24 +420,13 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): slider_pin [J]
+        stored (1,): PAIRS [J]
     """
-    rod_mass_centre = c[0]
-    crank_radius = c[1]
-    clearance = c[2]
-    rod_length = c[3]
-    crank_speed = c[4]
-    two_fifths_of_slider_pin_K = c[11]
-    rod_h_x = c[14]
-    half_rod_I_z_z = c[20]
-    half_slider_mass = c[21]
-    half_rod_mass = c[22]
-    half_crank_speed_squared_times_crank_inertia = c[23]
-    gravity_times_rod_mass = c[24]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, two_fifths_of_slider_pin_K = c[0], c[1], c[2], c[3], c[4], c[11]
+    rod_h_x, half_rod_I_z_z, half_slider_mass, half_rod_mass = c[14], c[20], c[21], c[22]
+    half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass = c[23], c[24]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -603,18 +459,14 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m],
-            slider.y [m], slider.z [m]
-        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
-            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx
-            [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy
-            [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
-            [1], slider.R_zz [1]
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m], slider.y [m], slider.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz [1], crank.R_zx [1],
+            crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx
+            [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1],
+            slider.R_yz [1], slider.R_zx [1], slider.R_zy [1], slider.R_zz [1]
     """
-    crank_radius = c[1]
-    crank_speed = c[4]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
+    crank_radius, crank_speed = c[1], c[4]
+    crank_pin_angle, guide_travel = q[0], q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -623,11 +475,9 @@ def poses(t, q, c):
     sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
-    return (
-        ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
-        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
-            cos_rod, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod, cos_rod, 0, 0, 0, 1, 1, 0, 0,
+            0, 1, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -635,13 +485,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (2,): slider_pin.eccentricity_x [m], slider_pin.eccentricity_y [m]
+        y (2,): OUTPUTS
     """
-    crank_radius = c[1]
-    rod_length = c[3]
-    crank_speed = c[4]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
+    crank_radius, rod_length, crank_speed = c[1], c[3], c[4]
+    crank_pin_angle, guide_travel = q[0], q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -662,10 +509,9 @@ def speed_limits(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        limits (1,): slider_pin [m/s]
+        limits (1,): PAIRS [m/s]
     """
-    youngs_modulus = p[12]
-    density = p[14]
+    youngs_modulus, density = p[12], p[14]
     return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
@@ -685,37 +531,14 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.parent to guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         slider_pin.pin (4,): x [m], y [m], z [m], radius [m]
         slider_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank.centre (3,): x [m], y [m], z [m]
-        rod.centre (3,): x [m], y [m], z [m]
-        slider.centre (3,): x [m], y [m], z [m]
+        crank_drive.child, gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre, rod.centre, slider.centre (3,): x [m], y [m], z [m]
     """
-    rod_mass_centre = p[4]
-    crank_radius = p[6]
-    bush_radius = p[7]
-    clearance = p[8]
-    rod_length = p[9]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(crank_radius, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(rod_length, 0, 0, bush_radius - clearance),
-        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(rod_mass_centre, 0, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    rod_mass_centre, crank_radius, bush_radius, clearance, rod_length = p[4], p[6], p[7], p[8], p[9]
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(crank_radius, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(rod_length, 0, 0, bush_radius - clearance),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, 0, 0),
+        ca.vertcat(rod_mass_centre, 0, 0), ca.vertcat(0, 0, 0))

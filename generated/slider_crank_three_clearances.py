@@ -4,9 +4,7 @@ Do not edit; regenerate with `hertzwerk derive slider_crank_three_clearances`.
 Effects:
     crank_drive: constant speed of crank_plane.angle
     gravity: uniform gravity
-    main_bearing: hertz_point x lankarani_nikravesh
-    crank_pin: hertz_point x lankarani_nikravesh
-    slider_pin: hertz_point x lankarani_nikravesh
+    main_bearing, crank_pin, slider_pin: hertz_point x lankarani_nikravesh
     main_bearing_friction: smooth_coulomb at main_bearing
     crank_pin_friction: smooth_coulomb at crank_pin
     slider_pin_friction: smooth_coulomb at slider_pin
@@ -22,14 +20,10 @@ SOURCE = "derive/scenes/slider_crank_three_clearances.py"
 SUMMARY = "slider-crank with clearance at all three pins"
 
 EFFECTS = (
-    ("crank_drive", "drive", "constant speed of crank_plane.angle"),
-    ("gravity", "gravity", "uniform gravity"),
-    ("main_bearing", "contact", "hertz_point x lankarani_nikravesh"),
-    ("crank_pin", "contact", "hertz_point x lankarani_nikravesh"),
-    ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"),
-    ("main_bearing_friction", "friction", "smooth_coulomb at main_bearing"),
-    ("crank_pin_friction", "friction", "smooth_coulomb at crank_pin"),
-    ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
+    ("crank_drive", "drive", "constant speed of crank_plane.angle"), ("gravity", "gravity", "uniform gravity"),
+    ("main_bearing", "contact", "hertz_point x lankarani_nikravesh"), ("crank_pin", "contact", "hertz_point x lankarani_nikravesh"),
+    ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"), ("main_bearing_friction", "friction", "smooth_coulomb at main_bearing"),
+    ("crank_pin_friction", "friction", "smooth_coulomb at crank_pin"), ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -85,155 +79,64 @@ SUM_LIMITS = (
 )
 
 COORDINATES = (
-    ("crank_plane.x", "m"),
-    ("crank_plane.y", "m"),
-    ("rod_plane.x", "m"),
-    ("rod_plane.y", "m"),
-    ("rod_plane.angle", "rad"),
+    ("crank_plane.x", "m"), ("crank_plane.y", "m"), ("rod_plane.x", "m"), ("rod_plane.y", "m"), ("rod_plane.angle", "rad"),
     ("guide.travel", "m"),
 )
 
 SPEEDS = (
-    ("crank_plane.x_speed", "m/s"),
-    ("crank_plane.y_speed", "m/s"),
-    ("rod_plane.x_speed", "m/s"),
-    ("rod_plane.y_speed", "m/s"),
-    ("rod_plane.angle_speed", "rad/s"),
-    ("guide.speed", "m/s"),
+    ("crank_plane.x_speed", "m/s"), ("crank_plane.y_speed", "m/s"), ("rod_plane.x_speed", "m/s"), ("rod_plane.y_speed", "m/s"),
+    ("rod_plane.angle_speed", "rad/s"), ("guide.speed", "m/s"),
 )
 
 MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("main_bearing.dissipated", "J"),
-    ("crank_pin.dissipated", "J"),
-    ("slider_pin.dissipated", "J"),
-    ("main_bearing_friction.dissipated", "J"),
-    ("crank_pin_friction.dissipated", "J"),
-    ("slider_pin_friction.dissipated", "J"),
+    ("energy_ledger.input", "J"), ("main_bearing.dissipated", "J"), ("crank_pin.dissipated", "J"), ("slider_pin.dissipated", "J"),
+    ("main_bearing_friction.dissipated", "J"), ("crank_pin_friction.dissipated", "J"), ("slider_pin_friction.dissipated", "J"),
 )
 
-LATCHES = (
-    ("main_bearing.approach_speed", "m/s", 0),
-    ("crank_pin.approach_speed", "m/s", 1),
-    ("slider_pin.approach_speed", "m/s", 2),
-)
+LATCHES = (("main_bearing.approach_speed", "m/s", 0), ("crank_pin.approach_speed", "m/s", 1), ("slider_pin.approach_speed", "m/s", 2))
 
-PAIRS = (
-    ("main_bearing", "pin_in_bush"),
-    ("crank_pin", "pin_in_bush"),
-    ("slider_pin", "pin_in_bush"),
-)
+PAIRS = (("main_bearing", "pin_in_bush"), ("crank_pin", "pin_in_bush"), ("slider_pin", "pin_in_bush"))
 
-RELEASES = (
-    "force",
-    "force",
-    "force",
-)
+RELEASES = ("force", "force", "force")
 
-DISSIPATED = (
-    1,
-    2,
-    3,
-)
+DISSIPATED = (1, 2, 3)
 
-GIVEN = (
-    "rod_plane.x",
-    "rod_plane.y_speed",
-    "rod_plane.angle_speed",
-    "guide.travel",
-)
+GIVEN = ("rod_plane.x", "rod_plane.y_speed", "rod_plane.angle_speed", "guide.travel")
 
 OUTPUTS = (
-    ("main_bearing.eccentricity_x", "m"),
-    ("main_bearing.eccentricity_y", "m"),
-    ("crank_pin.eccentricity_x", "m"),
-    ("crank_pin.eccentricity_y", "m"),
-    ("slider_pin.eccentricity_x", "m"),
-    ("slider_pin.eccentricity_y", "m"),
+    ("main_bearing.eccentricity_x", "m"), ("main_bearing.eccentricity_y", "m"), ("crank_pin.eccentricity_x", "m"),
+    ("crank_pin.eccentricity_y", "m"), ("slider_pin.eccentricity_x", "m"), ("slider_pin.eccentricity_y", "m"),
 )
 
-SPEED_LIMITED = (
-    "main_bearing",
-    "crank_pin",
-    "slider_pin",
-)
+SPEED_LIMITED = ("main_bearing", "crank_pin", "slider_pin")
 
-BODIES = (
-    "crank",
-    "rod",
-    "slider",
-)
+BODIES = ("crank", "rod", "slider")
 
 LANDMARKS = (
-    ("crank_plane", "planar", "parent", "ground", ("normal",)),
-    ("crank_plane", "planar", "child", "crank", ("normal",)),
-    ("rod_plane", "planar", "parent", "ground", ("normal",)),
-    ("rod_plane", "planar", "child", "rod", ("normal",)),
-    ("guide", "prismatic", "parent", "ground", ("axis",)),
-    ("guide", "prismatic", "child", "slider", ("axis",)),
-    ("main_bearing", "pin_in_bush", "pin", "crank", ("radius",)),
-    ("main_bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
-    ("crank_pin", "pin_in_bush", "pin", "crank", ("radius",)),
-    ("crank_pin", "pin_in_bush", "bush", "rod", ("radius", "axis")),
-    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)),
-    ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
-    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("crank", "body", "centre", "crank", ()),
-    ("rod", "body", "centre", "rod", ()),
-    ("slider", "body", "centre", "slider", ()),
+    ("crank_plane", "planar", "parent", "ground", ("normal",)), ("crank_plane", "planar", "child", "crank", ("normal",)),
+    ("rod_plane", "planar", "parent", "ground", ("normal",)), ("rod_plane", "planar", "child", "rod", ("normal",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)), ("guide", "prismatic", "child", "slider", ("axis",)),
+    ("main_bearing", "pin_in_bush", "pin", "crank", ("radius",)), ("main_bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
+    ("crank_pin", "pin_in_bush", "pin", "crank", ("radius",)), ("crank_pin", "pin_in_bush", "bush", "rod", ("radius", "axis")),
+    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)), ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)), ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()), ("rod", "body", "centre", "rod", ()), ("slider", "body", "centre", "slider", ()),
 )
 
 CONSTANTS = (
-    ("crank_mass", "kg"),
-    ("rod_mass", "kg"),
-    ("rod_mass_centre", "m"),
-    ("clearance", "m"),
-    ("crank_radius", "m"),
-    ("rod_length", "m"),
-    ("crank_speed", "1/s"),
-    ("gravity", "m/s^2"),
-    ("friction_coefficient", "1"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("main_bearing_R_min", "m"),
-    ("main_bearing_K", "N/m^1.5"),
-    ("two_fifths_of_main_bearing_K", "N/m^1.5"),
-    ("main_bearing_hysteresis_factor", "1"),
-    ("k4", "m/s"),
-    ("inverse_friction_speed", "s/m"),
-    ("rod_h_x", "kg m"),
-    ("inverse_rod_I_z_z", "1/(kg m^2)"),
-    ("inverse_crank_mass", "1/kg"),
-    ("inverse_slider_mass", "1/kg"),
-    ("half_rod_I_z_z", "kg m^2"),
-    ("half_slider_mass", "kg"),
-    ("half_crank_mass", "kg"),
-    ("half_rod_mass", "kg"),
-    ("half_crank_speed_squared_times_crank_inertia", "J"),
-    ("crank_mass_times_gravity", "N"),
-    ("gravity_times_rod_mass", "N"),
+    ("crank_mass", "kg"), ("rod_mass", "kg"), ("rod_mass_centre", "m"), ("clearance", "m"), ("crank_radius", "m"), ("rod_length", "m"),
+    ("crank_speed", "1/s"), ("gravity", "m/s^2"), ("friction_coefficient", "1"), ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"), ("main_bearing_R_min", "m"), ("main_bearing_K", "N/m^1.5"),
+    ("two_fifths_of_main_bearing_K", "N/m^1.5"), ("main_bearing_hysteresis_factor", "1"), ("k4", "m/s"), ("inverse_friction_speed", "s/m"),
+    ("rod_h_x", "kg m"), ("inverse_rod_I_z_z", "1/(kg m^2)"), ("inverse_crank_mass", "1/kg"), ("inverse_slider_mass", "1/kg"),
+    ("half_rod_I_z_z", "kg m^2"), ("half_slider_mass", "kg"), ("half_crank_mass", "kg"), ("half_rod_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia", "J"), ("crank_mass_times_gravity", "N"), ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 40),
-    ("start", 5),
-    ("scales", 12),
-    ("coordinate_rates", 0),
-    ("gaps", 65),
-    ("gap_accelerations", 83),
-    ("contact_main_bearing", 46),
-    ("contact_crank_pin", 95),
-    ("contact_slider_pin", 67),
-    ("applied", 8),
-    ("accelerations", 41),
-    ("ledger", 1),
-    ("energy", 78),
-    ("poses", 7),
-    ("outputs", 22),
-    ("speed_limits", 3),
-    ("period", 3),
-    ("landmarks", 1),
+    ("constants", 40), ("start", 5), ("scales", 12), ("coordinate_rates", 0), ("gaps", 65), ("gap_accelerations", 83),
+    ("contact_main_bearing", 46), ("contact_crank_pin", 95), ("contact_slider_pin", 67), ("applied", 8), ("accelerations", 41),
+    ("ledger", 1), ("energy", 78), ("poses", 7), ("outputs", 22), ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
 
@@ -242,30 +145,15 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (28,): crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, gravity,
-            friction_coefficient, clearance_squared, half_inverse_clearance, main_bearing_R_min, main_bearing_K,
-            two_fifths_of_main_bearing_K, main_bearing_hysteresis_factor, k4, inverse_friction_speed, rod_h_x,
-            inverse_rod_I_z_z, inverse_crank_mass, inverse_slider_mass, half_rod_I_z_z, half_slider_mass,
-            half_crank_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia, crank_mass_times_gravity,
-            gravity_times_rod_mass
+        c (28,): crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, gravity, friction_coefficient,
+            clearance_squared, half_inverse_clearance, main_bearing_R_min, main_bearing_K, two_fifths_of_main_bearing_K,
+            main_bearing_hysteresis_factor, k4, inverse_friction_speed, rod_h_x, inverse_rod_I_z_z, inverse_crank_mass, inverse_slider_mass,
+            half_rod_I_z_z, half_slider_mass, half_crank_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia,
+            crank_mass_times_gravity, gravity_times_rod_mass
     """
-    crank_mass = p[0]
-    crank_inertia = p[1]
-    rod_mass = p[2]
-    rod_inertia = p[3]
-    rod_mass_centre = p[4]
-    slider_mass = p[5]
-    bush_radius = p[6]
-    clearance = p[7]
-    crank_radius = p[8]
-    rod_length = p[9]
-    crank_speed = p[10]
-    gravity = p[11]
-    youngs_modulus = p[12]
-    poissons_ratio = p[13]
-    restitution = p[15]
-    friction_coefficient = p[17]
-    friction_speed = p[18]
+    crank_mass, crank_inertia, rod_mass, rod_inertia, rod_mass_centre, slider_mass, bush_radius = p[0], p[1], p[2], p[3], p[4], p[5], p[6]
+    clearance, crank_radius, rod_length, crank_speed, gravity, youngs_modulus, poissons_ratio = p[7], p[8], p[9], p[10], p[11], p[12], p[13]
+    restitution, friction_coefficient, friction_speed = p[15], p[17], p[18]
     clearance_squared = clearance*clearance
     half_inverse_clearance = 1/(2*clearance)
     main_bearing_R_min = bush_radius - clearance
@@ -288,12 +176,11 @@ def constants(p):
     half_crank_speed_squared_times_crank_inertia = crank_speed*crank_speed*crank_inertia/2
     crank_mass_times_gravity = crank_mass*gravity
     gravity_times_rod_mass = gravity*rod_mass
-    return ca.vertcat(crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed,
-        gravity, friction_coefficient, clearance_squared, half_inverse_clearance, main_bearing_R_min,
-        main_bearing_K, two_fifths_of_main_bearing_K, main_bearing_hysteresis_factor, k4, inverse_friction_speed,
-        rod_h_x, inverse_rod_I_z_z, inverse_crank_mass, inverse_slider_mass, half_rod_I_z_z, half_slider_mass,
-        half_crank_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia, crank_mass_times_gravity,
-        gravity_times_rod_mass)
+    return ca.vertcat(crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, gravity,
+        friction_coefficient, clearance_squared, half_inverse_clearance, main_bearing_R_min, main_bearing_K, two_fifths_of_main_bearing_K,
+        main_bearing_hysteresis_factor, k4, inverse_friction_speed, rod_h_x, inverse_rod_I_z_z, inverse_crank_mass, inverse_slider_mass,
+        half_rod_I_z_z, half_slider_mass, half_crank_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia,
+        crank_mass_times_gravity, gravity_times_rod_mass)
 
 
 def start(p):
@@ -301,18 +188,12 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (6,): crank_plane.x [m], crank_plane.y [m], rod_plane.x [m], rod_plane.y [m], rod_plane.angle [rad],
-            guide.travel [m]
-        u (6,): crank_plane.x_speed [m/s], crank_plane.y_speed [m/s], rod_plane.x_speed [m/s], rod_plane.y_speed
-            [m/s], rod_plane.angle_speed [rad/s], guide.speed [m/s]
+        q (6,): COORDINATES
+        u (6,): SPEEDS
     """
-    crank_radius = p[8]
-    rod_length = p[9]
-    crank_speed = p[10]
-    return (
-        ca.vertcat(0, 0, crank_radius, 0, 0, crank_radius + rod_length),
-        ca.vertcat(0, 0, 0, crank_radius*crank_speed, -crank_radius*crank_speed/rod_length, 0),
-    )
+    crank_radius, rod_length, crank_speed = p[8], p[9], p[10]
+    return (ca.vertcat(0, 0, crank_radius, 0, 0, crank_radius + rod_length),
+        ca.vertcat(0, 0, 0, crank_radius*crank_speed, -crank_radius*crank_speed/rod_length, 0))
 
 
 def scales(p):
@@ -320,34 +201,20 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (6,): crank_plane.x [m], crank_plane.y [m], rod_plane.x [m], rod_plane.y [m], rod_plane.angle [rad],
-            guide.travel [m]
-        su (6,): crank_plane.x_speed [m/s], crank_plane.y_speed [m/s], rod_plane.x_speed [m/s], rod_plane.y_speed
-            [m/s], rod_plane.angle_speed [rad/s], guide.speed [m/s]
-        sz (7,): energy_ledger.input [J], main_bearing.dissipated [J], crank_pin.dissipated [J],
-            slider_pin.dissipated [J], main_bearing_friction.dissipated [J], crank_pin_friction.dissipated [J],
-            slider_pin_friction.dissipated [J]
+        sq (6,): COORDINATES
+        su (6,): SPEEDS
+        sz (7,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    crank_mass = p[0]
-    rod_mass = p[2]
-    slider_mass = p[5]
-    clearance = p[7]
-    crank_radius = p[8]
-    rod_length = p[9]
-    crank_speed = p[10]
+    crank_mass, rod_mass, slider_mass, clearance, crank_radius, rod_length, crank_speed = p[0], p[2], p[5], p[7], p[8], p[9], p[10]
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
     crank_radius_times_crank_speed = crank_radius*crank_speed
-    return (
-        ca.vertcat(clearance, clearance, clearance, clearance, clearance/rod_length, clearance),
+    return (ca.vertcat(clearance, clearance, clearance, clearance, clearance/rod_length, clearance),
         ca.vertcat(crank_radius_times_crank_speed, crank_radius_times_crank_speed, crank_radius_times_crank_speed,
             crank_radius_times_crank_speed, crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
-        ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale,
-            energy_scale),
-        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale),
-    )
+        ca.vertcat(*[energy_scale]*7), ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -355,17 +222,11 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (6,): crank_plane.x [m/s], crank_plane.y [m/s], rod_plane.x [m/s], rod_plane.y [m/s], rod_plane.angle
-            [rad/s], guide.travel [m/s]
+        dq (6,): crank_plane.x [m/s], crank_plane.y [m/s], rod_plane.x [m/s], rod_plane.y [m/s], rod_plane.angle [rad/s], guide.travel [m/s]
     """
-    crank_plane_x_speed = u[0]
-    crank_plane_y_speed = u[1]
-    rod_plane_x_speed = u[2]
-    rod_plane_y_speed = u[3]
-    rod_plane_angle_speed = u[4]
+    crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed, rod_plane_angle_speed = u[0], u[1], u[2], u[3], u[4]
     guide_speed = u[5]
-    return ca.vertcat(crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed,
-        rod_plane_angle_speed, guide_speed)
+    return ca.vertcat(crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed, rod_plane_angle_speed, guide_speed)
 
 
 def gaps(t, q, u, c):
@@ -373,25 +234,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (3,): main_bearing [m], crank_pin [m], slider_pin [m]
-        dG (3,): main_bearing [m/s], crank_pin [m/s], slider_pin [m/s]
+        G (3,): PAIRS [m]
+        dG (3,): PAIRS [m/s]
     """
-    crank_radius = c[4]
-    rod_length = c[5]
-    crank_speed = c[6]
-    clearance_squared = c[9]
-    half_inverse_clearance = c[10]
-    crank_plane_x = q[0]
-    crank_plane_y = q[1]
-    rod_plane_x = q[2]
-    rod_plane_y = q[3]
-    rod_plane_angle = q[4]
-    guide_travel = q[5]
-    crank_plane_x_speed = u[0]
-    crank_plane_y_speed = u[1]
-    rod_plane_x_speed = u[2]
-    rod_plane_y_speed = u[3]
-    rod_plane_angle_speed = u[4]
+    crank_radius, rod_length, crank_speed, clearance_squared, half_inverse_clearance = c[4], c[5], c[6], c[9], c[10]
+    crank_plane_x, crank_plane_y, rod_plane_x, rod_plane_y, rod_plane_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
+    crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed, rod_plane_angle_speed = u[0], u[1], u[2], u[3], u[4]
     guide_speed = u[5]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -426,10 +274,8 @@ def gaps(t, q, u, c):
     crank_pin_gap_rate = -crank_pin_apart_squared_rate*half_inverse_clearance
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
     slider_pin_gap_rate = -half_inverse_clearance*slider_pin_apart_squared_rate
-    return (
-        ca.vertcat(main_bearing_gap, crank_pin_gap, slider_pin_gap),
-        ca.vertcat(main_bearing_gap_rate, crank_pin_gap_rate, slider_pin_gap_rate),
-    )
+    return (ca.vertcat(main_bearing_gap, crank_pin_gap, slider_pin_gap),
+        ca.vertcat(main_bearing_gap_rate, crank_pin_gap_rate, slider_pin_gap_rate))
 
 
 def gap_accelerations(t, q, u, a, c):
@@ -437,30 +283,14 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (3,): main_bearing [m/s^2], crank_pin [m/s^2], slider_pin [m/s^2]
+        ddG (3,): PAIRS [m/s^2]
     """
-    crank_radius = c[4]
-    rod_length = c[5]
-    crank_speed = c[6]
-    half_inverse_clearance = c[10]
-    crank_plane_x = q[0]
-    crank_plane_y = q[1]
-    rod_plane_x = q[2]
-    rod_plane_y = q[3]
-    rod_plane_angle = q[4]
-    guide_travel = q[5]
-    crank_plane_x_speed = u[0]
-    crank_plane_y_speed = u[1]
-    rod_plane_x_speed = u[2]
-    rod_plane_y_speed = u[3]
-    rod_plane_angle_speed = u[4]
+    crank_radius, rod_length, crank_speed, half_inverse_clearance = c[4], c[5], c[6], c[10]
+    crank_plane_x, crank_plane_y, rod_plane_x, rod_plane_y, rod_plane_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
+    crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed, rod_plane_angle_speed = u[0], u[1], u[2], u[3], u[4]
     guide_speed = u[5]
-    crank_plane_x_acceleration = a[0]
-    crank_plane_y_acceleration = a[1]
-    rod_plane_x_acceleration = a[2]
-    rod_plane_y_acceleration = a[3]
-    rod_plane_angle_acceleration = a[4]
-    guide_acceleration = a[5]
+    crank_plane_x_acceleration, crank_plane_y_acceleration, rod_plane_x_acceleration, rod_plane_y_acceleration = a[0], a[1], a[2], a[3]
+    rod_plane_angle_acceleration, guide_acceleration = a[4], a[5]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -496,31 +326,22 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_main_bearing(t, q, u, z, m, c):
-    """Forces of main_bearing: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
-    not clamped: where it would pull, the contact ends.
+    """Forces of main_bearing: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own, not clamped: where it
+    would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
-        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
-            [N], crank_plane.angle [N m]
-        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
-            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
-            slider_pin_friction.dissipated [W]
+        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide [N], crank_plane.angle
+            [N m]
+        dz (7,): MEMORY [W]
         normal_force (1,): main_bearing [N]
         sliding_velocity (1,): main_bearing [m/s]
         in_range (1,): main_bearing [1]
     """
-    clearance = c[3]
-    friction_coefficient = c[8]
-    main_bearing_R_min = c[11]
-    main_bearing_K = c[12]
-    main_bearing_hysteresis_factor = c[14]
-    k4 = c[15]
-    inverse_friction_speed = c[16]
-    crank_plane_x = q[0]
-    crank_plane_y = q[1]
-    crank_plane_x_speed = u[0]
-    crank_plane_y_speed = u[1]
+    clearance, friction_coefficient, main_bearing_R_min, main_bearing_K, main_bearing_hysteresis_factor = c[3], c[8], c[11], c[12], c[14]
+    k4, inverse_friction_speed = c[15], c[16]
+    crank_plane_x, crank_plane_y = q[0], q[1]
+    crank_plane_x_speed, crank_plane_y_speed = u[0], u[1]
     main_bearing_approach_speed = m[0]
     main_bearing_apart_squared = crank_plane_x*crank_plane_x + crank_plane_y*crank_plane_y
     main_bearing_distance = ca.sqrt(main_bearing_apart_squared)
@@ -541,48 +362,18 @@ def contact_main_bearing(t, q, u, z, m, c):
     main_bearing_drag_y = -main_bearing_friction_force*main_bearing_normal_x
     main_bearing_drag_on_crank_plane_angle = main_bearing_R_min*main_bearing_drag_x*main_bearing_normal_y - main_bearing_R_min*main_bearing_drag_y*main_bearing_normal_x
     main_bearing_in_range = ca.if_else(main_bearing_penetration <= main_bearing_R_min, 1, 0)
-    return (
-        ca.vertcat(main_bearing_drag_x + main_bearing_push_x, main_bearing_drag_y + main_bearing_push_y, 0, 0, 0, 0,
+    return (ca.vertcat(main_bearing_drag_x + main_bearing_push_x, main_bearing_drag_y + main_bearing_push_y, 0, 0, 0, 0,
             main_bearing_drag_on_crank_plane_angle),
-        ca.vertcat(0, main_bearing_normal_power, 0, 0, main_bearing_friction_power, 0, 0),
-        ca.vertcat(main_bearing_normal_force),
-        ca.vertcat(main_bearing_sliding_velocity),
-        ca.vertcat(main_bearing_in_range),
-    )
+        ca.vertcat(0, main_bearing_normal_power, 0, 0, main_bearing_friction_power, 0, 0), ca.vertcat(main_bearing_normal_force),
+        ca.vertcat(main_bearing_sliding_velocity), ca.vertcat(main_bearing_in_range))
 
 
 def contact_crank_pin(t, q, u, z, m, c):
-    """Forces of crank_pin: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
-    not clamped: where it would pull, the contact ends.
-
-    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
-    Returns, each a column vector:
-        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
-            [N], crank_plane.angle [N m]
-        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
-            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
-            slider_pin_friction.dissipated [W]
-        normal_force (1,): crank_pin [N]
-        sliding_velocity (1,): crank_pin [m/s]
-        in_range (1,): crank_pin [1]
-    """
-    clearance = c[3]
-    crank_radius = c[4]
-    crank_speed = c[6]
-    friction_coefficient = c[8]
-    main_bearing_R_min = c[11]
-    main_bearing_K = c[12]
-    main_bearing_hysteresis_factor = c[14]
-    inverse_friction_speed = c[16]
-    crank_plane_x = q[0]
-    crank_plane_y = q[1]
-    rod_plane_x = q[2]
-    rod_plane_y = q[3]
-    crank_plane_x_speed = u[0]
-    crank_plane_y_speed = u[1]
-    rod_plane_x_speed = u[2]
-    rod_plane_y_speed = u[3]
-    rod_plane_angle_speed = u[4]
+    """Forces of crank_pin: hertz_point x lankarani_nikravesh, smooth_coulomb; arguments and returns as of contact_main_bearing."""
+    clearance, crank_radius, crank_speed, friction_coefficient, main_bearing_R_min, main_bearing_K = c[3], c[4], c[6], c[8], c[11], c[12]
+    main_bearing_hysteresis_factor, inverse_friction_speed = c[14], c[16]
+    crank_plane_x, crank_plane_y, rod_plane_x, rod_plane_y = q[0], q[1], q[2], q[3]
+    crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed, rod_plane_angle_speed = u[0], u[1], u[2], u[3], u[4]
     crank_pin_approach_speed = m[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -617,48 +408,19 @@ def contact_crank_pin(t, q, u, z, m, c):
     crank_pin_drag_on_crank_plane_angle = crank_pin_drag_x*(crank_pin_normal_y_times_main_bearing_R_min - crank_pin_pin_arm_y) + crank_pin_drag_y*(crank_pin_pin_arm_x + x2)
     crank_pin_drag_on_rod_plane_angle = -crank_pin_drag_x*(rod_plane_y + crank_pin_normal_y_times_main_bearing_R_min - crank_pin_pin_arm_y - crank_plane_y) - crank_pin_drag_y*(crank_pin_pin_arm_x + crank_plane_x + x2 - rod_plane_x)
     crank_pin_in_range = ca.if_else(crank_pin_penetration <= main_bearing_R_min, 1, 0)
-    return (
-        ca.vertcat(crank_pin_drag_x + crank_pin_push_x, crank_pin_drag_y + crank_pin_push_y, -crank_pin_drag_x -
-            crank_pin_push_x, -crank_pin_drag_y - crank_pin_push_y, crank_pin_drag_on_rod_plane_angle +
-            crank_pin_push_on_rod_plane_angle, 0, crank_pin_drag_on_crank_plane_angle +
-            crank_pin_push_on_crank_plane_angle),
-        ca.vertcat(0, 0, crank_pin_normal_power, 0, 0, crank_pin_friction_power, 0),
-        ca.vertcat(crank_pin_normal_force),
-        ca.vertcat(crank_pin_sliding_velocity),
-        ca.vertcat(crank_pin_in_range),
-    )
+    return (ca.vertcat(crank_pin_drag_x + crank_pin_push_x, crank_pin_drag_y + crank_pin_push_y, -crank_pin_drag_x - crank_pin_push_x,
+            -crank_pin_drag_y - crank_pin_push_y, crank_pin_drag_on_rod_plane_angle + crank_pin_push_on_rod_plane_angle, 0,
+            crank_pin_drag_on_crank_plane_angle + crank_pin_push_on_crank_plane_angle),
+        ca.vertcat(0, 0, crank_pin_normal_power, 0, 0, crank_pin_friction_power, 0), ca.vertcat(crank_pin_normal_force),
+        ca.vertcat(crank_pin_sliding_velocity), ca.vertcat(crank_pin_in_range))
 
 
 def contact_slider_pin(t, q, u, z, m, c):
-    """Forces of slider_pin: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
-    not clamped: where it would pull, the contact ends.
-
-    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
-    Returns, each a column vector:
-        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
-            [N], crank_plane.angle [N m]
-        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
-            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
-            slider_pin_friction.dissipated [W]
-        normal_force (1,): slider_pin [N]
-        sliding_velocity (1,): slider_pin [m/s]
-        in_range (1,): slider_pin [1]
-    """
-    clearance = c[3]
-    rod_length = c[5]
-    friction_coefficient = c[8]
-    main_bearing_R_min = c[11]
-    main_bearing_K = c[12]
-    main_bearing_hysteresis_factor = c[14]
-    inverse_friction_speed = c[16]
-    rod_plane_x = q[2]
-    rod_plane_y = q[3]
-    rod_plane_angle = q[4]
-    guide_travel = q[5]
-    rod_plane_x_speed = u[2]
-    rod_plane_y_speed = u[3]
-    rod_plane_angle_speed = u[4]
-    guide_speed = u[5]
+    """Forces of slider_pin: hertz_point x lankarani_nikravesh, smooth_coulomb; arguments and returns as of contact_main_bearing."""
+    clearance, rod_length, friction_coefficient, main_bearing_R_min, main_bearing_K = c[3], c[5], c[8], c[11], c[12]
+    main_bearing_hysteresis_factor, inverse_friction_speed = c[14], c[16]
+    rod_plane_x, rod_plane_y, rod_plane_angle, guide_travel = q[2], q[3], q[4], q[5]
+    rod_plane_x_speed, rod_plane_y_speed, rod_plane_angle_speed, guide_speed = u[2], u[3], u[4], u[5]
     slider_pin_approach_speed = m[2]
     cos_rod = ca.cos(rod_plane_angle)
     sin_rod = ca.sin(rod_plane_angle)
@@ -688,15 +450,10 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_drag_y = -slider_pin_friction_force*slider_pin_normal_x
     slider_pin_drag_on_rod_plane_angle = slider_pin_drag_x*(main_bearing_R_min*slider_pin_normal_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x - main_bearing_R_min*slider_pin_normal_x)
     slider_pin_in_range = ca.if_else(slider_pin_penetration <= main_bearing_R_min, 1, 0)
-    return (
-        ca.vertcat(0, 0, slider_pin_drag_x + slider_pin_push_x, slider_pin_drag_y + slider_pin_push_y,
-            slider_pin_drag_on_rod_plane_angle + slider_pin_push_on_rod_plane_angle, -slider_pin_drag_x -
-            slider_pin_push_x, 0),
-        ca.vertcat(0, 0, 0, slider_pin_normal_power, 0, 0, slider_pin_friction_power),
-        ca.vertcat(slider_pin_normal_force),
-        ca.vertcat(slider_pin_sliding_velocity),
-        ca.vertcat(slider_pin_in_range),
-    )
+    return (ca.vertcat(0, 0, slider_pin_drag_x + slider_pin_push_x, slider_pin_drag_y + slider_pin_push_y,
+            slider_pin_drag_on_rod_plane_angle + slider_pin_push_on_rod_plane_angle, -slider_pin_drag_x - slider_pin_push_x, 0),
+        ca.vertcat(0, 0, 0, slider_pin_normal_power, 0, 0, slider_pin_friction_power), ca.vertcat(slider_pin_normal_force),
+        ca.vertcat(slider_pin_sliding_velocity), ca.vertcat(slider_pin_in_range))
 
 
 def applied(t, q, u, c):
@@ -704,13 +461,10 @@ def applied(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
-            [N], crank_plane.angle [N m]
+        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide [N], crank_plane.angle
+            [N m]
     """
-    crank_mass = c[0]
-    rod_mass = c[1]
-    gravity = c[7]
-    rod_h_x = c[17]
+    crank_mass, rod_mass, gravity, rod_h_x = c[0], c[1], c[7], c[17]
     rod_plane_angle = q[4]
     cos_rod = ca.cos(rod_plane_angle)
     rod_moment_x = cos_rod*rod_h_x
@@ -722,25 +476,15 @@ def accelerations(t, q, u, f, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (6,): crank_plane.x_acceleration [m/s^2], crank_plane.y_acceleration [m/s^2], rod_plane.x_acceleration
-            [m/s^2], rod_plane.y_acceleration [m/s^2], rod_plane.angle_acceleration [rad/s^2], guide.acceleration
-            [m/s^2]
+        a (6,): crank_plane.x_acceleration [m/s^2], crank_plane.y_acceleration [m/s^2], rod_plane.x_acceleration [m/s^2],
+            rod_plane.y_acceleration [m/s^2], rod_plane.angle_acceleration [rad/s^2], guide.acceleration [m/s^2]
         reactions (1,): crank_plane.angle.reaction [N m]
     """
-    rod_mass = c[1]
-    rod_h_x = c[17]
-    inverse_rod_I_z_z = c[18]
-    inverse_crank_mass = c[19]
-    inverse_slider_mass = c[20]
+    rod_mass, rod_h_x, inverse_rod_I_z_z, inverse_crank_mass, inverse_slider_mass = c[1], c[17], c[18], c[19], c[20]
     rod_plane_angle = q[4]
     rod_plane_angle_speed = u[4]
-    crank_plane_x_force = f[0]
-    crank_plane_y_force = f[1]
-    rod_plane_x_force = f[2]
-    rod_plane_y_force = f[3]
-    rod_plane_angle_force = f[4]
-    guide_force = f[5]
-    crank_plane_angle_force = f[6]
+    crank_plane_x_force, crank_plane_y_force, rod_plane_x_force, rod_plane_y_force, rod_plane_angle_force = f[0], f[1], f[2], f[3], f[4]
+    guide_force, crank_plane_angle_force = f[5], f[6]
     cos_rod = ca.cos(rod_plane_angle)
     sin_rod = ca.sin(rod_plane_angle)
     rod_moment_x = cos_rod*rod_h_x
@@ -764,11 +508,8 @@ def accelerations(t, q, u, f, c):
     rod_plane_y_acc = y_rod_plane_y/D_rod_plane_y - l_rod_plane_x_rod_plane_y*rod_plane_x_acc
     rod_plane_angle_acc = inverse_rod_I_z_z*rod_plane_angle_force - l_rod_plane_x_rod_plane_angle*rod_plane_x_acc - l_rod_plane_y_rod_plane_angle*rod_plane_y_acc
     guide_acc = guide_force*inverse_slider_mass
-    return (
-        ca.vertcat(crank_plane_x_acc, crank_plane_y_acc, rod_plane_x_acc, rod_plane_y_acc, rod_plane_angle_acc,
-            guide_acc),
-        ca.vertcat(-crank_plane_angle_force),
-    )
+    return (ca.vertcat(crank_plane_x_acc, crank_plane_y_acc, rod_plane_x_acc, rod_plane_y_acc, rod_plane_angle_acc, guide_acc),
+        ca.vertcat(-crank_plane_angle_force))
 
 
 def ledger(t, q, u, reactions, c):
@@ -776,13 +517,11 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
-            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
-            slider_pin_friction.dissipated [W]
+        dz (7,): MEMORY [W]
     """
     crank_speed = c[6]
     crank_plane_angle_reaction_in = reactions[0]
-    return ca.vertcat(crank_plane_angle_reaction_in*crank_speed, 0, 0, 0, 0, 0, 0)
+    return ca.vertcat(crank_plane_angle_reaction_in*crank_speed, *[0]*6)
 
 
 def energy(t, q, u, c):
@@ -792,33 +531,13 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (3,): main_bearing [J], crank_pin [J], slider_pin [J]
+        stored (3,): PAIRS [J]
     """
-    rod_mass_centre = c[2]
-    clearance = c[3]
-    crank_radius = c[4]
-    rod_length = c[5]
-    crank_speed = c[6]
-    two_fifths_of_main_bearing_K = c[13]
-    rod_h_x = c[17]
-    half_rod_I_z_z = c[21]
-    half_slider_mass = c[22]
-    half_crank_mass = c[23]
-    half_rod_mass = c[24]
-    half_crank_speed_squared_times_crank_inertia = c[25]
-    crank_mass_times_gravity = c[26]
-    gravity_times_rod_mass = c[27]
-    crank_plane_x = q[0]
-    crank_plane_y = q[1]
-    rod_plane_x = q[2]
-    rod_plane_y = q[3]
-    rod_plane_angle = q[4]
-    guide_travel = q[5]
-    crank_plane_x_speed = u[0]
-    crank_plane_y_speed = u[1]
-    rod_plane_x_speed = u[2]
-    rod_plane_y_speed = u[3]
-    rod_plane_angle_speed = u[4]
+    rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, two_fifths_of_main_bearing_K = c[2], c[3], c[4], c[5], c[6], c[13]
+    rod_h_x, half_rod_I_z_z, half_slider_mass, half_crank_mass, half_rod_mass = c[17], c[21], c[22], c[23], c[24]
+    half_crank_speed_squared_times_crank_inertia, crank_mass_times_gravity, gravity_times_rod_mass = c[25], c[26], c[27]
+    crank_plane_x, crank_plane_y, rod_plane_x, rod_plane_y, rod_plane_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
+    crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed, rod_plane_angle_speed = u[0], u[1], u[2], u[3], u[4]
     guide_speed = u[5]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -850,11 +569,8 @@ def energy(t, q, u, c):
     kinetic = half_crank_speed_squared_times_crank_inertia + half_slider_mass*guide_speed*guide_speed + half_crank_mass*(crank_plane_x_speed*crank_plane_x_speed + crank_plane_y_speed*crank_plane_y_speed) + half_rod_mass*(rod_plane_x_speed*rod_plane_x_speed + rod_plane_y_speed*rod_plane_y_speed) + half_rod_I_z_z*rod_plane_angle_speed*rod_plane_angle_speed + rod_moment_x*rod_plane_angle_speed*rod_plane_y_speed - rod_moment_y*rod_plane_angle_speed*rod_plane_x_speed
     rod_centre_arm_y = sin_rod*rod_mass_centre
     potential = crank_plane_y*crank_mass_times_gravity + gravity_times_rod_mass*(rod_centre_arm_y + rod_plane_y)
-    return (
-        ca.vertcat(kinetic),
-        ca.vertcat(potential),
-        ca.vertcat(main_bearing_stored_energy, crank_pin_stored_energy, slider_pin_stored_energy),
-    )
+    return (ca.vertcat(kinetic), ca.vertcat(potential),
+        ca.vertcat(main_bearing_stored_energy, crank_pin_stored_energy, slider_pin_stored_energy))
 
 
 def poses(t, q, c):
@@ -862,31 +578,22 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m],
-            slider.y [m], slider.z [m]
-        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
-            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx
-            [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy
-            [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
-            [1], slider.R_zz [1]
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m], slider.y [m], slider.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz [1], crank.R_zx [1],
+            crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx
+            [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1],
+            slider.R_yz [1], slider.R_zx [1], slider.R_zy [1], slider.R_zz [1]
     """
     crank_speed = c[6]
-    crank_plane_x = q[0]
-    crank_plane_y = q[1]
-    rod_plane_x = q[2]
-    rod_plane_y = q[3]
-    rod_plane_angle = q[4]
-    guide_travel = q[5]
+    crank_plane_x, crank_plane_y, rod_plane_x, rod_plane_y, rod_plane_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
     cos_rod = ca.cos(rod_plane_angle)
     sin_rod = ca.sin(rod_plane_angle)
-    return (
-        ca.vertcat(crank_plane_x, crank_plane_y, 0, rod_plane_x, rod_plane_y, 0, guide_travel, 0, 0),
-        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
-            cos_rod, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(crank_plane_x, crank_plane_y, 0, rod_plane_x, rod_plane_y, 0, guide_travel, 0, 0),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod, cos_rod, 0, 0, 0, 1, 1, 0, 0,
+            0, 1, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -894,18 +601,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (6,): main_bearing.eccentricity_x [m], main_bearing.eccentricity_y [m], crank_pin.eccentricity_x [m],
-            crank_pin.eccentricity_y [m], slider_pin.eccentricity_x [m], slider_pin.eccentricity_y [m]
+        y (6,): OUTPUTS
     """
-    crank_radius = c[4]
-    rod_length = c[5]
-    crank_speed = c[6]
-    crank_plane_x = q[0]
-    crank_plane_y = q[1]
-    rod_plane_x = q[2]
-    rod_plane_y = q[3]
-    rod_plane_angle = q[4]
-    guide_travel = q[5]
+    crank_radius, rod_length, crank_speed = c[4], c[5], c[6]
+    crank_plane_x, crank_plane_y, rod_plane_x, rod_plane_y, rod_plane_angle, guide_travel = q[0], q[1], q[2], q[3], q[4], q[5]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -921,8 +620,8 @@ def outputs(t, q, u, c):
     slider_pin_apart_y = rod_plane_y + slider_pin_pin_arm_y
     crank_pin_eccentricity_x = cos_rod*crank_pin_apart_x + crank_pin_apart_y*sin_rod
     crank_pin_eccentricity_y = cos_rod*crank_pin_apart_y - crank_pin_apart_x*sin_rod
-    return ca.vertcat(crank_plane_x, crank_plane_y, crank_pin_eccentricity_x, crank_pin_eccentricity_y,
-        slider_pin_apart_x, slider_pin_apart_y)
+    return ca.vertcat(crank_plane_x, crank_plane_y, crank_pin_eccentricity_x, crank_pin_eccentricity_y, slider_pin_apart_x,
+        slider_pin_apart_y)
 
 
 def speed_limits(p):
@@ -930,10 +629,9 @@ def speed_limits(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        limits (3,): main_bearing [m/s], crank_pin [m/s], slider_pin [m/s]
+        limits (3,): PAIRS [m/s]
     """
-    youngs_modulus = p[12]
-    density = p[14]
+    youngs_modulus, density = p[12], p[14]
     youngs_modulus_over_density = youngs_modulus/density
     x2 = ca.sqrt(youngs_modulus_over_density)
     x3 = 1e-05*x2
@@ -956,46 +654,22 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        crank_plane.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        crank_plane.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        rod_plane.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        rod_plane.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_plane.parent, crank_plane.child, rod_plane.parent, rod_plane.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1],
+            normal_z [1]
+        guide.parent, guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         main_bearing.pin (4,): x [m], y [m], z [m], radius [m]
         main_bearing.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
         crank_pin.pin (4,): x [m], y [m], z [m], radius [m]
         crank_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
         slider_pin.pin (4,): x [m], y [m], z [m], radius [m]
         slider_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank.centre (3,): x [m], y [m], z [m]
-        rod.centre (3,): x [m], y [m], z [m]
-        slider.centre (3,): x [m], y [m], z [m]
+        crank_drive.child, gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre, rod.centre, slider.centre (3,): x [m], y [m], z [m]
     """
-    rod_mass_centre = p[4]
-    bush_radius = p[6]
-    clearance = p[7]
-    crank_radius = p[8]
-    rod_length = p[9]
+    rod_mass_centre, bush_radius, clearance, crank_radius, rod_length = p[4], p[6], p[7], p[8], p[9]
     bush_radius_minus_clearance = bush_radius - clearance
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, bush_radius_minus_clearance),
-        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(crank_radius, 0, 0, bush_radius_minus_clearance),
-        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(rod_length, 0, 0, bush_radius_minus_clearance),
-        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(rod_mass_centre, 0, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, bush_radius_minus_clearance), ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(crank_radius, 0, 0, bush_radius_minus_clearance), ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(rod_length, 0, 0, bush_radius_minus_clearance), ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, 0, 0), ca.vertcat(rod_mass_centre, 0, 0), ca.vertcat(0, 0, 0))

@@ -16,8 +16,7 @@ SOURCE = "derive/scenes/soft_ball.py"
 SUMMARY = "soft elastic ball dropped on a plane"
 
 EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("floor", "contact", "power"),
+    ("gravity", "gravity", "uniform gravity"), ("floor", "contact", "power"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -37,75 +36,38 @@ LIMITS = (
     ("stiffness", "defined", 0, None, True, False, "effect floor, stiffness of power"),
 )
 
-COORDINATES = (
-    ("vertical.travel", "m"),
-)
+COORDINATES = (("vertical.travel", "m"),)
 
-SPEEDS = (
-    ("vertical.speed", "m/s"),
-)
+SPEEDS = (("vertical.speed", "m/s"),)
 
-MEMORY = (
-    ("floor.dissipated", "J"),
-)
+MEMORY = (("floor.dissipated", "J"),)
 
 LATCHES = ()
 
-PAIRS = (
-    ("floor", "sphere_on_plane"),
-)
+PAIRS = (("floor", "sphere_on_plane"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    0,
-)
+DISSIPATED = (0,)
 
-OUTPUTS = (
-    ("floor.gap", "m"),
-)
+OUTPUTS = (("floor.gap", "m"),)
 
-BODIES = (
-    "ball",
-)
+BODIES = ("ball",)
 
 LANDMARKS = (
-    ("vertical", "prismatic", "parent", "ground", ("axis",)),
-    ("vertical", "prismatic", "child", "ball", ("axis",)),
-    ("floor", "sphere_on_plane", "sphere", "ball", ("radius",)),
-    ("floor", "sphere_on_plane", "plane", "ground", ("normal",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("ball", "body", "centre", "ball", ()),
+    ("vertical", "prismatic", "parent", "ground", ("axis",)), ("vertical", "prismatic", "child", "ball", ("axis",)),
+    ("floor", "sphere_on_plane", "sphere", "ball", ("radius",)), ("floor", "sphere_on_plane", "plane", "ground", ("normal",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("ball", "body", "centre", "ball", ()),
 )
 
 CONSTANTS = (
-    ("mass", "kg"),
-    ("radius", "m"),
-    ("gravity", "m/s^2"),
-    ("stiffness", "N/m^1.5"),
-    ("two_fifths_of_stiffness", "N/m^1.5"),
-    ("inverse_mass", "1/kg"),
-    ("half_mass", "kg"),
-    ("gravity_times_mass", "N"),
+    ("mass", "kg"), ("radius", "m"), ("gravity", "m/s^2"), ("stiffness", "N/m^1.5"), ("two_fifths_of_stiffness", "N/m^1.5"),
+    ("inverse_mass", "1/kg"), ("half_mass", "kg"), ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 5),
-    ("start", 1),
-    ("scales", 28),
-    ("coordinate_rates", 0),
-    ("gaps", 1),
-    ("gap_accelerations", 0),
-    ("contact_floor", 10),
-    ("applied", 2),
-    ("accelerations", 1),
-    ("ledger", 0),
-    ("energy", 13),
-    ("poses", 0),
-    ("outputs", 1),
-    ("landmarks", 0),
+    ("constants", 5), ("start", 1), ("scales", 28), ("coordinate_rates", 0), ("gaps", 1), ("gap_accelerations", 0), ("contact_floor", 10),
+    ("applied", 2), ("accelerations", 1), ("ledger", 0), ("energy", 13), ("poses", 0), ("outputs", 1), ("landmarks", 0),
 )
 
 
@@ -114,19 +76,14 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (8,): mass, radius, gravity, stiffness, two_fifths_of_stiffness, inverse_mass, half_mass,
-            gravity_times_mass
+        c (8,): mass, radius, gravity, stiffness, two_fifths_of_stiffness, inverse_mass, half_mass, gravity_times_mass
     """
-    mass = p[0]
-    radius = p[1]
-    gravity = p[2]
-    stiffness = p[3]
+    mass, radius, gravity, stiffness = p[0], p[1], p[2], p[3]
     two_fifths_of_stiffness = 2*stiffness/5
     inverse_mass = 1/mass
     half_mass = mass/2
     gravity_times_mass = gravity*mass
-    return ca.vertcat(mass, radius, gravity, stiffness, two_fifths_of_stiffness, inverse_mass, half_mass,
-        gravity_times_mass)
+    return ca.vertcat(mass, radius, gravity, stiffness, two_fifths_of_stiffness, inverse_mass, half_mass, gravity_times_mass)
 
 
 def start(p):
@@ -134,11 +91,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (1,): vertical.travel [m]
-        u (1,): vertical.speed [m/s]
+        q (1,): COORDINATES
+        u (1,): SPEEDS
     """
-    radius = p[1]
-    drop_height = p[4]
+    radius, drop_height = p[1], p[4]
     return ca.vertcat(drop_height + radius), ca.vertcat(0)
 
 
@@ -147,15 +103,12 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (1,): vertical.travel [m]
-        su (1,): vertical.speed [m/s]
-        sz (1,): floor.dissipated [J]
+        sq (1,): COORDINATES
+        su (1,): SPEEDS
+        sz (1,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    gravity = p[2]
-    stiffness = p[3]
-    drop_height = p[4]
+    mass, gravity, stiffness, drop_height = p[0], p[2], p[3], p[4]
     energy_scale = drop_height*gravity*mass
     x1 = drop_height*gravity*mass/stiffness
     force_scale = energy_scale*2**(2/5)*5**(3/5)/(5*x1**(2/5))
@@ -175,7 +128,7 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (1,): vertical.travel [m/s]
+        dq (1,): COORDINATES [m/s]
     """
     vertical_speed = u[0]
     return ca.vertcat(vertical_speed)
@@ -186,8 +139,8 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): floor [m]
-        dG (1,): floor [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
     radius = c[1]
     vertical_travel = q[0]
@@ -201,36 +154,28 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): floor [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
     vertical_acceleration = a[0]
     return ca.vertcat(vertical_acceleration)
 
 
 def contact_floor(t, q, u, z, m, c):
-    """Forces of floor: power. The normal force is the laws' own, not clamped: where it would pull, the contact
-    ends.
+    """Forces of floor: power. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (1,): vertical [N]
-        dz (1,): floor.dissipated [W]
-        normal_force (1,): floor [N]
+        dz (1,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
         sliding_velocity (0,): empty
-        in_range (1,): floor [1]
+        in_range (1,): PAIRS [1]
     """
-    radius = c[1]
-    stiffness = c[3]
+    radius, stiffness = c[1], c[3]
     vertical_travel = q[0]
     floor_gap = vertical_travel - radius
     floor_elastic_force = ca.if_else(-floor_gap > 0, (-floor_gap)**1*ca.sqrt(-floor_gap)*stiffness, 0)
-    return (
-        ca.vertcat(floor_elastic_force),
-        ca.vertcat(0),
-        ca.vertcat(floor_elastic_force),
-        ca.vertcat(),
-        ca.vertcat(1),
-    )
+    return ca.vertcat(floor_elastic_force), ca.vertcat(0), ca.vertcat(floor_elastic_force), ca.vertcat(), ca.vertcat(1)
 
 
 def applied(t, q, u, c):
@@ -240,8 +185,7 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (1,): vertical [N]
     """
-    mass = c[0]
-    gravity = c[2]
+    mass, gravity = c[0], c[2]
     return ca.vertcat(-gravity*mass)
 
 
@@ -264,7 +208,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (1,): floor.dissipated [W]
+        dz (1,): MEMORY [W]
     """
     return ca.vertcat(0)
 
@@ -276,12 +220,9 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): floor [J]
+        stored (1,): PAIRS [J]
     """
-    radius = c[1]
-    two_fifths_of_stiffness = c[4]
-    half_mass = c[6]
-    gravity_times_mass = c[7]
+    radius, two_fifths_of_stiffness, half_mass, gravity_times_mass = c[1], c[4], c[6], c[7]
     vertical_travel = q[0]
     vertical_speed = u[0]
     floor_gap = vertical_travel - radius
@@ -297,8 +238,8 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (3,): ball.x [m], ball.y [m], ball.z [m]
-        rotations (9,): ball.R_xx [1], ball.R_xy [1], ball.R_xz [1], ball.R_yx [1], ball.R_yy [1], ball.R_yz [1],
-            ball.R_zx [1], ball.R_zy [1], ball.R_zz [1]
+        rotations (9,): ball.R_xx [1], ball.R_xy [1], ball.R_xz [1], ball.R_yx [1], ball.R_yy [1], ball.R_yz [1], ball.R_zx [1], ball.R_zy
+            [1], ball.R_zz [1]
     """
     vertical_travel = q[0]
     return ca.vertcat(0, vertical_travel, 0), ca.vertcat(1, 0, 0, 0, 1, 0, 0, 0, 1)
@@ -309,7 +250,7 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (1,): floor.gap [m]
+        y (1,): OUTPUTS
     """
     radius = c[1]
     vertical_travel = q[0]
@@ -322,19 +263,12 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        vertical.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        vertical.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        vertical.parent, vertical.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         floor.sphere (4,): x [m], y [m], z [m], radius [m]
         floor.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         ball.centre (3,): x [m], y [m], z [m]
     """
     radius = p[1]
-    return (
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, radius),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    return (ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0, radius), ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, 0, 0))

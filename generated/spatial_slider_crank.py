@@ -17,10 +17,8 @@ SOURCE = "derive/scenes/spatial_slider_crank.py"
 SUMMARY = "spatial slider-crank with a ball joint with clearance between crank and rod"
 
 EFFECTS = (
-    ("crank_drive", "drive", "constant speed of main_bearing"),
-    ("gravity", "gravity", "uniform gravity"),
-    ("crank_ball", "contact", "hertz_point x flores"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+    ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
+    ("crank_ball", "contact", "hertz_point x flores"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
 UNCHECKED = ()
@@ -74,129 +72,52 @@ SUM_LIMITS = (
     ((("clearance", -1.0), ("socket_radius", 1.0)), "defined", 0, None, True, False, "pair crank_ball, ball radius (socket radius minus clearance)"),
 )
 
-COORDINATES = (
-    ("guide.travel", "m"),
-    ("slider_joint.angle_1", "rad"),
-    ("slider_joint.angle_2", "rad"),
-)
+COORDINATES = (("guide.travel", "m"), ("slider_joint.angle_1", "rad"), ("slider_joint.angle_2", "rad"))
 
-SPEEDS = (
-    ("guide.speed", "m/s"),
-    ("slider_joint.angle_1_speed", "rad/s"),
-    ("slider_joint.angle_2_speed", "rad/s"),
-)
+SPEEDS = (("guide.speed", "m/s"), ("slider_joint.angle_1_speed", "rad/s"), ("slider_joint.angle_2_speed", "rad/s"))
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("crank_ball.dissipated", "J"),
-)
+MEMORY = (("energy_ledger.input", "J"), ("crank_ball.dissipated", "J"))
 
-LATCHES = (
-    ("crank_ball.approach_speed", "m/s", 0),
-)
+LATCHES = (("crank_ball.approach_speed", "m/s", 0),)
 
-PAIRS = (
-    ("crank_ball", "ball_in_socket"),
-)
+PAIRS = (("crank_ball", "ball_in_socket"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    1,
-)
+DISSIPATED = (1,)
 
-GIVEN = (
-    "guide.travel",
-    "guide.speed",
-    "slider_joint.angle_1",
-    "slider_joint.angle_1_speed",
-    "slider_joint.angle_2",
-)
+GIVEN = ("guide.travel", "guide.speed", "slider_joint.angle_1", "slider_joint.angle_1_speed", "slider_joint.angle_2")
 
-OUTPUTS = (
-    ("crank_ball.eccentricity_x", "m"),
-    ("crank_ball.eccentricity_y", "m"),
-    ("crank_ball.eccentricity_z", "m"),
-)
+OUTPUTS = (("crank_ball.eccentricity_x", "m"), ("crank_ball.eccentricity_y", "m"), ("crank_ball.eccentricity_z", "m"))
 
-SPEED_LIMITED = (
-    "crank_ball",
-)
+SPEED_LIMITED = ("crank_ball",)
 
-BODIES = (
-    "crank",
-    "slider",
-    "rod",
-)
+BODIES = ("crank", "slider", "rod")
 
 LANDMARKS = (
-    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
-    ("main_bearing", "revolute", "child", "crank", ("axis",)),
-    ("guide", "prismatic", "parent", "ground", ("axis",)),
-    ("guide", "prismatic", "child", "slider", ("axis",)),
-    ("slider_joint", "universal", "parent", "slider", ("axis",)),
-    ("slider_joint", "universal", "child", "rod", ("axis",)),
-    ("crank_ball", "ball_in_socket", "ball", "rod", ("radius",)),
-    ("crank_ball", "ball_in_socket", "socket", "crank", ("radius",)),
-    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("crank", "body", "centre", "crank", ()),
-    ("slider", "body", "centre", "slider", ()),
-    ("rod", "body", "centre", "rod", ()),
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)), ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)), ("guide", "prismatic", "child", "slider", ("axis",)),
+    ("slider_joint", "universal", "parent", "slider", ("axis",)), ("slider_joint", "universal", "child", "rod", ("axis",)),
+    ("crank_ball", "ball_in_socket", "ball", "rod", ("radius",)), ("crank_ball", "ball_in_socket", "socket", "crank", ("radius",)),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)), ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()), ("slider", "body", "centre", "slider", ()), ("rod", "body", "centre", "rod", ()),
 )
 
 CONSTANTS = (
-    ("rod_inertia_x", "kg m^2"),
-    ("rod_length", "m"),
-    ("bearing_y", "m"),
-    ("bearing_z", "m"),
-    ("clearance", "m"),
-    ("crank_length", "m"),
-    ("crank_speed", "1/s"),
-    ("gravity", "m/s^2"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("crank_ball_R_min", "m"),
-    ("crank_ball_K", "N/m^1.5"),
-    ("two_fifths_of_crank_ball_K", "N/m^1.5"),
-    ("crank_ball_hysteresis_factor", "1"),
-    ("slider_total_mass", "kg"),
-    ("rod_h_x", "kg m"),
-    ("rod_I_z_z", "kg m^2"),
-    ("rod_I_y_y_minus_rod_I_z_z", "kg m^2"),
-    ("rod_inertia_x_minus_rod_I_z_z", "kg m^2"),
-    ("rod_inertia_x_minus_rod_I_y_y", "kg m^2"),
-    ("inverse_rod_I_y_y", "1/(kg m^2)"),
-    ("half_rod_I_y_y", "kg m^2"),
-    ("half_rod_I_z_z", "kg m^2"),
-    ("half_slider_mass", "kg"),
-    ("half_rod_inertia_x", "kg m^2"),
-    ("half_rod_mass", "kg"),
-    ("half_crank_speed_squared_times_crank_inertia_x", "J"),
-    ("half_rod_length", "m"),
-    ("gravity_times_rod_mass", "N"),
-    ("bearing_z_times_crank_mass_times_gravity", "J"),
+    ("rod_inertia_x", "kg m^2"), ("rod_length", "m"), ("bearing_y", "m"), ("bearing_z", "m"), ("clearance", "m"), ("crank_length", "m"),
+    ("crank_speed", "1/s"), ("gravity", "m/s^2"), ("clearance_squared", "m^2"), ("half_inverse_clearance", "1/m"),
+    ("crank_ball_R_min", "m"), ("crank_ball_K", "N/m^1.5"), ("two_fifths_of_crank_ball_K", "N/m^1.5"),
+    ("crank_ball_hysteresis_factor", "1"), ("slider_total_mass", "kg"), ("rod_h_x", "kg m"), ("rod_I_z_z", "kg m^2"),
+    ("rod_I_y_y_minus_rod_I_z_z", "kg m^2"), ("rod_inertia_x_minus_rod_I_z_z", "kg m^2"), ("rod_inertia_x_minus_rod_I_y_y", "kg m^2"),
+    ("inverse_rod_I_y_y", "1/(kg m^2)"), ("half_rod_I_y_y", "kg m^2"), ("half_rod_I_z_z", "kg m^2"), ("half_slider_mass", "kg"),
+    ("half_rod_inertia_x", "kg m^2"), ("half_rod_mass", "kg"), ("half_crank_speed_squared_times_crank_inertia_x", "J"),
+    ("half_rod_length", "m"), ("gravity_times_rod_mass", "N"), ("bearing_z_times_crank_mass_times_gravity", "J"),
 )
 
 OPERATIONS = (
-    ("constants", 45),
-    ("start", 21),
-    ("scales", 12),
-    ("coordinate_rates", 0),
-    ("gaps", 57),
-    ("gap_accelerations", 92),
-    ("contact_crank_ball", 94),
-    ("applied", 5),
-    ("accelerations", 66),
-    ("ledger", 1),
-    ("energy", 72),
-    ("poses", 14),
-    ("outputs", 28),
-    ("speed_limits", 3),
-    ("period", 3),
-    ("landmarks", 4),
+    ("constants", 45), ("start", 21), ("scales", 12), ("coordinate_rates", 0), ("gaps", 57), ("gap_accelerations", 92),
+    ("contact_crank_ball", 94), ("applied", 5), ("accelerations", 66), ("ledger", 1), ("energy", 72), ("poses", 14), ("outputs", 28),
+    ("speed_limits", 3), ("period", 3), ("landmarks", 4),
 )
 
 
@@ -205,32 +126,16 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (30,): rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed, gravity,
-            clearance_squared, half_inverse_clearance, crank_ball_R_min, crank_ball_K, two_fifths_of_crank_ball_K,
-            crank_ball_hysteresis_factor, slider_total_mass, rod_h_x, rod_I_z_z, rod_I_y_y_minus_rod_I_z_z,
-            rod_inertia_x_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_y_y, inverse_rod_I_y_y, half_rod_I_y_y,
-            half_rod_I_z_z, half_slider_mass, half_rod_inertia_x, half_rod_mass,
+        c (30,): rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed, gravity, clearance_squared,
+            half_inverse_clearance, crank_ball_R_min, crank_ball_K, two_fifths_of_crank_ball_K, crank_ball_hysteresis_factor,
+            slider_total_mass, rod_h_x, rod_I_z_z, rod_I_y_y_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_y_y,
+            inverse_rod_I_y_y, half_rod_I_y_y, half_rod_I_z_z, half_slider_mass, half_rod_inertia_x, half_rod_mass,
             half_crank_speed_squared_times_crank_inertia_x, half_rod_length, gravity_times_rod_mass,
             bearing_z_times_crank_mass_times_gravity
     """
-    crank_mass = p[0]
-    crank_inertia_x = p[1]
-    slider_mass = p[4]
-    rod_mass = p[5]
-    rod_inertia_x = p[6]
-    rod_inertia_y = p[7]
-    rod_inertia_z = p[8]
-    rod_length = p[9]
-    bearing_y = p[10]
-    bearing_z = p[11]
-    socket_radius = p[12]
-    clearance = p[13]
-    crank_length = p[14]
-    crank_speed = p[15]
-    gravity = p[16]
-    youngs_modulus = p[17]
-    poissons_ratio = p[18]
-    restitution = p[20]
+    crank_mass, crank_inertia_x, slider_mass, rod_mass, rod_inertia_x, rod_inertia_y = p[0], p[1], p[4], p[5], p[6], p[7]
+    rod_inertia_z, rod_length, bearing_y, bearing_z, socket_radius, clearance, crank_length = p[8], p[9], p[10], p[11], p[12], p[13], p[14]
+    crank_speed, gravity, youngs_modulus, poissons_ratio, restitution = p[15], p[16], p[17], p[18], p[20]
     clearance_squared = clearance*clearance
     half_inverse_clearance = 1/(2*clearance)
     crank_ball_R_min = socket_radius - clearance
@@ -258,13 +163,11 @@ def constants(p):
     half_rod_length = rod_length/2
     gravity_times_rod_mass = gravity*rod_mass
     bearing_z_times_crank_mass_times_gravity = bearing_z*crank_mass*gravity
-    return ca.vertcat(rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed,
-        gravity, clearance_squared, half_inverse_clearance, crank_ball_R_min, crank_ball_K,
-        two_fifths_of_crank_ball_K, crank_ball_hysteresis_factor, slider_total_mass, rod_h_x, rod_I_z_z,
-        rod_I_y_y_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_y_y, inverse_rod_I_y_y,
-        half_rod_I_y_y, half_rod_I_z_z, half_slider_mass, half_rod_inertia_x, half_rod_mass,
-        half_crank_speed_squared_times_crank_inertia_x, half_rod_length, gravity_times_rod_mass,
-        bearing_z_times_crank_mass_times_gravity)
+    return ca.vertcat(rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed, gravity, clearance_squared,
+        half_inverse_clearance, crank_ball_R_min, crank_ball_K, two_fifths_of_crank_ball_K, crank_ball_hysteresis_factor, slider_total_mass,
+        rod_h_x, rod_I_z_z, rod_I_y_y_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_y_y, inverse_rod_I_y_y,
+        half_rod_I_y_y, half_rod_I_z_z, half_slider_mass, half_rod_inertia_x, half_rod_mass, half_crank_speed_squared_times_crank_inertia_x,
+        half_rod_length, gravity_times_rod_mass, bearing_z_times_crank_mass_times_gravity)
 
 
 def start(p):
@@ -272,14 +175,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (3,): guide.travel [m], slider_joint.angle_1 [rad], slider_joint.angle_2 [rad]
-        u (3,): guide.speed [m/s], slider_joint.angle_1_speed [rad/s], slider_joint.angle_2_speed [rad/s]
+        q (3,): COORDINATES
+        u (3,): SPEEDS
     """
-    rod_length = p[9]
-    bearing_y = p[10]
-    bearing_z = p[11]
-    crank_length = p[14]
-    crank_speed = p[15]
+    rod_length, bearing_y, bearing_z, crank_length, crank_speed = p[9], p[10], p[11], p[14], p[15]
     rod_length_squared = rod_length*rod_length
     bearing_z_plus_crank_length = bearing_z + crank_length
     x3 = bearing_z_plus_crank_length*bearing_z_plus_crank_length
@@ -288,10 +187,8 @@ def start(p):
     minus_bearing_y_squared = -bearing_y_squared
     x7 = rod_length_squared + x4 + minus_bearing_y_squared
     x8 = 1/ca.sqrt(x7)
-    return (
-        ca.vertcat(ca.sqrt(x7), -ca.atan(x8*bearing_y), ca.asin(bearing_z_plus_crank_length/rod_length)),
-        ca.vertcat(x8*bearing_y*crank_length*crank_speed, x8*crank_length*crank_speed, 0),
-    )
+    return (ca.vertcat(ca.sqrt(x7), -ca.atan(x8*bearing_y), ca.asin(bearing_z_plus_crank_length/rod_length)),
+        ca.vertcat(x8*bearing_y*crank_length*crank_speed, x8*crank_length*crank_speed, 0))
 
 
 def scales(p):
@@ -299,31 +196,22 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (3,): guide.travel [m], slider_joint.angle_1 [rad], slider_joint.angle_2 [rad]
-        su (3,): guide.speed [m/s], slider_joint.angle_1_speed [rad/s], slider_joint.angle_2_speed [rad/s]
-        sz (2,): energy_ledger.input [J], crank_ball.dissipated [J]
+        sq (3,): COORDINATES
+        su (3,): SPEEDS
+        sz (2,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    crank_mass = p[0]
-    slider_mass = p[4]
-    rod_mass = p[5]
-    rod_length = p[9]
-    clearance = p[13]
-    crank_length = p[14]
-    crank_speed = p[15]
+    crank_mass, slider_mass, rod_mass, rod_length, clearance, crank_length, crank_speed = p[0], p[4], p[5], p[9], p[13], p[14], p[15]
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
     clearance_over_rod_length = clearance/rod_length
     crank_length_times_crank_speed = crank_length*crank_speed
     crank_length_times_crank_speed_over_rod_length = crank_length*crank_speed/rod_length
-    return (
-        ca.vertcat(clearance, clearance_over_rod_length, clearance_over_rod_length),
+    return (ca.vertcat(clearance, clearance_over_rod_length, clearance_over_rod_length),
         ca.vertcat(crank_length_times_crank_speed, crank_length_times_crank_speed_over_rod_length,
             crank_length_times_crank_speed_over_rod_length),
-        ca.vertcat(energy_scale, energy_scale),
-        ca.vertcat(clearance, crank_length_times_crank_speed, force_scale, energy_scale),
-    )
+        ca.vertcat(energy_scale, energy_scale), ca.vertcat(clearance, crank_length_times_crank_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -333,9 +221,7 @@ def coordinate_rates(t, q, u, c):
     Returns, each a column vector:
         dq (3,): guide.travel [m/s], slider_joint.angle_1 [rad/s], slider_joint.angle_2 [rad/s]
     """
-    guide_speed = u[0]
-    slider_joint_angle_1_speed = u[1]
-    slider_joint_angle_2_speed = u[2]
+    guide_speed, slider_joint_angle_1_speed, slider_joint_angle_2_speed = u[0], u[1], u[2]
     return ca.vertcat(guide_speed, slider_joint_angle_1_speed, slider_joint_angle_2_speed)
 
 
@@ -344,22 +230,13 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): crank_ball [m]
-        dG (1,): crank_ball [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    rod_length = c[1]
-    bearing_y = c[2]
-    bearing_z = c[3]
-    crank_length = c[5]
-    crank_speed = c[6]
-    clearance_squared = c[8]
+    rod_length, bearing_y, bearing_z, crank_length, crank_speed, clearance_squared = c[1], c[2], c[3], c[5], c[6], c[8]
     half_inverse_clearance = c[9]
-    guide_travel = q[0]
-    slider_joint_angle_1 = q[1]
-    slider_joint_angle_2 = q[2]
-    guide_speed = u[0]
-    slider_joint_angle_1_speed = u[1]
-    slider_joint_angle_2_speed = u[2]
+    guide_travel, slider_joint_angle_1, slider_joint_angle_2 = q[0], q[1], q[2]
+    guide_speed, slider_joint_angle_1_speed, slider_joint_angle_2_speed = u[0], u[1], u[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -399,23 +276,12 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): crank_ball [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
-    rod_length = c[1]
-    bearing_y = c[2]
-    bearing_z = c[3]
-    crank_length = c[5]
-    crank_speed = c[6]
-    half_inverse_clearance = c[9]
-    guide_travel = q[0]
-    slider_joint_angle_1 = q[1]
-    slider_joint_angle_2 = q[2]
-    guide_speed = u[0]
-    slider_joint_angle_1_speed = u[1]
-    slider_joint_angle_2_speed = u[2]
-    guide_acceleration = a[0]
-    slider_joint_angle_1_acceleration = a[1]
-    slider_joint_angle_2_acceleration = a[2]
+    rod_length, bearing_y, bearing_z, crank_length, crank_speed, half_inverse_clearance = c[1], c[2], c[3], c[5], c[6], c[9]
+    guide_travel, slider_joint_angle_1, slider_joint_angle_2 = q[0], q[1], q[2]
+    guide_speed, slider_joint_angle_1_speed, slider_joint_angle_2_speed = u[0], u[1], u[2]
+    guide_acceleration, slider_joint_angle_1_acceleration, slider_joint_angle_2_acceleration = a[0], a[1], a[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -454,32 +320,20 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_crank_ball(t, q, u, z, m, c):
-    """Forces of crank_ball: hertz_point x flores. The normal force is the laws' own, not clamped: where it would
-    pull, the contact ends.
+    """Forces of crank_ball: hertz_point x flores. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (4,): guide [N], slider_joint.angle_1 [N m], slider_joint.angle_2 [N m], main_bearing [N m]
-        dz (2,): energy_ledger.input [W], crank_ball.dissipated [W]
-        normal_force (1,): crank_ball [N]
+        dz (2,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
         sliding_velocity (0,): empty
-        in_range (1,): crank_ball [1]
+        in_range (1,): PAIRS [1]
     """
-    rod_length = c[1]
-    bearing_y = c[2]
-    bearing_z = c[3]
-    clearance = c[4]
-    crank_length = c[5]
-    crank_speed = c[6]
-    crank_ball_R_min = c[10]
-    crank_ball_K = c[11]
-    crank_ball_hysteresis_factor = c[13]
-    guide_travel = q[0]
-    slider_joint_angle_1 = q[1]
-    slider_joint_angle_2 = q[2]
-    guide_speed = u[0]
-    slider_joint_angle_1_speed = u[1]
-    slider_joint_angle_2_speed = u[2]
+    rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed, crank_ball_R_min = c[1], c[2], c[3], c[4], c[5], c[6], c[10]
+    crank_ball_K, crank_ball_hysteresis_factor = c[11], c[13]
+    guide_travel, slider_joint_angle_1, slider_joint_angle_2 = q[0], q[1], q[2]
+    guide_speed, slider_joint_angle_1_speed, slider_joint_angle_2_speed = u[0], u[1], u[2]
     crank_ball_approach_speed = m[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -522,14 +376,9 @@ def contact_crank_ball(t, q, u, z, m, c):
     crank_ball_push_on_slider_joint_angle_2 = crank_ball_push_z*(-cos_slider_joint_angle_1*crank_ball_ball_arm_x - crank_ball_ball_arm_y*sin_slider_joint_angle_1) + cos_slider_joint_angle_1*crank_ball_ball_arm_z*crank_ball_push_x + crank_ball_ball_arm_z*crank_ball_push_y*sin_slider_joint_angle_1
     crank_ball_push_on_main_bearing = -crank_ball_push_y*(bearing_z - crank_ball_ball_arm_z) - crank_ball_push_z*crank_ball_ball_arm_y_minus_bearing_y
     crank_ball_in_range = ca.if_else(crank_ball_penetration <= crank_ball_R_min, 1, 0)
-    return (
-        ca.vertcat(crank_ball_push_x, crank_ball_push_on_slider_joint_angle_1,
-            crank_ball_push_on_slider_joint_angle_2, crank_ball_push_on_main_bearing),
-        ca.vertcat(0, crank_ball_normal_power),
-        ca.vertcat(crank_ball_normal_force),
-        ca.vertcat(),
-        ca.vertcat(crank_ball_in_range),
-    )
+    return (ca.vertcat(crank_ball_push_x, crank_ball_push_on_slider_joint_angle_1, crank_ball_push_on_slider_joint_angle_2,
+            crank_ball_push_on_main_bearing),
+        ca.vertcat(0, crank_ball_normal_power), ca.vertcat(crank_ball_normal_force), ca.vertcat(), ca.vertcat(crank_ball_in_range))
 
 
 def applied(t, q, u, c):
@@ -539,8 +388,7 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (4,): guide [N], slider_joint.angle_1 [N m], slider_joint.angle_2 [N m], main_bearing [N m]
     """
-    gravity = c[7]
-    rod_h_x = c[15]
+    gravity, rod_h_x = c[7], c[15]
     slider_joint_angle_2 = q[2]
     cos_rod = ca.cos(slider_joint_angle_2)
     rod_gravity_z = -cos_rod*gravity
@@ -552,26 +400,14 @@ def accelerations(t, q, u, f, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
-        a (3,): guide.acceleration [m/s^2], slider_joint.angle_1_acceleration [rad/s^2],
-            slider_joint.angle_2_acceleration [rad/s^2]
+        a (3,): guide.acceleration [m/s^2], slider_joint.angle_1_acceleration [rad/s^2], slider_joint.angle_2_acceleration [rad/s^2]
         reactions (1,): main_bearing.reaction [N m]
     """
-    rod_inertia_x = c[0]
-    slider_total_mass = c[14]
-    rod_h_x = c[15]
-    rod_I_z_z = c[16]
-    rod_I_y_y_minus_rod_I_z_z = c[17]
-    rod_inertia_x_minus_rod_I_z_z = c[18]
-    rod_inertia_x_minus_rod_I_y_y = c[19]
-    inverse_rod_I_y_y = c[20]
-    slider_joint_angle_1 = q[1]
-    slider_joint_angle_2 = q[2]
-    slider_joint_angle_1_speed = u[1]
-    slider_joint_angle_2_speed = u[2]
-    guide_force = f[0]
-    slider_joint_angle_1_force = f[1]
-    slider_joint_angle_2_force = f[2]
-    main_bearing_force = f[3]
+    rod_inertia_x, slider_total_mass, rod_h_x, rod_I_z_z, rod_I_y_y_minus_rod_I_z_z = c[0], c[14], c[15], c[16], c[17]
+    rod_inertia_x_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_y_y, inverse_rod_I_y_y = c[18], c[19], c[20]
+    slider_joint_angle_1, slider_joint_angle_2 = q[1], q[2]
+    slider_joint_angle_1_speed, slider_joint_angle_2_speed = u[1], u[2]
+    guide_force, slider_joint_angle_1_force, slider_joint_angle_2_force, main_bearing_force = f[0], f[1], f[2], f[3]
     cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
     sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
     cos_rod = ca.cos(slider_joint_angle_2)
@@ -608,10 +444,7 @@ def accelerations(t, q, u, f, c):
     guide_acc = y_guide/D_guide
     slider_joint_angle_1_acc = slider_joint_angle_1_net/rod_turned_J_z_z - guide_acc*l_guide_slider_joint_angle_1
     slider_joint_angle_2_acc = inverse_rod_I_y_y*slider_joint_angle_2_net - guide_acc*l_guide_slider_joint_angle_2
-    return (
-        ca.vertcat(guide_acc, slider_joint_angle_1_acc, slider_joint_angle_2_acc),
-        ca.vertcat(-main_bearing_force),
-    )
+    return ca.vertcat(guide_acc, slider_joint_angle_1_acc, slider_joint_angle_2_acc), ca.vertcat(-main_bearing_force)
 
 
 def ledger(t, q, u, reactions, c):
@@ -619,7 +452,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (2,): energy_ledger.input [W], crank_ball.dissipated [W]
+        dz (2,): MEMORY [W]
     """
     crank_speed = c[6]
     main_bearing_reaction_in = reactions[0]
@@ -633,31 +466,14 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): crank_ball [J]
+        stored (1,): PAIRS [J]
     """
-    rod_length = c[1]
-    bearing_y = c[2]
-    bearing_z = c[3]
-    clearance = c[4]
-    crank_length = c[5]
-    crank_speed = c[6]
-    two_fifths_of_crank_ball_K = c[12]
-    rod_h_x = c[15]
-    half_rod_I_y_y = c[21]
-    half_rod_I_z_z = c[22]
-    half_slider_mass = c[23]
-    half_rod_inertia_x = c[24]
-    half_rod_mass = c[25]
-    half_crank_speed_squared_times_crank_inertia_x = c[26]
-    half_rod_length = c[27]
-    gravity_times_rod_mass = c[28]
-    bearing_z_times_crank_mass_times_gravity = c[29]
-    guide_travel = q[0]
-    slider_joint_angle_1 = q[1]
-    slider_joint_angle_2 = q[2]
-    guide_speed = u[0]
-    slider_joint_angle_1_speed = u[1]
-    slider_joint_angle_2_speed = u[2]
+    rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed = c[1], c[2], c[3], c[4], c[5], c[6]
+    two_fifths_of_crank_ball_K, rod_h_x, half_rod_I_y_y, half_rod_I_z_z, half_slider_mass = c[12], c[15], c[21], c[22], c[23]
+    half_rod_inertia_x, half_rod_mass, half_crank_speed_squared_times_crank_inertia_x, half_rod_length = c[24], c[25], c[26], c[27]
+    gravity_times_rod_mass, bearing_z_times_crank_mass_times_gravity = c[28], c[29]
+    guide_travel, slider_joint_angle_1, slider_joint_angle_2 = q[0], q[1], q[2]
+    guide_speed, slider_joint_angle_1_speed, slider_joint_angle_2_speed = u[0], u[1], u[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -695,20 +511,14 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (9,): crank.x [m], crank.y [m], crank.z [m], slider.x [m], slider.y [m], slider.z [m], rod.x [m],
-            rod.y [m], rod.z [m]
-        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
-            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], slider.R_xx [1], slider.R_xy [1], slider.R_xz [1],
-            slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy [1], slider.R_zz [1],
-            rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1],
-            rod.R_zy [1], rod.R_zz [1]
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], slider.x [m], slider.y [m], slider.z [m], rod.x [m], rod.y [m], rod.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz [1], crank.R_zx [1],
+            crank.R_zy [1], crank.R_zz [1], slider.R_xx [1], slider.R_xy [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz
+            [1], slider.R_zx [1], slider.R_zy [1], slider.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx [1], rod.R_yy [1],
+            rod.R_yz [1], rod.R_zx [1], rod.R_zy [1], rod.R_zz [1]
     """
-    bearing_y = c[2]
-    bearing_z = c[3]
-    crank_speed = c[6]
-    guide_travel = q[0]
-    slider_joint_angle_1 = q[1]
-    slider_joint_angle_2 = q[2]
+    bearing_y, bearing_z, crank_speed = c[2], c[3], c[6]
+    guide_travel, slider_joint_angle_1, slider_joint_angle_2 = q[0], q[1], q[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -720,12 +530,9 @@ def poses(t, q, c):
     rod_R_x_z = cos_slider_joint_angle_1*sin_rod
     rod_R_y_x = cos_rod*sin_slider_joint_angle_1
     rod_R_y_z = sin_rod*sin_slider_joint_angle_1
-    return (
-        ca.vertcat(0, bearing_y, bearing_z, guide_travel, 0, 0, guide_travel, 0, 0),
+    return (ca.vertcat(0, bearing_y, bearing_z, guide_travel, 0, 0, guide_travel, 0, 0),
         ca.vertcat(1, 0, 0, 0, cos_crank, -sin_crank, 0, sin_crank, cos_crank, 1, 0, 0, 0, 1, 0, 0, 0, 1, rod_R_x_x,
-            -sin_slider_joint_angle_1, rod_R_x_z, rod_R_y_x, cos_slider_joint_angle_1, rod_R_y_z, -sin_rod, 0,
-            cos_rod),
-    )
+            -sin_slider_joint_angle_1, rod_R_x_z, rod_R_y_x, cos_slider_joint_angle_1, rod_R_y_z, -sin_rod, 0, cos_rod))
 
 
 def outputs(t, q, u, c):
@@ -733,16 +540,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (3,): crank_ball.eccentricity_x [m], crank_ball.eccentricity_y [m], crank_ball.eccentricity_z [m]
+        y (3,): OUTPUTS
     """
-    rod_length = c[1]
-    bearing_y = c[2]
-    bearing_z = c[3]
-    crank_length = c[5]
-    crank_speed = c[6]
-    guide_travel = q[0]
-    slider_joint_angle_1 = q[1]
-    slider_joint_angle_2 = q[2]
+    rod_length, bearing_y, bearing_z, crank_length, crank_speed = c[1], c[2], c[3], c[5], c[6]
+    guide_travel, slider_joint_angle_1, slider_joint_angle_2 = q[0], q[1], q[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -770,10 +571,9 @@ def speed_limits(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        limits (1,): crank_ball [m/s]
+        limits (1,): PAIRS [m/s]
     """
-    youngs_modulus = p[17]
-    density = p[19]
+    youngs_modulus, density = p[17], p[19]
     return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
@@ -793,38 +593,13 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        slider_joint.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        slider_joint.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_ball.ball (4,): x [m], y [m], z [m], radius [m]
-        crank_ball.socket (4,): x [m], y [m], z [m], radius [m]
-        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank.centre (3,): x [m], y [m], z [m]
-        slider.centre (3,): x [m], y [m], z [m]
-        rod.centre (3,): x [m], y [m], z [m]
+        main_bearing.parent to slider_joint.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_ball.ball, crank_ball.socket (4,): x [m], y [m], z [m], radius [m]
+        crank_drive.child, gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre, slider.centre, rod.centre (3,): x [m], y [m], z [m]
     """
-    rod_length = p[9]
-    bearing_y = p[10]
-    bearing_z = p[11]
-    socket_radius = p[12]
-    clearance = p[13]
-    crank_length = p[14]
-    return (
-        ca.vertcat(0, bearing_y, bearing_z, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(-rod_length, 0, 0, socket_radius - clearance),
-        ca.vertcat(0, 0, crank_length, socket_radius),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 0, 0, -1),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(-rod_length/2, 0, 0),
-    )
+    rod_length, bearing_y, bearing_z, socket_radius, clearance, crank_length = p[9], p[10], p[11], p[12], p[13], p[14]
+    return (ca.vertcat(0, bearing_y, bearing_z, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(-rod_length, 0, 0, socket_radius - clearance), ca.vertcat(0, 0, crank_length, socket_radius),
+        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(*[0]*5, -1), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0), ca.vertcat(-rod_length/2, 0, 0))

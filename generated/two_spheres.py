@@ -14,10 +14,7 @@ NAME = "two_spheres"
 SOURCE = "derive/scenes/two_spheres.py"
 SUMMARY = "a sphere meets an equal one at rest"
 
-EFFECTS = (
-    ("spheres", "contact", "hertz_point x flores"),
-    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
-)
+EFFECTS = (("spheres", "contact", "hertz_point x flores"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
 UNCHECKED = ()
 
@@ -44,88 +41,43 @@ LIMITS = (
     ("speed", "defined", 0, None, True, False, "scales, speed"),
 )
 
-COORDINATES = (
-    ("striker_path.travel", "m"),
-    ("target_path.travel", "m"),
-)
+COORDINATES = (("striker_path.travel", "m"), ("target_path.travel", "m"))
 
-SPEEDS = (
-    ("striker_path.speed", "m/s"),
-    ("target_path.speed", "m/s"),
-)
+SPEEDS = (("striker_path.speed", "m/s"), ("target_path.speed", "m/s"))
 
-MEMORY = (
-    ("spheres.dissipated", "J"),
-)
+MEMORY = (("spheres.dissipated", "J"),)
 
-LATCHES = (
-    ("spheres.approach_speed", "m/s", 0),
-)
+LATCHES = (("spheres.approach_speed", "m/s", 0),)
 
-PAIRS = (
-    ("spheres", "sphere_on_sphere"),
-)
+PAIRS = (("spheres", "sphere_on_sphere"),)
 
-RELEASES = (
-    "force",
-)
+RELEASES = ("force",)
 
-DISSIPATED = (
-    0,
-)
+DISSIPATED = (0,)
 
-OUTPUTS = (
-    ("spheres.gap", "m"),
-)
+OUTPUTS = (("spheres.gap", "m"),)
 
-SPEED_LIMITED = (
-    "spheres",
-)
+SPEED_LIMITED = ("spheres",)
 
-BODIES = (
-    "striker",
-    "target",
-)
+BODIES = ("striker", "target")
 
 LANDMARKS = (
-    ("striker_path", "prismatic", "parent", "ground", ("axis",)),
-    ("striker_path", "prismatic", "child", "striker", ("axis",)),
-    ("target_path", "prismatic", "parent", "ground", ("axis",)),
-    ("target_path", "prismatic", "child", "target", ("axis",)),
-    ("spheres", "sphere_on_sphere", "first", "striker", ("radius",)),
-    ("spheres", "sphere_on_sphere", "second", "target", ("radius",)),
-    ("striker", "body", "centre", "striker", ()),
-    ("target", "body", "centre", "target", ()),
+    ("striker_path", "prismatic", "parent", "ground", ("axis",)), ("striker_path", "prismatic", "child", "striker", ("axis",)),
+    ("target_path", "prismatic", "parent", "ground", ("axis",)), ("target_path", "prismatic", "child", "target", ("axis",)),
+    ("spheres", "sphere_on_sphere", "first", "striker", ("radius",)), ("spheres", "sphere_on_sphere", "second", "target", ("radius",)),
+    ("striker", "body", "centre", "striker", ()), ("target", "body", "centre", "target", ()),
 )
 
 CONSTANTS = (
-    ("radius", "m"),
-    ("spheres_reach", "m"),
-    ("minus_spheres_reach_squared", "m^2"),
-    ("half_inverse_spheres_reach", "1/m"),
-    ("spheres_K", "N/m^1.5"),
-    ("two_fifths_of_spheres_K", "N/m^1.5"),
-    ("spheres_hysteresis_factor", "1"),
-    ("inverse_mass", "1/kg"),
+    ("radius", "m"), ("spheres_reach", "m"), ("minus_spheres_reach_squared", "m^2"), ("half_inverse_spheres_reach", "1/m"),
+    ("spheres_K", "N/m^1.5"), ("two_fifths_of_spheres_K", "N/m^1.5"), ("spheres_hysteresis_factor", "1"), ("inverse_mass", "1/kg"),
     ("half_mass", "kg"),
 )
 
 OPERATIONS = (
-    ("constants", 22),
-    ("start", 2),
-    ("scales", 39),
-    ("coordinate_rates", 0),
-    ("gaps", 8),
-    ("gap_accelerations", 9),
-    ("contact_spheres", 22),
-    ("applied", 0),
-    ("accelerations", 2),
-    ("ledger", 0),
-    ("energy", 15),
-    ("poses", 0),
-    ("outputs", 5),
-    ("speed_limits", 3),
-    ("landmarks", 0),
+    ("constants", 22), ("start", 2), ("scales", 39), ("coordinate_rates", 0), ("gaps", 8), ("gap_accelerations", 9),
+    ("contact_spheres", 22), ("applied", 0), ("accelerations", 2), ("ledger", 0), ("energy", 15), ("poses", 0), ("outputs", 5),
+    ("speed_limits", 3), ("landmarks", 0),
 )
 
 
@@ -134,14 +86,10 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (9,): radius, spheres_reach, minus_spheres_reach_squared, half_inverse_spheres_reach, spheres_K,
-            two_fifths_of_spheres_K, spheres_hysteresis_factor, inverse_mass, half_mass
+        c (9,): radius, spheres_reach, minus_spheres_reach_squared, half_inverse_spheres_reach, spheres_K, two_fifths_of_spheres_K,
+            spheres_hysteresis_factor, inverse_mass, half_mass
     """
-    mass = p[0]
-    radius = p[1]
-    youngs_modulus = p[2]
-    poissons_ratio = p[3]
-    restitution = p[5]
+    mass, radius, youngs_modulus, poissons_ratio, restitution = p[0], p[1], p[2], p[3], p[5]
     spheres_reach = 2*radius
     minus_spheres_reach_squared = -spheres_reach*spheres_reach
     half_inverse_spheres_reach = 1/(2*spheres_reach)
@@ -152,8 +100,8 @@ def constants(p):
     spheres_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
     inverse_mass = 1/mass
     half_mass = mass/2
-    return ca.vertcat(radius, spheres_reach, minus_spheres_reach_squared, half_inverse_spheres_reach, spheres_K,
-        two_fifths_of_spheres_K, spheres_hysteresis_factor, inverse_mass, half_mass)
+    return ca.vertcat(radius, spheres_reach, minus_spheres_reach_squared, half_inverse_spheres_reach, spheres_K, two_fifths_of_spheres_K,
+        spheres_hysteresis_factor, inverse_mass, half_mass)
 
 
 def start(p):
@@ -161,12 +109,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): striker_path.travel [m], target_path.travel [m]
-        u (2,): striker_path.speed [m/s], target_path.speed [m/s]
+        q (2,): COORDINATES
+        u (2,): SPEEDS
     """
-    radius = p[1]
-    speed = p[7]
-    gap = p[8]
+    radius, speed, gap = p[1], p[7], p[8]
     return ca.vertcat(0, 2*radius + gap), ca.vertcat(speed, 0)
 
 
@@ -175,16 +121,12 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): striker_path.travel [m], target_path.travel [m]
-        su (2,): striker_path.speed [m/s], target_path.speed [m/s]
-        sz (1,): spheres.dissipated [J]
+        sq (2,): COORDINATES
+        su (2,): SPEEDS
+        sz (1,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    mass = p[0]
-    radius = p[1]
-    youngs_modulus = p[2]
-    poissons_ratio = p[3]
-    speed = p[7]
+    mass, radius, youngs_modulus, poissons_ratio, speed = p[0], p[1], p[2], p[3], p[7]
     total_mass = 2*mass
     energy_scale = total_mass*speed*speed/2
     inverse_sqrt_radius = 1/ca.sqrt(radius)
@@ -199,12 +141,7 @@ def scales(p):
     x9 = x5**(2/5)
     x10 = x6**(4/5)
     x11 = x10*x7*x8*x9/4
-    return (
-        ca.vertcat(x11, x11),
-        ca.vertcat(speed, speed),
-        ca.vertcat(energy_scale),
-        ca.vertcat(x11, speed, force_scale, energy_scale),
-    )
+    return ca.vertcat(x11, x11), ca.vertcat(speed, speed), ca.vertcat(energy_scale), ca.vertcat(x11, speed, force_scale, energy_scale)
 
 
 def coordinate_rates(t, q, u, c):
@@ -212,10 +149,9 @@ def coordinate_rates(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        dq (2,): striker_path.travel [m/s], target_path.travel [m/s]
+        dq (2,): COORDINATES [m/s]
     """
-    striker_path_speed = u[0]
-    target_path_speed = u[1]
+    striker_path_speed, target_path_speed = u[0], u[1]
     return ca.vertcat(striker_path_speed, target_path_speed)
 
 
@@ -224,15 +160,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): spheres [m]
-        dG (1,): spheres [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    minus_spheres_reach_squared = c[2]
-    half_inverse_spheres_reach = c[3]
-    striker_path_travel = q[0]
-    target_path_travel = q[1]
-    striker_path_speed = u[0]
-    target_path_speed = u[1]
+    minus_spheres_reach_squared, half_inverse_spheres_reach = c[2], c[3]
+    striker_path_travel, target_path_travel = q[0], q[1]
+    striker_path_speed, target_path_speed = u[0], u[1]
     spheres_apart_x = striker_path_travel - target_path_travel
     spheres_apart_rate_x = striker_path_speed - target_path_speed
     spheres_apart_squared = spheres_apart_x*spheres_apart_x
@@ -247,15 +180,12 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): spheres [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
     half_inverse_spheres_reach = c[3]
-    striker_path_travel = q[0]
-    target_path_travel = q[1]
-    striker_path_speed = u[0]
-    target_path_speed = u[1]
-    striker_path_acceleration = a[0]
-    target_path_acceleration = a[1]
+    striker_path_travel, target_path_travel = q[0], q[1]
+    striker_path_speed, target_path_speed = u[0], u[1]
+    striker_path_acceleration, target_path_acceleration = a[0], a[1]
     spheres_apart_x = striker_path_travel - target_path_travel
     spheres_apart_rate_x = striker_path_speed - target_path_speed
     spheres_apart_acceleration_x = striker_path_acceleration - target_path_acceleration
@@ -265,25 +195,19 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_spheres(t, q, u, z, m, c):
-    """Forces of spheres: hertz_point x flores. The normal force is the laws' own, not clamped: where it would pull,
-    the contact ends.
+    """Forces of spheres: hertz_point x flores. The normal force is the laws' own, not clamped: where it would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (2,): striker_path [N], target_path [N]
-        dz (1,): spheres.dissipated [W]
-        normal_force (1,): spheres [N]
+        dz (1,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
         sliding_velocity (0,): empty
-        in_range (1,): spheres [1]
+        in_range (1,): PAIRS [1]
     """
-    radius = c[0]
-    spheres_reach = c[1]
-    spheres_K = c[4]
-    spheres_hysteresis_factor = c[6]
-    striker_path_travel = q[0]
-    target_path_travel = q[1]
-    striker_path_speed = u[0]
-    target_path_speed = u[1]
+    radius, spheres_reach, spheres_K, spheres_hysteresis_factor = c[0], c[1], c[4], c[6]
+    striker_path_travel, target_path_travel = q[0], q[1]
+    striker_path_speed, target_path_speed = u[0], u[1]
     spheres_approach_speed = m[0]
     spheres_apart_x = striker_path_travel - target_path_travel
     spheres_apart_rate_x = striker_path_speed - target_path_speed
@@ -298,13 +222,8 @@ def contact_spheres(t, q, u, z, m, c):
     spheres_normal_power = spheres_penetration_rate*spheres_resistance
     spheres_push_x = spheres_normal_force*spheres_normal_x
     spheres_in_range = ca.if_else(radius >= spheres_penetration, 1, 0)
-    return (
-        ca.vertcat(spheres_push_x, -spheres_push_x),
-        ca.vertcat(spheres_normal_power),
-        ca.vertcat(spheres_normal_force),
-        ca.vertcat(),
-        ca.vertcat(spheres_in_range),
-    )
+    return (ca.vertcat(spheres_push_x, -spheres_push_x), ca.vertcat(spheres_normal_power), ca.vertcat(spheres_normal_force), ca.vertcat(),
+        ca.vertcat(spheres_in_range))
 
 
 def applied(t, q, u, c):
@@ -326,8 +245,7 @@ def accelerations(t, q, u, f, c):
         reactions (0,): empty
     """
     inverse_mass = c[7]
-    striker_path_force = f[0]
-    target_path_force = f[1]
+    striker_path_force, target_path_force = f[0], f[1]
     striker_path_acc = inverse_mass*striker_path_force
     target_path_acc = inverse_mass*target_path_force
     return ca.vertcat(striker_path_acc, target_path_acc), ca.vertcat()
@@ -338,7 +256,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (1,): spheres.dissipated [W]
+        dz (1,): MEMORY [W]
     """
     return ca.vertcat(0)
 
@@ -350,15 +268,11 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): spheres [J]
+        stored (1,): PAIRS [J]
     """
-    spheres_reach = c[1]
-    two_fifths_of_spheres_K = c[5]
-    half_mass = c[8]
-    striker_path_travel = q[0]
-    target_path_travel = q[1]
-    striker_path_speed = u[0]
-    target_path_speed = u[1]
+    spheres_reach, two_fifths_of_spheres_K, half_mass = c[1], c[5], c[8]
+    striker_path_travel, target_path_travel = q[0], q[1]
+    striker_path_speed, target_path_speed = u[0], u[1]
     spheres_apart_x = striker_path_travel - target_path_travel
     spheres_apart_squared = spheres_apart_x*spheres_apart_x
     spheres_distance = ca.sqrt(spheres_apart_squared)
@@ -374,17 +288,12 @@ def poses(t, q, c):
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
         positions (6,): striker.x [m], striker.y [m], striker.z [m], target.x [m], target.y [m], target.z [m]
-        rotations (18,): striker.R_xx [1], striker.R_xy [1], striker.R_xz [1], striker.R_yx [1], striker.R_yy [1],
-            striker.R_yz [1], striker.R_zx [1], striker.R_zy [1], striker.R_zz [1], target.R_xx [1], target.R_xy
-            [1], target.R_xz [1], target.R_yx [1], target.R_yy [1], target.R_yz [1], target.R_zx [1], target.R_zy
-            [1], target.R_zz [1]
+        rotations (18,): striker.R_xx [1], striker.R_xy [1], striker.R_xz [1], striker.R_yx [1], striker.R_yy [1], striker.R_yz [1],
+            striker.R_zx [1], striker.R_zy [1], striker.R_zz [1], target.R_xx [1], target.R_xy [1], target.R_xz [1], target.R_yx [1],
+            target.R_yy [1], target.R_yz [1], target.R_zx [1], target.R_zy [1], target.R_zz [1]
     """
-    striker_path_travel = q[0]
-    target_path_travel = q[1]
-    return (
-        ca.vertcat(striker_path_travel, 0, 0, target_path_travel, 0, 0),
-        ca.vertcat(1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
-    )
+    striker_path_travel, target_path_travel = q[0], q[1]
+    return ca.vertcat(striker_path_travel, 0, 0, target_path_travel, 0, 0), ca.vertcat(1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1)
 
 
 def outputs(t, q, u, c):
@@ -392,11 +301,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (1,): spheres.gap [m]
+        y (1,): OUTPUTS
     """
     spheres_reach = c[1]
-    striker_path_travel = q[0]
-    target_path_travel = q[1]
+    striker_path_travel, target_path_travel = q[0], q[1]
     spheres_apart_x = striker_path_travel - target_path_travel
     spheres_apart_squared = spheres_apart_x*spheres_apart_x
     spheres_distance = ca.sqrt(spheres_apart_squared)
@@ -409,10 +317,9 @@ def speed_limits(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        limits (1,): spheres [m/s]
+        limits (1,): PAIRS [m/s]
     """
-    youngs_modulus = p[2]
-    density = p[4]
+    youngs_modulus, density = p[2], p[4]
     return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
@@ -421,23 +328,11 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        striker_path.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        striker_path.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        target_path.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        target_path.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spheres.first (4,): x [m], y [m], z [m], radius [m]
-        spheres.second (4,): x [m], y [m], z [m], radius [m]
-        striker.centre (3,): x [m], y [m], z [m]
-        target.centre (3,): x [m], y [m], z [m]
+        striker_path.parent, striker_path.child, target_path.parent, target_path.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1],
+            axis_z [1]
+        spheres.first, spheres.second (4,): x [m], y [m], z [m], radius [m]
+        striker.centre, target.centre (3,): x [m], y [m], z [m]
     """
     radius = p[1]
-    return (
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, radius),
-        ca.vertcat(0, 0, 0, radius),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    return (ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, radius), ca.vertcat(0, 0, 0, radius), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0))

@@ -4,9 +4,7 @@ Do not edit; regenerate with `hertzwerk derive woodpecker`.
 Effects:
     gravity: uniform gravity
     spring: linear spring of spring_hinge
-    upper: power x hunt_crossley
-    lower: power x hunt_crossley
-    beak: power x hunt_crossley
+    upper, lower, beak: power x hunt_crossley
     upper_friction: smooth_coulomb at upper
     lower_friction: smooth_coulomb at lower
     beak_friction: smooth_coulomb at beak
@@ -22,14 +20,10 @@ SOURCE = "derive/scenes/woodpecker.py"
 SUMMARY = "jamming, slipping and pecking in turn: a limit cycle of friction and impact"
 
 EFFECTS = (
-    ("gravity", "gravity", "uniform gravity"),
-    ("spring", "spring", "linear spring of spring_hinge"),
-    ("upper", "contact", "power x hunt_crossley"),
-    ("lower", "contact", "power x hunt_crossley"),
-    ("beak", "contact", "power x hunt_crossley"),
-    ("upper_friction", "friction", "smooth_coulomb at upper"),
-    ("lower_friction", "friction", "smooth_coulomb at lower"),
-    ("beak_friction", "friction", "smooth_coulomb at beak"),
+    ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of spring_hinge"),
+    ("upper", "contact", "power x hunt_crossley"), ("lower", "contact", "power x hunt_crossley"),
+    ("beak", "contact", "power x hunt_crossley"), ("upper_friction", "friction", "smooth_coulomb at upper"),
+    ("lower_friction", "friction", "smooth_coulomb at lower"), ("beak_friction", "friction", "smooth_coulomb at beak"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -86,142 +80,59 @@ SUM_LIMITS = (
     ((("hinge", 0.75), ("sleeve_radius", -0.75)), "defined", 0, None, True, False, "body sleeve, rod, length"),
 )
 
-COORDINATES = (
-    ("fall.travel", "m"),
-    ("tilt.angle", "rad"),
-    ("spring_hinge.angle", "rad"),
-)
+COORDINATES = (("fall.travel", "m"), ("tilt.angle", "rad"), ("spring_hinge.angle", "rad"))
 
-SPEEDS = (
-    ("fall.speed", "m/s"),
-    ("tilt.speed", "rad/s"),
-    ("spring_hinge.speed", "rad/s"),
-)
+SPEEDS = (("fall.speed", "m/s"), ("tilt.speed", "rad/s"), ("spring_hinge.speed", "rad/s"))
 
 MEMORY = (
-    ("upper.dissipated", "J"),
-    ("lower.dissipated", "J"),
-    ("beak.dissipated", "J"),
-    ("upper_friction.dissipated", "J"),
-    ("lower_friction.dissipated", "J"),
-    ("beak_friction.dissipated", "J"),
+    ("upper.dissipated", "J"), ("lower.dissipated", "J"), ("beak.dissipated", "J"), ("upper_friction.dissipated", "J"),
+    ("lower_friction.dissipated", "J"), ("beak_friction.dissipated", "J"),
 )
 
-LATCHES = (
-    ("upper.approach_speed", "m/s", 0),
-    ("lower.approach_speed", "m/s", 1),
-    ("beak.approach_speed", "m/s", 2),
-)
+LATCHES = (("upper.approach_speed", "m/s", 0), ("lower.approach_speed", "m/s", 1), ("beak.approach_speed", "m/s", 2))
 
-PAIRS = (
-    ("upper", "corner_on_face"),
-    ("lower", "corner_on_face"),
-    ("beak", "corner_on_face"),
-)
+PAIRS = (("upper", "corner_on_face"), ("lower", "corner_on_face"), ("beak", "corner_on_face"))
 
-GUIDES = (
-    "upper",
-    "lower",
-    "beak",
-)
+GUIDES = ("upper", "lower", "beak")
 
-RELEASES = (
-    "force",
-    "force",
-    "force",
-)
+RELEASES = ("force", "force", "force")
 
-DISSIPATED = (
-    0,
-    1,
-    2,
-)
+DISSIPATED = (0, 1, 2)
 
-OUTPUTS = (
-    ("upper.gap", "m"),
-    ("lower.gap", "m"),
-    ("beak.gap", "m"),
-)
+OUTPUTS = (("upper.gap", "m"), ("lower.gap", "m"), ("beak.gap", "m"))
 
-BODIES = (
-    "carriage",
-    "sleeve",
-    "bird",
-)
+BODIES = ("carriage", "sleeve", "bird")
 
 LANDMARKS = (
-    ("fall", "prismatic", "parent", "ground", ("axis",)),
-    ("fall", "prismatic", "child", "carriage", ("axis",)),
-    ("tilt", "revolute", "parent", "carriage", ("axis",)),
-    ("tilt", "revolute", "child", "sleeve", ("axis",)),
-    ("spring_hinge", "revolute", "parent", "sleeve", ("axis",)),
-    ("spring_hinge", "revolute", "child", "bird", ("axis",)),
-    ("upper", "corner_on_face", "corner", "sleeve", ()),
-    ("upper", "corner_on_face", "face", "ground", ("normal",)),
-    ("lower", "corner_on_face", "corner", "sleeve", ()),
-    ("lower", "corner_on_face", "face", "ground", ("normal",)),
-    ("beak", "corner_on_face", "corner", "bird", ()),
-    ("beak", "corner_on_face", "face", "ground", ("normal",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("spring", "turn_spring", "child", "bird", ("axis",)),
-    ("sleeve", "body", "centre", "sleeve", ()),
-    ("bird", "body", "centre", "bird", ()),
-    ("sleeve", "solid_box", "shape_1", "sleeve", ("size",)),
-    ("sleeve", "solid_box", "shape_2", "sleeve", ("size",)),
+    ("fall", "prismatic", "parent", "ground", ("axis",)), ("fall", "prismatic", "child", "carriage", ("axis",)),
+    ("tilt", "revolute", "parent", "carriage", ("axis",)), ("tilt", "revolute", "child", "sleeve", ("axis",)),
+    ("spring_hinge", "revolute", "parent", "sleeve", ("axis",)), ("spring_hinge", "revolute", "child", "bird", ("axis",)),
+    ("upper", "corner_on_face", "corner", "sleeve", ()), ("upper", "corner_on_face", "face", "ground", ("normal",)),
+    ("lower", "corner_on_face", "corner", "sleeve", ()), ("lower", "corner_on_face", "face", "ground", ("normal",)),
+    ("beak", "corner_on_face", "corner", "bird", ()), ("beak", "corner_on_face", "face", "ground", ("normal",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)), ("spring", "turn_spring", "child", "bird", ("axis",)),
+    ("sleeve", "body", "centre", "sleeve", ()), ("bird", "body", "centre", "bird", ()),
+    ("sleeve", "solid_box", "shape_1", "sleeve", ("size",)), ("sleeve", "solid_box", "shape_2", "sleeve", ("size",)),
     ("sleeve", "solid_rod", "shape_3", "sleeve", ("axis", "length")),
     ("bird", "solid_cylinder", "shape_1", "bird", ("axis", "radius", "length")),
     ("bird", "solid_cylinder", "shape_2", "bird", ("axis", "radius", "length")),
-    ("bird", "solid_rod", "shape_3", "bird", ("axis", "length")),
-    ("bird", "solid_rod", "shape_4", "bird", ("axis", "length")),
+    ("bird", "solid_rod", "shape_3", "bird", ("axis", "length")), ("bird", "solid_rod", "shape_4", "bird", ("axis", "length")),
 )
 
 CONSTANTS = (
-    ("sleeve_radius", "m"),
-    ("hinge", "m"),
-    ("sleeve_half_height", "m"),
-    ("bird_centre", "m"),
-    ("beak_height", "m"),
-    ("bar_radius", "m"),
-    ("gravity", "m/s^2"),
-    ("spring_stiffness", "J"),
-    ("stiffness", "N/m^1.5"),
-    ("friction_coefficient", "1"),
-    ("beak_back_minus_bird_centre", "m"),
-    ("total_mass", "kg"),
-    ("two_fifths_of_stiffness", "N/m^1.5"),
-    ("upper_hysteresis_factor", "1"),
-    ("inverse_friction_speed", "s/m"),
-    ("beak_hysteresis_factor", "1"),
-    ("bird_h_x", "kg m"),
-    ("sleeve_h_x", "kg m"),
-    ("bird_I_z_z", "kg m^2"),
-    ("bird_I_z_z_plus_sleeve_I_z_z", "kg m^2"),
-    ("inverse_bird_I_z_z", "1/(kg m^2)"),
-    ("half_bird_I_z_z", "kg m^2"),
-    ("half_sleeve_mass", "kg"),
-    ("half_sleeve_inertia", "kg m^2"),
-    ("half_bird_mass", "kg"),
-    ("gravity_times_sleeve_mass", "N"),
-    ("bird_mass_times_gravity", "N"),
+    ("sleeve_radius", "m"), ("hinge", "m"), ("sleeve_half_height", "m"), ("bird_centre", "m"), ("beak_height", "m"), ("bar_radius", "m"),
+    ("gravity", "m/s^2"), ("spring_stiffness", "J"), ("stiffness", "N/m^1.5"), ("friction_coefficient", "1"),
+    ("beak_back_minus_bird_centre", "m"), ("total_mass", "kg"), ("two_fifths_of_stiffness", "N/m^1.5"), ("upper_hysteresis_factor", "1"),
+    ("inverse_friction_speed", "s/m"), ("beak_hysteresis_factor", "1"), ("bird_h_x", "kg m"), ("sleeve_h_x", "kg m"),
+    ("bird_I_z_z", "kg m^2"), ("bird_I_z_z_plus_sleeve_I_z_z", "kg m^2"), ("inverse_bird_I_z_z", "1/(kg m^2)"),
+    ("half_bird_I_z_z", "kg m^2"), ("half_sleeve_mass", "kg"), ("half_sleeve_inertia", "kg m^2"), ("half_bird_mass", "kg"),
+    ("gravity_times_sleeve_mass", "N"), ("bird_mass_times_gravity", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 29),
-    ("start", 0),
-    ("scales", 8),
-    ("coordinate_rates", 0),
-    ("gaps", 38),
-    ("gap_accelerations", 46),
-    ("contact_upper", 40),
-    ("contact_lower", 40),
-    ("contact_beak", 60),
-    ("applied", 14),
-    ("accelerations", 71),
-    ("ledger", 0),
-    ("energy", 83),
-    ("poses", 10),
-    ("outputs", 19),
-    ("landmarks", 61),
+    ("constants", 29), ("start", 0), ("scales", 8), ("coordinate_rates", 0), ("gaps", 38), ("gap_accelerations", 46), ("contact_upper", 40),
+    ("contact_lower", 40), ("contact_beak", 60), ("applied", 14), ("accelerations", 71), ("ledger", 0), ("energy", 83), ("poses", 10),
+    ("outputs", 19), ("landmarks", 61),
 )
 
 
@@ -230,31 +141,15 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (27,): sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, bar_radius, gravity,
-            spring_stiffness, stiffness, friction_coefficient, beak_back_minus_bird_centre, total_mass,
-            two_fifths_of_stiffness, upper_hysteresis_factor, inverse_friction_speed, beak_hysteresis_factor,
-            bird_h_x, sleeve_h_x, bird_I_z_z, bird_I_z_z_plus_sleeve_I_z_z, inverse_bird_I_z_z, half_bird_I_z_z,
-            half_sleeve_mass, half_sleeve_inertia, half_bird_mass, gravity_times_sleeve_mass,
+        c (27,): sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, bar_radius, gravity, spring_stiffness, stiffness,
+            friction_coefficient, beak_back_minus_bird_centre, total_mass, two_fifths_of_stiffness, upper_hysteresis_factor,
+            inverse_friction_speed, beak_hysteresis_factor, bird_h_x, sleeve_h_x, bird_I_z_z, bird_I_z_z_plus_sleeve_I_z_z,
+            inverse_bird_I_z_z, half_bird_I_z_z, half_sleeve_mass, half_sleeve_inertia, half_bird_mass, gravity_times_sleeve_mass,
             bird_mass_times_gravity
     """
-    sleeve_mass = p[0]
-    sleeve_inertia = p[1]
-    sleeve_radius = p[2]
-    hinge = p[3]
-    sleeve_half_height = p[4]
-    bird_mass = p[5]
-    bird_inertia = p[6]
-    bird_centre = p[7]
-    beak_height = p[8]
-    beak_back = p[9]
-    bar_radius = p[10]
-    gravity = p[11]
-    spring_stiffness = p[12]
-    stiffness = p[13]
-    sleeve_restitution = p[14]
-    beak_restitution = p[16]
-    friction_coefficient = p[17]
-    friction_speed = p[18]
+    sleeve_mass, sleeve_inertia, sleeve_radius, hinge, sleeve_half_height, bird_mass = p[0], p[1], p[2], p[3], p[4], p[5]
+    bird_inertia, bird_centre, beak_height, beak_back, bar_radius, gravity, spring_stiffness = p[6], p[7], p[8], p[9], p[10], p[11], p[12]
+    stiffness, sleeve_restitution, beak_restitution, friction_coefficient, friction_speed = p[13], p[14], p[16], p[17], p[18]
     beak_back_minus_bird_centre = beak_back - bird_centre
     total_mass = bird_mass + sleeve_mass
     two_fifths_of_stiffness = 2*stiffness/5
@@ -273,11 +168,10 @@ def constants(p):
     half_bird_mass = bird_mass/2
     gravity_times_sleeve_mass = gravity*sleeve_mass
     bird_mass_times_gravity = bird_mass*gravity
-    return ca.vertcat(sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, bar_radius, gravity,
-        spring_stiffness, stiffness, friction_coefficient, beak_back_minus_bird_centre, total_mass,
-        two_fifths_of_stiffness, upper_hysteresis_factor, inverse_friction_speed, beak_hysteresis_factor, bird_h_x,
-        sleeve_h_x, bird_I_z_z, bird_I_z_z_plus_sleeve_I_z_z, inverse_bird_I_z_z, half_bird_I_z_z, half_sleeve_mass,
-        half_sleeve_inertia, half_bird_mass, gravity_times_sleeve_mass, bird_mass_times_gravity)
+    return ca.vertcat(sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, bar_radius, gravity, spring_stiffness, stiffness,
+        friction_coefficient, beak_back_minus_bird_centre, total_mass, two_fifths_of_stiffness, upper_hysteresis_factor,
+        inverse_friction_speed, beak_hysteresis_factor, bird_h_x, sleeve_h_x, bird_I_z_z, bird_I_z_z_plus_sleeve_I_z_z, inverse_bird_I_z_z,
+        half_bird_I_z_z, half_sleeve_mass, half_sleeve_inertia, half_bird_mass, gravity_times_sleeve_mass, bird_mass_times_gravity)
 
 
 def start(p):
@@ -285,13 +179,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (3,): fall.travel [m], tilt.angle [rad], spring_hinge.angle [rad]
-        u (3,): fall.speed [m/s], tilt.speed [rad/s], spring_hinge.speed [rad/s]
+        q (3,): COORDINATES
+        u (3,): SPEEDS
     """
-    start_fall = p[19]
-    start_tilt = p[20]
-    bent = p[21]
-    start_bend = p[22]
+    start_fall, start_tilt, bent, start_bend = p[19], p[20], p[21], p[22]
     return ca.vertcat(0, start_tilt, bent), ca.vertcat(start_fall, 0, start_bend)
 
 
@@ -300,30 +191,21 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (3,): fall.travel [m], tilt.angle [rad], spring_hinge.angle [rad]
-        su (3,): fall.speed [m/s], tilt.speed [rad/s], spring_hinge.speed [rad/s]
-        sz (6,): upper.dissipated [J], lower.dissipated [J], beak.dissipated [J], upper_friction.dissipated [J],
-            lower_friction.dissipated [J], beak_friction.dissipated [J]
+        sq (3,): COORDINATES
+        su (3,): SPEEDS
+        sz (6,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    sleeve_mass = p[0]
-    sleeve_radius = p[2]
-    sleeve_half_height = p[4]
-    bird_mass = p[5]
-    bar_radius = p[10]
-    pace = p[23]
+    sleeve_mass, sleeve_radius, sleeve_half_height, bird_mass, bar_radius, pace = p[0], p[2], p[4], p[5], p[10], p[23]
     total_mass = bird_mass + sleeve_mass
     energy_scale = total_mass*pace*pace/2
     sleeve_radius_minus_bar_radius = sleeve_radius - bar_radius
     force_scale = energy_scale/sleeve_radius_minus_bar_radius
     x2 = sleeve_radius_minus_bar_radius/sleeve_half_height
     pace_over_sleeve_half_height = pace/sleeve_half_height
-    return (
-        ca.vertcat(sleeve_radius_minus_bar_radius, x2, x2),
-        ca.vertcat(pace, pace_over_sleeve_half_height, pace_over_sleeve_half_height),
-        ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(sleeve_radius_minus_bar_radius, pace, force_scale, energy_scale),
-    )
+    return (ca.vertcat(sleeve_radius_minus_bar_radius, x2, x2), ca.vertcat(pace, pace_over_sleeve_half_height,
+            pace_over_sleeve_half_height),
+        ca.vertcat(*[energy_scale]*6), ca.vertcat(sleeve_radius_minus_bar_radius, pace, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -333,9 +215,7 @@ def coordinate_rates(t, q, u, c):
     Returns, each a column vector:
         dq (3,): fall.travel [m/s], tilt.angle [rad/s], spring_hinge.angle [rad/s]
     """
-    fall_speed = u[0]
-    tilt_speed = u[1]
-    spring_hinge_speed = u[2]
+    fall_speed, tilt_speed, spring_hinge_speed = u[0], u[1], u[2]
     return ca.vertcat(fall_speed, tilt_speed, spring_hinge_speed)
 
 
@@ -344,19 +224,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (3,): upper [m], lower [m], beak [m]
-        dG (3,): upper [m/s], lower [m/s], beak [m/s]
+        G (3,): PAIRS [m]
+        dG (3,): PAIRS [m/s]
     """
-    sleeve_radius = c[0]
-    hinge = c[1]
-    sleeve_half_height = c[2]
-    beak_height = c[4]
-    bar_radius = c[5]
-    beak_back_minus_bird_centre = c[10]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
-    tilt_speed = u[1]
-    spring_hinge_speed = u[2]
+    sleeve_radius, hinge, sleeve_half_height, beak_height, bar_radius, beak_back_minus_bird_centre = c[0], c[1], c[2], c[4], c[5], c[10]
+    tilt_angle, spring_hinge_angle = q[1], q[2]
+    tilt_speed, spring_hinge_speed = u[1], u[2]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
     bird_angle = spring_hinge_angle + tilt_angle
@@ -381,10 +254,8 @@ def gaps(t, q, u, c):
     beak_first_arm_rate_x = -beak_first_arm_y*bird_rate_z
     beak_apart_x = beak_first_arm_x + bird_arm_x - bar_radius
     beak_apart_rate_x = beak_first_arm_rate_x + bird_arm_rate_x
-    return (
-        ca.vertcat(upper_apart_x, lower_apart_x, beak_apart_x),
-        ca.vertcat(upper_first_arm_rate_x, lower_first_arm_rate_x, beak_apart_rate_x),
-    )
+    return (ca.vertcat(upper_apart_x, lower_apart_x, beak_apart_x),
+        ca.vertcat(upper_first_arm_rate_x, lower_first_arm_rate_x, beak_apart_rate_x))
 
 
 def gap_accelerations(t, q, u, a, c):
@@ -392,19 +263,12 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (3,): upper [m/s^2], lower [m/s^2], beak [m/s^2]
+        ddG (3,): PAIRS [m/s^2]
     """
-    sleeve_radius = c[0]
-    hinge = c[1]
-    sleeve_half_height = c[2]
-    beak_height = c[4]
-    beak_back_minus_bird_centre = c[10]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
-    tilt_speed = u[1]
-    spring_hinge_speed = u[2]
-    tilt_acceleration = a[1]
-    spring_hinge_acceleration = a[2]
+    sleeve_radius, hinge, sleeve_half_height, beak_height, beak_back_minus_bird_centre = c[0], c[1], c[2], c[4], c[10]
+    tilt_angle, spring_hinge_angle = q[1], q[2]
+    tilt_speed, spring_hinge_speed = u[1], u[2]
+    tilt_acceleration, spring_hinge_acceleration = a[1], a[2]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
     bird_angle = spring_hinge_angle + tilt_angle
@@ -434,28 +298,21 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_upper(t, q, u, z, m, c):
-    """Forces of upper: power x hunt_crossley, smooth_coulomb. The normal force is the laws' own, not clamped: where
-    it would pull, the contact ends.
+    """Forces of upper: power x hunt_crossley, smooth_coulomb. The normal force is the laws' own, not clamped: where it would pull, the
+    contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (3,): fall [N], tilt [N m], spring_hinge [N m]
-        dz (6,): upper.dissipated [W], lower.dissipated [W], beak.dissipated [W], upper_friction.dissipated [W],
-            lower_friction.dissipated [W], beak_friction.dissipated [W]
+        dz (6,): MEMORY [W]
         normal_force (1,): upper [N]
         sliding_velocity (1,): upper [m/s]
         in_range (1,): upper [1]
     """
-    sleeve_radius = c[0]
-    sleeve_half_height = c[2]
-    bar_radius = c[5]
-    stiffness = c[8]
-    friction_coefficient = c[9]
-    upper_hysteresis_factor = c[13]
-    inverse_friction_speed = c[14]
+    sleeve_radius, sleeve_half_height, bar_radius, stiffness, friction_coefficient = c[0], c[2], c[5], c[8], c[9]
+    upper_hysteresis_factor, inverse_friction_speed = c[13], c[14]
     tilt_angle = q[1]
-    fall_speed = u[0]
-    tilt_speed = u[1]
+    fall_speed, tilt_speed = u[0], u[1]
     upper_approach_speed = m[0]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
@@ -472,38 +329,17 @@ def contact_upper(t, q, u, z, m, c):
     upper_friction_force = upper_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*upper_relative_rate_y)
     upper_friction_power = upper_friction_force*upper_relative_rate_y
     upper_drag_on_tilt = -upper_first_arm_x*upper_friction_force
-    return (
-        ca.vertcat(-upper_friction_force, upper_drag_on_tilt + upper_push_on_tilt, 0),
-        ca.vertcat(upper_normal_power, 0, 0, upper_friction_power, 0, 0),
-        ca.vertcat(upper_normal_force),
-        ca.vertcat(upper_relative_rate_y),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(-upper_friction_force, upper_drag_on_tilt + upper_push_on_tilt, 0),
+        ca.vertcat(upper_normal_power, 0, 0, upper_friction_power, 0, 0), ca.vertcat(upper_normal_force), ca.vertcat(upper_relative_rate_y),
+        ca.vertcat(1))
 
 
 def contact_lower(t, q, u, z, m, c):
-    """Forces of lower: power x hunt_crossley, smooth_coulomb. The normal force is the laws' own, not clamped: where
-    it would pull, the contact ends.
-
-    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
-    Returns, each a column vector:
-        f (3,): fall [N], tilt [N m], spring_hinge [N m]
-        dz (6,): upper.dissipated [W], lower.dissipated [W], beak.dissipated [W], upper_friction.dissipated [W],
-            lower_friction.dissipated [W], beak_friction.dissipated [W]
-        normal_force (1,): lower [N]
-        sliding_velocity (1,): lower [m/s]
-        in_range (1,): lower [1]
-    """
-    sleeve_radius = c[0]
-    sleeve_half_height = c[2]
-    bar_radius = c[5]
-    stiffness = c[8]
-    friction_coefficient = c[9]
-    upper_hysteresis_factor = c[13]
-    inverse_friction_speed = c[14]
+    """Forces of lower: power x hunt_crossley, smooth_coulomb; arguments and returns as of contact_upper."""
+    sleeve_radius, sleeve_half_height, bar_radius, stiffness, friction_coefficient = c[0], c[2], c[5], c[8], c[9]
+    upper_hysteresis_factor, inverse_friction_speed = c[13], c[14]
     tilt_angle = q[1]
-    fall_speed = u[0]
-    tilt_speed = u[1]
+    fall_speed, tilt_speed = u[0], u[1]
     lower_approach_speed = m[1]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
@@ -520,42 +356,17 @@ def contact_lower(t, q, u, z, m, c):
     lower_friction_force = lower_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*lower_relative_rate_y)
     lower_friction_power = lower_friction_force*lower_relative_rate_y
     lower_drag_on_tilt = -lower_first_arm_x*lower_friction_force
-    return (
-        ca.vertcat(-lower_friction_force, lower_drag_on_tilt + lower_push_on_tilt, 0),
-        ca.vertcat(0, lower_normal_power, 0, 0, lower_friction_power, 0),
-        ca.vertcat(lower_normal_force),
-        ca.vertcat(lower_relative_rate_y),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(-lower_friction_force, lower_drag_on_tilt + lower_push_on_tilt, 0),
+        ca.vertcat(0, lower_normal_power, 0, 0, lower_friction_power, 0), ca.vertcat(lower_normal_force), ca.vertcat(lower_relative_rate_y),
+        ca.vertcat(1))
 
 
 def contact_beak(t, q, u, z, m, c):
-    """Forces of beak: power x hunt_crossley, smooth_coulomb. The normal force is the laws' own, not clamped: where
-    it would pull, the contact ends.
-
-    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
-    Returns, each a column vector:
-        f (3,): fall [N], tilt [N m], spring_hinge [N m]
-        dz (6,): upper.dissipated [W], lower.dissipated [W], beak.dissipated [W], upper_friction.dissipated [W],
-            lower_friction.dissipated [W], beak_friction.dissipated [W]
-        normal_force (1,): beak [N]
-        sliding_velocity (1,): beak [m/s]
-        in_range (1,): beak [1]
-    """
-    hinge = c[1]
-    beak_height = c[4]
-    bar_radius = c[5]
-    stiffness = c[8]
-    friction_coefficient = c[9]
-    beak_back_minus_bird_centre = c[10]
-    inverse_friction_speed = c[14]
-    beak_hysteresis_factor = c[15]
-    fall_travel = q[0]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
-    fall_speed = u[0]
-    tilt_speed = u[1]
-    spring_hinge_speed = u[2]
+    """Forces of beak: power x hunt_crossley, smooth_coulomb; arguments and returns as of contact_upper."""
+    hinge, beak_height, bar_radius, stiffness, friction_coefficient, beak_back_minus_bird_centre = c[1], c[4], c[5], c[8], c[9], c[10]
+    inverse_friction_speed, beak_hysteresis_factor = c[14], c[15]
+    fall_travel, tilt_angle, spring_hinge_angle = q[0], q[1], q[2]
+    fall_speed, tilt_speed, spring_hinge_speed = u[0], u[1], u[2]
     beak_approach_speed = m[2]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
@@ -584,14 +395,9 @@ def contact_beak(t, q, u, z, m, c):
     beak_friction_power = beak_friction_force*beak_relative_rate_y
     beak_drag_on_tilt = -beak_friction_force*(beak_first_arm_x + bird_arm_x)
     beak_drag_on_spring_hinge = -beak_first_arm_x*beak_friction_force
-    return (
-        ca.vertcat(-beak_friction_force, beak_drag_on_tilt + beak_push_on_tilt, beak_drag_on_spring_hinge +
-            beak_push_on_spring_hinge),
-        ca.vertcat(0, 0, beak_normal_power, 0, 0, beak_friction_power),
-        ca.vertcat(beak_normal_force),
-        ca.vertcat(beak_relative_rate_y),
-        ca.vertcat(1),
-    )
+    return (ca.vertcat(-beak_friction_force, beak_drag_on_tilt + beak_push_on_tilt, beak_drag_on_spring_hinge + beak_push_on_spring_hinge),
+        ca.vertcat(0, 0, beak_normal_power, 0, 0, beak_friction_power), ca.vertcat(beak_normal_force), ca.vertcat(beak_relative_rate_y),
+        ca.vertcat(1))
 
 
 def applied(t, q, u, c):
@@ -601,13 +407,8 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): fall [N], tilt [N m], spring_hinge [N m]
     """
-    gravity = c[6]
-    spring_stiffness = c[7]
-    total_mass = c[11]
-    bird_h_x = c[16]
-    sleeve_h_x = c[17]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
+    gravity, spring_stiffness, total_mass, bird_h_x, sleeve_h_x = c[6], c[7], c[11], c[16], c[17]
+    tilt_angle, spring_hinge_angle = q[1], q[2]
     cos_sleeve = ca.cos(tilt_angle)
     bird_angle = spring_hinge_angle + tilt_angle
     cos_bird = ca.cos(bird_angle)
@@ -626,20 +427,11 @@ def accelerations(t, q, u, f, c):
         a (3,): fall.acceleration [m/s^2], tilt.acceleration [rad/s^2], spring_hinge.acceleration [rad/s^2]
         reactions (0,): empty
     """
-    hinge = c[1]
-    total_mass = c[11]
-    bird_h_x = c[16]
-    sleeve_h_x = c[17]
-    bird_I_z_z = c[18]
-    bird_I_z_z_plus_sleeve_I_z_z = c[19]
+    hinge, total_mass, bird_h_x, sleeve_h_x, bird_I_z_z, bird_I_z_z_plus_sleeve_I_z_z = c[1], c[11], c[16], c[17], c[18], c[19]
     inverse_bird_I_z_z = c[20]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
-    tilt_speed = u[1]
-    spring_hinge_speed = u[2]
-    fall_force = f[0]
-    tilt_force = f[1]
-    spring_hinge_force = f[2]
+    tilt_angle, spring_hinge_angle = q[1], q[2]
+    tilt_speed, spring_hinge_speed = u[1], u[2]
+    fall_force, tilt_force, spring_hinge_force = f[0], f[1], f[2]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
     bird_angle = spring_hinge_angle + tilt_angle
@@ -686,10 +478,9 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (6,): upper.dissipated [W], lower.dissipated [W], beak.dissipated [W], upper_friction.dissipated [W],
-            lower_friction.dissipated [W], beak_friction.dissipated [W]
+        dz (6,): MEMORY [W]
     """
-    return ca.vertcat(0, 0, 0, 0, 0, 0)
+    return ca.vertcat(*[0]*6)
 
 
 def energy(t, q, u, c):
@@ -699,30 +490,14 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (3,): upper [J], lower [J], beak [J]
+        stored (3,): PAIRS [J]
     """
-    sleeve_radius = c[0]
-    hinge = c[1]
-    sleeve_half_height = c[2]
-    bird_centre = c[3]
-    beak_height = c[4]
-    bar_radius = c[5]
-    spring_stiffness = c[7]
-    beak_back_minus_bird_centre = c[10]
-    two_fifths_of_stiffness = c[12]
-    bird_h_x = c[16]
-    half_bird_I_z_z = c[21]
-    half_sleeve_mass = c[22]
-    half_sleeve_inertia = c[23]
-    half_bird_mass = c[24]
-    gravity_times_sleeve_mass = c[25]
+    sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, bar_radius = c[0], c[1], c[2], c[3], c[4], c[5]
+    spring_stiffness, beak_back_minus_bird_centre, two_fifths_of_stiffness, bird_h_x, half_bird_I_z_z = c[7], c[10], c[12], c[16], c[21]
+    half_sleeve_mass, half_sleeve_inertia, half_bird_mass, gravity_times_sleeve_mass = c[22], c[23], c[24], c[25]
     bird_mass_times_gravity = c[26]
-    fall_travel = q[0]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
-    fall_speed = u[0]
-    tilt_speed = u[1]
-    spring_hinge_speed = u[2]
+    fall_travel, tilt_angle, spring_hinge_angle = q[0], q[1], q[2]
+    fall_speed, tilt_speed, spring_hinge_speed = u[0], u[1], u[2]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
     bird_angle = spring_hinge_angle + tilt_angle
@@ -749,11 +524,8 @@ def energy(t, q, u, c):
     kinetic = half_bird_I_z_z*bird_rate_z*bird_rate_z + half_sleeve_mass*fall_speed*fall_speed + half_sleeve_inertia*tilt_speed*tilt_speed + half_bird_mass*(bird_arm_rate_x*bird_arm_rate_x + bird_velocity_y_2*bird_velocity_y_2) + bird_moment_x*bird_rate_z*bird_velocity_y_2 - bird_arm_rate_x*bird_moment_y*bird_rate_z
     bird_centre_arm_y = sin_bird*bird_centre
     potential = fall_travel*gravity_times_sleeve_mass + bird_mass_times_gravity*(bird_centre_arm_y + bird_y)
-    return (
-        ca.vertcat(kinetic),
-        ca.vertcat(potential + spring_hinge_angle*spring_hinge_angle*spring_stiffness/2),
-        ca.vertcat(upper_stored_energy, lower_stored_energy, beak_stored_energy),
-    )
+    return (ca.vertcat(kinetic), ca.vertcat(potential + spring_hinge_angle*spring_hinge_angle*spring_stiffness/2),
+        ca.vertcat(upper_stored_energy, lower_stored_energy, beak_stored_energy))
 
 
 def poses(t, q, c):
@@ -761,18 +533,15 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (9,): carriage.x [m], carriage.y [m], carriage.z [m], sleeve.x [m], sleeve.y [m], sleeve.z [m],
-            bird.x [m], bird.y [m], bird.z [m]
-        rotations (27,): carriage.R_xx [1], carriage.R_xy [1], carriage.R_xz [1], carriage.R_yx [1], carriage.R_yy
-            [1], carriage.R_yz [1], carriage.R_zx [1], carriage.R_zy [1], carriage.R_zz [1], sleeve.R_xx [1],
-            sleeve.R_xy [1], sleeve.R_xz [1], sleeve.R_yx [1], sleeve.R_yy [1], sleeve.R_yz [1], sleeve.R_zx [1],
-            sleeve.R_zy [1], sleeve.R_zz [1], bird.R_xx [1], bird.R_xy [1], bird.R_xz [1], bird.R_yx [1], bird.R_yy
-            [1], bird.R_yz [1], bird.R_zx [1], bird.R_zy [1], bird.R_zz [1]
+        positions (9,): carriage.x [m], carriage.y [m], carriage.z [m], sleeve.x [m], sleeve.y [m], sleeve.z [m], bird.x [m], bird.y [m],
+            bird.z [m]
+        rotations (27,): carriage.R_xx [1], carriage.R_xy [1], carriage.R_xz [1], carriage.R_yx [1], carriage.R_yy [1], carriage.R_yz [1],
+            carriage.R_zx [1], carriage.R_zy [1], carriage.R_zz [1], sleeve.R_xx [1], sleeve.R_xy [1], sleeve.R_xz [1], sleeve.R_yx [1],
+            sleeve.R_yy [1], sleeve.R_yz [1], sleeve.R_zx [1], sleeve.R_zy [1], sleeve.R_zz [1], bird.R_xx [1], bird.R_xy [1], bird.R_xz
+            [1], bird.R_yx [1], bird.R_yy [1], bird.R_yz [1], bird.R_zx [1], bird.R_zy [1], bird.R_zz [1]
     """
     hinge = c[1]
-    fall_travel = q[0]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
+    fall_travel, tilt_angle, spring_hinge_angle = q[0], q[1], q[2]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
     bird_angle = spring_hinge_angle + tilt_angle
@@ -781,11 +550,9 @@ def poses(t, q, c):
     bird_arm_x = cos_sleeve*hinge
     bird_arm_y = sin_sleeve*hinge
     bird_y = bird_arm_y + fall_travel
-    return (
-        ca.vertcat(0, fall_travel, 0, 0, fall_travel, 0, bird_arm_x, bird_y, 0),
-        ca.vertcat(1, 0, 0, 0, 1, 0, 0, 0, 1, cos_sleeve, -sin_sleeve, 0, sin_sleeve, cos_sleeve, 0, 0, 0, 1,
-            cos_bird, -sin_bird, 0, sin_bird, cos_bird, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, fall_travel, 0, 0, fall_travel, 0, bird_arm_x, bird_y, 0),
+        ca.vertcat(1, 0, 0, 0, 1, 0, 0, 0, 1, cos_sleeve, -sin_sleeve, 0, sin_sleeve, cos_sleeve, 0, 0, 0, 1, cos_bird, -sin_bird, 0,
+            sin_bird, cos_bird, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -793,16 +560,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (3,): upper.gap [m], lower.gap [m], beak.gap [m]
+        y (3,): OUTPUTS
     """
-    sleeve_radius = c[0]
-    hinge = c[1]
-    sleeve_half_height = c[2]
-    beak_height = c[4]
-    bar_radius = c[5]
-    beak_back_minus_bird_centre = c[10]
-    tilt_angle = q[1]
-    spring_hinge_angle = q[2]
+    sleeve_radius, hinge, sleeve_half_height, beak_height, bar_radius, beak_back_minus_bird_centre = c[0], c[1], c[2], c[4], c[5], c[10]
+    tilt_angle, spring_hinge_angle = q[1], q[2]
     cos_sleeve = ca.cos(tilt_angle)
     sin_sleeve = ca.sin(tilt_angle)
     bird_angle = spring_hinge_angle + tilt_angle
@@ -824,37 +585,21 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        fall.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        fall.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        tilt.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        tilt.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring_hinge.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring_hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        fall.parent to spring_hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         upper.corner (3,): x [m], y [m], z [m]
         upper.face (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         lower.corner (3,): x [m], y [m], z [m]
         lower.face (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
         beak.corner (3,): x [m], y [m], z [m]
         beak.face (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        spring.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        sleeve.centre (3,): x [m], y [m], z [m]
-        bird.centre (3,): x [m], y [m], z [m]
-        sleeve.shape_1 (6,): x [m], y [m], z [m], size_x [m], size_y [m], size_z [m]
-        sleeve.shape_2 (6,): x [m], y [m], z [m], size_x [m], size_y [m], size_z [m]
+        gravity.direction, spring.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        sleeve.centre, bird.centre (3,): x [m], y [m], z [m]
+        sleeve.shape_1, sleeve.shape_2 (6,): x [m], y [m], z [m], size_x [m], size_y [m], size_z [m]
         sleeve.shape_3 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
-        bird.shape_1 (8,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], radius [m], length [m]
-        bird.shape_2 (8,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], radius [m], length [m]
-        bird.shape_3 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
-        bird.shape_4 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
+        bird.shape_1, bird.shape_2 (8,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], radius [m], length [m]
+        bird.shape_3, bird.shape_4 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
     """
-    sleeve_radius = p[2]
-    hinge = p[3]
-    sleeve_half_height = p[4]
-    bird_centre = p[7]
-    beak_height = p[8]
-    beak_back = p[9]
-    bar_radius = p[10]
+    sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, beak_back, bar_radius = p[2], p[3], p[4], p[7], p[8], p[9], p[10]
     minus_quarter_of_sleeve_radius = -sleeve_radius/4
     quarter_of_hinge = hinge/4
     x3 = minus_quarter_of_sleeve_radius + quarter_of_hinge
@@ -866,29 +611,15 @@ def landmarks(p):
     x9 = 4*beak_back_squared/9
     x10 = x7 + x9
     x11 = 1/ca.sqrt(x10)
-    return (
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 1, 0),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(hinge, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(sleeve_radius, sleeve_half_height, 0),
-        ca.vertcat(bar_radius, 0, 0, 1, 0, 0),
-        ca.vertcat(sleeve_radius, -sleeve_half_height, 0),
-        ca.vertcat(bar_radius, 0, 0, 1, 0, 0),
-        ca.vertcat(bird_centre - beak_back, beak_height, 0),
-        ca.vertcat(bar_radius, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(bird_centre, 0, 0),
+    return (ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(0, 0, 0, 0, 1, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(hinge, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(sleeve_radius, sleeve_half_height, 0),
+        ca.vertcat(bar_radius, 0, 0, 1, 0, 0), ca.vertcat(sleeve_radius, -sleeve_half_height, 0), ca.vertcat(bar_radius, 0, 0, 1, 0, 0),
+        ca.vertcat(bird_centre - beak_back, beak_height, 0), ca.vertcat(bar_radius, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0), ca.vertcat(bird_centre, 0, 0),
         ca.vertcat(hinge/8 + 7*sleeve_radius/8, 0, 0, x3, twice_sleeve_half_height, x3),
         ca.vertcat(-7*sleeve_radius/8 - hinge/8, 0, 0, x3, twice_sleeve_half_height, x3),
         ca.vertcat(3*sleeve_radius/8 + 5*hinge/8, 0, 0, 1, 0, 0, 3*hinge/4 - 3*sleeve_radius/4),
         ca.vertcat(bird_centre, 0, 0, 0, 0, 1, bird_centre/2, bird_centre),
         ca.vertcat(bird_centre - beak_back/3, 4*beak_height/5, 0, 0, 0, 1, bird_centre/4, bird_centre),
         ca.vertcat(bird_centre - beak_back/6, beak_height/2, 0, -sqrt_10/10, 3*sqrt_10/10, 0, 2*beak_height/3),
-        ca.vertcat(bird_centre - 2*beak_back/3, 9*beak_height/10, 0, -2*x11*beak_back/3, x11*beak_height/5, 0,
-            2*beak_back/3),
-    )
+        ca.vertcat(bird_centre - 2*beak_back/3, 9*beak_height/10, 0, -2*x11*beak_back/3, x11*beak_height/5, 0, 2*beak_back/3))

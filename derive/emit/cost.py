@@ -21,6 +21,7 @@ OF_CURVES = (*CURVE_HELPERS, *CHAIN_HELPERS)
 """Helpers whose work depends on their curve."""
 # A sign precedes its operand, which is no number here, without a blank; a binary minus is surrounded by blanks.
 _SIGN = re.compile(r"-(?=[A-Za-z_(]|[\d.]+\*\*)")
+_RUN = re.compile(r"\*\[([^\[\]]*)\]\*(\d+)")  # equal entries of a vector
 _CALL = re.compile(r"\w\(")
 
 
@@ -31,6 +32,7 @@ def operations(text: str) -> int:
     text is faster than having Python parse it.
     """
     code = " ".join("".join(text.split('"""')[::2]).split())
+    code = _RUN.sub(lambda run: ", ".join([run[1]] * int(run[2])), code)
     if code.startswith("def "):
         code = code.partition(":")[2]
     spaced = sum(code.count(f" {sign} ") for sign in ("+", "-", "<", ">", "<=", ">="))

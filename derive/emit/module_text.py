@@ -3,24 +3,35 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
+from collections.abc import Iterable
 from typing import Any
 
 from hertzwerk.derive.audit.audit import count_checked
 from hertzwerk.derive.emit.cost import operations
-from hertzwerk.derive.emit.helpers import helpers_in
-from hertzwerk.derive.emit.printer import curve_text, function_text, prose
+from hertzwerk.derive.emit.helpers import HELPERS, helpers_in
+from hertzwerk.derive.emit.printer import WIDTH, Draft, builder_text, curve_text, draft, prose, prose_lines, shared_text
 from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.expression_text import curve_names
-from hertzwerk.derive.program.program import Program, curves_in
+from hertzwerk.derive.program.program import OWN, Function, Program, curves_in
+from hertzwerk.derive.program.repetition import share
 
+_PROSE = ("PARAMETERS", "LIMITS", "INPUTS", "SMOOTH_INPUTS", "ADVICE")  # tables of one row a line
 FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # cost of a right-hand side without contact
 
 
 def emit(program: Program, source: str) -> str:
     """Text of the generated module of an audited program; `source` names the scene's file."""
     scene = program.scene
-    functions = {function.name: function_text(program, function) for function in program.functions}
-    counts = {name: operations(text) for name, text in functions.items()}
+    kinds = Counter((function.arguments, *(r.name for r in function.results)) for function in program.functions)
+    drafts = [
+        draft(program, function, whole=kinds[function.arguments, *(r.name for r in function.results)] > 1)
+        for function in program.functions
+    ]
+    counts = {drafted.function.name: operations(builder_text(program, drafted)) for drafted in drafts}
+    shared = share([drafted.block for drafted in drafts], program.parts, _names_in(program, drafts))
+    before = _equally_returning(program.functions)
+    units = {program.names.get(symbol.name, symbol.name): unit for symbol, unit in program.units.items()}
     tables = dict(program.tables)
     tables["CONSTANTS"] = tuple(
         (name, program.units[symbol]) for symbol in program.constants for name in program.entries(symbol)
@@ -36,8 +47,31 @@ def emit(program: Program, source: str) -> str:
                   (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
         *(_table(name, rows) for name, rows in tables.items()),
     ]  # fmt: skip
-    texts = [*map(curve_text, curves), *functions.values()]
+    texts = [
+        *map(curve_text, curves),
+        *(shared_text(program, each, units) for each in shared),
+        *(builder_text(program, each, before[each.function.name]) for each in drafts),
+    ]
     return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers_in(texts), *texts)) + "\n"
+
+
+def _equally_returning(functions: Iterable[Function]) -> dict[str, Function | None]:
+    """The first function before each that has its arguments and returns, if there is one."""
+    first: dict[Any, Function] = {}
+    found: dict[str, Function | None] = {}
+    for function in functions:
+        key = function.arguments, *((result.name, result.units) for result in function.results)
+        found[function.name] = first.get(key)
+        first.setdefault(key, function)
+    return found
+
+
+def _names_in(program: Program, drafts: Iterable[Draft]) -> set[str]:
+    """Names that are in use in the module's functions."""
+    names = {*program.tape.names, *OWN.values(), *HELPERS}
+    for drafted in drafts:
+        names |= {drafted.function.name, *drafted.block.inputs, *drafted.block.place}
+    return names
 
 
 def _header(program: Program, source: str, counts: dict[str, int]) -> str:
@@ -50,6 +84,9 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
         if unchecked
         else f"{assignments} assignments and {outputs} outputs checked, all consistent"
     )
+    effects: dict[str, list[str]] = {}
+    for effect in scene.effects:
+        effects.setdefault(effect.text, []).append(effect.name)
     name = scene.name if source.startswith("derive/") else source or "FILE"
     contact = f"; in contact also {contacts}" if contacts else ""
     return "\n".join(
@@ -58,7 +95,11 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
             "",
             f"Do not edit; regenerate with `hertzwerk derive {prose(name)}`.",
             "Effects:",
-            *(f"    {effect.name}: {prose(effect.text)}" for effect in scene.effects),
+            *(
+                line
+                for text, names in effects.items()
+                for line in prose_lines(f"{', '.join(names)}: {text}", "    ", " " * 8)
+            ),
             f"Units: {verdict}",
             *([f"Coordinates: {prose(program.note)}"] if program.note else []),
             f"Operations: flight {sum(counts.get(name, 0) for name in FLIGHT)} (equations of motion and gaps){contact}",
@@ -68,9 +109,21 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
 
 
 def _table(name: str, rows: tuple[Any, ...]) -> str:
+    """Table with as many rows on a line as it holds; with one where they hold prose, or numbers alone."""
     if not rows:
         return f"{name} = ()"
-    return "\n".join([f"{name} = (", *(f"    {_literal(row)}," for row in rows), ")"])
+    texts = [_literal(row) for row in rows]
+    if name in _PROSE or (isinstance(rows[0], tuple) and not isinstance(rows[0][0], str)):
+        return "\n".join([f"{name} = (", *(f"    {text}," for text in texts), ")"])
+    whole = f"{name} = ({', '.join(texts)}{',' * (len(texts) == 1)})"
+    if len(whole) <= WIDTH:
+        return whole
+    lines = [""]
+    for text in texts:
+        if len(f"   {lines[-1]} {text},") > WIDTH:
+            lines.append("")
+        lines[-1] += f" {text},"
+    return "\n".join([f"{name} = (", *(f"   {line}" for line in lines if line), ")"])
 
 
 def _literal(value: Any) -> str:

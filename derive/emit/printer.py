@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
 from typing import Any
 
 import sympy as sp
@@ -13,11 +16,15 @@ from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.expression_text import curve_names, expression_text
 from hertzwerk.derive.program.naming import names_in_words
 from hertzwerk.derive.program.program import Function, Program, Result, eliminate_common_subexpressions
+from hertzwerk.derive.program.repetition import Block, Shared, Step, step_of
 
-_WIDTH = 116  # columns of the text
+WIDTH = 140  # columns of the text, but for assignments, of which each is a line
+_RUN = 4  # equal entries after one another that are written out
 _NAME = re.compile(r"[^\W\d]\w*")
 _CASADI = re.compile(r"\bca\.")
 
+_TABLES = ("COORDINATES", "SPEEDS", "MEMORY", "PAIRS", "OUTPUTS", "CONSTRAINTS")
+"""Tables whose rows are entries of a vector, a name and its unit first."""
 _ARGUMENTS = {
     "t": "t [s]",
     "p": "p: PARAMETERS, in SI",
@@ -38,19 +45,104 @@ _ARGUMENTS = {
 }
 
 
-def function_text(program: Program, function: Function) -> str:
-    """Text of one builder."""
-    unpacked = _unpacked(program, function)
+@dataclass(frozen=True)
+class Draft:
+    """A builder about to be printed: its function with shared subexpressions, its code, its columns."""
+
+    function: Function
+    block: Block
+    columns: tuple[str, ...]
+
+
+def draft(program: Program, function: Function, *, whole: bool = False) -> Draft:
+    """Code of one builder, every name as printed; the results of a `whole` one belong together."""
+    inputs = _places(program, function)
     function = eliminate_common_subexpressions(function)
     names = _names(program, function)
-    own = program.tape.own
-    lines = [f"def {function.name}({', '.join(map(own, function.arguments))}):", *_docstring(function, own)]
-    code = [*unpacked, *(f"{symbol.name} = {expression_text(expression)}" for symbol, expression in function.body)]
-    lines += [f"    {_renamed(line, names)}" for line in code]
-    lines += _return(function, names)
-    if own("ca") != "ca":
-        lines = [_CASADI.sub(f"{own('ca')}.", line) for line in lines]
-    return "\n".join(lines)
+    made = [(names.get(symbol.name, symbol.name), _renamed(expression_text(e), names)) for symbol, e in function.body]
+    known = {*inputs, program.tape.own("t"), *(name for name, _ in made)}
+    texts = [[_renamed(expression_text(e), names) for e in result.expressions] for result in function.results]
+    entries = [
+        (function.name if whole else _owner(program, result, label), [name for name in _NAME.findall(text) if name in known])
+        for result, column in zip(function.results, texts, strict=True)
+        for label, text in zip(result.labels, column, strict=True)
+    ]  # fmt: skip
+    arguments = tuple(map(program.tape.own, function.arguments))
+    block = Block(function.name, arguments, [step_of(name, text, known) for name, text in made], entries, inputs)
+    return Draft(function, block, tuple(map(_column, texts)))
+
+
+def _owner(program: Program, result: Result, label: str) -> str:
+    """The part of the scene that an entry of a result belongs to."""
+    owners = [name.partition(".")[0] for name in (label, result.name)]
+    return next((owner for owner in owners if owner in program.parts), owners[0])
+
+
+def function_text(program: Program, function: Function) -> str:
+    """Text of one builder by itself."""
+    return builder_text(program, draft(program, function))
+
+
+def builder_text(program: Program, drafted: Draft, like: Function | None = None) -> str:
+    """Text of a builder; `like` is one before it with the same arguments and returns."""
+    function, block, own = drafted.function, drafted.block, program.tape.own
+    read = Counter(name for step in block.steps for name in step.operands if step.callee)
+    read.update(2 * [name for step in block.steps if step.callee is None for name in step.operands])
+    read.update(2 * [name for _, names in block.results for name in names])
+    names = {name: place for name, place in block.inputs.items() if read[name] == 1} | _short_names(block)
+    unpacked = [(name, place) for name, place in block.inputs.items() if read[name] > 1]
+    lines = [f"def {function.name}({', '.join(map(own, function.arguments))}):", *_docstring(program, function, like)]
+    lines += [*_unpacking(unpacked), *_step_lines(block.steps, names)]
+    lines += _return([_renamed(column, names) for column in drafted.columns])
+    return _with_own_casadi(program, lines)
+
+
+def _short_names(block: Block) -> dict[str, str]:
+    """Names of what calls return, of their functions' own, where these are one for each."""
+    calls = [(step, step.callee) for step in block.steps if step.callee]
+    short = [name for _, shared in calls for name in shared.returns]
+    long = [name for step, _ in calls for name in step.targets]
+    taken = {*block.place, *block.inputs, *block.arguments, *(shared.name for _, shared in calls)} - {*long}
+    return dict(zip(long, short, strict=True)) if len({*short}) == len(short) and taken.isdisjoint(short) else {}
+
+
+def shared_text(program: Program, shared: Shared, units: Mapping[str, str]) -> str:
+    """Text of a function that several builders call; `units` by name, with moments and energies in N m."""
+    found = ("N m" if unit == "J" else unit for unit in shared.units(units))
+    returns = [f"{name} [{unit}]" if unit else name for name, unit in zip(shared.returns, found, strict=True)]
+    lines = [
+        *_wrapped_lines(f"{shared.name}({', '.join(shared.parameters)}):", "def ", " " * 8),
+        *prose_lines(f"Return {', '.join(returns)}.", '    """', " " * 4),
+    ]
+    lines[-1] += '"""'
+    *steps, last = shared.steps
+    if shared.returns == last.targets:
+        lines += [*_step_lines(steps, {}), f"    return {last.text({})}"]
+    else:
+        lines += [*_step_lines(shared.steps, {}), f"    return {', '.join(shared.returns)}"]
+    return _with_own_casadi(program, lines)
+
+
+def _step_lines(steps: Iterable[Step], names: Mapping[str, str]) -> list[str]:
+    return [f"    {', '.join(names.get(name, name) for name in step.targets)} = {step.text(names)}" for step in steps]
+
+
+def _unpacking(inputs: Iterable[tuple[str, str]]) -> list[str]:
+    """Assignments of inputs to names, as many of one vector on a line as it holds."""
+    lines: list[tuple[str, str]] = []
+    for name, place in inputs:
+        names, places = lines[-1] if lines else ("", "")
+        one_vector = places.startswith(place.partition("[")[0] + "[")
+        if one_vector and len(f"    {names}, {name} = {places}, {place}") <= WIDTH:
+            lines[-1] = f"{names}, {name}", f"{places}, {place}"
+        else:
+            lines.append((name, place))
+    return [f"    {names} = {places}" for names, places in lines]
+
+
+def _with_own_casadi(program: Program, lines: Iterable[str]) -> str:
+    own = program.tape.own("ca")
+    return "\n".join(lines if own == "ca" else (_CASADI.sub(f"{own}.", line) for line in lines))
 
 
 def curve_text(curve: Any) -> str:
@@ -104,23 +196,31 @@ def _renamed(code: str, names: Mapping[str, str]) -> str:
     return _NAME.sub(lambda name: names.get(name[0], name[0]), code)
 
 
-def _return(function: Function, names: Mapping[str, str]) -> list[str]:
-    """Return statement; if long, one result per line, and if that is long, several lines per result."""
-    columns = [_renamed(_column(result), names) for result in function.results]
+def _return(columns: Sequence[str]) -> list[str]:
+    """Return statement; if long, as many results on a line as it holds, and a long one on several lines."""
+    columns = _runs(columns)
     line = f"    return {', '.join(columns)}"
-    if len(line) <= _WIDTH:
+    if len(line) <= WIDTH:
         return [line]
     if len(columns) == 1:
         return _wrapped_lines(columns[0], "    return ", " " * 8)
-    lines = [line for column in columns for line in _wrapped_lines(f"{column},", " " * 8, " " * 12)]
-    return ["    return (", *lines, "    )"]
+    rows: list[str] = []
+    for column in columns:
+        if rows and len(f"        {rows[-1]} {column},") <= WIDTH:
+            rows[-1] += f" {column},"
+        else:
+            rows.append(f"{column},")
+    first, *rest = rows
+    lines = _wrapped_lines(first, "    return (", " " * 12)
+    lines += [line for row in rest for line in _wrapped_lines(row, " " * 8, " " * 12)]
+    return [*lines[:-1], f"{lines[-1].removesuffix(',')})"]
 
 
 def _wrapped_lines(code: str, first: str, then: str) -> list[str]:
     """Break code inside CasADi's brackets at blanks where it is too long."""
     return textwrap.wrap(
         code,
-        _WIDTH,
+        WIDTH,
         initial_indent=first,
         subsequent_indent=then,
         break_long_words=False,
@@ -128,27 +228,45 @@ def _wrapped_lines(code: str, first: str, then: str) -> list[str]:
     )
 
 
-def _docstring(function: Function, own: Callable[[str], str]) -> list[str]:
+def _docstring(program: Program, function: Function, like: Function | None) -> list[str]:
+    own = program.tape.own
+    if like is not None:
+        summary = function.summary.partition(". ")[0].removesuffix(".")
+        lines = prose_lines(f"{summary}; arguments and returns as of {like.name}.", '    """', " " * 4)
+        return [*lines[:-1], f'{lines[-1]}"""']
     arguments = "; ".join(own(name) + _ARGUMENTS[name].removeprefix(name) for name in function.arguments)
-    lines = _prose_lines(function.summary, '    """', " " * 4)
+    lines = prose_lines(function.summary, '    """', " " * 4)
     lines += ["", f"    Arguments: {arguments}.", "    Returns, each a column vector:"]
-    for result in function.results:
-        entries = ", ".join(
-            f"{label} [{unit}]" if unit else label for label, unit in zip(result.labels, result.units, strict=True)
-        )
-        entry = f"{result.name} ({len(result.labels)},): {entries or 'empty'}"
-        lines += _prose_lines(entry, " " * 8, " " * 12)
+    for (labels, units), results in groupby(function.results, lambda result: (result.labels, result.units)):
+        names = [result.name for result in results]
+        named = ", ".join(names) if len(names) <= _RUN else f"{names[0]} to {names[-1]}"
+        entries = f"{named} ({len(labels)},): {_entries(program, labels, units)}"
+        lines += prose_lines(entries, " " * 8, " " * 12)
     return [*lines, '    """']
 
 
-def _prose_lines(text: str, first: str, then: str) -> list[str]:
+def _entries(program: Program, labels: Sequence[str], units: Sequence[str]) -> str:
+    """List the labels and units of a vector's entries, or name the table that has them."""
+    for name in _TABLES:
+        rows = program.tables.get(name, ())
+        if rows and labels == tuple(row[0] for row in rows):
+            if units == tuple(row[1] for row in rows):
+                return name
+            if len(set(units)) == 1:
+                return f"{name} [{units[0]}]"
+    return (
+        ", ".join(f"{label} [{unit}]" if unit else label for label, unit in zip(labels, units, strict=True)) or "empty"
+    )
+
+
+def prose_lines(text: str, first: str, then: str) -> list[str]:
     """Wrap text for a docstring, then escape it: an escape must not be broken."""
-    lines = textwrap.wrap(text, _WIDTH, initial_indent=" " * len(first), subsequent_indent=then)
+    lines = textwrap.wrap(text, WIDTH, initial_indent=" " * len(first), subsequent_indent=then)
     return [indent + prose(line) for indent, line in zip((first, *[then] * len(lines)), lines, strict=False)]
 
 
-def _unpacked(program: Program, function: Function) -> list[str]:
-    """One line per entry the function reads."""
+def _places(program: Program, function: Function) -> dict[str, str]:
+    """Place of each entry that the function reads, by its name."""
     positions: dict[Any, str] = {}
     own = program.tape.own
     if "c" in function.arguments:
@@ -166,11 +284,24 @@ def _unpacked(program: Program, function: Function) -> list[str]:
             positions[symbol] = f"{own(group)}[{count.get(group, 0)}]"
             count[group] = count.get(group, 0) + 1
     wanted = set(function.reads)
-    return [f"{symbol.name} = {place}" for symbol, place in positions.items() if symbol in wanted]
+    return {
+        program.names.get(symbol.name, symbol.name): place for symbol, place in positions.items() if symbol in wanted
+    }
 
 
-def _column(result: Result) -> str:
-    return f"ca.vertcat({', '.join(expression_text(expression) for expression in result.expressions)})"
+def _column(texts: Sequence[str]) -> str:
+    """Column vector of texts."""
+    return f"ca.vertcat({', '.join(_runs(texts))})"
+
+
+def _runs(texts: Sequence[str]) -> list[str]:
+    """Texts, of which a long run of equal ones is written once, with its number."""
+    runs = ((text, len(list(run))) for text, run in groupby(texts))
+    return [
+        part
+        for text, count in runs
+        for part in ([f"*[{text}]*{count}"] if count > _RUN and "[" not in text else [text] * count)
+    ]
 
 
 def prose(text: str) -> str:

@@ -400,6 +400,14 @@ class Program:
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """Unit of every input and assignment, once the audit has passed."""
 
+    @cached_property
+    def parts(self) -> Mapping[str, str]:
+        """Name of each joint, pair, effect and body of the scene -> its kind."""
+        bodies = ((name, "body") for name in self.tables.get("BODIES", ()))
+        effects = ((name, kind) for name, kind, _ in self.tables.get("EFFECTS", ()))
+        marked = ((part, kind) for part, kind, *_ in self.tables.get("LANDMARKS", ()))
+        return dict((*bodies, *effects, *marked, *self.tables.get("PAIRS", ())))
+
     def entries(self, symbol: sp.Symbol) -> list[str]:
         """Names of a constant's entries: its own, or of a vector's numbered ones."""
         name, width = self.names.get(symbol.name, symbol.name), self.tape.widths.get(symbol)

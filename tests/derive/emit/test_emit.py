@@ -153,7 +153,9 @@ def test_operations_are_counted():
 
 
 def parsed_operations(node):
-    """Operations by Python's own parser: of a sign in front of a number none, of packing none."""
+    """Operations by Python's own parser: of a sign in front of a number none, of packing none, of `*[x]*n` those of n."""
+    if isinstance(node, ast.Starred):
+        return node.value.right.value * parsed_operations(node.value.left)
     inside = sum(map(parsed_operations, ast.iter_child_nodes(node)))
     if isinstance(node, ast.Call):
         return inside + (getattr(node.func, "attr", "") != "vertcat")
