@@ -466,13 +466,14 @@ def _name(shared: Shared, parts: _Parts, taken: set[str]) -> None:
         for k in sorted(range(count), key=lambda k: first.block.order(here[k]))
     )
     kinds = [parts.kinds[part] for part in parts.split(here[form.roots[0]])[1]]
-    shared.name = _free("_".join([*kinds[:1], *_purpose([roles[root] for root in form.roots], first, parts)]), taken)
+    words = [*filter(str.isidentifier, kinds[:1]), *_purpose([roles[root] for root in form.roots], first, parts)]
+    shared.name = _free("_".join(words), taken)
 
 
 def _purpose(returned: list[str], site: _Site, parts: _Parts) -> list[str]:
     """Words common to all that a function returns, else words of the builder it serves."""
     first, *others = (name.split("_") for name in returned)
-    common = [word for word in first if all(word in other for other in others)]
+    common = [word for word in first if word.isidentifier() and all(word in other for other in others)]
     result = any(site.steps[0] in names for _, names in site.block.results)
     return common or [*parts.split(site.block.name)[0], *([] if result else ["terms"])]
 
@@ -482,13 +483,13 @@ def _role(names: Sequence[str], parts: _Parts) -> str:
     first, *others = (parts.split(name)[0] for name in dict.fromkeys(names))
     common = [word for word in first if all(word in other for other in others)] or first
     text = "_".join([word for word in common if word not in _RANKS] or common)
-    return text if text.isidentifier() and not keyword.iskeyword(text) else f"value_{text}".rstrip("_")
+    return text if text.isidentifier() else f"value_{text}".rstrip("_")
 
 
 def _free(name: str, taken: set[str]) -> str:
     """The name, numbered where it is taken; it is taken from then on."""
     number, free = 1, name
-    while free in taken:
+    while free in taken or keyword.iskeyword(free):
         number += 1
         free = f"{name}_{number}"
     taken.add(free)

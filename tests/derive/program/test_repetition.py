@@ -4,6 +4,7 @@ import random
 from dataclasses import replace
 from importlib import import_module
 from itertools import combinations
+from keyword import iskeyword
 
 import casadi as ca
 import numpy as np
@@ -192,6 +193,19 @@ def test_equal_but_for_leaves_is_one_function():
     assert len(one.steps) == 4 and len(found.steps) == 6
     assert found.name == "pair_rate" and found.returns == ("rate",)
     assert [step.targets for step in one.steps] == [(f"pair_{k}_rate",) for k in range(4)]
+
+
+@pytest.mark.parametrize("role", ["rate", "lambda", "2"])
+def test_names_are_identifiers_whatever_parts_and_kinds_are_called(role):
+    code = LINES.replace("_rate", f"_{role}")
+    leaves = ("a b c d", "b c d e", "c d e f", "d e f g")
+    lines = "".join(code.format(f"pair_{k}", *each.split()) for k, each in enumerate(leaves))
+    one = block("rows", lines, ";".join(f"pair_{k}: pair_{k}_{role}" for k in range(4)))
+    plain = values([one], [], GIVEN)
+    kinds = {f"pair_{k}": "no(); name" for k in range(4)} | {"gap": "", "loss": "2"}
+    [found] = share([one], kinds, {"pair_rate"})
+    assert all(each.isidentifier() and not iskeyword(each) for each in (found.name, *found.parameters, *found.returns))
+    assert values([one], [found], GIVEN) == plain
 
 
 def test_what_does_not_pay_stays_written_out():
