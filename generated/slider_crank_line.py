@@ -18,10 +18,8 @@ SOURCE = "derive/scenes/slider_crank_line.py"
 SUMMARY = "slider-crank with a clearance joint whose pin touches its bush along a line"
 
 EFFECTS = (
-    ("crank_drive", "drive", "constant speed of main_bearing"),
-    ("gravity", "gravity", "uniform gravity"),
-    ("slider_pin", "contact", "liu_with_length x lankarani_nikravesh"),
-    ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
+    ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
+    ("slider_pin", "contact", "liu_with_length x lankarani_nikravesh"), ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
@@ -70,135 +68,56 @@ LIMITS = (
     ("rod_length", "defined", 0, None, True, False, "scales, arm"),
 )
 
-COORDINATES = (
-    ("crank_pin.angle", "rad"),
-    ("guide.travel", "m"),
+SUM_LIMITS = (
+    ((("bush_radius", 1.0), ("clearance", -1.0)), "defined", 0, None, True, False, "pair slider_pin, pin radius (bush radius minus clearance)"),
 )
 
-SPEEDS = (
-    ("crank_pin.speed", "rad/s"),
-    ("guide.speed", "m/s"),
-)
+COORDINATES = (("crank_pin.angle", "rad"), ("guide.travel", "m"))
 
-MEMORY = (
-    ("energy_ledger.input", "J"),
-    ("slider_pin.dissipated", "J"),
-    ("slider_pin_friction.dissipated", "J"),
-)
+SPEEDS = (("crank_pin.speed", "rad/s"), ("guide.speed", "m/s"))
 
-LATCHES = (
-    ("slider_pin.approach_speed", "m/s", 0),
-)
+MEMORY = (("energy_ledger.input", "J"), ("slider_pin.dissipated", "J"), ("slider_pin_friction.dissipated", "J"))
 
-PAIRS = (
-    ("slider_pin", "pin_in_bush"),
-)
+LATCHES = (("slider_pin.approach_speed", "m/s", 0),)
 
-RELEASES = (
-    "force",
-)
+PAIRS = (("slider_pin", "pin_in_bush"),)
 
-DISSIPATED = (
-    1,
-)
+RELEASES = ("force",)
 
-GIVEN = (
-    "crank_pin.speed",
-    "guide.travel",
-)
+DISSIPATED = (1,)
 
-OUTPUTS = (
-    ("slider_pin.eccentricity_x", "m"),
-    ("slider_pin.eccentricity_y", "m"),
-)
+GIVEN = ("crank_pin.speed", "guide.travel")
 
-SPEED_LIMITED = (
-    "slider_pin",
-)
+OUTPUTS = (("slider_pin.eccentricity_x", "m"), ("slider_pin.eccentricity_y", "m"))
 
-BODIES = (
-    "crank",
-    "rod",
-    "slider",
-)
+SPEED_LIMITED = ("slider_pin",)
+
+BODIES = ("crank", "rod", "slider")
 
 LANDMARKS = (
-    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
-    ("main_bearing", "revolute", "child", "crank", ("axis",)),
-    ("crank_pin", "revolute", "parent", "crank", ("axis",)),
-    ("crank_pin", "revolute", "child", "rod", ("axis",)),
-    ("guide", "prismatic", "parent", "ground", ("axis",)),
-    ("guide", "prismatic", "child", "slider", ("axis",)),
-    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)),
-    ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
-    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("crank", "body", "centre", "crank", ()),
-    ("rod", "body", "centre", "rod", ()),
-    ("slider", "body", "centre", "slider", ()),
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)), ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("crank_pin", "revolute", "parent", "crank", ("axis",)), ("crank_pin", "revolute", "child", "rod", ("axis",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)), ("guide", "prismatic", "child", "slider", ("axis",)),
+    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)), ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)), ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()), ("rod", "body", "centre", "rod", ()), ("slider", "body", "centre", "slider", ()),
 )
 
 CONSTANTS = (
-    ("rod_mass_centre", "m"),
-    ("crank_radius", "m"),
-    ("clearance", "m"),
-    ("rod_length", "m"),
-    ("crank_speed", "1/s"),
-    ("gravity", "m/s^2"),
-    ("friction_coefficient", "1"),
-    ("clearance_squared", "m^2"),
-    ("half_inverse_clearance", "1/m"),
-    ("slider_pin_R_min", "m"),
-    ("twice_clearance", "m"),
-    ("half_pi_times_slider_pin_E_eff_times_bush_length", "N/m"),
-    ("k5", "N/m"),
-    ("k6", "N/m"),
-    ("k7", "N/m"),
-    ("k8", "N/m"),
-    ("k9", "N/m"),
-    ("k10", "N/m"),
-    ("k11", "N/m"),
-    ("k12", "N/m"),
-    ("k13", "N/m"),
-    ("k14", "N/m"),
-    ("k15", "N/m"),
-    ("k16", "N/m"),
-    ("k17", "N/m"),
-    ("k18", "N/m"),
-    ("k19", "N/m"),
-    ("k20", "N/m"),
-    ("slider_pin_hysteresis_factor", "1"),
-    ("inverse_friction_speed", "s/m"),
-    ("rod_h_x", "kg m"),
-    ("crank_h_x", "kg m"),
-    ("crank_rate_zz", "1/s^2"),
-    ("rod_I_z_z", "kg m^2"),
-    ("inverse_rod_I_z_z", "1/(kg m^2)"),
-    ("inverse_slider_mass", "1/kg"),
-    ("half_rod_I_z_z", "kg m^2"),
-    ("half_slider_mass", "kg"),
-    ("half_rod_mass", "kg"),
-    ("half_crank_speed_squared_times_crank_inertia", "J"),
-    ("gravity_times_rod_mass", "N"),
+    ("rod_mass_centre", "m"), ("crank_radius", "m"), ("clearance", "m"), ("rod_length", "m"), ("crank_speed", "1/s"), ("gravity", "m/s^2"),
+    ("friction_coefficient", "1"), ("clearance_squared", "m^2"), ("half_inverse_clearance", "1/m"), ("slider_pin_R_min", "m"),
+    ("twice_clearance", "m"), ("half_pi_times_slider_pin_E_eff_times_bush_length", "N/m"), ("k5", "N/m"), ("k6", "N/m"), ("k7", "N/m"),
+    ("k8", "N/m"), ("k9", "N/m"), ("k10", "N/m"), ("k11", "N/m"), ("k12", "N/m"), ("k13", "N/m"), ("k14", "N/m"), ("k15", "N/m"),
+    ("k16", "N/m"), ("k17", "N/m"), ("k18", "N/m"), ("k19", "N/m"), ("k20", "N/m"), ("slider_pin_hysteresis_factor", "1"),
+    ("inverse_friction_speed", "s/m"), ("rod_h_x", "kg m"), ("crank_h_x", "kg m"), ("crank_rate_zz", "1/s^2"), ("rod_I_z_z", "kg m^2"),
+    ("inverse_rod_I_z_z", "1/(kg m^2)"), ("inverse_slider_mass", "1/kg"), ("half_rod_I_z_z", "kg m^2"), ("half_slider_mass", "kg"),
+    ("half_rod_mass", "kg"), ("half_crank_speed_squared_times_crank_inertia", "J"), ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 80),
-    ("start", 5),
-    ("scales", 12),
-    ("coordinate_rates", 0),
-    ("gaps", 35),
-    ("gap_accelerations", 48),
-    ("contact_slider_pin", 93),
-    ("applied", 11),
-    ("accelerations", 37),
-    ("ledger", 1),
-    ("energy", 158),
-    ("poses", 10),
-    ("outputs", 13),
-    ("speed_limits", 3),
-    ("period", 3),
-    ("landmarks", 1),
+    ("constants", 80), ("start", 5), ("scales", 12), ("coordinate_rates", 0), ("gaps", 35), ("gap_accelerations", 48),
+    ("contact_slider_pin", 93), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 158), ("poses", 10), ("outputs", 13),
+    ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
 
@@ -207,30 +126,15 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (41,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient,
-            clearance_squared, half_inverse_clearance, slider_pin_R_min, twice_clearance,
-            half_pi_times_slider_pin_E_eff_times_bush_length, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16,
-            k17, k18, k19, k20, slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x,
-            crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass,
-            half_rod_mass, half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass
+        c (41,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient, clearance_squared,
+            half_inverse_clearance, slider_pin_R_min, twice_clearance, half_pi_times_slider_pin_E_eff_times_bush_length, k5, k6, k7, k8, k9,
+            k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x,
+            crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
+            half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass
     """
-    crank_inertia = p[1]
-    rod_mass = p[2]
-    rod_inertia = p[3]
-    rod_mass_centre = p[4]
-    slider_mass = p[5]
-    crank_radius = p[6]
-    bush_radius = p[7]
-    clearance = p[8]
-    bush_length = p[9]
-    rod_length = p[10]
-    crank_speed = p[11]
-    gravity = p[12]
-    youngs_modulus = p[13]
-    poissons_ratio = p[14]
-    restitution = p[16]
-    friction_coefficient = p[18]
-    friction_speed = p[19]
+    crank_inertia, rod_mass, rod_inertia, rod_mass_centre, slider_mass, crank_radius, bush_radius = p[1], p[2], p[3], p[4], p[5], p[6], p[7]
+    clearance, bush_length, rod_length, crank_speed, gravity, youngs_modulus, poissons_ratio = p[8], p[9], p[10], p[11], p[12], p[13], p[14]
+    restitution, friction_coefficient, friction_speed = p[16], p[18], p[19]
     clearance_squared = clearance*clearance
     half_inverse_clearance = 1/(2*clearance)
     slider_pin_R_min = bush_radius - clearance
@@ -266,11 +170,10 @@ def constants(p):
     half_rod_mass = rod_mass/2
     half_crank_speed_squared_times_crank_inertia = crank_rate_zz*crank_inertia/2
     gravity_times_rod_mass = gravity*rod_mass
-    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
-        friction_coefficient, clearance_squared, half_inverse_clearance, slider_pin_R_min, twice_clearance,
-        half_pi_times_slider_pin_E_eff_times_bush_length, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16,
-        k17, k18, k19, k20, slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x, crank_rate_zz,
-        rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
+    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient, clearance_squared,
+        half_inverse_clearance, slider_pin_R_min, twice_clearance, half_pi_times_slider_pin_E_eff_times_bush_length, k5, k6, k7, k8, k9,
+        k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, k20, slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x,
+        crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
         half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass)
 
 
@@ -279,12 +182,10 @@ def start(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        q (2,): crank_pin.angle [rad], guide.travel [m]
-        u (2,): crank_pin.speed [rad/s], guide.speed [m/s]
+        q (2,): COORDINATES
+        u (2,): SPEEDS
     """
-    crank_radius = p[6]
-    rod_length = p[10]
-    crank_speed = p[11]
+    crank_radius, rod_length, crank_speed = p[6], p[10], p[11]
     return ca.vertcat(0, crank_radius + rod_length), ca.vertcat(-(1 + crank_radius/rod_length)*crank_speed, 0)
 
 
@@ -293,28 +194,19 @@ def scales(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        sq (2,): crank_pin.angle [rad], guide.travel [m]
-        su (2,): crank_pin.speed [rad/s], guide.speed [m/s]
-        sz (3,): energy_ledger.input [J], slider_pin.dissipated [J], slider_pin_friction.dissipated [J]
+        sq (2,): COORDINATES
+        su (2,): SPEEDS
+        sz (3,): MEMORY
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
-    crank_mass = p[0]
-    rod_mass = p[2]
-    slider_mass = p[5]
-    crank_radius = p[6]
-    clearance = p[8]
-    rod_length = p[10]
-    crank_speed = p[11]
+    crank_mass, rod_mass, slider_mass, crank_radius, clearance, rod_length, crank_speed = p[0], p[2], p[5], p[6], p[8], p[10], p[11]
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
     crank_radius_times_crank_speed = crank_radius*crank_speed
-    return (
-        ca.vertcat(clearance/rod_length, clearance),
-        ca.vertcat(crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
+    return (ca.vertcat(clearance/rod_length, clearance), ca.vertcat(crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale),
-    )
+        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale))
 
 
 def coordinate_rates(t, q, u, c):
@@ -324,8 +216,7 @@ def coordinate_rates(t, q, u, c):
     Returns, each a column vector:
         dq (2,): crank_pin.angle [rad/s], guide.travel [m/s]
     """
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     return ca.vertcat(crank_pin_speed, guide_speed)
 
 
@@ -334,18 +225,12 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        G (1,): slider_pin [m]
-        dG (1,): slider_pin [m/s]
+        G (1,): PAIRS [m]
+        dG (1,): PAIRS [m/s]
     """
-    crank_radius = c[1]
-    rod_length = c[3]
-    crank_speed = c[4]
-    clearance_squared = c[7]
-    half_inverse_clearance = c[8]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    crank_radius, rod_length, crank_speed, clearance_squared, half_inverse_clearance = c[1], c[3], c[4], c[7], c[8]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -377,18 +262,12 @@ def gap_accelerations(t, q, u, a, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
     Returns, each a column vector:
-        ddG (1,): slider_pin [m/s^2]
+        ddG (1,): PAIRS [m/s^2]
     """
-    crank_radius = c[1]
-    rod_length = c[3]
-    crank_speed = c[4]
-    half_inverse_clearance = c[8]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
-    crank_pin_acceleration = a[0]
-    guide_acceleration = a[1]
+    crank_radius, rod_length, crank_speed, half_inverse_clearance = c[1], c[3], c[4], c[8]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
+    crank_pin_acceleration, guide_acceleration = a[0], a[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -418,31 +297,22 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def contact_slider_pin(t, q, u, z, m, c):
-    """Forces of slider_pin: liu_with_length x lankarani_nikravesh, smooth_coulomb. The normal force is the laws'
-    own, not clamped: where it would pull, the contact ends.
+    """Forces of slider_pin: liu_with_length x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own, not clamped: where it
+    would pull, the contact ends.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
     Returns, each a column vector:
         f (3,): crank_pin [N m], guide [N], main_bearing [N m]
-        dz (3,): energy_ledger.input [W], slider_pin.dissipated [W], slider_pin_friction.dissipated [W]
-        normal_force (1,): slider_pin [N]
-        sliding_velocity (1,): slider_pin [m/s]
-        in_range (1,): slider_pin [1]
+        dz (3,): MEMORY [W]
+        normal_force (1,): PAIRS [N]
+        sliding_velocity (1,): PAIRS [m/s]
+        in_range (1,): PAIRS [1]
     """
-    crank_radius = c[1]
-    clearance = c[2]
-    rod_length = c[3]
-    crank_speed = c[4]
-    friction_coefficient = c[6]
-    slider_pin_R_min = c[9]
-    twice_clearance = c[10]
-    half_pi_times_slider_pin_E_eff_times_bush_length = c[11]
-    slider_pin_hysteresis_factor = c[28]
+    crank_radius, clearance, rod_length, crank_speed, friction_coefficient, slider_pin_R_min = c[1], c[2], c[3], c[4], c[6], c[9]
+    twice_clearance, half_pi_times_slider_pin_E_eff_times_bush_length, slider_pin_hysteresis_factor = c[10], c[11], c[28]
     inverse_friction_speed = c[29]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     slider_pin_approach_speed = m[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -486,14 +356,10 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_drag_on_main_bearing = slider_pin_drag_x*(slider_pin_R_min_times_slider_pin_normal_y - rod_arm_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(rod_arm_x + slider_pin_pin_arm_x + minus_slider_pin_R_min_times_slider_pin_normal_x)
     slider_pin_drag_on_crank_pin = slider_pin_drag_x*(slider_pin_R_min_times_slider_pin_normal_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x + minus_slider_pin_R_min_times_slider_pin_normal_x)
     slider_pin_in_range = ca.if_else(slider_pin_penetration <= slider_pin_R_min, 1, 0)
-    return (
-        ca.vertcat(slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x -
-            slider_pin_push_x, slider_pin_drag_on_main_bearing + slider_pin_push_on_main_bearing),
-        ca.vertcat(0, slider_pin_normal_power, slider_pin_friction_power),
-        ca.vertcat(slider_pin_normal_force),
-        ca.vertcat(slider_pin_sliding_velocity),
-        ca.vertcat(slider_pin_in_range),
-    )
+    return (ca.vertcat(slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x - slider_pin_push_x,
+            slider_pin_drag_on_main_bearing + slider_pin_push_on_main_bearing),
+        ca.vertcat(0, slider_pin_normal_power, slider_pin_friction_power), ca.vertcat(slider_pin_normal_force),
+        ca.vertcat(slider_pin_sliding_velocity), ca.vertcat(slider_pin_in_range))
 
 
 def applied(t, q, u, c):
@@ -503,10 +369,7 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): crank_pin [N m], guide [N], main_bearing [N m]
     """
-    crank_speed = c[4]
-    gravity = c[5]
-    rod_h_x = c[30]
-    crank_h_x = c[31]
+    crank_speed, gravity, rod_h_x, crank_h_x = c[4], c[5], c[30], c[31]
     crank_pin_angle = q[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
@@ -526,18 +389,11 @@ def accelerations(t, q, u, f, c):
         a (2,): crank_pin.acceleration [rad/s^2], guide.acceleration [m/s^2]
         reactions (1,): main_bearing.reaction [N m]
     """
-    crank_radius = c[1]
-    crank_speed = c[4]
-    rod_h_x = c[30]
-    crank_rate_zz = c[32]
-    rod_I_z_z = c[33]
-    inverse_rod_I_z_z = c[34]
+    crank_radius, crank_speed, rod_h_x, crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z = c[1], c[4], c[30], c[32], c[33], c[34]
     inverse_slider_mass = c[35]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
-    crank_pin_force = f[0]
-    guide_force = f[1]
-    main_bearing_force = f[2]
+    crank_pin_force, guide_force, main_bearing_force = f[0], f[1], f[2]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -569,7 +425,7 @@ def ledger(t, q, u, reactions, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
-        dz (3,): energy_ledger.input [W], slider_pin.dissipated [W], slider_pin_friction.dissipated [W]
+        dz (3,): MEMORY [W]
     """
     crank_speed = c[4]
     main_bearing_reaction_in = reactions[0]
@@ -583,40 +439,14 @@ def energy(t, q, u, c):
     Returns, each a column vector:
         kinetic (1,): kinetic [J]
         potential (1,): potential [J]
-        stored (1,): slider_pin [J]
+        stored (1,): PAIRS [J]
     """
-    rod_mass_centre = c[0]
-    crank_radius = c[1]
-    clearance = c[2]
-    rod_length = c[3]
-    crank_speed = c[4]
-    twice_clearance = c[10]
-    k5 = c[12]
-    k6 = c[13]
-    k7 = c[14]
-    k8 = c[15]
-    k9 = c[16]
-    k10 = c[17]
-    k11 = c[18]
-    k12 = c[19]
-    k13 = c[20]
-    k14 = c[21]
-    k15 = c[22]
-    k16 = c[23]
-    k17 = c[24]
-    k18 = c[25]
-    k19 = c[26]
-    k20 = c[27]
-    rod_h_x = c[30]
-    half_rod_I_z_z = c[36]
-    half_slider_mass = c[37]
-    half_rod_mass = c[38]
-    half_crank_speed_squared_times_crank_inertia = c[39]
-    gravity_times_rod_mass = c[40]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
-    crank_pin_speed = u[0]
-    guide_speed = u[1]
+    rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, twice_clearance, k5 = c[0], c[1], c[2], c[3], c[4], c[10], c[12]
+    k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16 = c[13], c[14], c[15], c[16], c[17], c[18], c[19], c[20], c[21], c[22], c[23]
+    k17, k18, k19, k20, rod_h_x, half_rod_I_z_z, half_slider_mass, half_rod_mass = c[24], c[25], c[26], c[27], c[30], c[36], c[37], c[38]
+    half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass = c[39], c[40]
+    crank_pin_angle, guide_travel = q[0], q[1]
+    crank_pin_speed, guide_speed = u[0], u[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -665,18 +495,14 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     Returns, each a column vector:
-        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m],
-            slider.y [m], slider.z [m]
-        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
-            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx
-            [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy
-            [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
-            [1], slider.R_zz [1]
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m], slider.y [m], slider.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz [1], crank.R_zx [1],
+            crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx
+            [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1],
+            slider.R_yz [1], slider.R_zx [1], slider.R_zy [1], slider.R_zz [1]
     """
-    crank_radius = c[1]
-    crank_speed = c[4]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
+    crank_radius, crank_speed = c[1], c[4]
+    crank_pin_angle, guide_travel = q[0], q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -685,11 +511,9 @@ def poses(t, q, c):
     sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
-    return (
-        ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
-        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
-            cos_rod, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
-    )
+    return (ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod, cos_rod, 0, 0, 0, 1, 1, 0, 0,
+            0, 1, 0, 0, 0, 1))
 
 
 def outputs(t, q, u, c):
@@ -697,13 +521,10 @@ def outputs(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
-        y (2,): slider_pin.eccentricity_x [m], slider_pin.eccentricity_y [m]
+        y (2,): OUTPUTS
     """
-    crank_radius = c[1]
-    rod_length = c[3]
-    crank_speed = c[4]
-    crank_pin_angle = q[0]
-    guide_travel = q[1]
+    crank_radius, rod_length, crank_speed = c[1], c[3], c[4]
+    crank_pin_angle, guide_travel = q[0], q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
@@ -724,10 +545,9 @@ def speed_limits(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        limits (1,): slider_pin [m/s]
+        limits (1,): PAIRS [m/s]
     """
-    youngs_modulus = p[13]
-    density = p[15]
+    youngs_modulus, density = p[13], p[15]
     return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
@@ -747,37 +567,14 @@ def landmarks(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.parent to guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         slider_pin.pin (4,): x [m], y [m], z [m], radius [m]
         slider_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
-        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        crank.centre (3,): x [m], y [m], z [m]
-        rod.centre (3,): x [m], y [m], z [m]
-        slider.centre (3,): x [m], y [m], z [m]
+        crank_drive.child, gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre, rod.centre, slider.centre (3,): x [m], y [m], z [m]
     """
-    rod_mass_centre = p[4]
-    crank_radius = p[6]
-    bush_radius = p[7]
-    clearance = p[8]
-    rod_length = p[10]
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(crank_radius, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(rod_length, 0, 0, bush_radius - clearance),
-        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, 0, 0),
-        ca.vertcat(rod_mass_centre, 0, 0),
-        ca.vertcat(0, 0, 0),
-    )
+    rod_mass_centre, crank_radius, bush_radius, clearance, rod_length = p[4], p[6], p[7], p[8], p[10]
+    return (ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(crank_radius, 0, 0, 0, 0, 1), ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(rod_length, 0, 0, bush_radius - clearance),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 0, -1, 0), ca.vertcat(0, 0, 0),
+        ca.vertcat(rod_mass_centre, 0, 0), ca.vertcat(0, 0, 0))
