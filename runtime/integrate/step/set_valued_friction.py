@@ -53,7 +53,7 @@ AHEAD = 1000.0
 FAR = 10.0  # of that size: speed from which the slip follows the direction of sliding
 TURNED = 1e-3  # of that size: least that a slip turns by
 GROWTH = 10.0  # from rest, of the sliding speed beside that size: most in a step
-COURSE = 0.25  # of the speed: most that its rates may leave of its change in a step
+COURSE = 0.25  # of a margin: most that its rates may leave of its change in a step
 REDUNDANT = 1e-6  # relative shift of the diagonal that makes W regular: contacts of one body may share one force
 REFINEMENTS = 2  # iterations that remove the shift's effect where W is regular
 BREAKS = 0.25  # of the landing tolerance: excess of lambda over the holding force at which a pair breaks loose; landings aim at half
@@ -361,20 +361,22 @@ def directed(model: Model) -> list[list[int]]:
     return [group for group in groups_of(grips_of(model)) if len(group) > 1]
 
 
-def unresolved_sliding(model: Model, start: Parts, end: Parts, h: Any) -> Any:
-    """Return how badly a step of h [s] resolves sliding in two directions near rest.
+def unresolved_grips(model: Model, start: Parts, end: Parts, h: Any) -> Any:
+    """Return how badly a step of h [s] resolves margins; above 1 it has to be shorter.
 
-    Above 1 it has to be shorter. Friction turns the faster the slower a grip slides. An implicit step from rest takes that rate for
-    all of its course, and sees no error in a direction that does not turn; an explicit one beyond its stability can repeat a state.
-    The growth of the speed beside the size of the slip shows the one, a change of the speed that its rates do not explain the other.
+    One that sticks at both ends may not have let go between: its change is that of its rates. Sliding in two directions turns the
+    faster the slower it is. An implicit step from rest takes that rate for all of its course, and sees no error in a direction that
+    does not turn; an explicit one beyond its stability can repeat a state. The growth of the speed beside the size of the slip shows
+    the one, its change the other.
     """
-    slips, worst = start["m"][slips_in(model)], 0
+    slips, m0, m1 = start["m"][slips_in(model)], start["margin"], end["margin"]
+    error = ca.fabs(m1 - m0 - h / 2 * (start["margin_rate"] + end["margin_rate"]))
+    held = sticking(model, start["m"]) * (m0 > 0) * (m1 > 0)
+    worst = ca.mmax(ca.if_else(held, error / (COURSE * positive(ca.fmax(m0, m1))), 0))
     for group in directed(model):
         i, size = group[0], ca.sqrt(ca.sumsqr(slips[group]))
-        (s0, rate0), (s1, rate1) = ((side["margin"][i], side["margin_rate"][i]) for side in (start, end))
-        growth = (s1 + size) / (GROWTH * (ca.fmax(s0, 0) + size))
-        error = ca.fabs(s1 - s0 - h / 2 * (rate0 + rate1))
-        course = error / (COURSE * (ca.fmax(ca.fabs(s0), ca.fabs(s1)) + size))
+        growth = (m1[i] + size) / (GROWTH * (ca.fmax(m0[i], 0) + size))
+        course = error[i] / (COURSE * (ca.fmax(ca.fabs(m0[i]), ca.fabs(m1[i])) + size))
         worst = ca.fmax(worst, ca.if_else(size > 0, ca.fmax(growth, course), 0))
     return worst
 

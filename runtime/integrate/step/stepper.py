@@ -9,7 +9,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.step import explicit, implicit
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
-from hertzwerk.runtime.integrate.step.set_valued_friction import directed, unresolved_sliding
+from hertzwerk.runtime.integrate.step.set_valued_friction import unresolved_grips
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
@@ -36,12 +36,12 @@ def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any]
         def take(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
             return implicitly(start, within(start, run), h, seen)
 
-    if not directed(model):
+    if not model.ns:
         return take
 
     def resolved(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
         trial = take(start, run, h)
-        unseen = unresolved_sliding(model, start, trial, h)
+        unseen = unresolved_grips(model, start, trial, h)
         return {**trial, "error": ca.if_else(unseen > ca.fmax(trial["error"], 1), unseen, trial["error"])}
 
     return resolved
