@@ -361,7 +361,7 @@ def directed(model: Model) -> list[list[int]]:
     return [group for group in groups_of(grips_of(model)) if len(group) > 1]
 
 
-def unresolved_grips(model: Model, start: Parts, end: Parts, h: Any) -> Any:
+def unresolved_grips(model: Model, run: Parts, start: Parts, end: Parts, h: Any) -> Any:
     """Return how badly a step of h [s] resolves margins; above 1 it has to be shorter.
 
     One that sticks at both ends may not have let go between: its change is that of its rates. Sliding in two directions turns the
@@ -372,7 +372,8 @@ def unresolved_grips(model: Model, start: Parts, end: Parts, h: Any) -> Any:
     slips, m0, m1 = start["m"][slips_in(model)], start["margin"], end["margin"]
     error = ca.fabs(m1 - m0 - h / 2 * (start["margin_rate"] + end["margin_rate"]))
     held = sticking(model, start["m"]) * (m0 > 0) * (m1 > 0)
-    worst = ca.mmax(ca.if_else(held, error / (COURSE * positive(ca.fmax(m0, m1))), 0))
+    least = run["tolerance"] + time_rounding(end["t"], ca.fabs(start["margin_rate"]) + ca.fabs(end["margin_rate"]))
+    worst = ca.mmax(ca.if_else(held, error / (COURSE * ca.fmax(m0, m1) + least), 0))
     for group in directed(model):
         i, size = group[0], ca.sqrt(ca.sumsqr(slips[group]))
         growth = (m1[i] + size) / (GROWTH * (ca.fmax(m0[i], 0) + size))

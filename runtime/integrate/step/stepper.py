@@ -41,7 +41,7 @@ def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any]
 
     def resolved(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
         trial = take(start, run, h)
-        unseen = unresolved_grips(model, start, trial, h)
+        unseen = unresolved_grips(model, run, start, trial, h)
         return {**trial, "error": ca.if_else(unseen > ca.fmax(trial["error"], 1), unseen, trial["error"])}
 
     return resolved
