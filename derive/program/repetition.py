@@ -1,4 +1,4 @@
-"""Repeated sub-programs: those equal up to their leaves become one function, which each calls with its own leaves.
+"""Repeated sub-programs: those equal up to their leaves become one function that each calls.
 
 Equal are the operations and their order, as printed; only the first two operands of a sum or of a product may change
 places, which changes no rounding. What the names of the scene's parts say serves to name what was found, and to keep
@@ -172,7 +172,7 @@ class _Site:
 
 @dataclass(frozen=True)
 class _Group:
-    """Assignments of a block for which calls may stand: shape and operands of each, and those that others read."""
+    """Assignments for which calls may stand: shape and operands of each, and those that others read."""
 
     block: Block
     codes: Mapping[int, tuple[str, list[int | str]]]
@@ -257,7 +257,7 @@ def _share_once(groups: Iterable[_Group], found: list[Shared]) -> list[Block]:
 
 
 def _found_in(group: _Group, shared: Shared) -> _Site | None:
-    """Site of a function found before within a group, if all of it is there and its steps serve nothing else."""
+    """Site within a group of a function found before, if all of it is there and serves nothing else."""
     form, there = shared.form, shared.places
     if any(len(group.places.get(shape, ())) != len(there[shape]) for shape in form.key):
         return None
@@ -294,7 +294,7 @@ def _join(form: _Form, sites: list[_Site], kinds: list[Shared]) -> None:
 
 
 def _common(one: _Form, other: _Form) -> tuple[_Form, _Pairs, _Pairs] | None:
-    """Largest common part from the roots down, with its steps and its leaves in both; None if there is none.
+    """Largest common part from the roots down, with its steps and leaves in both; None if there is none.
 
     A step stays outside where it is needed twice, or by what is outside.
     """
@@ -346,7 +346,7 @@ def _clashing(
 
 
 def _groups(block: Block, parts: _Parts, cut: bool) -> Iterable[_Group]:
-    """Yield groups of assignments that serve the same owners and are connected, or named for the same part.
+    """Yield groups of assignments of the same owners, connected or named for the same part.
 
     What lies between two steps of a group serves the same owners, and is on the same level, for which a call and, with
     `cut`, a step that others read as well end one: it is in the group, and a call may stand for it.
