@@ -372,12 +372,12 @@ def unresolved_grips(model: Model, run: Parts, start: Parts, end: Parts, h: Any)
     slips, m0, m1 = start["m"][slips_in(model)], start["margin"], end["margin"]
     error = ca.fabs(m1 - m0 - h / 2 * (start["margin_rate"] + end["margin_rate"]))
     held = sticking(model, start["m"]) * (m0 > 0) * (m1 > 0)
-    least = run["tolerance"] + time_rounding(end["t"], ca.fabs(start["margin_rate"]) + ca.fabs(end["margin_rate"]))
-    worst = ca.mmax(ca.if_else(held, error / (COURSE * ca.fmax(m0, m1) + least), 0))
+    least = time_rounding(end["t"], ca.fabs(start["margin_rate"]) + ca.fabs(end["margin_rate"]))
+    worst = ca.mmax(ca.if_else(held, error / (COURSE * ca.fmax(m0, m1) + least + run["tolerance"]), 0))
     for group in directed(model):
         i, size = group[0], ca.sqrt(ca.sumsqr(slips[group]))
-        growth = (m1[i] + size) / (GROWTH * (ca.fmax(m0[i], 0) + size))
-        course = error[i] / (COURSE * (ca.fmax(ca.fabs(m0[i]), ca.fabs(m1[i])) + size))
+        growth = (m1[i] + size) / (GROWTH * (ca.fmax(m0[i], 0) + size) + least[i])
+        course = error[i] / (COURSE * (ca.fmax(ca.fabs(m0[i]), ca.fabs(m1[i])) + size) + least[i])
         worst = ca.fmax(worst, ca.if_else(size > 0, ca.fmax(growth, course), 0))
     return worst
 
