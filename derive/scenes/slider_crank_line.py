@@ -1,4 +1,4 @@
-"""The slider-crank with a clearance joint, its pin touching the bush along a line: the law of Liu, Zhang and Yang."""
+"""The slider-crank with clearance whose pin touches the bush along a line (law of Liu, Zhang, Yang)."""
 
 from hertzwerk.derive.scenes.slider_crank import scene as at_a_point
 

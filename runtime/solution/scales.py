@@ -73,7 +73,7 @@ def error(
 
 
 def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the distances (...,) of states from a motion, and the shifts in time [s] that make them least.
+    """Return the distances (...,) of states from a motion, and the shifts in time [s] that lead to them.
 
     With the scaled differences e = `apart` and the scaled rates f of the motion, both (..., n), it is
 
