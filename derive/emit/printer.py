@@ -200,6 +200,8 @@ def _return(columns: Sequence[str]) -> list[str]:
     """Return statement; if long, as many results on a line as it holds, and a long one on several lines."""
     columns = _runs(columns)
     line = f"    return {', '.join(columns)}"
+    if len(columns) == 1 and columns[0].startswith("*"):
+        return [f"    return ({columns[0]},)"]  # many equal results
     if len(line) <= WIDTH:
         return [line]
     if len(columns) == 1:

@@ -41,11 +41,7 @@ def origin(module: ModuleType | SimpleNamespace, p: np.ndarray) -> Origin | None
     exec(compile(ast.fix_missing_locations(ast.Module([function], [])), "<constants>", "exec"), scope)
     found = scope["constants"](ca.DM(p))
     values = {name: float(value) for name, value in found.items() if isinstance(value, ca.DM) and value.numel() == 1}
-    made = {
-        statement.targets[0].id: statement.value
-        for statement in function.body
-        if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name)
-    }
+    made = {name: value for statement in function.body for name, value in _assigned(statement)}
     for name, expression in made.items():
         if not math.isfinite(values.get(name, 0.0)):
             operands = {other: values[other] for other in _names(expression) if other in values}
@@ -53,6 +49,16 @@ def origin(module: ModuleType | SimpleNamespace, p: np.ndarray) -> Origin | None
             parameters = tuple(rows[i] for i in dict.fromkeys(_places(name, made)))
             return Origin(name, values[name], ast.unparse(expression), operands, parameters)
     return None
+
+
+def _assigned(statement: ast.stmt) -> Iterator[tuple[str, ast.expr]]:
+    """Yield the names that a statement assigns, each with its expression or the call that returns it."""
+    if not isinstance(statement, ast.Assign):
+        return
+    target, value = statement.targets[0], statement.value
+    names = target.elts if isinstance(target, ast.Tuple) else [target]
+    values = value.elts if isinstance(target, ast.Tuple) and isinstance(value, ast.Tuple) else [value] * len(names)
+    yield from ((ast.unparse(name), each) for name, each in zip(names, values, strict=True))
 
 
 def _names(expression: ast.expr) -> Iterator[str]:

@@ -26,12 +26,15 @@ Content = TypeVar("Content")
 
 
 def packed(about: Mapping[str, Any], histories: Mapping[str, np.ndarray]) -> bytes:
-    """Pack a run as npz."""
+    """Pack a run as npz; raises MemoryError where it does not fit."""
     text = json.dumps(about)
     content = io.BytesIO()
     arrays: dict[str, Any] = {name: np.asarray(values) for name, values in histories.items()}
     # to compress takes 20 times as long, for a fifth of the size
-    np.savez(content, about=text, digest=_digest(text, arrays), **arrays)
+    try:
+        np.savez(content, about=text, digest=_digest(text, arrays), **arrays)
+    except ValueError as error:  # of an archive that cannot be closed after memory ran out
+        raise MemoryError from error
     return content.getvalue()
 
 

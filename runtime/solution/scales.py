@@ -41,7 +41,7 @@ class Scales:
     @property
     def pace(self) -> float:
         """Speed over length [1/s], by which a shift in time counts."""
-        return float(self.scene[1] / self.scene[0])
+        return float(self.scene[1]) / float(self.scene[0])
 
     @cached_property
     def sound(self) -> bool:

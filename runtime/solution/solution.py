@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from types import ModuleType
@@ -237,9 +238,11 @@ class Solution:
         histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
         if self.checkpoint is not None:
             histories[CHECKPOINT] = self.checkpoint.resume.state
+        content = b""
         if self.history.steps:
-            histories[RATES] = saved.rates(self.history)
-        return write(Path(path), saved.packed(about, histories), overwrite=overwrite)
+            with suppress(MemoryError):  # then without them: they serve pictures alone
+                content = saved.packed(about, {**histories, RATES: saved.rates(self.history)})
+        return write(Path(path), content or saved.packed(about, histories), overwrite=overwrite)
 
     def _beside(self) -> dict[str, Any]:
         """Table of the readings that are saved with a run: name, unit, meaning."""

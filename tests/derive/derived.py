@@ -88,6 +88,8 @@ class Derived:
                     slope[i : i + 4] -= (slope[i : i + 4] @ at[i : i + 4]) * at[i : i + 4]
                 if abs(value[0] - target) <= 1e-9 * abs(target):
                     return at
+                if not slope.any():  # a gap that stands still leads nowhere
+                    break
                 at = at - (value[0] - target) * slope / (slope @ slope)
         raise AssertionError(f"no coordinates with gap {target} found")
 

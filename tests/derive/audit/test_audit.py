@@ -322,13 +322,22 @@ class Rescaled:
             t = rng.uniform(0, 10) * s[0] / s[1]
             q = q0 + rng.normal(size=q0.size) * sq
             if pair is not None:
-                q = derived.with_gap(t, q, pair, target)
+                t, q = self.with_gap(rng, t, q, pair, target)
             yield {
                 "t": t, "q": q, "u": u0 + rng.normal(size=u0.size) * su, "z": rng.normal(size=sz.size) * s[3],
                 "m": rng.uniform(0.5, 2, len(derived.LATCHES)) * s[1], "a": rng.normal(size=u0.size) * s[1],
                 "f": rng.normal(size=len(self.units("f"))) * s[2], "reactions": rng.normal(size=len(self.units("reactions"))) * s[2],
                 "wanted": rng.normal(size=len(self.units("wanted"))) * s[1],
             }  # fmt: skip
+
+    def with_gap(self, rng, t, q, pair, target):
+        """Time and coordinates at which a pair has a gap: later and later, where a drive has to bring it near first."""
+        for _ in range(20):
+            try:
+                return t, self.derived.with_gap(t, q, pair, target)
+            except AssertionError:
+                t *= rng.uniform(1, 2)
+        raise AssertionError(f"no time found at which pair {pair} has a gap of {target}")
 
     def disagreement(self, factors):
         """Largest relative difference over all functions and states between the rescaled run and the rescaled results, and where."""

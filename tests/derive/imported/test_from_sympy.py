@@ -98,7 +98,7 @@ def test_a_disc_that_rolls_upright_wobbles_at_the_frequency_of_theory():
     [
         (lambda A, q, l: -A.y, "position of P from O, along A.y", "-1 [1]"),
         (lambda A, q, l: -l * A.y - sp.sin(q) * A.x, "position of P from O, along A.x", "-sin(q(t)) [1]"),
-        (lambda A, q, l: -l * (1 + l * sp.cos(q)) * A.y, "position of P from O, along A.y", "l*cos(q(t)) + 1"),
+        (lambda A, q, l: -l * (1 + l * sp.cos(q)) * A.y, "position of P from O, along A.y", "l*cos(q(t)) [m], in "),
     ],
 )  # fmt: skip
 def test_a_length_that_is_forgotten_is_named_in_the_users_own_expression(arm, where, found):
