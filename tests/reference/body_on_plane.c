@@ -248,7 +248,7 @@ static void rates(const Body *B, const real *y, const real *given, real *dy) {
         holding(B, &P, b, f);
     } else if (B->mode == SLIP) {
         real l = size(P.s), limit = -B->mu_k * N;
-        for (int i = 0; i < 3; i++) f[i] = limit * (B->plane || l == 0 ? B->way[i] : P.s[i] / l);
+        for (int i = 0; i < 3; i++) f[i] = limit * (B->plane || l < REST / 100 ? B->way[i] : P.s[i] / l);
     }
     accelerate(B, y, &P, N, f, a, alpha);
     const real *q = y + 3, *w = y + 10;
@@ -603,11 +603,10 @@ static int simulate(Body *B, real *y) {
             stiff = N > 0 && size(a) * cut > 2 * rate && !(along_s < 0 && rate < -10 * along_s * cut);
             if (rate < 100 * REST && along_s > 0 && along_s * 1e3 > size(a)) stiff = 0; /* grows like t, not t^2 */
         }
-        if (getenv("TRACE")) fprintf(stderr, "%.12Lg mode %d h %.3Lg stiff %d s %.3Lg d %.3Lg\n", (long double)t, B->mode, (long double)cut, stiff, (long double)size((place(B, y, &P), P.s)), (long double)P.d);
         int column = advance(B, y, cut, stiff, out);
         if (!column) {
             h = cut * (stiff ? 0.3 : 0.4);
-            if (h < 1e-22) return 2;
+            if (h < 1e-6 * REST) return 2;
             continue;
         }
         /* the first event of the step */
@@ -640,7 +639,6 @@ static int simulate(Body *B, real *y) {
             memcpy(y, out, sizeof out);
             t = last ? B->t_end : t + cut;
             h = cut * (stiff ? 1.7 : column <= COLUMNS - 4 ? 2 : column <= COLUMNS - 2 ? 1.2 : 0.8);
-            if (B->mode == STICK) decide(B, y, 0), B->mode = STICK;
             real l = sqrtl(y[3] * y[3] + y[4] * y[4] + y[5] * y[5] + y[6] * y[6]);
             for (int i = 3; i < 7; i++) y[i] /= l;
             if (B->mode == SLIP && !B->plane) { /* rest in space: |s| falls to nothing */
@@ -698,7 +696,7 @@ static int numbers(int n, real *x) {
 
 /* plane law most  perturbation  m J[3] o[3] R n[3] g[3] K p c r floor mu_k mu_s t_end  x[3] q[4] v[3] w[3]; numbers as doubles, hexadecimal too */
 static int read_body(Body *B, real *y) {
-    real by;
+    real by = 0;
     memset(B, 0, sizeof *B);
     if (scanf("%d %d %ld", &B->plane, &B->law, &B->most) != 3) return 0;
     int read = number(&by) && number(&B->m) && numbers(3, B->J) && numbers(3, B->o) && number(&B->R) && numbers(3, B->n) && numbers(3, B->g) &&

@@ -341,7 +341,7 @@ def main() -> None:
     first, last, *seed = map(int, sys.argv[1:])
     total, failed = 0, 0
     for i in range(first, last):
-        for finding in judged(body_of(i, *seed), wall_time=10):
+        for finding in judged(body_of(i, *seed), wall_time=40):
             total += 1
             failed += bool(finding.faults)
             print(

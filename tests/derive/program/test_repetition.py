@@ -73,7 +73,7 @@ def derived(name, coordinates="tree"):
     return derive(replace(scene, coordinates=coordinates))
 
 
-@pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("name", NAMES)
 def test_calls_change_no_bit(name, coordinates):
     try:
