@@ -8,6 +8,7 @@ the step; only otherwise is one searched for. Farin, Curves and Surfaces for CAG
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache, reduce
 from math import comb
 from typing import TYPE_CHECKING, Any
 
@@ -51,7 +52,7 @@ def tolerances(model: Model, run: Mapping[str, Any], at: Mapping[str, Any]) -> t
     raise far above.
     """
     if not model.k:
-        return ca.SX(0, 1), ca.SX(0, 1), ca.SX(0, 1)
+        return (ca.DM(0, 1),) * 3
     length, speed, force = (run["scales"][i] for i in range(3))
     q, u = at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu]
     gap_floor, rate_floor = (ROUNDINGS * bound for bound in gap_rounding(model)(at["t"], q, u, run["c"]))
@@ -148,7 +149,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
     if not model.k:
-        return ca.Function("polynomials", arguments, [ca.densify(_beside_pairs(model, run, start, end, ca.SX(0, 1)))])
+        return ca.Function("polynomials", arguments, [ca.densify(_beside_pairs(model, run, start, end, ca.DM(0, 1)))])
     tol, tol_rate, tol_force = tolerances(model, run, end)
     before, after = signed_gaps(start["mode"], start), signed_gaps(start["mode"], end)
     g, rate, _ = before
@@ -161,7 +162,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     between = _graze_margin(before, after, h)
     bernstein, margin = ca.vertcat(*(x.T for x in b)), ca.if_else(leaving, 2, 1) * tol
     doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
-    suspect = _row_minimum(bernstein.T) <= doubt
+    suspect = reduce(ca.fmin, b) <= doubt
     ending = sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force)) > 0
     ending = _beside_pairs(model, run, start, end, ending)
     outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt, suspect, ending))])
@@ -180,7 +181,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
     """
     arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
-    rows, aim, margins_of = [ca.SX.ones(model.k)] * 6, ca.SX.zeros(model.k), []
+    rows, aim, margins_of = [ca.DM.ones(model.k)] * 6, ca.DM.zeros(model.k), []
     tolerance = tolerances(model, run, end)
     if model.k:
         for ends, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
@@ -252,11 +253,12 @@ def search(k: int) -> Any:
     bernstein = ca.MX.sym("bernstein", 6, k)
     found = locate()
     none = ca.Function("none", found.mx_in(), [ca.MX(NO_EVENT)])
-    lazy = ca.Function.if_else("lazy", found, none)
-    theta = [lazy(wanted[j], bernstein[:, j], margin[j], doubt[j]) for j in range(k)]
-    return ca.Function("search", [wanted, bernstein, margin, doubt], [ca.vertcat(*theta)])
+    each = ca.Function.if_else("lazy", found, none).map(k)
+    theta = each(wanted.T, bernstein, margin.T, doubt.T)
+    return ca.Function("search", [wanted, bernstein, margin, doubt], [theta.T])
 
 
+@cache
 def locate() -> Any:
     """Build the function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event.
 

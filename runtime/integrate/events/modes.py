@@ -67,11 +67,12 @@ def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> 
 
 def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[Any, Any]:
     """Return the latches after the onsets (k), and how many approach speeds were raised to the floor."""
-    latched, pairs = ca.SX(m), sorted({pair for _, _, pair in model.module.LATCHES})
-    for i, (_, _, j) in enumerate(model.module.LATCHES):
-        latched[i] = ca.if_else(onset[j], ca.fmax(-gap_rate[j], run["floor"]), latched[i])
-    floored = sum((onset[j] * (-gap_rate[j] < run["floor"]) for j in pairs), start=ca.SX(0))
-    return latched, floored
+    pairs = [pair for _, _, pair in model.module.LATCHES]
+    if not pairs:
+        return m, ca.DM(0)
+    n, each = len(pairs), sorted(set(pairs))
+    latched = ca.if_else(onset[pairs], ca.fmax(-gap_rate[pairs], run["floor"]), m[:n])
+    return ca.vertcat(latched, m[n:]), ca.sum1(onset[each] * (-gap_rate[each] < run["floor"]))
 
 
 @per_model
@@ -88,7 +89,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     if model.ne:
         y = jump(model)(after["t"], y, run["c"], due(run, after))
     _, *tolerance = tolerances(model, run, {**after, "y": y})
-    asked = ca.SX(0, 1)
+    asked = ca.DM(0, 1)
     if model.ns:
         small = margin_tolerances(model, run, m, after, *tolerance)
         asked, _ = undecided_and_breaking(
@@ -99,7 +100,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
         arguments,
         [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, m, after, tolerance)],
     )
-    y, m, busy = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm), ca.SX.sym("busy")
+    y, m, busy = (vectors.kind.sym(name, size) for name, size in (("y", y.numel()), ("m", model.nm), ("busy", 1)))
     end = right.at(after["t"], y, after["mode"], m, run["c"])
     in_range = end.pop("in_range")
     finite = is_finite(end)
@@ -137,10 +138,10 @@ def enter(model: Model, vectors: Layouts, right: Flow) -> Any:
         **end,
         "h": ca.if_else(1.01 * free >= remaining, remaining, free),
         "class": class_of(model, old["mode"]),
-        "status": ca.SX(RUNNING),
-        "accepted": ca.SX(1),
-        "after_rejection": ca.SX(0),
-        "retakes": ca.SX(0),
+        "status": ca.DM(RUNNING),
+        "accepted": ca.DM(1),
+        "after_rejection": ca.DM(0),
+        "retakes": ca.DM(0),
         "events": old["events"] + (ca.sum1(end["event"] <= 0) if model.ne else 0),
         "evaluations": old["evaluations"] + 1,
     }
@@ -225,7 +226,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 def _slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tolerance: list[Any]) -> Sequence[Any]:
     """Return the tolerances of speeds and forces of the pairs with set-valued friction."""
-    return slip_tolerances(model, run, m, at, *tolerance) if model.ns else [ca.SX(0, 1)] * 2
+    return slip_tolerances(model, run, m, at, *tolerance) if model.ns else [ca.DM(0, 1)] * 2
 
 
 def is_finite(end: Parts) -> Any:
@@ -235,12 +236,14 @@ def is_finite(end: Parts) -> Any:
 
 def all_of(conditions: Any) -> Any:
     """Return 1 if all conditions of a column hold; 1 for an empty one."""
-    return reduce(mul, ca.vertsplit(conditions), ca.SX(1))
+    if isinstance(conditions, ca.MX):
+        return ca.mmin(conditions) if conditions.numel() else ca.DM(1)
+    return reduce(mul, ca.vertsplit(conditions), ca.DM(1))
 
 
 def any_of(conditions: Any) -> Any:
     """Return 1 if any condition of a column holds; 0 for an empty one."""
-    return ca.mmax(conditions) if conditions.numel() else ca.SX(0)
+    return ca.mmax(conditions) if conditions.numel() else ca.DM(0)
 
 
 def _closing(rate: Any, acceleration: Any) -> Any:
@@ -249,7 +252,7 @@ def _closing(rate: Any, acceleration: Any) -> Any:
 
 def _reset_bristles(model: Model, y: Any, mode: Any) -> Any:
     """Return the state with the bristles of ended contacts reset."""
-    y = ca.SX(y)
+    y = type(y)(y)
     for row, j in getattr(model.module, "BRISTLES", ()):
         i = model.nq + model.nu + row
         y[i] = ca.if_else(mode[j] == CONTACT, y[i], 0)
@@ -263,8 +266,7 @@ def _book_stored_energy(model: Model, t: Any, y: Any, c: Any, before: Any, after
     """
     q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
     _, _, stored = model.function("energy")(t, q, u, c)
-    y = ca.SX(y)
-    for j, row in enumerate(model.module.DISSIPATED):
-        leaving = (before[j] == CONTACT) * (after[j] != CONTACT) - (before[j] == RELEASED) * (after[j] == CONTACT)
-        y[model.nq + model.nu + row] += leaving * stored[j]
-    return y
+    leaving = (before == CONTACT) * (after != CONTACT) - (before == RELEASED) * (after == CONTACT)
+    rows = [model.nq + model.nu + row for row in model.module.DISSIPATED]
+    shares = ca.DM.triplet(rows, range(model.k), ca.DM.ones(model.k), y.numel(), model.k)
+    return y + ca.mtimes(shares, leaving * stored)

@@ -116,9 +116,9 @@ def reject(vectors: Layouts, table: Table) -> Any:
         "h": h,
         "h_flight": ca.if_else(in_contact, old["h_flight"], kept),
         "h_contact": ca.if_else(in_contact, kept, old["h_contact"]),
-        "accepted": ca.SX(0),
-        "after_rejection": ca.SX(1),
-        "retakes": ca.SX(0),
+        "accepted": ca.DM(0),
+        "after_rejection": ca.DM(1),
+        "retakes": ca.DM(0),
         "rejected": old["rejected"] + 1,
         "evaluations": old["evaluations"] + table.stages,
         "status": status,
@@ -140,11 +140,11 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     to a surface close by, or is 0.
     """
     arguments, (old, run, end, _) = vectors.symbols("state controls next verdict")
-    at_gap, at_force = ca.SX.sym("at_gap", max(model.k, 1)), ca.SX.sym("at_force", model.k + model.ns + model.ne)
+    at_gap, at_force = vectors.kind.sym("at_gap", max(model.k, 1)), vectors.kind.sym("at_force", model.k + model.ns + model.ne)
     asked = [*arguments, at_gap, at_force]
     theta, force = ca.mmin(at_gap), ca.mmin(at_force)
     if not model.k:
-        return ca.Function("aim", asked, [ca.fmin(theta, force), ca.SX(0)])
+        return ca.Function("aim", asked, [ca.fmin(theta, force), ca.DM(0)])
     tol, _, _ = tolerances(model, run, end)
     times = time_to_root(*signed_gaps(old["mode"], end))
     # its fifth power, the nudge's error, is below the tolerance
@@ -167,7 +167,7 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (state, controls, next, verdict, delta) -> (next, verdict) delta [s] later."""
     arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict")
-    delta = ca.SX.sym("delta")
+    delta = vectors.kind.sym("delta")
     moved = short_step(right, old, end, run, delta)
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
@@ -181,10 +181,10 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     the right-hand side has to be evaluated again.
     """
     arguments, (old, run, end, judged) = vectors.symbols("state controls next verdict")
-    theta, delta = ca.SX.sym("theta"), ca.SX.sym("delta")
+    theta, delta = vectors.kind.sym("theta"), vectors.kind.sym("delta")
     moved, finite = delta != 0, is_finite(end)
     aimed, retake = old["h"] * theta, theta < 1
-    mode, m, floored, begun = old["mode"], old["m"], ca.SX(0), ca.SX(0)
+    mode, m, floored, begun = old["mode"], old["m"], ca.DM(0), ca.DM(0)
     if model.k:  # moved, but too far: the step is retaken to the root as it appears from there
         tol, _, _ = tolerances(model, run, end)
         g, *rates = signed_gaps(mode, end)
@@ -212,7 +212,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         m = ca.if_else(accepted, following, m)
     arrived = accepted * ((1 - moved) * (old["h"] >= run["t_end"] - old["t"]) + (end["t"] >= run["t_end"]) > 0)
     t, steps = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"]), old["steps"] + accepted
-    happened = ca.SX(0)
+    happened = ca.DM(0)
     if model.ne:
         happened = accepted * ca.sum1(end["event"] <= due(run, {**end, "t": t, "steps": steps}))
         switched = switched + happened > 0
@@ -235,7 +235,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         "h": h,
         "accepted": accepted,
         "fresh_contact": ca.if_else(accepted, begun > 0, old["fresh_contact"]),
-        "after_rejection": ca.SX(0),
+        "after_rejection": ca.DM(0),
         "retakes": ca.if_else(retake, old["retakes"] + 1, 0),
         "steps": steps,
         "rejected": old["rejected"],
@@ -277,7 +277,7 @@ def _steps_to_continue(table: Table, old: Parts, error: Any, accepted: Any, begu
 
 def _first(*cases: tuple[Any, int], otherwise: int) -> Any:
     """Return the value of the first condition that holds."""
-    value = ca.SX(otherwise)
+    value = ca.DM(otherwise)
     for condition, result in reversed(cases):
         value = ca.if_else(condition, result, value)
     return value

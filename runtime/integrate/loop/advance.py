@@ -20,7 +20,7 @@ from hertzwerk.runtime.integrate.step.implicit import linearised, uses_calls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN, REJECTED, RELEASED, SPECIAL, Layouts
 from hertzwerk.runtime.integrate.step.set_valued_friction import margins_positive, may_slip
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
-from hertzwerk.runtime.integrate.step.stepper import stepper
+from hertzwerk.runtime.integrate.step.stepper import stages_inlined, stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -69,37 +69,42 @@ def advance(
     """
     given, (old, run) = vectors.symbols("state controls")
     poll()  # each part takes up to a second of a large model
-    seen: dict[str, Any] = {}
     mode = old["mode"] if contacts is BY_MODE else modes(model, contacts)
-    implicit = not isinstance(table, RungeKutta)
-    by_calls = uses_calls(model) and (implicit or choosing is Choosing.EVERY_STEP)
-    if by_calls:
-        jacobian = ca.SX.sym("J", linearised(model, contacts).sparsity_out(0))
-        given, seen = [*given, jacobian], {"J": jacobian}
-    if by_calls and implicit:
-        trial = vectors.trial.symbol("trial")
-        end, given = vectors.trial.split(trial), [*given, trial]
-    else:
-        end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
-    poll()
-    results = _judged(model, vectors, table, contacts, choosing, old, run, end, seen)
-    poll()
     name = "advance_in_contact" if contacts != () else "advance_in_flight"
     names = ["state", "controls"], ["next", "verdict"]
-    made = lean("judged" if by_calls else name, given, results, *(() if by_calls else names))
-    if not by_calls:
-        return made
-    state, controls = made.mx_in()[:2]
-    old = vectors.state.split(state)
-    run = vectors.within(vectors.controls.split(controls), old)
-    start = old if contacts is BY_MODE else {**old, "mode": ca.MX(ca.DM(mode))}
-    if implicit:
-        within: dict[str, Any] = {}  # what the step computes on its way
-        end = stepper(model, table, contacts, within)(start, run, old["h"])
-        called = [within["J"], ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))]
-    else:
-        called = [linearised(model, contacts)(start["t"], start["y"], start["mode"], start["m"], run["c"])[0]]
-    return ca.Function(name, [state, controls], list(made.call([state, controls, *called])), *names)
+    as_vectors = vectors.kind is ca.MX
+    calls_step = not stages_inlined(model, table, contacts)
+    calls_jacobian = uses_calls(model) and choosing is Choosing.EVERY_STEP
+    if as_vectors or not (calls_step or calls_jacobian):
+        seen: dict[str, Any] = {}
+        end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
+        poll()
+        return lean(name, given, _judged(model, vectors, table, contacts, choosing, old, run, end, seen), *names)
+
+    # what is called is computed from MX, and judged by a function of its results
+    state, controls = (ca.MX.sym(part, vector.numel()) for part, vector in zip(names[0], given, strict=True))
+    called_old = vectors.state.split(state)
+    called_run = vectors.within(vectors.controls.split(controls), called_old)
+    start = called_old if contacts is BY_MODE else {**called_old, "mode": ca.MX(ca.DM(mode))}
+    results: dict[str, Any] = {}
+    if calls_step:
+        end = stepper(model, table, contacts, results)(start, called_run, called_old["h"])
+        results["trial"] = ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))
+    if calls_jacobian and "J" not in results:
+        results["J"], _ = linearised(model, contacts)(*(start[part] for part in ("t", "y", "mode", "m")), called_run["c"])
+    poll()
+    seen = {part: ca.SX.sym(part, value.sparsity()) for part, value in results.items()}
+    end = (
+        vectors.trial.split(seen["trial"])
+        if calls_step
+        else stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
+    )
+    inputs = [seen[part] for part in results]
+    judged = lean(
+        "judged", [*given, *inputs], _judged(model, vectors, table, contacts, choosing, old, run, end, seen)
+    )
+    poll()
+    return ca.Function(name, [state, controls], list(judged.call([state, controls, *results.values()])), *names)
 
 
 def _judged(
@@ -118,7 +123,7 @@ def _judged(
     if contacts is BY_MODE:
         mode, plain = old["mode"], all_of(old["mode"] != RELEASED)
     else:  # the class says it, so that nothing is left to decide but whether a pair is released in flight
-        mode, plain = modes(model, contacts), ca.SX(1) if contact else all_of(old["mode"] == FLIGHT)
+        mode, plain = modes(model, contacts), ca.DM(1) if contact else all_of(old["mode"] == FLIGHT)
     h, steps = old["h"], old["steps"] + 1
     if contact:
         end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
@@ -137,7 +142,7 @@ def _judged(
         clear *= all_of(no_event_possible(model, run, mode, old, end, asked))
     if not asked and may_slip(model, contacts):
         clear *= margins_positive(model, mode, old, end)
-    apart = all_of(far_apart(model, run, old, end, others)) if others else ca.SX(1)
+    apart = all_of(far_apart(model, run, old, end, others)) if others else ca.DM(1)
     if contact or model.nr > model.k:
         clear *= all_of(in_range > 0.5)
 
@@ -156,9 +161,9 @@ def _judged(
         **end,
         own: kept,
         "h": ca.if_else(1.01 * free >= remaining, remaining, free),
-        "accepted": ca.SX(1),
-        "after_rejection": ca.SX(0),
-        "retakes": ca.SX(0),
+        "accepted": ca.DM(1),
+        "after_rejection": ca.DM(0),
+        "retakes": ca.DM(0),
         "steps": steps,
         "evaluations": old["evaluations"] + table.stages,
     }

@@ -51,7 +51,7 @@ class Integrator:
     def step(self, method: int = 0) -> Any:
         """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
         if method not in self._steps:
-            h = ca.SX.sym("h")
+            h = self.layouts.kind.sym("h")
             given, (start, run) = self.layouts.symbols("state controls")
             trial = self.layouts.trial.join(stepper(self.model, self.tables[method], BY_MODE)(start, run, h))
             names = ["state", "controls", "h"]

@@ -35,9 +35,9 @@ def class_of(model: Model, mode: Any) -> Any:
     Single-contact classes require that no other pair is released.
     """
     if not model.k:
-        return ca.SX(IN_FLIGHT)
+        return ca.DM(IN_FLIGHT)
     touching = mode == CONTACT
-    in_contact = ca.SX(IN_CONTACT)
+    in_contact = ca.DM(IN_CONTACT)
     if model.k <= ALONE:
         single = (ca.sum1(touching) == 1) * ca.mmin(mode != RELEASED)
         in_contact = IN_CONTACT + ca.if_else(single, ca.dot(touching, ca.DM(range(model.k))), model.k)
@@ -46,7 +46,7 @@ def class_of(model: Model, mode: Any) -> Any:
 
 def modes(model: Model, contacts: tuple[int, ...]) -> Any:
     """Return the constant modes (k) of a class whose contacts are known, with no pair released."""
-    return ca.SX([CONTACT if j in contacts else FLIGHT for j in range(model.k)])
+    return ca.DM([CONTACT if j in contacts else FLIGHT for j in range(model.k)])
 
 
 def active_contacts(model: Model, contacts: Contacts, mode: Any) -> Iterator[tuple[int, Any, Any]]:
@@ -56,7 +56,7 @@ def active_contacts(model: Model, contacts: Contacts, mode: Any) -> Iterator[tup
     """
     for j, pair in enumerate(model.pairs):
         if contacts is BY_MODE or j in contacts:
-            yield j, model.function(f"contact_{pair}"), mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
+            yield j, model.function(f"contact_{pair}"), mode[j] == CONTACT if contacts is BY_MODE else ca.DM(1)
 
 
 def masked(active: Any, value: Any, otherwise: float = 0.0) -> Any:

@@ -44,9 +44,9 @@ class Layout:
     def __getitem__(self, name: str) -> slice:
         return self._slices[name]
 
-    def symbol(self, name: str) -> Any:
+    def symbol(self, name: str, kind: Any = ca.SX) -> Any:
         """Return a symbolic vector of this layout."""
-        return ca.SX.sym(name, self.size)
+        return kind.sym(name, self.size)
 
     def split(self, vector: Any) -> dict[str, Any]:
         """Return the parts of a vector by name, each a column."""
@@ -56,12 +56,12 @@ class Layout:
         return {name: vector[bounds[i] : bounds[i + 1]] for i, name in enumerate(self.sizes)}
 
     def join(self, parts: Mapping[str, Any]) -> Any:
-        """Join exactly these parts to the vector (SX).
+        """Join exactly these parts to the vector.
 
         Raises ValueError if a part is missing, unknown or of another size.
         """
-        columns = {name: ca.SX(part) for name, part in parts.items()}
-        found = {name: columns[name].numel() for name in columns}
+        columns = {name: ca.DM(part) if isinstance(part, int | float) else part for name, part in parts.items()}
+        found = {name: column.numel() for name, column in columns.items()}
         if found != dict(self.sizes):
             raise ValueError(f"found parts {found}, expected {dict(self.sizes)}")
         return ca.vertcat(*(ca.densify(columns[name]) for name in self.sizes))
@@ -75,12 +75,14 @@ class Layouts:
     controls  the numbers of one run, constant over its attempts
     trial     result of one step
     verdict   classification of a step: its kind, the error norm, whether each law is in its range
+    kind      CasADi type of the symbols in which what handles a step is written
     """
 
     state: Layout
     controls: Layout
     trial: Layout
     verdict: Layout
+    kind: Any = ca.SX
 
     def symbols(self, names: str) -> tuple[list[Any], list[dict[str, Any]]]:
         """Return symbols of vectors, as of "state controls next", and their parts.
@@ -88,7 +90,7 @@ class Layouts:
         next, before and after are states.
         """
         layouts = [self.state if name in ("next", "before", "after") else getattr(self, name) for name in names.split()]
-        vectors = [layout.symbol(name) for layout, name in zip(layouts, names.split(), strict=True)]
+        vectors = [layout.symbol(name, self.kind) for layout, name in zip(layouts, names.split(), strict=True)]
         parts = [layout.split(vector) for layout, vector in zip(layouts, vectors, strict=True)]
         states = [part for layout, part in zip(layouts, parts, strict=True) if layout is self.state]
         return vectors, [
@@ -105,6 +107,8 @@ class Layouts:
         return {**run, "c": ca.vertcat(run["c"][:kept], state["pieces"]), "t_end": state["stop"]}
 
 
+# Pairs beyond which what handles a step is in operations on vectors (MX): loops in C, not an operation for each pair.
+MANY = 10
 FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
 # status
 RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE = range(4)
@@ -165,4 +169,5 @@ def layouts(model: Model) -> Layouts:
         ),
         trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": model.nr, "error": 1}),
         verdict=Layout({"kind": 1, "error": 1, "in_range": model.nr}),
+        kind=ca.MX if k > MANY and not model.ns else ca.SX,
     )

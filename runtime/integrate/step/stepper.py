@@ -17,7 +17,16 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tableaux.methods import Table
     from hertzwerk.runtime.model.model import Model
 
+import os
+INLINED = int(os.environ.get("INL","3000"))  # instructions of all stages of a step; more are called: inlined they take long to build and to compile
 Take: TypeAlias = Callable[[Mapping[str, Any], Mapping[str, Any], Any], dict[str, Any]]
+
+
+def stages_inlined(model: Model, table: Table, contacts: Contacts) -> bool:
+    """Return whether a step contains its stages; else each calls the right-hand side."""
+    if not isinstance(table, RungeKutta):
+        return not implicit.uses_calls(model)
+    return bool(table.stages * explicit.flow(model, contacts).rates.n_instructions() <= INLINED)
 
 
 def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
