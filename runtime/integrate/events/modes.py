@@ -28,6 +28,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     RUNNING,
     Layouts,
 )
+from hertzwerk.runtime.integrate.step.many_contacts import stored_energies
 from hertzwerk.runtime.integrate.step.set_valued_friction import (
     margin_tolerances,
     slip_tolerances,
@@ -265,7 +266,9 @@ def _book_stored_energy(model: Model, t: Any, y: Any, c: Any, before: Any, after
     It is booked back where a released contact resumes.
     """
     q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
-    _, _, stored = model.function("energy")(t, q, u, c)
+    stored = (
+        stored_energies(model)(t, q, u, c) if isinstance(y, ca.MX) else model.function("energy").call([t, q, u, c])[2]
+    )
     leaving = (before == CONTACT) * (after != CONTACT) - (before == RELEASED) * (after == CONTACT)
     rows = [model.nq + model.nu + row for row in model.module.DISSIPATED]
     shares = ca.DM.triplet(rows, range(model.k), ca.DM.ones(model.k), y.numel(), model.k)

@@ -140,7 +140,10 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     to a surface close by, or is 0.
     """
     arguments, (old, run, end, _) = vectors.symbols("state controls next verdict")
-    at_gap, at_force = vectors.kind.sym("at_gap", max(model.k, 1)), vectors.kind.sym("at_force", model.k + model.ns + model.ne)
+    at_gap, at_force = (
+        vectors.kind.sym("at_gap", max(model.k, 1)),
+        vectors.kind.sym("at_force", model.k + model.ns + model.ne),
+    )
     asked = [*arguments, at_gap, at_force]
     theta, force = ca.mmin(at_gap), ca.mmin(at_force)
     if not model.k:

@@ -21,7 +21,6 @@ from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN
 from hertzwerk.runtime.integrate.step.set_valued_friction import margins_positive, may_slip
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.step.stepper import stages_inlined, stepper
-from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -91,7 +90,9 @@ def advance(
         end = stepper(model, table, contacts, results)(start, called_run, called_old["h"])
         results["trial"] = ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))
     if calls_jacobian and "J" not in results:
-        results["J"], _ = linearised(model, contacts)(*(start[part] for part in ("t", "y", "mode", "m")), called_run["c"])
+        results["J"], _ = linearised(model, contacts)(
+            *(start[part] for part in ("t", "y", "mode", "m")), called_run["c"]
+        )
     poll()
     seen = {part: ca.SX.sym(part, value.sparsity()) for part, value in results.items()}
     end = (
@@ -100,9 +101,7 @@ def advance(
         else stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
     )
     inputs = [seen[part] for part in results]
-    judged = lean(
-        "judged", [*given, *inputs], _judged(model, vectors, table, contacts, choosing, old, run, end, seen)
-    )
+    judged = lean("judged", [*given, *inputs], _judged(model, vectors, table, contacts, choosing, old, run, end, seen))
     poll()
     return ca.Function(name, [state, controls], list(judged.call([state, controls, *results.values()])), *names)
 

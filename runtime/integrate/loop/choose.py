@@ -69,7 +69,7 @@ def choice(
     v, rate, gradient = slides(old["t"], old["y"], old["dy"], *given)
     v1, rate1, _ = slides(end["t"], end["y"], end["dy"], *given)
     foreseen = old["h"] * ca.mtimes(gradient, ca.mtimes(J, old["dy"]))
-    turned = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.SX(0)
+    turned = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.DM(0)
     implicit, wary = old["method"] == IMPLICIT, old["wary"]
     gain = ca.if_else(turned, 1, ca.fmin(stiffness / WORTH - 1, MOST))
     pays = implicit * (old["pressure"] + gain > CREDIT)

@@ -13,7 +13,13 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_c
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
 from hertzwerk.runtime.integrate.step.fed_friction import booked, certificate, solved
 from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS, EVENT_PARTS, GRIP_PARTS, PAIR_PARTS, layouts
-from hertzwerk.runtime.integrate.step.lazy_contacts import contact_sum, force_rates
+from hertzwerk.runtime.integrate.step.many_contacts import (
+    contact_sum,
+    energies_of_bodies,
+    force_rates,
+    of_pairs,
+    stored_energies,
+)
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, grips, may_slip
 from hertzwerk.runtime.integrate.step.set_valued_friction import forces as friction_forces
@@ -82,38 +88,38 @@ def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
 
 
 def calls_parts(model: Model) -> bool:
-    """Return whether the right-hand side calls its parts, and contact forces lazily: pays off for many pairs."""
-    return layouts(model).kind is ca.MX and not (model.nl or model.ne or model.loads)
+    """Return whether the right-hand side calls its parts, and takes pairs that are alike together: pays off for many."""
+    return layouts(model).kind is ca.MX and not (model.nl or model.ne or model.loads) and contact_sum(model) is not None
 
 
 @per_model
 def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
     t, y, mode, m, c = given = model.symbols(ARGUMENTS, ca.MX)
-    q, u, z = model.parts(y)
+    q, u, _ = model.parts(y)
     at = t, q, u, c
     f, dz = model.function("applied")(*at), ca.DM.zeros(model.nz)
     forces, rate, in_range = ca.DM.zeros(model.k), ca.DM.zeros(model.k), ca.DM.ones(model.nr)
     if contacts is BY_MODE:
-        pushed, dz, forces, in_range = contact_sum(model)(t, q, u, z, mode, m, c)
+        pushed, dz, forces, in_range = contact_sum(model)(*given)
         f = f + pushed
     a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
         dz = dz + model.function("ledger")(t, q, u, reactions, c)
     dy = ca.vertcat(model.function("coordinate_rates")(*at), a, dz)
-    gap, gap_rate = model.function("gaps")(*at)
+    gap, gap_rate = of_pairs(model, "gaps")(*at)
     if contacts is BY_MODE:  # at zero penetration the derivative of a root is not a number
         rate = ca.if_else(gap < 0, force_rates(model)(t, y, dy, mode, m, c), 0)
     energies: list[Any] = [ca.DM(0, 1)] * 2
     if model.has_ledger:
-        kinetic, potential, stored = model.function("energy")(*at)
-        touching = ca.sum1(ca.if_else(mode == CONTACT, stored, 0)) if contacts is BY_MODE else 0
-        energies = [kinetic, potential + touching]
+        kinetic, potential = energies_of_bodies(model)(*at)
+        stored = ca.if_else(mode == CONTACT, stored_energies(model)(*at), 0) if contacts is BY_MODE else ca.DM(0)
+        energies = [kinetic, potential + ca.sum1(stored)]
     none = ca.DM(0, 1)
 
     def function(name: str, results: list[Any], outputs: list[str]) -> Any:
         return ca.Function(name, given, [ca.densify(ca.MX(x)) for x in results], ARGUMENTS.split(), outputs)
 
-    pair_parts = [gap, gap_rate, model.function("gap_accelerations")(t, q, u, a, c), forces, rate, in_range]
+    pair_parts = [gap, gap_rate, of_pairs(model, "gap_accelerations")(t, q, u, a, c), forces, rate, in_range]
     ends = [dy, *pair_parts, *[none] * (len(GRIP_PARTS) + len(EVENT_PARTS)), *energies, none]
     end_names = ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, *ENERGY_PARTS, "ahead"]
     return Flow(

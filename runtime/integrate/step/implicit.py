@@ -363,7 +363,8 @@ def _iteration(right: Flow, solve: Any, given: Any, step: Any, least: Any, y: An
     if not isinstance(solve, Elimination):
         return partial(improved, solve, given, step, least, y)
     parts = [solve.known, *given, step, least, y]
-    symbols = [ca.SX.sym("x", part.size1()) for part in (*parts, step, y, y)]
+    kind = ca.MX if right.rates.is_a("MXFunction") else ca.SX
+    symbols = [kind.sym("x", part.size1()) for part in (*parts, step, y, y)]
     entries, mode, m, c, *others = symbols
     results = improved(partial(solve.solve, entries), (mode, m, c), *others)
     function = ca.Function("iteration", symbols, list(results))

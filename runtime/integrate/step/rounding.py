@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.step.alike import over_items
+from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -31,7 +33,8 @@ def time_rounding(t: Any, rate: Any) -> Any:
 @per_model
 def gap_rounding(model: Model) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
-    return bounds(model.function("gaps"), STATE)
+    found = bounds(model.function("gaps"), STATE)
+    return over_items(found) if layouts(model).kind is ca.MX else found
 
 
 def bounds(function: Any, rounded: tuple[int, ...]) -> Any:

@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tableaux.methods import Table
     from hertzwerk.runtime.model.model import Model
 
-import os
-INLINED = int(os.environ.get("INL","3000"))  # instructions of all stages of a step; more are called: inlined they take long to build and to compile
+INLINED = 3000  # instructions of all stages of a step; more are called: inlined they take long to build and to compile
 Take: TypeAlias = Callable[[Mapping[str, Any], Mapping[str, Any], Any], dict[str, Any]]
 
 
