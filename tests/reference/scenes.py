@@ -7,9 +7,11 @@ from hertzwerk.derive import (
     Body,
     Contact,
     EnergyLedger,
+    Gravity,
     Material,
     Mechanism,
     Parameter,
+    Planar,
     Prismatic,
     Scales,
     Scene,
@@ -19,7 +21,7 @@ from hertzwerk.derive import (
     X,
     Y,
 )
-from hertzwerk.derive.laws import flores, hertz_point
+from hertzwerk.derive.laws import flores, hertz_point, power
 from hertzwerk.derive.scenes import slider_crank
 
 
@@ -39,6 +41,39 @@ def row(n: int) -> Scene:
         start=Start(position={f"path_{i}": i * (2 * R + gap) for i in range(1, n)}, speed={"path_0": v}),
         scales=Scales(length=Parameter("length_scale", "um", 20), speed=v),
         summary=f"a row of {n} spheres",
+    )
+
+
+def balls(n: int) -> Scene:
+    """n equal balls in a plane, each pair of which may touch, and the floor; every second one comes in from the other side."""
+    m, J, R = Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 1e-3), Parameter("radius", "m", 0.05)
+    K, e = Parameter("stiffness", "N/m^1.5", 1e7), Parameter("restitution", "1", 0.8)
+    bodies = [Body(f"ball_{i}", m, J) for i in range(n)]
+    joints = tuple(Planar(f"free_{i}", GROUND, body) for i, body in enumerate(bodies))
+    centres = [body.at(0, 0, 0) for body in bodies]
+    pairs = (
+        *(SphereOnSphere(f"pair_{i}_{j}", centres[i], centres[j], R, R) for i in range(n) for j in range(i + 1, n)),
+        *(
+            SphereOnPlane(f"floor_{i}", centre, R, plane=GROUND.at(0, 0, 0), normal=Y)
+            for i, centre in enumerate(centres)
+        ),
+    )
+    position = {
+        f"free_{i}.{axis}": Parameter(f"{axis}_{i}", "m", x)
+        for i in range(n)
+        for axis, x in (("x", 0.12 * i), ("y", 0.06 + 0.01 * i))
+    }
+    speed = {f"free_{i}.x": Parameter(f"v_{i}", "m/s", (-1) ** i * (1 + 0.1 * i)) for i in range(n)}
+    return Scene(
+        Mechanism(f"balls_{n}", joints, pairs),
+        effects=(
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            *(Contact(pair.name, power(K, n=1.5), flores(e)) for pair in pairs),
+            EnergyLedger(),
+        ),
+        start=Start(position=position, speed=speed),
+        scales=Scales(length=R, arm=R, speed=Parameter("pace", "m/s", 1)),
+        summary=f"{n} balls on a floor",
     )
 
 

@@ -72,8 +72,9 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
     if not pairs:
         return m, ca.DM(0)
     n, each = len(pairs), sorted(set(pairs))
-    latched = ca.if_else(onset[pairs], ca.fmax(-gap_rate[pairs], run["floor"]), m[:n])
-    return ca.vertcat(latched, m[n:]), ca.sum1(onset[each] * (-gap_rate[each] < run["floor"]))
+    known, others = ca.vertsplit(m, [0, n, m.numel()])
+    latched = ca.if_else(onset[pairs], ca.fmax(-gap_rate[pairs], run["floor"]), known)
+    return ca.vertcat(latched, others), ca.sum1(onset[each] * (-gap_rate[each] < run["floor"]))
 
 
 @per_model

@@ -29,6 +29,7 @@ from hertzwerk.runtime.integrate.step.control import (
     time_to_root,
 )
 from hertzwerk.runtime.integrate.step.explicit import Flow, short_step
+from hertzwerk.runtime.integrate.step.implicit import uses_calls
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     CONTACT,
@@ -169,8 +170,9 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
 @per_model
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (state, controls, next, verdict, delta) -> (next, verdict) delta [s] later."""
-    arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict")
-    delta = vectors.kind.sym("delta")
+    kind = ca.MX if uses_calls(model) else vectors.kind
+    arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict", kind)
+    delta = kind.sym("delta")
     moved = short_step(right, old, end, run, delta)
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 import casadi as ca
 
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -20,13 +21,29 @@ Contacts: TypeAlias = tuple[int, ...] | None  # the pairs in contact; BY_MODE: t
 BY_MODE: Final = None
 IDLE, IN_FLIGHT, IN_CONTACT = range(3)  # IN_FLIGHT: no pair in contact; IN_CONTACT and above: some pair is
 ALONE = 10  # most pairs with a class each: every class is built and compiled, with 16 pairs three times as long
+LARGE = 1000  # instructions of all those classes beyond which there are none
 
 
 def contact_classes(model: Model) -> tuple[Contacts, ...]:
     """Return the contacts of the classes IN_FLIGHT, IN_CONTACT, ... in order."""
-    alone = tuple((j,) for j in range(model.k if model.k <= ALONE else 0))
+    alone = tuple((j,) for j in range(model.k if _have_classes(model) else 0))
     several = () if model.k == len(alone) <= 1 else (BY_MODE,)
     return ((), *alone, *several)
+
+
+@per_model
+def _have_classes(model: Model) -> bool:
+    """Return whether each pair has a class.
+
+    A model of many or large ones would take too long to build and to compile.
+    """
+    if model.k > ALONE:
+        return False
+    motion = model.function("accelerations").n_instructions()
+    return (
+        sum(model.function(f"contact_{pair}").n_instructions() + motion for pair in model.pairs) <= LARGE
+        or model.k == 1
+    )
 
 
 def class_of(model: Model, mode: Any) -> Any:
@@ -38,7 +55,7 @@ def class_of(model: Model, mode: Any) -> Any:
         return ca.DM(IN_FLIGHT)
     touching = mode == CONTACT
     in_contact = ca.DM(IN_CONTACT)
-    if model.k <= ALONE:
+    if _have_classes(model):
         single = (ca.sum1(touching) == 1) * ca.mmin(mode != RELEASED)
         in_contact = IN_CONTACT + ca.if_else(single, ca.dot(touching, ca.DM(range(model.k))), model.k)
     return ca.if_else(ca.mmax(touching), in_contact, IN_FLIGHT)

@@ -88,7 +88,7 @@ def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
 
 
 def calls_parts(model: Model) -> bool:
-    """Return whether the right-hand side calls its parts, and takes pairs that are alike together: pays off for many."""
+    """Return whether the right-hand side calls its parts, contacts as vectors: pays off for many."""
     return layouts(model).kind is ca.MX and not (model.nl or model.ne or model.loads) and contact_sum(model) is not None
 
 

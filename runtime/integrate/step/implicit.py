@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, contact_classes, masked
 from hertzwerk.runtime.integrate.step.control import SAFETY
 from hertzwerk.runtime.integrate.step.explicit import ARGUMENTS, MEAN_OF, Flow, flow
 from hertzwerk.runtime.integrate.step.fed_friction import booked, solved
@@ -38,13 +38,13 @@ SINGULAR = 1e300  # derivatives that are larger, or nan, count as zero
 Parts = Mapping[str, Any]
 
 
-LARGE = 2000  # instructions of the right-hand side beyond which steps call it: inlined in every stage it takes long to build and compile
+LARGE = 2000  # instructions of the right-hand sides of all classes beyond which steps call them: in every stage they take long to build and compile
 
 
 @per_model
 def uses_calls(model: Model) -> bool:
     """Return whether steps call functions instead of inlining them; pays off for large models."""
-    return bool(flow(model, ()).rates.n_instructions() > LARGE)
+    return bool(sum(flow(model, contacts).rates.n_instructions() for contacts in contact_classes(model)) > LARGE)
 
 
 def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
@@ -171,12 +171,17 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
         power += model.function("ledger")(t, q, u, reactions, c)
     dy, inner = ca.vertcat(dq, a, power), ca.vertcat(*known)
     of_inner = ca.Function("of_inner", [x, inner, symbols, c], [ca.jacobian(dy, x), ca.jacobian(dy, inner)])
-    direct, mobility = of_inner(x, ca.vertcat(*given), sticks, c)
-    J = direct + ca.mtimes(mobility, ca.vertcat(*of_given)) + ca.vertcat(ca.SX(model.nq + model.nu, x.numel()), dz)
-    J = ca.sparsify(J)
-    n = y.numel()
+    n, parts, outer = y.numel(), [ca.vertcat(*given), ca.vertcat(*of_given), sticks, dz], arguments
+    if uses_calls(model):  # matrices are multiplied by a loop, not entry by entry
+        parts_of = ca.Function("of_forces", arguments, ca.cse(parts))
+        outer = model.symbols(ARGUMENTS, ca.MX)
+        parts, x, c = parts_of.call(outer), ca.vertcat(outer[1], outer[0]), outer[4]
+    values, of_values, sticks, dz = parts
+    direct, mobility = of_inner(x, values, sticks, c)
+    J = direct + ca.mtimes(mobility, of_values) + ca.vertcat(ca.DM(model.nq + model.nu, n + 1), dz)
+    J = J if uses_calls(model) else ca.sparsify(J)
     results = ca.cse([J[:, :n], ca.densify(J[:, n])])
-    return ca.Function("linearised", arguments, results, ARGUMENTS.split(), ["J", "dt"])
+    return ca.Function("linearised", outer, results, ARGUMENTS.split(), ["J", "dt"])
 
 
 def _linearised_fed(model: Model, grip: Grips, f: Any, df: Any, dz: Any, arguments: list[Any]) -> Any:
@@ -364,7 +369,7 @@ def _iteration(right: Flow, solve: Any, given: Any, step: Any, least: Any, y: An
         return partial(improved, solve, given, step, least, y)
     parts = [solve.known, *given, step, least, y]
     kind = ca.MX if right.rates.is_a("MXFunction") else ca.SX
-    symbols = [kind.sym("x", part.size1()) for part in (*parts, step, y, y)]
+    symbols: list[Any] = [kind.sym("x", part.size1()) for part in (*parts, step, y, y)]
     entries, mode, m, c, *others = symbols
     results = improved(partial(solve.solve, entries), (mode, m, c), *others)
     function = ca.Function("iteration", symbols, list(results))

@@ -84,13 +84,13 @@ class Layouts:
     verdict: Layout
     kind: Any = ca.SX
 
-    def symbols(self, names: str) -> tuple[list[Any], list[dict[str, Any]]]:
-        """Return symbols of vectors, as of "state controls next", and their parts.
+    def symbols(self, names: str, kind: Any = None) -> tuple[list[Any], list[dict[str, Any]]]:
+        """Return symbols of vectors, as of "state controls next", and their parts; by default of this `kind`.
 
         next, before and after are states.
         """
         layouts = [self.state if name in ("next", "before", "after") else getattr(self, name) for name in names.split()]
-        vectors = [layout.symbol(name, self.kind) for layout, name in zip(layouts, names.split(), strict=True)]
+        vectors = [layout.symbol(name, kind or self.kind) for layout, name in zip(layouts, names.split(), strict=True)]
         parts = [layout.split(vector) for layout, vector in zip(layouts, vectors, strict=True)]
         states = [part for layout, part in zip(layouts, parts, strict=True) if layout is self.state]
         return vectors, [

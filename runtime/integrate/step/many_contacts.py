@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.alike import alike, over_items
+from hertzwerk.runtime.integrate.alike.kinds import alike, over_items
 from hertzwerk.runtime.integrate.step.classes import masked
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model.per_model import per_model
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 
 @per_model
 def of_pairs(model: Model, name: str) -> Any:
-    """Return a function of the module whose results have an entry for each pair, by operations on vectors (MX)."""
+    """Return a function of the module with results for each pair, by operations on vectors (MX)."""
     return over_items(model.function(name))
 
 
 @per_model
 def stored_energies(model: Model) -> Any:
-    """Return the function (t, q, u, c) -> elastic energies (k) [J] of the pairs, by operations on vectors (MX)."""
+    """Return the function (t, q, u, c) -> elastic energies (k) [J] of the pairs (MX)."""
     given = model.symbols("t q u c")
     _, _, stored = model.function("energy")(*given)
     return over_items(ca.Function("stored", given, [stored]))
@@ -38,9 +38,10 @@ def energies_of_bodies(model: Model) -> Any:
 
 @per_model
 def contact_sum(model: Model) -> Any:
-    """Build the function (t, y, mode, m, c) -> generalised force and dz of all contacts, normal force and in_range (k).
+    """Build the function (t, y, mode, m, c) -> contact forces (MX).
 
-    Without contact the force of a pair is 0 and in_range is 1. MX. None where pairs are not alike.
+    Results: generalised force and dz of all contacts; normal force and in_range (k). Without contact the force of a
+    pair is 0 and in_range is 1. None where pairs are not alike.
     """
     t, y, mode, m, c = given = model.symbols("t y mode m c")
     q, u, z = model.parts(y)
@@ -52,8 +53,8 @@ def contact_sum(model: Model) -> Any:
         f, dz, normal, _, valid, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
         f, dz = ca.sparsify(f), ca.sparsify(dz)
         rows.append([*f.sparsity().row(), *(nf + row for row in dz.sparsity().row())])
-        moved = ca.vertcat(ca.SX(0, 1), *f.nonzeros(), *dz.nonzeros(), normal)
-        items.append(ca.vertcat(masked(active, moved), masked(active, valid, 1)))
+        entries = ca.vertcat(ca.SX(0, 1), *f.nonzeros(), *dz.nonzeros(), normal)
+        items.append(ca.vertcat(masked(active, entries), masked(active, valid, 1)))
     found = alike(given, items)
     if found is None:
         return None
@@ -77,7 +78,10 @@ def contact_sum(model: Model) -> Any:
 
 @per_model
 def force_rates(model: Model) -> Any:
-    """Build the function (t, y, dy, mode, m, c) -> rates (k) of the normal forces along dy/dt; 0 without contact. MX."""
+    """Build the function (t, y, dy, mode, m, c) -> rates (k) of the normal forces along dy/dt (MX).
+
+    0 without contact.
+    """
     t, y, dy, mode, m, c = given = model.symbols("t y y mode m c")
     q, u, z = model.parts(y)
     normals = [model.function(f"contact_{pair}")(t, q, u, z, m, c)[2] for pair in model.pairs]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.alike import over_items
+from hertzwerk.runtime.integrate.alike.kinds import over_items
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.model.per_model import per_model
 

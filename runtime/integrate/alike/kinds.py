@@ -1,4 +1,4 @@
-"""Expressions that are equal but for their inputs, such as those of pairs of a kind: one function of all of them.
+"""Expressions that are equal but for their inputs, such as forces of many pairs, as vectors.
 
 Derivation and CasADi's SX write every pair out. Here they are found again, by their operations: what several items
 share is computed once, beforehand; the rest of each is a function of its leaves, which are inputs or shared values.
@@ -81,7 +81,7 @@ class Alike:
 
 
 def alike(given: list[Any], items: list[Any]) -> Alike | None:
-    """Find the kinds of items, SX columns of results in terms of SX symbols; None where a function is called.
+    """Find the kinds of items, SX columns of results; None where one calls a function.
 
     Functions that are embedded, such as a search for the nearest point of a curve, are not operations on vectors.
     """
@@ -139,7 +139,10 @@ def alike(given: list[Any], items: list[Any]) -> Alike | None:
 
 
 def over_items(function: Any) -> Any:
-    """Return an SX function whose results are columns, an entry for each item, with operations on vectors where items are alike (MX)."""
+    """Return an SX function of columns with an entry for each item by operations on vectors (MX).
+
+    The function itself where another is embedded.
+    """
     given, symbols = function.sx_in(), function.mx_in()
     columns = map(ca.vertsplit, function.call(given))
     found = alike(given, [ca.vertcat(*entries) for entries in zip(*columns, strict=True)])
@@ -151,7 +154,7 @@ def over_items(function: Any) -> Any:
 def _form(
     nodes: list[tuple[int, tuple[int, ...], Any]], roots: list[int], is_shared: list[bool]
 ) -> tuple[tuple[Any, ...], list[int]]:
-    """Return an item's operations, numbered from its leaves up, and its leaves in the order in which they are met."""
+    """Return an item's operations, numbered from its leaves up, and its leaves in the order met."""
     number: dict[int, int] = {}
     lines: list[tuple[Any, ...]] = []
     leaves: list[int] = []
@@ -196,7 +199,10 @@ def _apply(kind: Any, operation: int, arguments: list[Any]) -> Any:
 
 
 def _instructions(function: Any) -> Iterator[tuple[int, Any, Any, Any]]:
-    """Yield operation, places of its arguments, place of its result (of an output: output and entry), constant."""
+    """Yield operation, places of its arguments and of its result, and constant.
+
+    The place of a result of the function is its number and its entry.
+    """
     for k in range(function.n_instructions()):
         operation, places, target = (
             function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)

@@ -1,0 +1,1 @@
+"""Expressions that are equal but for their inputs."""
