@@ -4,8 +4,8 @@
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
 in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
-matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 4 ("Numbers") in the others. Nothing here fails a
-test, for seconds depend on the machine.
+matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size,
+issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ from benchmarks.nothing import nothing
 from benchmarks.orders import orders
 from benchmarks.pairs import pairs
 from benchmarks.ratios import Ratio, medians, timed
+from benchmarks.size import size
 from benchmarks.stiff import implicit
 from benchmarks.sweep import sweep
 
@@ -127,6 +128,7 @@ SECTIONS = {
     "honesty": honesty,
     "sweep": sweep,
     "sensitivities": sensitivities,
+    "size": size,
 }
 
 

@@ -55,7 +55,7 @@ class Program:
     def __init__(self, *functions: Any, bitwise: bool = True) -> None:
         self._functions, self._compiler = functions, _compiler()
         self._text = c_text(functions)
-        self._level = "-O1" if len(self._text) > LARGE else "-O3"
+        self._level = level(self._text)
         self._flags = (self._level, *FLAGS, *(() if bitwise else (FUSED,)))
         parts = (self._text, *self._compiler, _version(self._compiler), *self._flags, _processor())
         digest = hashlib.sha256("\0".join(parts).encode()).hexdigest()
@@ -87,6 +87,11 @@ class Program:
 
     def _loaded(self, library: Path) -> list[Any]:
         return [ca.external(function.name(), str(library)) for function in self._functions]
+
+
+def level(text: str) -> str:
+    """Return the compiler's level of optimisation for a C text."""
+    return "-O1" if len(text) > LARGE else "-O3"
 
 
 def available() -> bool:

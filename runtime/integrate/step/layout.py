@@ -108,7 +108,7 @@ class Layouts:
 
 
 # Pairs beyond which what handles a step is in operations on vectors (MX): loops in C, not an operation for each pair.
-MANY = 10
+MANY = 15
 FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
 # status
 RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE = range(4)

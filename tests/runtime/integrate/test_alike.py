@@ -42,7 +42,7 @@ def arrays(function, arguments):
 
 @pytest.mark.parametrize("name", ["gaps", "gap_accelerations"])
 def test_vectors_over_pairs_have_every_bit(name):
-    model = balls(5)
+    model = balls(6)
     function, vectors = model.function(name), of_pairs(model, name)
     assert vectors.is_a("MXFunction")
     for seed in range(20):
@@ -52,7 +52,7 @@ def test_vectors_over_pairs_have_every_bit(name):
 
 
 def test_bounds_of_rounding_have_every_bit():
-    model = balls(5)
+    model = balls(6)
     arguments = given(model, "t q u c", 3)
     expected, found = arrays(bounds(model.function("gaps"), STATE), arguments), arrays(gap_rounding(model), arguments)
     assert all(np.array_equal(a, b) for a, b in zip(expected, found, strict=True))
@@ -61,7 +61,7 @@ def test_bounds_of_rounding_have_every_bit():
 @pytest.mark.parametrize("contacts", [(), BY_MODE], ids=["flight", "contact"])
 def test_right_hand_side_is_that_of_pairs_written_out(contacts):
     """Sums of forces are rounded in another order; forces, gaps and their rates have every bit."""
-    model = balls(5)
+    model = balls(6)
     assert calls_parts(model)
     called, written = flow(model, contacts), _flow(model, contacts)
     touched = 0
@@ -81,16 +81,16 @@ def test_right_hand_side_is_that_of_pairs_written_out(contacts):
 
 
 def test_operations_grow_with_kinds_not_with_pairs():
-    small, large = (of_pairs(balls(n), "gaps") for n in (5, 8))  # 15 and 36 pairs
+    small, large = (of_pairs(balls(n), "gaps") for n in (6, 8))  # 21 and 36 pairs
     assert small.n_instructions() == large.n_instructions()
-    assert balls(8).function("gaps").n_instructions() > 2 * balls(5).function("gaps").n_instructions()
+    assert balls(8).function("gaps").n_instructions() > 1.5 * balls(6).function("gaps").n_instructions()
 
 
 def test_c_of_the_loop_grows_by_little_with_pairs():
     """A further pair adds its places in tables and its own text in functions that are not of pairs; written out it added 36 kB."""
     (table,) = (table() for table in METHODS["dop853"])
-    sizes = [len(c_text([chunk(integrator(balls(n), (table,)))])) for n in (5, 8)]
-    assert (sizes[1] - sizes[0]) / (36 - 15) < 2000
+    sizes = [len(c_text([chunk(integrator(balls(n), (table,)))])) for n in (6, 8)]
+    assert (sizes[1] - sizes[0]) / (36 - 21) < 2000
     assert sizes[1] < 500_000
 
 
@@ -152,15 +152,15 @@ def test_functions_that_are_embedded_are_not_taken_apart():
 
 @pytest.mark.parametrize("method", ["dop853", "rodas", "auto"])
 def test_runs_of_many_pairs_keep_their_energy(method):
-    """15 pairs, hits of balls and of the floor: the ledger, which no step controls, closes."""
-    run = simulate(balls(5), duration="0.25 s", tolerance=1e-8, method=method, compiled=False)
+    """21 pairs, hits of balls and of the floor: the ledger, which no step controls, closes."""
+    run = simulate(balls(6), duration="0.25 s", tolerance=1e-8, method=method, compiled=False)
     assert run.outcome.name == "finished"
     assert len(run.impacts) >= 5
     assert run.energy_residual < 1e-5
 
 
 def test_c_of_vectors_has_the_digits_of_the_virtual_machine():
-    runs = [simulate(balls(5), duration="0.15 s", tolerance=1e-7, compiled=compiled) for compiled in (False, True)]
+    runs = [simulate(balls(6), duration="0.15 s", tolerance=1e-7, compiled=compiled) for compiled in (False, True)]
     assert len(runs[0].impacts) >= 3
     assert np.array_equal(runs[0].history.rows, runs[1].history.rows)
 
