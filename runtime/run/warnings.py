@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from operator import attrgetter
 
 import numpy as np
 
@@ -91,12 +92,12 @@ def left_law(model: Model, found: Sequence[Lasting], ends: History) -> Iterator[
     """Yield one warning of contacts that left their damping law, with their share of what it dissipates."""
     if not found:
         return
-    worst, pairs = max(found, key=lambda each: each.ratio), list(dict.fromkeys(each.pair for each in found))
+    worst, pairs = max(found, key=attrgetter("ratio")), list(dict.fromkeys([each.pair for each in found]))
     share = ""
     if model.has_ledger:
         booked = [model.nq + model.nu + model.module.DISSIPATED[model.pairs.index(pair)] for pair in pairs]
         spent = float((ends.part("y")[-1, booked] - ends.part("y")[0, booked]).sum())
-        share = f" ({sum(each.dissipated for each in found) / spent:.0%} of its dissipation)" if spent > 0 else ""
+        share = f" ({sum([each.dissipated for each in found]) / spent:.0%} of its dissipation)" if spent > 0 else ""
     of = f" of {', '.join(pairs)}"
     which = f"{len(found)} contacts{of}, the worst" if len(found) > 1 else f"a contact{of},"
     yield (

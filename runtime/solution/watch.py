@@ -117,16 +117,17 @@ class Lasting(NamedTuple):
 
 
 class LastingContacts:
-    """Observer of contacts whose gap rates exceed the latched approach speed."""
+    """Observer of contacts whose gap rates exceed the latched approach speed.
+
+    A contact is a row: its onset [s], approach speed [m/s], largest ratio of gap rate to that, dissipation [J].
+    """
 
     def __init__(self, model: Model) -> None:
         latched = [(pair, row) for row, (*_, pair) in enumerate(model.module.LATCHES)]
         self._model, self._pairs, self._rows = model, [pair for pair, _ in latched], [row for _, row in latched]
         self._booked = [model.nq + model.nu + row for row in model.module.DISSIPATED] if model.has_ledger else []
-        self._open: dict[
-            int, Lasting
-        ] = {}  # contacts that are not over, by pair; dissipated: what was booked at the onset
-        self._ended: list[Lasting] = []
+        self._open: dict[int, np.ndarray] = {}  # contacts that are not over, by pair, with what was booked at the onset
+        self._ended: list[tuple[int, np.ndarray]] = []  # pairs and their contacts (n, 4)
         self._now: dict[int, float] = {}  # booked for pairs by now [J]
 
     def take(self, block: History, fresh: int) -> None:
@@ -138,45 +139,33 @@ class LastingContacts:
         beyond: np.ndarray = np.any(ratios > BEYOND, axis=0)
         for i, j in enumerate(self._pairs):
             if beyond[i] or j in self._open or modes[-1, i] != FLIGHT:
-                self._follow(j, block, fresh, modes[:, i], ratios[:, i], speeds[:, i])
+                booked = block.part("y")[fresh:, self._booked[j]] if self._booked else np.full(len(modes), math.nan)
+                self._now[j] = float(booked[-1])
+                self._follow(j, modes[:, i], np.stack([block.t[fresh:], speeds[:, i], ratios[:, i], booked], axis=1))
 
-    def _follow(
-        self, j: int, block: History, fresh: int, modes: np.ndarray, ratios: np.ndarray, speeds: np.ndarray
-    ) -> None:
-        """Follow the contacts of a pair through rows of which some leave their law, or which they outlast."""
-        known, last = self._open.pop(j, None), len(modes) - 1
-        booked = block.part("y")[fresh:, self._booked[j]] if self._booked else np.full(len(modes), math.nan)
-        self._now[j] = float(booked[last])
-        is_open = np.concatenate([[False], goes_on(modes, known is not None), [False]])
-        edges = np.flatnonzero(is_open[1:] != is_open[:-1])
+    def _follow(self, j: int, modes: np.ndarray, rows: np.ndarray) -> None:
+        """Follow the contacts of a pair through rows, each as a contact would be that begins and ends with it."""
+        known = self._open.pop(j, None)
+        is_open = goes_on(modes, known is not None)
+        if known is not None:
+            rows, is_open = np.vstack([known, rows]), np.append(True, is_open)
+        edges = np.flatnonzero(np.diff(is_open, prepend=False, append=False))
         begins, ends = edges[::2], edges[1::2]
-        if known is not None and not (begins.size and begins[0] == 0):
-            self._end(known, float(booked[0]))
-            known = None
-        largest = np.maximum.reduceat(ratios, begins) if begins.size else np.zeros(0)
-        for n in range(len(begins)):
-            begin, end = int(begins[n]), int(ends[n])
-            if largest[n] <= BEYOND and end <= last and (n or known is None):
-                continue
-            contact = known if not n and known is not None else None
-            contact = contact or Lasting(
-                self._model.pairs[j], float(block.t[fresh + begin]), float(speeds[begin]), 0.0, float(booked[begin])
-            )
-            contact = contact._replace(ratio=max(contact.ratio, float(largest[n])))
-            if end > last:
-                self._open[j] = contact
-            else:
-                self._end(contact, float(booked[end]))
-
-    def _end(self, contact: Lasting, booked: float) -> None:
-        if contact.ratio > BEYOND:
-            self._ended.append(contact._replace(dissipated=booked - contact.dissipated))
+        if not len(begins):
+            return
+        found = rows[begins]
+        found[:, 2] = np.maximum.reduceat(rows[:, 2], begins)
+        if ends[-1] == len(rows):
+            self._open[j], found, ends = found[-1], found[:-1], ends[:-1]
+        found[:, 3] = rows[ends, 3] - found[:, 3]
+        self._ended.append((j, found[found[:, 2] > BEYOND]))
 
     @property
     def found(self) -> tuple[Lasting, ...]:
         """Every contact that left its law, in the order in which they end, those that go on last."""
-        last = (each._replace(dissipated=self._now[j] - each.dissipated) for j, each in self._open.items())
-        return (*self._ended, *(each for each in last if each.ratio > BEYOND))
+        last = [(j, [[*row[:3], self._now[j] - row[3]]]) for j, row in self._open.items() if row[2] > BEYOND]
+        tables = [(j, rows.tolist()) for j, rows in self._ended] + last
+        return tuple([Lasting(self._model.pairs[j], *row) for j, rows in tables for row in rows])
 
 
 def impacts_of(watches: Sequence[Watch]) -> list[tuple[Impact, ...]]:

@@ -29,6 +29,7 @@ LONG_IN_C = {
     "two_waves_meet",
     "change_points",
     "row_of_5",
+    "slips_before_lift_off_beside_wall",
 }
 
 

@@ -269,7 +269,7 @@ def test_constraints_of_lagranges_equations_hold_a_skate_and_a_bob():
     assert run["energy"] == pytest.approx(run["energy"][0], abs=1e-8)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive  # in CI a disc that rolls, a rattleback, and the built-in bicycle against the same numbers
 def test_whipples_bicycle_has_its_published_eigenvalues():
     # Meijaard, Papadopoulos, Ruina, Schwab, Proc. R. Soc. A 463 (2007) 1955, table 2, at 5 m/s
     system, units, values = models.bicycle()

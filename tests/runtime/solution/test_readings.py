@@ -259,7 +259,7 @@ def worst_reaction(name, model):
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[pytest.mark.exhaustive] * (name == "ball_bearing"))
+        pytest.param(name, marks=[pytest.mark.exhaustive] * (name in ("ball_bearing", "gears_with_backlash")))
         for name in sorted(set(NAMES) - set(REDUNDANT))
     ],
 )

@@ -40,7 +40,7 @@ def test_infinite_forces_are_no_equilibrium():
     ends("modes", "newtons_cradle", "--set", "gravity=1e300 m/s^2", "--set", "string_4.angle=1.7e308 rad", "--json")
 
 
-@pytest.mark.parametrize("count", [25, pytest.param(500, marks=[pytest.mark.exhaustive, pytest.mark.timeout(0)])])
+@pytest.mark.parametrize("count", [10, pytest.param(500, marks=[pytest.mark.exhaustive, pytest.mark.timeout(0)])])
 @pytest.mark.parametrize("scene", SCENES)
 def test_hostile_numbers_are_refused_or_run(scene, count):
     rng, model = random.Random(scene), load(scene)
