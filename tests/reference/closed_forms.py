@@ -152,7 +152,7 @@ def _duration(K: Any, n: Any, mass: Any, v0: Any, h: Any) -> Any:
             d = (k * mass * v0**2 * loading(z) / (K * h**2)) ** (1 / k)
             return 2 * k * p ** (2 * k - 1) / d**n
 
-        return mp.quad(integrand, [0, length ** (1 / (2 * k))], method="gauss-legendre")
+        return mp.quad(integrand, [0, length ** (1 / (2 * k))])
 
     down = branch(mp.log1p(h), lambda z: -(1 + h) * mp.expm1(-z) - z)
     up = branch(x, lambda z: z - mp.exp(-x) * mp.expm1(z))

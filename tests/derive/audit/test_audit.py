@@ -367,7 +367,10 @@ class Rescaled:
 FACTORS = {"mass": (2, 1, 1), "length": (1, 3, 1), "time": (1, 1, 5), "together": (2, 3, 5), "the other way": (7, 5, 3)}
 
 
-@pytest.fixture(scope="module", params=NAMES)
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=[pytest.mark.exhaustive] * (name == "ball_bearing")) for name in NAMES],
+)
 def rescaled(request):
     return Rescaled(built_in(request.param))
 

@@ -269,7 +269,7 @@ def test_exact_factor():
     law = exact
     values = {"e": law.parameters[0]}
     chain = _emitted_chain(law)
-    for i in range(1, 1000, 7):
+    for i in range(1, 1000, 13):
         e = i / 1000
         assert chain(e) == near(exact_factor(repr(e)), rel=1e-14 / (1 - e) if e > 0.9 else 1e-14), e
     for e, h in cited.EXACT_FACTORS.items():

@@ -73,6 +73,7 @@ def derived(name, coordinates="tree"):
     return derive(replace(scene, coordinates=coordinates))
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("name", NAMES)
 def test_calls_change_no_bit(name, coordinates):
@@ -106,7 +107,7 @@ def balls(n):
     )
 
 
-@pytest.mark.parametrize(("n", "most"), [(3, 450), (5, 600), pytest.param(11, 1400, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("n", "most"), [(3, 450), (5, 600), pytest.param(11, 1400, marks=pytest.mark.exhaustive)])
 def test_a_further_pair_takes_few_lines(n, most):
     """450, 600 and 1,400 lines for 3, 10 and 55 pairs, which were 760, 1,592 and 7,297 when each was written out."""
     program = derive(balls(n))

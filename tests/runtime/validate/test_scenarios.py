@@ -83,7 +83,7 @@ FAULTS = {
 }
 
 
-@pytest.mark.by_turns(3)
+@pytest.mark.by_turns(5)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", scenarios.names())
 def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
