@@ -412,8 +412,7 @@ def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_told_
             simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5")
         monkeypatch.setattr(automatic, "LOOK", 0.0)
         monkeypatch.setattr(automatic, "SURE", 0.0)
-        monkeypatch.setattr(compiled, "COMPILE_S", 0.0)
-        monkeypatch.setattr(compiled, "COMPILE_S_PER_CHARACTER", {"-O1": 0.0, "-O3": 0.0})
+        monkeypatch.setattr(compiled, "compile_seconds", lambda _: 0.0)
         run = simulate(model, duration=3.0, tolerance=1e-10, method="dopri5")
         assert run.outcome.finished
         assert not run.compiled

@@ -34,8 +34,9 @@ FLAGS = (
 FUSED = "-ffp-contract=fast"
 LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
 PATIENCE = 0.1  # s between two polls
-# s; within a fifth of the times of one and of ten pairs
-COMPILE_S, COMPILE_S_PER_CHARACTER = 0.8, {"-O1": 5e-6, "-O3": 13e-6}
+# s; within a fifth of 8 measured times of 12 to 77 s. What registers hold takes a time with the square of a function's length: of the longest
+# text of the built-in scenes, ball_bearing with both methods, two thirds
+COMPILE_S, COMPILE_S_PER_CHARACTER, COMPILE_S_PER_SQUARE = 0.8, {"-O1": 7.5e-6, "-O3": 13e-6}, 8e-12
 
 
 class NoCompilerError(RuntimeError):
@@ -65,8 +66,7 @@ class Program:
     @property
     def seconds(self) -> float:
         """Estimated time [s] to compile; 0 if the library is there already."""
-        ready = self._library is not None
-        return 0.0 if ready else COMPILE_S + COMPILE_S_PER_CHARACTER[self._level] * len(self._text)
+        return 0.0 if self._library is not None else compile_seconds(self._text)
 
     def load(self, poll: Callable[[], object] = lambda: None) -> list[Any]:
         """Return the compiled functions, compiled now if need be.
@@ -87,6 +87,12 @@ class Program:
 
     def _loaded(self, library: Path) -> list[Any]:
         return [ca.external(function.name(), str(library)) for function in self._functions]
+
+
+def compile_seconds(text: str) -> float:
+    """Return the estimated time [s] to compile a C text."""
+    squares = sum(len(function) ** 2 for function in text.split("\n}\n"))
+    return COMPILE_S + COMPILE_S_PER_CHARACTER[level(text)] * len(text) + COMPILE_S_PER_SQUARE * squares
 
 
 def level(text: str) -> str:

@@ -94,6 +94,43 @@ def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, wanted, 
     assert min(wanted) > 10
 
 
+@pytest.mark.parametrize(("needed", "begun"), [(1.0, True), (3.0, False), (50.0, False)])
+def test_a_compiler_is_not_started_that_cannot_pay_within_the_limit(crank, clock, monkeypatch, needed, begun):
+    """Of 10 s: a quarter of what is left may go into it, and only where it saves more."""
+    started = []
+
+    def compile_files(*_):
+        started.append(chunk.time.perf_counter())
+        raise compiled.NoCompilerError
+
+    monkeypatch.setattr(compiled, "compile_seconds", lambda _: needed)
+    monkeypatch.setattr(compiled, "compile_files", compile_files)
+    run = simulate(crank, duration="100 s", tolerance=1e-8, wall_time=10.0)
+    assert run.outcome.name == "wall_time_limit"
+    assert bool(started) is begun
+
+
+# Level, lengths of the C of built-in scenes by both methods [MB], its longest functions and the rest, and what GCC 12 took [s].
+MEASURED = {
+    "ball_bearing": ("-O1", (2.38, 0.59, 0.40), 4.39, 76.5),
+    "bricard": ("-O1", (1.26, 0.25), 1.95, 26.1),
+    "translational_clearance": ("-O1", (0.51, 0.37, 0.27), 2.53, 26.4),
+    "newtons_cradle": ("-O1", (0.26, 0.25), 1.64, 12.2),
+    "bicycle": ("-O3", (0.78, 0.11), 1.44, 29.2),
+    "woodpecker": ("-O3", (0.25, 0.23), 1.46, 18.5),
+}
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_the_time_to_compile_is_known_beforehand(name):
+    """By the length of the text alone that of the first was 3.4 times too small."""
+    level, longest, whole, took = MEASURED[name]
+    small = round((whole - sum(longest)) / 0.02) * [0.02]
+    text = "\n}\n".join("x" * round(1e6 * length) for length in (*longest, *small))
+    assert compiled.level(text) == level
+    assert 0.75 < compiled.compile_seconds(text) / took < 1.3
+
+
 def test_a_run_is_not_compiled_for_the_time_it_took_to_build_what_chooses(wanted, monkeypatch):
     """Two minutes to build what takes 0.1 s to run, on a loaded machine: as if an hour were ahead."""
     building = automatic.AutomaticCallers.use_choice
