@@ -122,8 +122,9 @@ def unreachable(
     end: the error at the end, where that of the whole run was requested.
     """
     better = of_accuracy(method)
-    gives = "is expected to give" if foreseen else "gives"
-    by, why = (f" of {method}", "") if better else ("", ": the motion amplifies what rounding leaves")
+    gives = "is expected to give" if foreseen else "that was tried gives"
+    falls = "" if foreseen else "errors no longer fall, as "
+    by, why = (f" of {method}", "") if better else ("", f": {falls}the motion amplifies what rounding leaves")
     if tighter is not None:
         why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
     alone = f', or "{brief(asked, 3)} at the end", which this run meets' if end is not None and end <= asked else ""

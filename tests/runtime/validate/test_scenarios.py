@@ -48,6 +48,32 @@ def test_built_in_scenarios_come_out(name):
     assert solution.energy_residual < 10 * scenario.accuracy
 
 
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", scenarios.names())
+def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
+    """No limit of the program's own ends it; within a horizon that is claimed runs agree, and what is met is not out of reach."""
+    scenario, model = load_scenario(name), load(name)
+    duration = 10 * float(scenario.duration.split()[0])
+    given = {
+        "duration": f"{duration!r} {scenario.duration.split()[1]}",
+        "parameters": scenario.parameters,
+        "initial": scenario.initial,
+    }
+    run = simulate(model, **given)
+    assert run.t_end == run.duration
+    assert run.energy_residual < 1e-6
+    if run.outcome.name == "beyond_horizon":
+        assert run.error.worst > 1e-2
+        shorter = simulate(model, **given | {"duration": 0.9 * run.error.horizon}, accuracy=1e-2)
+        assert shorter.outcome.finished
+    elif run.outcome.name == "accuracy_unreachable":
+        assert 1e-6 < run.error.floor <= run.error.worst < 1e-2
+        assert simulate(model, **given, accuracy=10 * run.error.floor).outcome.finished
+    else:
+        assert run.outcome.finished
+        assert run.error.worst <= 1e-6
+
+
 # Per scenario: a parameter off by 1 %, the check that must then fail, and how long a run it takes to see it.
 FAULTS = {
     "ball_bearing": ("pitch_diameter = 39.4304 mm", "final.spin_0.speed", ""),
