@@ -34,7 +34,9 @@ DOUBTED = 2.5  # ratio of the request to the error below which a third run confi
 SCATTERED = 2.0  # ratio of a third run's error to what is expected of it, as errors scatter, that is allowed for
 HALVED = 4.0  # spacing of doubles over the mean rounding error
 IN_VAIN = 10.0  # times the request: error expected at the least tolerance above which the search ends (errors scatter)
-STUCK = 100.0  # factor by which the tolerance fell, from which on an error that fell by less than its power FALLS no longer falls
+# factor by which the tolerance fell, from which on an error that fell by less than its power FALLS no longer falls, where rounding
+# dominates: elsewhere that is chance, as errors scatter, and beyond the horizon usual, as none exceeds the scales
+STUCK = 100.0
 FALLS = 1 / 3
 SLACK = 3.0  # factor by which a tighter run may get farther than the fitted growth says (errors grow intermittently)
 PER_STEP = 4.0  # rounding error of a step, in roundings of the state; the motion amplifies it as it does the tolerance
@@ -382,11 +384,12 @@ class Ladder(Generic[Kept]):
         valid = horizon(times, checked.values)
         foreseen = error * least / tolerance
         lost = valid is not None and error > VALID  # its size then says nothing about smaller tolerances
-        stuck = any(
+        rounded = self._rounding_factor(checked.run) > ROUNDED
+        stuck = rounded and any(
             before >= STUCK * tolerance and error > found * (tolerance / before) ** FALLS
             for before, found in self._found
         )
-        if stuck or tolerance <= least or (checked.last and self._rounding_factor(checked.run) > ROUNDED):
+        if stuck or tolerance <= least or (checked.last and rounded):
             return Verdict.BEYOND if lost else Verdict.UNREACHABLE
         if valid is None or not lost:
             if foreseen <= IN_VAIN * self._asked:

@@ -231,11 +231,19 @@ def test_beyond_the_horizon_nothing_is_tightened_in_vain():
     assert log == [1e-8, 1e-8 / CHECK]
     ladder_result, log = search(
         1e-3, 1e-6, rate=30.0
-    )  # here it may be worth a second try, and the tighter run is returned, however large the error
-    assert (ladder_result.verdict, len(log), ladder_result.run.tolerance) == (Verdict.BEYOND, 4, log[2])
+    )  # here it may be worth two more tries, and the tightest run is returned, however large the error
+    assert (ladder_result.verdict, len(log), ladder_result.run.tolerance) == (Verdict.BEYOND, 6, LEAST)
     ladder_result, _ = search(1e-3, 1e-5, rate=10.0)  # here it is not in vain
     assert ladder_result.verdict is Verdict.MET
     assert ladder_result.error.end <= 1e-3
+
+
+def test_errors_that_no_longer_fall_as_they_fill_the_scales_do_not_end_the_search():
+    """Of two runs that lose the motion both errors are 1, however far apart their tolerances: the third keeps to it."""
+    ladder_result, log = search(1e-2, 1e-5, rate=17.0)
+    assert ladder_result.verdict is Verdict.MET
+    assert ladder_result.run.tolerance == log[4] < 1e-4 * log[0]
+    assert ladder_result.error.worst < 1e-2
 
 
 def test_a_run_that_is_valid_to_its_end_is_not_beyond_its_horizon_where_tighter_ones_are():
