@@ -34,9 +34,9 @@ LONG_IN_C = {
 
 
 def in_ci(case, method):
-    """Whether a case is two of every thirty-six, and the method of the two by turns, an edge of a range by its side."""
+    """Whether a case is two of every forty-eight, and the method of the two by turns, an edge of a range by its side."""
     second = case.name.endswith("_upper") if case.name.startswith("edge_") else CASES.index(case) % 2
-    return CASES.index(case) % 36 < 2 and method == IN_CI[second] and case.name not in LONG_IN_C
+    return CASES.index(case) % 48 < 2 and method == IN_CI[second] and case.name not in LONG_IN_C
 
 
 def by_turns(case, method):

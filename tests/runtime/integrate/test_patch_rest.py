@@ -19,7 +19,10 @@ from hertzwerk.runtime.integrate.step.set_valued_friction import solve_sticking
 
 pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
 
-REFERENCES = (pytest.param(method, 1.0, 10.5, "tree", marks=pytest.mark.slow) for method in ("cvodes", "idas"))
+REFERENCES = (
+    pytest.param(method, 1.0, 10.5, "tree", marks=[pytest.mark.exhaustive] if method == "idas" else [pytest.mark.slow])
+    for method in ("cvodes", "idas")
+)
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 WEIGHT = MU * DISC * GRAVITY  # N, the largest friction force
 
