@@ -35,7 +35,6 @@ from hertzwerk.derive.scenes.slider_crank import steel
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
 
-SCENES = {name: import_module(f"hertzwerk.derive.scenes.{name}").scene for name in NAMES}
 # what stands in the catalogue for a pin in a bush of some length, by the titles of the laws and the verdicts of their units
 OF_PINS = (
     *("johnson", "hertz_cylinder", "radzimovsky", "goldsmith_m3", "dubowsky_freudenstein", "esdu_78035", "palmgren_si"),
@@ -46,6 +45,10 @@ ADVISED = (
     *("slider_crank", "slider_crank_frictionless", "slider_crank_two_clearances", "slider_crank_three_clearances"),
     *("four_bar_clearance", "slider_crank_dc_motor"),
 )
+
+
+def built_in(name):
+    return import_module(f"hertzwerk.derive.scenes.{name}").scene
 
 
 def test_the_flagship_is_told_that_its_law_is_of_another_contact_and_which_laws_fit():
@@ -64,14 +67,14 @@ def test_the_flagship_is_told_that_its_law_is_of_another_contact_and_which_laws_
 
 @pytest.mark.parametrize("name", NAMES)
 def test_scenes_are_advised_once_and_only_where_law_and_pair_differ(name):
-    said = advice(SCENES[name])
+    said = advice(built_in(name))
     assert len(said) == (name in ADVISED)
     module = import_module(f"hertzwerk.generated.{name}")
     assert getattr(module, "ADVICE", ()) == said
 
 
 def test_several_pairs_share_one_sentence():
-    (said,) = advice(SCENES["slider_crank_three_clearances"])
+    (said,) = advice(built_in("slider_crank_three_clearances"))
     assert said.startswith("main_bearing, crank_pin, slider_pin: a pin in bush touches along a line")
 
 
@@ -95,7 +98,7 @@ def test_a_pin_without_a_length_is_told_to_get_one():
 
 
 def test_every_pair_and_every_law_says_its_form():
-    for scene in SCENES.values():
+    for scene in map(built_in, NAMES):
         assert all(form_of(pair) in FORMS for pair in scene.mechanism.pairs)
     for law in LAWS.values():
         assert isinstance(law, Law)
@@ -150,7 +153,7 @@ def test_a_wrong_length_is_a_fault_although_no_law_asks_for_it():
 
 
 def test_every_bush_of_the_built_in_scenes_has_a_length_and_every_material_a_density():
-    for scene in SCENES.values():
+    for scene in map(built_in, NAMES):
         assert all(pair.length is not None for pair in scene.mechanism.pairs if pair.kind == "pin_in_bush")
         bounds = [bound for effect in scene.effects for bound in getattr(effect, "laws", ())]
         assert all(material.density is not None for bound in bounds for material in bound.materials)
