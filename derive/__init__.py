@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # the list of public names
         RimOnPlane as RimOnPlane,
         SphereOnPlane as SphereOnPlane,
     )
+    from hertzwerk.derive.contact.pairs.every_pair import every_pair as every_pair
     from hertzwerk.derive.contact.pairs.round import (
         BallInSocket as BallInSocket,
         ParallelCylinders as ParallelCylinders,

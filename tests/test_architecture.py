@@ -31,7 +31,7 @@ ROOMS = {
         ".": "algebra audit contact declare derivation effects exported faults files imported laws mechanism",
         "algebra": "faults identifiers units",
         "audit": "algebra declare dimension faults html laws mechanism program units",
-        "contact": "algebra dimension effects faults laws mechanism motion units",
+        "contact": "algebra dimension effects faults identifiers laws mechanism motion units",
         "declare": "algebra dimension effects faults html identifiers laws mechanism units",
         "derivation": "audit declare emit faults module motion program readings",
         "dimension": "algebra faults units",
