@@ -158,7 +158,9 @@ class LastingContacts:
         if ends[-1] == len(rows):
             self._open[j], found, ends = found[-1], found[:-1], ends[:-1]
         found[:, 3] = rows[ends, 3] - found[:, 3]
-        self._ended.append((j, found[found[:, 2] > BEYOND]))
+        left = found[found[:, 2] > BEYOND]
+        if left.size:
+            self._ended.append((j, left))
 
     @property
     def found(self) -> tuple[Lasting, ...]:
