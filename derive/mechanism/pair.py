@@ -26,7 +26,6 @@ class Pair:
     first_radius  distance from the first place to the contact point [m]
     journal       whether it replaces a joint, which the start closes: its outputs then hold its eccentricity e, and its
                   gap is (c^2 - e.e)/(2 c), c its clearance
-    part_of       name of the pair that it is a part of, at which effects are declared; "" of one by itself
     guides        whether it is one of several that together replace a joint, which has no eccentricity to close
     holds_film    whether a lubrication may act on it
     labels        names of the two places in the equations
@@ -40,7 +39,11 @@ class Pair:
     guides: ClassVar[bool] = False
     holds_film: ClassVar[bool] = False
     labels: ClassVar[tuple[str, str]] = ("first", "second")
-    part_of: ClassVar[str] = ""
+
+    @property
+    def part_of(self) -> str:
+        """Name of the pair that it is a part of, at which effects are declared; "" of one by itself."""
+        return ""
 
     @property
     def parts(self) -> tuple[Pair, ...]:

@@ -164,7 +164,7 @@ class TipOnOutline(CurveOnCurve):
     tips: tuple[Sequence[Any], Sequence[Any]] = ((), ())
 
     @property
-    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+    def part_of(self) -> str:
         """Name of the pair of outlines."""
         return self.of
 
@@ -241,7 +241,7 @@ class Flanks(CurveOnCurve):
         return [Place(name="place", row=self.row + 1)] if self.row else []
 
     @property
-    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+    def part_of(self) -> str:
         """Name of the mesh."""
         return "" if self.whole is None else self.whole.name
 

@@ -72,7 +72,7 @@ class BoxCorner(CornerOnFace):
     guides: ClassVar[bool] = False
 
     @property
-    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+    def part_of(self) -> str:
         """Name of the box."""
         return "" if self.whole is None else self.whole.name
 

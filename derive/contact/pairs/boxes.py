@@ -98,7 +98,7 @@ class BoxFeature(Pair):
     kind: ClassVar[str] = "box_on_box"
 
     @property
-    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+    def part_of(self) -> str:
         """Name of both boxes."""
         return self.whole.name
 

@@ -22,7 +22,7 @@ class SphereOfMany(SphereOnSphere):
     whole: str = ""
 
     @property
-    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+    def part_of(self) -> str:
         """Name that all pairs share."""
         return self.whole
 
@@ -35,36 +35,35 @@ def every_pair(name: str, spheres: Iterable[Body | Point], radius: Scalar) -> tu
     each of them: `Contact("balls", law)` is `Contact("balls_1_2", law)`.., and an effect declared at one of them stands
     there in place of what the others share. Raises InputError, listing every fault.
     """
-    listed: list[Any] = list(spheres) if isinstance(spheres, Iterable) else []
-    faults = list(_faults(name, spheres, listed, radius))
-    if faults:
-        raise InputError(f"pairs {name if isinstance(name, str) else shown(name)}", faults)
-    places = [(i, _place(sphere)) for i, sphere in enumerate(listed, 1)]
+    where = f"pairs {name if isinstance(name, str) else shown(name)}"
+    places = [_place(sphere) for sphere in spheres] if isinstance(spheres, Iterable) else None
+    faults = [*name_faults("pairs", name), *_faults(where, spheres, places, radius)]
+    if places is None or faults:
+        raise InputError(where, faults)
     return tuple(
         SphereOfMany(f"{name}_{i}_{j}", first, second, radius, radius, whole=name)
-        for (i, first), (j, second) in combinations(places, 2)
+        for (i, first), (j, second) in combinations(enumerate(places, 1), 2)
         if first.body != second.body
     )
 
 
-def _place(sphere: Body | Point) -> Point:
-    return sphere if isinstance(sphere, Point) else sphere.at(*sphere.centre)
+def _place(sphere: Any) -> Any:
+    """Centre of a sphere; what is none is left as it is."""
+    return sphere.at(*sphere.centre) if isinstance(sphere, Body) else sphere
 
 
-def _faults(name: Any, spheres: Any, listed: list[Any], radius: Any) -> Iterator[Fault]:
-    where = f"pairs {name if isinstance(name, str) else shown(name)}"
-    yield from name_faults("pairs", name)
+def _faults(where: str, spheres: Any, places: list[Any] | None, radius: Any) -> Iterator[Fault]:
     if not is_number(radius):
         yield Fault(f"{where}, radius", shown(radius), "a Parameter or an expression of parameters")
-    if not isinstance(spheres, Iterable):
+    if places is None:
         yield Fault(f"{where}, spheres", shown(spheres), "a list of bodies, or of points of bodies")
         return
     firsts: dict[Any, int] = {}
-    for i, sphere in enumerate(listed, 1):
-        if not isinstance(sphere, Body | Point):
-            yield Fault(f"{where}, sphere {i}", shown(sphere), "a Body, or a point of one: body.at(x, y, z)")
-        elif (first := firsts.setdefault(_place(sphere), i)) != i:
+    for i, place in enumerate(places, 1):
+        if not isinstance(place, Point):
+            yield Fault(f"{where}, sphere {i}", shown(place), "a Body, or a point of one: body.at(x, y, z)")
+        elif (first := firsts.setdefault(place, i)) != i:
             yield Fault(f"{where}, sphere {i}", f"the place of sphere {first}", "a place of its own", "List it once.")
-    if all(isinstance(sphere, Body | Point) for sphere in listed) and len({_place(s).body for s in listed}) < 2:
-        yield Fault(f"{where}, spheres", f"{len(listed)} spheres on {len({_place(s).body for s in listed})} bodies",
-                    "spheres on two bodies or more")  # fmt: skip
+    if all(isinstance(place, Point) for place in places) and (count := len({place.body for place in places})) < 2:
+        found = f"{len(places)} spheres on {count} bodies"
+        yield Fault(f"{where}, spheres", found, "spheres on two bodies or more")
