@@ -55,7 +55,7 @@ def balls(n: int) -> Scene:
     joints = tuple(Planar(f"free_{i}", GROUND, body) for i, body in enumerate(bodies))
     centres = [body.at(0, 0, 0) for body in bodies]
     pairs = (
-        *(SphereOnSphere(f"pair_{i}_{j}", centres[i], centres[j], R, R) for i in range(n) for j in range(i + 1, n)),
+        *every_pair("pair", centres, R),
         *(
             SphereOnPlane(f"floor_{i}", centre, R, plane=GROUND.at(0, 0, 0), normal=Y)
             for i, centre in enumerate(centres)

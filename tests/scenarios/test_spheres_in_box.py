@@ -45,9 +45,8 @@ def test_a_pyramid_rests_with_the_forces_of_statics():
     run = simulate(load(scenes.spheres_in_box(5)), duration="2 s", tolerance=1e-7, parameters={"width": f"{width} m"})
     end = run.at([2.0])
     wall = top = 0.0
-    for _ in range(
-        50
-    ):  # the angle of the top's contacts from the vertical, with the spheres pressed into walls and each other
+    # the angle of the top's contacts from the vertical, with the spheres pressed into walls and each other
+    for _ in range(50):
         sine = np.sqrt(2) * (width / 2 - R + (wall / K) ** (2 / 3)) / (2 * R - (top / K) ** (2 / 3))
         top = WEIGHT / (4 * np.sqrt(1 - sine**2))
         wall = top * sine / np.sqrt(2)

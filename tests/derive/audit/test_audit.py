@@ -24,15 +24,12 @@ from hertzwerk.derive.scenes.ball_between_walls import scene as walls
 from hertzwerk.derive.scenes.bouncing_ball import scene as ball
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.derive.units import parse_unit
+from hertzwerk.runtime.model.build import scene_from
 
 cylinders = LAWS["lankarani_nikravesh_cylinders"]
 E_NU = slider_crank.effect("slider_pin").stiffness.values
 E = Parameter("restitution", "1", 0.9)
 LENGTH = slider_crank.parameters["clearance"]
-
-
-def built_in(name):
-    return __import__(f"hertzwerk.derive.scenes.{name}", fromlist=["scene"]).scene
 
 
 def wrong(unchecked=False, n=1):
@@ -235,7 +232,7 @@ def test_seeding_nothing_changes_nothing(monkeypatch):
 @pytest.mark.parametrize("name", ["bouncing_ball", "two_spheres"])
 def test_no_assignment_can_be_wrong_unnoticed(name):
     """Every assignment of a program in turn times a length: the audit must find it, there or where it ends up."""
-    program = derivation_of(built_in(name))
+    program = derivation_of(scene_from(name))
     length = program.scene.parameters["radius"]
     tape = program.tape.assignments
     for symbol, expression in list(program.assignments()):
@@ -372,7 +369,7 @@ FACTORS = {"mass": (2, 1, 1), "length": (1, 3, 1), "time": (1, 1, 5), "together"
     params=[pytest.param(name, marks=[pytest.mark.exhaustive] * (name == "ball_bearing")) for name in NAMES],
 )
 def rescaled(request):
-    return Rescaled(built_in(request.param))
+    return Rescaled(scene_from(request.param))
 
 
 @pytest.mark.by_turns(4)

@@ -34,6 +34,7 @@ from hertzwerk.derive.scenes.slider_crank import scene as crank
 from hertzwerk.derive.scenes.slider_crank import steel
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.model.build import scene_from
 
 # what stands in the catalogue for a pin in a bush of some length, by the titles of the laws and the verdicts of their units
 OF_PINS = (
@@ -45,10 +46,6 @@ ADVISED = (
     *("slider_crank", "slider_crank_frictionless", "slider_crank_two_clearances", "slider_crank_three_clearances"),
     *("four_bar_clearance", "slider_crank_dc_motor"),
 )
-
-
-def built_in(name):
-    return import_module(f"hertzwerk.derive.scenes.{name}").scene
 
 
 def test_the_flagship_is_told_that_its_law_is_of_another_contact_and_which_laws_fit():
@@ -67,14 +64,14 @@ def test_the_flagship_is_told_that_its_law_is_of_another_contact_and_which_laws_
 
 @pytest.mark.parametrize("name", NAMES)
 def test_scenes_are_advised_once_and_only_where_law_and_pair_differ(name):
-    said = advice(built_in(name))
+    said = advice(scene_from(name))
     assert len(said) == (name in ADVISED)
     module = import_module(f"hertzwerk.generated.{name}")
     assert getattr(module, "ADVICE", ()) == said
 
 
 def test_several_pairs_share_one_sentence():
-    (said,) = advice(built_in("slider_crank_three_clearances"))
+    (said,) = advice(scene_from("slider_crank_three_clearances"))
     assert said.startswith("main_bearing, crank_pin, slider_pin: a pin in bush touches along a line")
 
 
@@ -98,7 +95,7 @@ def test_a_pin_without_a_length_is_told_to_get_one():
 
 
 def test_every_pair_and_every_law_says_its_form():
-    for scene in map(built_in, NAMES):
+    for scene in map(scene_from, NAMES):
         assert all(form_of(pair) in FORMS for pair in scene.mechanism.pairs)
     for law in LAWS.values():
         assert isinstance(law, Law)
@@ -153,7 +150,7 @@ def test_a_wrong_length_is_a_fault_although_no_law_asks_for_it():
 
 
 def test_every_bush_of_the_built_in_scenes_has_a_length_and_every_material_a_density():
-    for scene in map(built_in, NAMES):
+    for scene in map(scene_from, NAMES):
         assert all(pair.length is not None for pair in scene.mechanism.pairs if pair.kind == "pin_in_bush")
         bounds = [bound for effect in scene.effects for bound in getattr(effect, "laws", ())]
         assert all(material.density is not None for bound in bounds for material in bound.materials)

@@ -21,12 +21,9 @@ from hertzwerk.derive.emit.cost import OF_CURVES
 from hertzwerk.derive.emit.helpers import HELPERS
 from hertzwerk.derive.mechanism.parameter import parameters_of
 from hertzwerk.derive.scenes import NAMES
+from hertzwerk.runtime.model.build import scene_from
 
 GENERATED = Path(__file__).parents[3] / "generated"
-
-
-def built_in(name):
-    return import_module(f"hertzwerk.derive.scenes.{name}").scene
 
 
 @cache
@@ -36,7 +33,7 @@ def committed(name):
 
 @cache
 def regenerated(name):
-    return generate(built_in(name), f"derive/scenes/{name}.py")
+    return generate(scene_from(name), f"derive/scenes/{name}.py")
 
 
 def difference(name, text):
@@ -62,7 +59,7 @@ def test_a_difference_is_shown_with_the_command_that_accepts_it():
 
 def test_every_built_in_scene_has_its_module_and_nothing_else_is_there():
     assert {file.stem for file in GENERATED.glob("*.py")} - {"__init__"} == set(NAMES)
-    assert [built_in(name).name for name in NAMES] == list(NAMES)
+    assert [scene_from(name).name for name in NAMES] == list(NAMES)
 
 
 @pytest.mark.exhaustive  # in CI every process has a seed of its own, that of `derive --check` too
@@ -86,7 +83,7 @@ def test_the_text_is_the_same_for_every_hash_seed(seed):
 
 
 def test_deriving_twice_in_one_process_gives_the_same_text():
-    assert regenerated("slider_crank") == generate(built_in("slider_crank"), "derive/scenes/slider_crank.py")
+    assert regenerated("slider_crank") == generate(scene_from("slider_crank"), "derive/scenes/slider_crank.py")
 
 
 # -- form --------------------------------------------------------------------------------------------------------------
@@ -126,7 +123,7 @@ def test_the_header_says_source_command_effects_units_and_operations(name):
     assert f"`hertzwerk derive {name}`" in text
     assert re.search(r"Units: \d+ assignments and \d+ outputs checked, all consistent", text)
     listed = " ".join(text.partition("Effects:\n")[2].partition("\nUnits:")[0].split())
-    for effect in built_in(name).effects:
+    for effect in scene_from(name).effects:
         assert re.search(rf"\b{effect.name}\b[\w, ]*: ", listed)
 
 
@@ -235,7 +232,7 @@ def below_header(text):
 
 
 def test_taking_friction_away_leaves_the_frictionless_slider_crank():
-    lean = built_in("slider_crank").without("slider_pin_friction")
+    lean = scene_from("slider_crank").without("slider_pin_friction")
     assert below_header(generate(lean)) == below_header(committed("slider_crank_frictionless"))
     assert below_header(committed("slider_crank")) != below_header(committed("slider_crank_frictionless"))
 
@@ -246,7 +243,7 @@ def test_no_trace_of_friction_remains(word):
     assert word not in below_header(committed("slider_crank_frictionless"))
 
 
-EFFECTS = [(name, effect.name) for name in NAMES for effect in built_in(name).effects]
+EFFECTS = [(name, effect.name) for name in NAMES for effect in scene_from(name).effects]
 SCENES = Path(import_module("hertzwerk.derive.scenes").__file__).parent
 QUICK = ("bouncing_ball", "two_spheres", "ball_between_walls", "slider_crank", "journal_in_bearing", "ball_in_socket")
 
@@ -255,7 +252,7 @@ def never_had(name, *effects):
     """A scene whose file never names these effects: run anew, with its list of effects cut before a scene is made of it."""
     if name == "slider_crank_frictionless":
         frictionless = never_had("slider_crank", "slider_pin_friction", *effects)
-        return frictionless.named(name, built_in(name).summary)
+        return frictionless.named(name, scene_from(name).summary)
     tree = ast.parse((SCENES / f"{name}.py").read_text(encoding="utf-8"))
     calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and ast.unparse(node.func) == "Scene"]
     (given,) = [keyword for call in calls for keyword in call.keywords if keyword.arg == "effects"]
@@ -272,7 +269,7 @@ def never_had(name, *effects):
 def test_a_scene_without_an_effect_has_the_module_of_one_that_never_had_it(name):
     """Byte for byte, though the scene with it was derived before."""
     assert regenerated(name) == committed(name)
-    scene = built_in(name)
+    scene = scene_from(name)
     for effect in scene.effects:
         with_it = [e.name for e in scene.all(Friction) if e.pair == effect.name]
         texts = [
@@ -293,7 +290,7 @@ def without(scene, effect):
     [pytest.param(n, e, id=f"{n} without {e}", marks=[] if n in QUICK else pytest.mark.exhaustive) for n, e in EFFECTS],
 )
 def test_an_effect_left_out_leaves_nothing_behind(name, effect):
-    scene, lean = built_in(name), without(built_in(name), effect)
+    scene, lean = scene_from(name), without(scene_from(name), effect)
     gone = scene.effect(effect)
     alone = [one.name for one in scene.effects if one not in lean.effects]
     assert lean == never_had(name, *alone)  # of which a module is made alike: see above

@@ -3,7 +3,6 @@
 import random
 from dataclasses import replace
 from importlib import import_module
-from itertools import combinations
 from keyword import iskeyword
 
 import casadi as ca
@@ -21,9 +20,9 @@ from hertzwerk.derive import (  # fmt: skip
     Planar,
     Scales,
     Scene,
-    SphereOnSphere,
     Start,
     Y,
+    every_pair,
     laws,
 )
 from hertzwerk.derive.derivation import derive
@@ -93,15 +92,11 @@ def balls(n):
     )
     bodies = [Body(f"ball_{k}", mass, inertia) for k in range(n)]
     joints = tuple(Planar(f"free_{k}", GROUND, each) for k, each in enumerate(bodies))
-    pairs = tuple(
-        SphereOnSphere(f"pair_{i}_{j}", bodies[i].at(0, 0, 0), bodies[j].at(0, 0, 0), radius, radius)
-        for i, j in combinations(range(n), 2)
-    )
     force = laws.power(Parameter("stiffness", "N/m^1.5", 1e7), n=1.5), laws.flores(e=Parameter("restitution", "1", 0.8))
     gravity = Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y)
     return Scene(
-        Mechanism("balls", joints, pairs),
-        (gravity, *(Contact(pair.name, *force) for pair in pairs), EnergyLedger()),
+        Mechanism("balls", joints, every_pair("pair", bodies, radius)),
+        (gravity, Contact("pair", *force), EnergyLedger()),
         start=Start(position={f"free_{k}.x": Parameter(f"x_{k}", "m", 0.2 * k) for k in range(n)}),
         scales=Scales(length=radius, arm=radius, speed=Parameter("pace", "m/s", 1)),
     )

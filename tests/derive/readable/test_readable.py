@@ -1,6 +1,5 @@
 """The equations people read say what the generated module computes, each effect where it acts; and they can be typeset."""
 
-import importlib
 import math
 import os
 import re
@@ -43,14 +42,10 @@ from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.state_expression import T as TIME
 from hertzwerk.derive.laws import LAWS, flores, power, smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
-from hertzwerk.runtime.model.build import built_in_scenes
+from hertzwerk.runtime.model.build import built_in_scenes, scene_from
 from reference.scenes import guarded_crank
 
 BUILT_IN = built_in_scenes()
-
-
-def built_in(name):
-    return importlib.import_module(f"hertzwerk.derive.scenes.{name}").scene
 
 
 def double_pendulum():
@@ -126,7 +121,7 @@ def forced():
 
 def with_friction(law):
     """The slider-crank with another law of friction, its parameters named as the law names them."""
-    scene = built_in("slider_crank")
+    scene = scene_from("slider_crank")
     bound = LAWS[law](**{q.name: Parameter(q.name, q.unit, 0.1) for q in LAWS[law].parameters})
     return scene.replace(slider_pin_friction=Friction("slider_pin_friction", "slider_pin", bound)).named(law)
 
@@ -148,7 +143,7 @@ def in_ci(names):
     return [name if name in IN_CI else pytest.param(name, marks=pytest.mark.exhaustive) for name in names]
 
 
-SCENES = {name: (lambda name=name: built_in(name)) for name in BUILT_IN} | {
+SCENES = {name: (lambda name=name: scene_from(name)) for name in BUILT_IN} | {
     "double_pendulum": double_pendulum,
     "spatial_arm": spatial_arm,
     "two_pairs": lambda: guarded_crank(1),
@@ -367,7 +362,7 @@ def test_springs_of_one_stiffness_act_where_they_are(read):
 
 def across(direction):
     """A ball on a plane track, pulled along `direction`."""
-    scene = built_in("bouncing_ball")
+    scene = scene_from("bouncing_ball")
     return scene.replace(gravity=Gravity("gravity", scene.effect("gravity").acceleration, direction=direction))
 
 
@@ -388,7 +383,7 @@ def test_a_locked_joint_is_no_idle_effect():
 
 
 def test_an_inconsistent_scene_is_refused_in_its_own_words():
-    scene = built_in("bouncing_ball")
+    scene = scene_from("bouncing_ball")
     wrong = Contact("floor", power(Parameter("wrong_stiffness", "N/m", 1e6), 1.7))
     with pytest.raises(InputError) as raised:
         equations_of(scene.replace(floor=wrong))
@@ -397,7 +392,7 @@ def test_an_inconsistent_scene_is_refused_in_its_own_words():
 
 
 def test_an_unchecked_law_says_so():
-    scene = built_in("soft_ball")
+    scene = scene_from("soft_ball")
     wrong = Contact("floor", power(Parameter("wrong_stiffness", "N/m", 1e6), 1.7), unchecked=True)
     assert "UNCHECKED" in equations_of(scene.replace(floor=wrong)).markdown()
 
@@ -474,6 +469,6 @@ def test_the_text_does_not_depend_on_the_hash_seed():
         text=True,
         check=True,
     ).stdout
-    here = equations_of(built_in("slider_crank")).markdown()  # with the seed of this process
+    here = equations_of(scene_from("slider_crank")).markdown()  # with the seed of this process
     assert there == f"{here}\n"
     assert "Equations of motion" in here
