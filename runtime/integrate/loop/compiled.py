@@ -16,7 +16,7 @@ import signal
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterable, Sequence
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -56,7 +56,7 @@ class Program:
     def __init__(self, *functions: Any, bitwise: bool = True) -> None:
         self._functions, self._compiler = functions, _compiler()
         self._text = c_text(functions)
-        self._level, self._estimate = level(self._text), compile_seconds(self._text)
+        self._level = level(self._text)
         self._flags = (self._level, *FLAGS, *(() if bitwise else (FUSED,)))
         parts = (self._text, *self._compiler, _version(self._compiler), *self._flags, _processor())
         digest = hashlib.sha256("\0".join(parts).encode()).hexdigest()
@@ -67,6 +67,10 @@ class Program:
     def seconds(self) -> float:
         """Estimated time [s] to compile; 0 if the library is there already."""
         return 0.0 if self._library is not None else self._estimate
+
+    @cached_property
+    def _estimate(self) -> float:
+        return compile_seconds(self._text)
 
     def load(self, poll: Callable[[], object] = lambda: None) -> list[Any]:
         """Return the compiled functions, compiled now if need be.
