@@ -16,7 +16,8 @@ grows from zero: there s is a state of its own in a Radau collocation, which New
     gcc -O2 body_on_plane.c -lm           long double
     gcc -O2 -DQUAD body_on_plane.c -lquadmath -lm
 
-Standard input: a body a line, see `read_body`. Standard output: events `e TIME KIND APPROACH_SPEED`, then `f` with the final state, the
+Standard input: a body a line, see `read_body`. Standard output: events `e TIME KIND APPROACH_SPEED`; at requested times `s` with the time, the
+state and its rates; then `f` with the final state, the
 final mode, the number of steps, the least |s| that was passed without rest, and 0, or what went wrong (1: too many steps, 2: step too small). */
 
 #include <float.h>
@@ -51,7 +52,8 @@ static const char *KIND[] = {"opens", "sticks", "slips", "pulls", "released"};
 typedef struct {
     int plane, law;
     real m, J[3], o[3], R, n[3], g[3], K, p, c, r, floor, mu_k, mu_s, t_end;
-    long most;
+    long most, stops, stop;
+    real *at; /* times at which the state is printed, rising */
     /* where it is */
     int mode, approaching;
     real v0, way[3]; /* way: direction of sliding while |s| has none; in plane motion the sign along the tangent */
@@ -573,6 +575,10 @@ static real zero(const Body *B, const real *y, real h, int stiff, int which, rea
     return high;
 }
 
+static void print_state(const real *y) {
+    for (int i = 0; i < STATES; i++) printf(" %.21Lg", (long double)y[i]);
+}
+
 static int simulate(Body *B, real *y) {
     real t = 0, h = 1e-7;
     Place P;
@@ -585,10 +591,16 @@ static int simulate(Body *B, real *y) {
     }
     printf("e %.21Lg %s %.21Lg\n", (long double)t, B->mode == FLIGHT ? "flight" : KIND[B->mode], (long double)B->v0);
     for (B->steps = 0; B->steps < B->most; B->steps++) {
+        for (; B->stop < B->stops && t >= B->at[B->stop]; B->stop++) {
+            real f[STATES];
+            rates(B, y, NULL, f);
+            printf("s %.21Lg", (long double)B->at[B->stop]), print_state(y), print_state(f), printf("\n");
+        }
         if (t >= B->t_end) return 0;
+        real until = B->stop < B->stops ? least(B->at[B->stop], B->t_end) : B->t_end;
         real g0[FUNCTIONS], g1[FUNCTIONS], out[STATES], cut = least(h, longest(B, y));
         int to[FUNCTIONS], n = functions(B, y, g0, to), stiff = 0, last = 0;
-        if (cut >= B->t_end - t) cut = B->t_end - t, last = 1;
+        if (cut >= until - t) cut = until - t, last = 1;
         if (B->mode == SLIP && !B->plane) {
             real b[3], f[3], rate, N;
             place(B, y, &P);
@@ -637,8 +649,9 @@ static int simulate(Body *B, real *y) {
         }
         if (which < 0) {
             memcpy(y, out, sizeof out);
-            t = last ? B->t_end : t + cut;
-            h = cut * (stiff ? 1.7 : column <= COLUMNS - 4 ? 2 : column <= COLUMNS - 2 ? 1.2 : 0.8);
+            t = last ? until : t + cut;
+            real next = cut * (stiff ? 1.7 : column <= COLUMNS - 4 ? 2 : column <= COLUMNS - 2 ? 1.2 : 0.8);
+            h = last ? most(h, next) : next;
             real l = sqrtl(y[3] * y[3] + y[4] * y[4] + y[5] * y[5] + y[6] * y[6]);
             for (int i = 3; i < 7; i++) y[i] /= l;
             if (B->mode == SLIP && !B->plane) { /* rest in space: |s| falls to nothing */
@@ -694,21 +707,22 @@ static int numbers(int n, real *x) {
     return 1;
 }
 
-/* plane law most  perturbation  m J[3] o[3] R n[3] g[3] K p c r floor mu_k mu_s t_end  x[3] q[4] v[3] w[3]; numbers as doubles, hexadecimal too */
+/* plane law most  perturbation  m J[3] o[3] R n[3] g[3] K p c r floor mu_k mu_s t_end  x[3] q[4] v[3] w[3]  stops times; numbers as doubles, hexadecimal too */
 static int read_body(Body *B, real *y) {
     real by = 0;
     memset(B, 0, sizeof *B);
     if (scanf("%d %d %ld", &B->plane, &B->law, &B->most) != 3) return 0;
     int read = number(&by) && number(&B->m) && numbers(3, B->J) && numbers(3, B->o) && number(&B->R) && numbers(3, B->n) && numbers(3, B->g) &&
                number(&B->K) && number(&B->p) && number(&B->c) && number(&B->r) && number(&B->floor) && number(&B->mu_k) && number(&B->mu_s) &&
-               number(&B->t_end) && numbers(STATES, y);
+               number(&B->t_end) && numbers(STATES, y) && scanf("%ld", &B->stops) == 1;
+    if (!read || !(B->at = malloc((B->stops + 1) * sizeof(real))) || !numbers(B->stops, B->at)) return 0;
     real l = size(B->n), turn = 0;
     for (int i = 0; i < 3; i++) B->n[i] /= l;
     for (int i = 3; i < 7; i++) turn += y[i] * y[i];
     for (int i = 3; i < 7; i++) y[i] /= sqrtl(turn);
     for (int i = 0; i < STATES; i++) y[i] *= 1 + (i % 3 - 1 ? by : -by) * (1 + i % 2); /* each by another share, with another sign */
     B->least = 1;
-    return read;
+    return 1;
 }
 
 int main(void) {
@@ -717,10 +731,9 @@ int main(void) {
     prepare();
     while (read_body(&B, y)) {
         int wrong = simulate(&B, y);
-        printf("f");
-        for (int i = 0; i < STATES; i++) printf(" %.21Lg", (long double)y[i]);
+        printf("f"), print_state(y);
         printf(" %d %ld %.3Lg %d\n", B.mode, B.steps, (long double)B.least, wrong);
-        fflush(stdout);
+        fflush(stdout), free(B.at);
     }
     return 0;
 }

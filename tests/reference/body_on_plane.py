@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+import numpy as np
+
 SOURCE = Path(__file__).with_suffix(".c")
 MOST = 400_000  # steps
 ELASTIC, HYSTERESIS, SECANT, SECANT_APPROACHING, TANGENT, POWER = range(6)
@@ -110,19 +112,23 @@ class Body:
             "power_damping": lambda: (POWER, self.known["damping"], 1.0),
         }[self.damping]()
 
-    def line(self, perturbed: float = 0.0) -> str:
-        """Line that the oracle reads; `perturbed` by a share of the start, of a sign and a size that differ by entry."""
+    def line(self, perturbed: float = 0.0, at: Sequence[float] = ()) -> str:
+        """Line that the oracle reads; `perturbed` by a share of the start, of a sign and a size that differ by entry; `at` rising times."""
         kind, coefficient, exponent = self.law
         down = (0.0, -self.gravity, 0.0) if self.plane else (0.0, 0.0, -self.gravity)
         numbers = [perturbed, self.mass, *self.inertia, *self.offset, self.radius, *self.normal, *down]
         numbers += [self.stiffness, self.exponent, coefficient, exponent, self.floor, self.mu_k, self.mu_s]
         numbers += [self.duration, *self.x, *self.q, *self.v, *self.w]
-        return " ".join([str(int(self.plane)), str(kind), str(MOST), *(float(x).hex() for x in numbers)])
+        known, times = ([float(x).hex() for x in row] for row in (numbers, at))
+        return " ".join([str(int(self.plane)), str(kind), str(MOST), *known, str(len(times)), *times])
 
 
 @dataclass(frozen=True)
 class Motion:
-    """What the oracle found: events (time, kind, approach speed), final state (13), final mode, steps, least sliding speed passed."""
+    """What the oracle found: events (time, kind, approach speed), final state (13), final mode, steps, least sliding speed passed.
+
+    states, rates (times, 13): at the times that were requested, as far as it got
+    """
 
     body: Body
     events: tuple[tuple[float, str, float], ...] = field(repr=False)
@@ -131,6 +137,8 @@ class Motion:
     steps: int
     least: float
     wrong: int
+    states: np.ndarray = field(repr=False, compare=False)
+    rates: np.ndarray = field(repr=False, compare=False)
 
 
 @cache
@@ -147,26 +155,29 @@ def motions(
     bodies: Iterable[Body],
     perturbed: float = 0.0,
     *,
+    at: Sequence[float] = (),
     quad: bool = False,
     command: Sequence[str] = (),
     by: Path | None = None,
 ) -> list[Motion]:
-    """Return the motion of each body."""
+    """Return the motion of each body, with its states at rising times."""
     bodies = list(bodies)
-    text = "\n".join(body.line(perturbed) for body in bodies)
+    text = "\n".join(body.line(perturbed, at) for body in bodies)
     done = subprocess.run(
         [*command, by or program(quad)], input=text, stdout=subprocess.PIPE, text=True, check=True
     ).stdout
-    found, events = [], []
+    found, events, rows = [], [], []
     for line in done.splitlines():
         first, *rest = line.split()
         if first == "e":
             events.append((float(rest[0]), rest[1], float(rest[2])))
             continue
+        if first == "s":
+            rows.append([float(x) for x in rest[1:]])
+            continue
         *state, mode, steps, least, wrong = rest
         body = bodies[len(found)]
-        found.append(
-            Motion(body, tuple(events), tuple(map(float, state)), int(mode), int(steps), float(least), int(wrong))
-        )
-        events = []
+        end = tuple(map(float, state)), int(mode), int(steps), float(least), int(wrong)
+        found.append(Motion(body, tuple(events), *end, *np.split(np.reshape(rows, (-1, 2 * len(state))), 2, axis=1)))
+        events, rows = [], []
     return found

@@ -8,9 +8,10 @@ from __future__ import annotations
 import math
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -36,6 +37,7 @@ from hertzwerk.derive import (  # fmt: skip
     laws,
 )
 from hertzwerk.derive import Body as RigidBody
+from hertzwerk.runtime.solution.solution import Solution
 from reference.body_on_plane import Body, Motion, motions
 
 SEED, GRAVITY, RUB_SPEED = 20261124, 9.81, 1e-3
@@ -58,6 +60,9 @@ RESTITUTIONS = {  # of each law by restitution: what it is tried with
 }
 OTHERS = ("elastic", "ristow", "kuwabara_kono", "power_damping")
 REQUESTS = (1e-4, 1e-6, 1e-8)
+SAMPLES = 100  # rows of a run, at most, at which it is judged
+MOST = 100_000  # steps: a run, or one that checks it, that takes more is at fault, whatever the machine
+LEAST = 1e-12  # of the scales: what no estimate is judged below
 ROUNDING = 1e-16  # share of the start by which that of the second truth differs
 AMPLIFIED = 1e3  # roundings in a run, each amplified like one of the start, that a request may fail by
 
@@ -235,7 +240,7 @@ def given(body: Body) -> dict[str, dict[str, float]]:
     return {"parameters": parameters, "initial": start}
 
 
-def run(body: Body, friction: str = "coulomb", **request):
+def run(body: Body, friction: str = "coulomb", **request: Any) -> Solution:
     """Simulate a body in the virtual machine."""
     made = model(body.plane, body.damping, body.exponent, friction)
     named = given(body)
@@ -246,94 +251,142 @@ def run(body: Body, friction: str = "coulomb", **request):
     return simulate(made, duration=body.duration, compiled=False, **named, **request)
 
 
-def state(motion: Motion, found) -> dict[str, float]:
-    """Final state of the truth by the names of histories, angle and sign of the quaternion as in the run."""
-    y = motion.state
-    truth = dict(zip([f"flight.{axis}" for axis in "xyz"], y[:3], strict=True))
-    truth |= dict(zip([f"flight.{axis}_speed" for axis in "xyz"], y[7:10], strict=True))
+def truth_of(motion: Motion, found: Solution, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return differences of a run's rows from the truth, and rates of the truth, both scaled.
+
+    (rows, n) each. The truth has its states at these rows' times; angle and sign of the quaternion are as in the run.
+    """
+    y, dy = motion.states, motion.rates
+    of_axes = "xy" if motion.body.plane else "xyz"
+    truth = {f"flight.{axis}": (y[:, k], dy[:, k]) for k, axis in enumerate(of_axes)}
+    truth |= {f"flight.{axis}_speed": (y[:, 7 + k], dy[:, 7 + k]) for k, axis in enumerate(of_axes)}
     if motion.body.plane:
-        angle, reached = 2 * math.atan2(y[6], y[3]), float(found["flight.angle"][-1])
-        truth |= {
-            "flight.angle": reached + math.remainder(angle - reached, 2 * math.pi),
-            "flight.angle_speed": y[12],
-        }
-        return {name: value for name, value in truth.items() if not name.startswith("flight.z")}
-    sign = math.copysign(1, sum(float(found[f"flight.q{k}"][-1]) * y[3 + k] for k in range(4)))
-    truth |= {f"flight.q{k}": sign * y[3 + k] for k in range(4)}
-    return truth | {f"flight.angular_speed_{axis}": y[10 + k] for k, axis in enumerate("xyz")}
+        angle, reached = 2 * np.arctan2(y[:, 6], y[:, 3]), found["flight.angle"][rows]
+        turns = np.round((reached - angle) / (2 * math.pi))
+        truth["flight.angle"] = angle + 2 * math.pi * turns, y[:, 12]
+        truth["flight.angle_speed"] = y[:, 12], dy[:, 12]
+    else:
+        sign = np.copysign(1, sum(found[f"flight.q{k}"][rows] * y[:, 3 + k] for k in range(4)))
+        truth |= {f"flight.q{k}": (sign * y[:, 3 + k], sign * dy[:, 3 + k]) for k in range(4)}
+        truth |= {f"flight.angular_speed_{a}": (y[:, 10 + k], dy[:, 10 + k]) for k, a in enumerate("xyz")}
+    known = dict(zip(found.model.units, found.scales.state, strict=False))
+    scales = np.array([known[name] for name in truth])
+    apart = np.column_stack([found[name][rows] - value for name, (value, _) in truth.items()])
+    return apart / scales, np.column_stack([rate for _, rate in truth.values()]) / scales
 
 
-def error(motion: Motion, found) -> float:
-    """Distance of the end of a run from the truth, in the scene's scales."""
-    scales = dict(zip(found.model.units, found.scales.state, strict=False))
-    return max(abs(float(found[name][-1]) - value) / scales[name] for name, value in state(motion, found).items())
+def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> np.ndarray:
+    """Return the least over a shift in time of the largest difference (rows), the shift counted by `pace` [1/s].
+
+    As README's section on accuracy has it, with the motion linear in the shift: convex, so that its least is found by thirds.
+    """
+
+    def off(shift: np.ndarray) -> np.ndarray:
+        return np.maximum(pace * np.abs(shift), np.max(np.abs(apart - rates * shift[:, None]), axis=1))
+
+    high = np.max(np.abs(apart), axis=1) / pace
+    low = -high
+    for _ in range(120):
+        one, two = low + (high - low) / 3, high - (high - low) / 3
+        nearer = off(one) < off(two)
+        low, high = np.where(nearer, low, one), np.where(nearer, two, high)
+    return np.minimum(off((low + high) / 2), off(np.zeros(len(apart))))
 
 
-def floor(one: Motion, other: Motion, found) -> float:
-    """Difference that a perturbation of the start by its rounding makes at the end, in the scene's scales."""
-    scales = dict(zip(found.model.units, found.scales.state, strict=False))
-    a, b = state(one, found), state(other, found)
-    return max(abs(a[name] - b[name]) / scales[name] for name in a)
+def error_of_impacts(motion: Motion, found: Solution) -> float:
+    """Return the largest error of onset times, by length over approach speed, and of approach speeds, by the scene's.
+
+    Of contacts on which run and truth agree by order; one that only one of them has counts by its approach speed.
+    """
+    length, speed = found.scales.scene[:2]
+    true = [(t, v0) for t, kind, v0 in motion.events if kind == "touches" and t <= found.t[-1]]
+    mine = [(impact.t, impact.speed) for impact in found.impacts if impact.t > 0]
+    worst = 0.0
+    while true or mine:
+        if true and mine:
+            (t, v), (u, w) = true[0], mine[0]
+            off = max(max(v, w) / length * abs(t - u), abs(v - w) / speed)
+            if off <= max(v, w) / speed:
+                worst, true, mine = np.maximum(worst, off), true[1:], mine[1:]
+                continue
+        only = true if not mine or (true and true[0] < mine[0]) else mine
+        worst = np.maximum(worst, only.pop(0)[1] / speed)
+    return float(worst)
 
 
 @dataclass(frozen=True)
 class Finding:
-    """What a request of a body came to: truth and estimate of its error, what rounding does to it, steps beside those with smooth friction."""
+    """What a request of a body came to: truth and estimate of its error, what rounding does to it, steps beside those with smooth friction.
+
+    truth, rounding: largest over the run, impacts included; nan where there is none
+    """
 
     body: Body
     accuracy: float
     outcome: str
-    truth: float
-    estimate: float
-    rounding: float
-    steps: int
-    smooth_steps: int
-    seconds: float
+    truth: float = math.nan
+    estimate: float = math.nan
+    rounding: float = math.nan
+    steps: int = 0
+    smooth_steps: int = 0
+    seconds: float = 0.0
     remark: str = ""
 
     @property
     def faults(self) -> list[str]:
-        """What must not be, in words; empty where all holds."""
+        """What must not be, in words; empty where all holds. What is no number is a fault."""
         found = []
         if self.remark:
             found.append(self.remark)
         if self.outcome == "finished":
-            if self.truth > self.accuracy:
+            if not self.truth <= self.accuracy:
                 found.append(f"over the request {self.truth / self.accuracy:.3g} times")
-            ratio = self.truth / max(self.estimate, 1e-13)
-            if ratio > 10 and self.truth > 1e-12:
+            ratio = self.truth / max(self.estimate, LEAST)
+            if not (ratio <= 10 or self.truth <= LEAST):
                 found.append(f"estimate {ratio:.3g} times too small")
-        elif self.outcome != "exception" and AMPLIFIED * self.rounding < self.accuracy:
+        elif self.outcome != "exception" and not AMPLIFIED * self.rounding >= self.accuracy:
             found.append(f"{self.outcome} without a reason: rounding makes {self.rounding:.1e}")
         if self.smooth_steps and self.steps > 3 * self.smooth_steps:
             found.append(f"{self.steps / self.smooth_steps:.3g} times the steps")
         return found
 
 
-def judged(body: Body, requests: Sequence[float] = REQUESTS, *, smooth: bool = True, **more) -> Iterator[Finding]:
-    """Yield what comes of each request for a body."""
-    (truth,), (other,) = motions([body]), motions([body], ROUNDING)
-    if truth.wrong:
-        raise RuntimeError(f"the oracle did not get to the end of {body}")
+def judged(
+    body: Body,
+    requests: Sequence[float] = REQUESTS,
+    *,
+    smooth: bool = True,
+    made: Callable[..., Solution] = run,
+    **more: Any,
+) -> Iterator[Finding]:
+    """Yield what comes of each request for a body, over the whole run; `made` makes a run as `run` does."""
+    more = {"max_steps": MOST, **more}
     for accuracy in requests:
-        begun, remark, smoothed = time.process_time(), "", 0
+        begun, smoothed = time.process_time(), 0
         try:
-            found = run(body, accuracy=accuracy, **more)
+            found = made(body, accuracy=accuracy, **more)
         except Exception as raised:
-            yield Finding(
-                body, accuracy, "exception", *[math.nan] * 3, 0, 0, 0, f"{type(raised).__name__}: {raised}"[:300]
-            )
+            yield Finding(body, accuracy, "exception", remark=f"{type(raised).__name__}: {raised}"[:300])
             continue
-        seconds = time.process_time() - begun
-        if found.outcome.name == "exception":
-            remark = str(found.outcome)[:300]
-        if smooth and found.outcome.name == "finished":
+        seconds, outcome = time.process_time() - begun, found.outcome
+        remark = str(outcome)[:300] if outcome.name == "exception" else ""
+        if smooth and outcome.finished:
             smoothed = run(body, "smooth", accuracy=accuracy, **more).statistics.steps
-        off = floor(truth, other, found)
-        ended = found.t[-1] == body.duration
-        estimate = math.nan if found.error is None else found.error.end
-        numbers = error(truth, found) if ended else math.nan, estimate, off, found.statistics.steps, smoothed
-        yield Finding(body, accuracy, found.outcome.name, *numbers, seconds, remark)
+        rows = np.unique(np.linspace(0, len(found.t) - 1, SAMPLES).round().astype(int))
+        (truth,), (other,) = (motions([body], by, at=found.t[rows].tolist()) for by in (0.0, ROUNDING))
+        if truth.wrong or other.wrong:
+            raise RuntimeError(f"the oracle did not get to the end of {body}")
+        pace = found.scales.pace
+        apart, rates = truth_of(truth, found, rows)
+        perturbed = apart - truth_of(other, found, rows)[0]
+        worst = float(np.maximum(distance(apart, rates, pace).max(), error_of_impacts(truth, found)))
+        off = float(distance(perturbed, rates, pace).max())
+        if outcome.finished and found.t[-1] != body.duration:
+            worst, remark = math.nan, "finished before its end"
+        estimate = math.nan if found.error is None else found.error.worst
+        yield Finding(
+            body, accuracy, outcome.name, worst, estimate, off, found.statistics.steps, smoothed, seconds, remark
+        )
 
 
 def main() -> None:
@@ -341,7 +394,7 @@ def main() -> None:
     first, last, *seed = map(int, sys.argv[1:])
     total, failed = 0, 0
     for i in range(first, last):
-        for finding in judged(body_of(i, *seed), wall_time=40):
+        for finding in judged(body_of(i, *seed)):
             total += 1
             failed += bool(finding.faults)
             print(
