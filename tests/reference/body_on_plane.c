@@ -468,10 +468,8 @@ static int functions(const Body *B, const real *y, real *g, int *to) {
         g[n] = B->mode == PULL ? -sign : sign, to[n++] = B->mode == PULL ? SLIP : PULL;
     } else if (B->law == SECANT_APPROACHING)
         g[n] = B->approaching ? P.v : -P.v, to[n++] = STICK; /* a kink of the force, no change of mode */
-    else if (B->law != ELASTIC && P.d > 0)
-        g[n] = presses(B, &P), to[n++] = RELEASED;
     else if (B->law != ELASTIC)
-        g[n] = 1, to[n++] = RELEASED;
+        g[n] = presses(B, &P), to[n++] = RELEASED;
     if (B->mode == STICK) {
         real b[3], f[3];
         drift(B, y, &P, N, b);

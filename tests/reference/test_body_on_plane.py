@@ -220,6 +220,36 @@ def test_quadruple_precision_agrees():
         np.testing.assert_allclose(one.state, other.state, rtol=1e-13, atol=1e-14)
 
 
+def test_a_contact_that_fades_is_released_before_its_gap_opens():
+    """N = K d (d + 2 c d') falls with d < 2 c |d'| however slowly the body is lifted: here one that rolls off by its own offset."""
+    fading = Body(
+        plane=True,
+        damping="kuwabara_kono",
+        exponent=2,
+        mass=0.0204732442856557,
+        inertia=(1.5504163834065456e-06, 1.7583096928891264e-06, 2.827982835111447e-06),
+        offset=(0.0009563564834474709, -0.004836018390749881, 0.0),
+        radius=0.01669144111644585,
+        tilt=-0.29969991772840937,
+        turn=0.0,
+        stiffness=287717444167.12976,
+        known={"material_time": 4.678677502281178e-05},
+        mu_k=0.4531678840645099,
+        mu_s=0.5859044704646458,
+        duration=0.46,
+        x=(-0.008950603865184377, 0.013097539208504979, 0.0),
+        q=(0.5437594592327791, 0.0, 0.0, 0.8392411158271952),
+        angle=1.9917721815948815,
+        v=(-0.19122123690956322, -0.05908879317079496, 0.0),
+        w=(0.0, 0.0, 10.181649532020174),
+        depth=5.62410596149923e-06,
+        pace=0.05,
+    )
+    one, other = motions([fading])[0], motions([fading], quad=True)[0]
+    assert [kind for _, kind, _ in one.events[-3:]] == ["slips", "released", "opens"]
+    np.testing.assert_allclose(one.state, other.state, rtol=0, atol=1e-13)
+
+
 FAULTS = {
     "slip is found late": ("g[n] = B->mu_s * N - size(f)", "g[n] = 1.001 * B->mu_s * N - size(f)"),
     "an arm of the friction force": ("P->rho[i] = P->c[i] - B->R", "P->rho[i] = P->c[i] - (B->R - 1e-6)"),
