@@ -402,7 +402,8 @@ CLI = {
 }
 PICTURES = {
     "pictures/plot.py",
-    "pictures/vector.py",
+    "pictures/saving.py",
+    "pictures/arrangement.py",
     "pictures/plot_panel.py",
     *(f"pictures/motion/{name}.py" for name in ["film", "moving_paper", "stage", "writers"]),
     *(

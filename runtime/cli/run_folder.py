@@ -244,8 +244,9 @@ class _Extras:
 
         def mechanism(at: Path) -> None:
             from hertzwerk.runtime.pictures.draw import picture
+            from hertzwerk.runtime.pictures.saving import save_png
 
-            picture.of_run(drawn()).savefig(at / "mechanism.png", dpi="figure")
+            save_png(picture.of_run(drawn()), at / "mechanism.png")
 
         self.make("mechanism.png", mechanism)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import matplotlib as mpl
 import numpy as np
@@ -18,11 +18,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.pictures.arrangement import Arrangement
 from hertzwerk.runtime.pictures.curves import Array, Curves, impact_curves
 from hertzwerk.runtime.pictures.oil_films import films
 from hertzwerk.runtime.pictures.plot_panel import CONSTANT, LEGEND_ROOM, caption, empty_panel, legend, lines, over_time
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
+from hertzwerk.runtime.pictures.saving import save_png
 from hertzwerk.runtime.solution.history import History
 
 if TYPE_CHECKING:
@@ -58,7 +60,7 @@ def histories(run: Solution, *names: str) -> Figure:
     """Draw a panel for each named history; raises KeyError for an unknown name."""
     curves = Curves.of(run)
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout="constrained")
+        figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout=Arrangement())
         axes = figure.subplots(len(names), 1, squeeze=False).ravel()
         for axis, name in zip(axes, names, strict=True):
             scale = lines(axis, curves, run.history.units.get(name, "1"), {name: curves[name]})
@@ -82,17 +84,9 @@ def pair(run: Solution, name: str) -> Figure:
 def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
     """Return functions that save the overview and each pair's page as PNG, by name."""
 
-    def saved(figure: Callable[[], Figure]) -> Callable[[Path], None]:
-        def save(path: Path) -> None:
-            page = figure()
-            with mpl.rc_context(STYLE):
-                page.savefig(path)
-
-        return save
-
-    return {"overview": saved(lambda: overview(run))} | {
-        name: saved(partial(pair, run, name)) for name in run.model.pairs
-    }
+    figures: dict[str, Callable[[], Figure]] = {"overview": partial(overview, run)}
+    figures |= {name: partial(pair, run, name) for name in run.model.pairs}
+    return {name: lambda path, figure=figure: save_png(figure(), path) for name, figure in figures.items()}
 
 
 # ---- pages -----------------------------------------------------------------------------------------------------------
@@ -111,7 +105,7 @@ def _overview(curves: Curves) -> Figure:
         panels.append(_energy)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
         rows = (len(panels) + 1) // 2
-        figure = Figure(figsize=(12.5, (HEIGHT if rows < 4 else LOW) * rows + 0.6), layout="constrained")
+        figure = Figure(figsize=(12.5, (HEIGHT if rows < 4 else LOW) * rows + 0.6), layout=Arrangement())
         axes = figure.subplots(rows, 2, squeeze=False).ravel()
         for draw, axis in zip(panels, axes, strict=False):
             draw(axis, curves)
@@ -125,7 +119,7 @@ def _pair(curves: Curves, name: str) -> Figure:
     run, film = curves.run, films(curves.run.model).get(name)
     impact = next((impact for impact in run.impacts if impact.contact == name), None)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM if film else mpl.rcParams["axes.titlepad"]}):
-        figure = Figure(figsize=(12.5, 6.4), layout="constrained")
+        figure = Figure(figsize=(12.5, 6.4), layout=Arrangement())
         inside = [output for output in run.model.outputs if output.startswith(f"{name}.eccentricity_")]
         if len(inside) > 1:
             views = [(inside[0], other) for other in inside[1:]]
@@ -295,7 +289,8 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     axis.set(**dict(zip(("xlabel", "ylabel"), labels, strict=True)))
     pin = dict(curves.run.model.module.PAIRS)[name] == "pin_in_bush"
     axis.set_title(f"Path of the {'pin' if pin else 'ball'}'s centre in the {'bush' if pin else 'socket'}")
-    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncols=2)
+    arrangement: Any = axis.get_figure(root=True).get_layout_engine()
+    arrangement.legend_below(axis, columns=2)
 
 
 def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import matplotlib as mpl
 import numpy as np
 
+from hertzwerk.runtime.pictures.arrangement import LINE, PAD
 from hertzwerk.runtime.pictures.curves import Array, Curves
 from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY, ORANGE, VERMILLION, plain
 from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
     from hertzwerk.runtime.solution.solution import Solution
 
+NOTE = 9  # points, of the text below the panels
 LEGEND_ROOM = 22  # points between a panel and its title
 LEGEND_ROW = 13  # points that a further row of the legend takes
 LEGEND_WIDTH, LEGEND_HANDLE = 66, 6  # characters beside each other above a panel; what the line before a label takes
@@ -33,13 +35,14 @@ def caption(figure: Figure, run: Solution, subtitle: str, notes: Sequence[str] =
     """Write title and differences from the scene; below the panels outcome, warnings and notes."""
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.model, subtitle), differences(run))
-    layout: Any = figure.get_layout_engine()
-    layout.set(rect=(0, 0, 1, 1 - used / height))
     told = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
     told += [*run.warnings, *notes]  # unchecked laws among them
-    if told:
-        text = "\n".join(line for note in told for line in textwrap.wrap(note, int(12 * width)))
-        figure.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color=VERMILLION)
+    rows = [line for note in told for line in textwrap.wrap(note, int(12 * width))]
+    if rows:
+        look: Any = {"ha": "left", "va": "bottom", "fontsize": NOTE, "color": VERMILLION}
+        figure.text(0.01, PAD / height, plain("\n".join(rows)), **look)
+    layout: Any = figure.get_layout_engine()
+    layout.set(above=used, below=PAD + LINE * NOTE * len(rows))
 
 
 def lines(

@@ -30,7 +30,7 @@ def readable_of(model: Model) -> tuple[Readable | None, str]:
 
 def drawn(draw: Callable[[], Figure], name: str, label: str) -> Markup:
     """Return a figure, or the reason why it could not be drawn."""
-    from hertzwerk.runtime.pictures.vector import svg_of
+    from hertzwerk.runtime.pictures.saving import svg_of
 
     return guarded(f"The picture {name}", lambda: picture(svg_of(draw()), f"picture-{name}", label, label))
 
