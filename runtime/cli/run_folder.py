@@ -6,7 +6,7 @@ import io
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import asdict, dataclass, field
 from functools import cache, partial
 from pathlib import Path
@@ -17,6 +17,7 @@ import numpy as np
 from hertzwerk.runtime.host.folder import failures_of, new_folder
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
 from hertzwerk.runtime.host.sealed import sealed
+from hertzwerk.runtime.host.side_by_side import side_by_side
 from hertzwerk.runtime.host.versions import versions
 
 if TYPE_CHECKING:
@@ -248,8 +249,6 @@ class _Extras:
 
             save_png(picture.of_run(drawn()), at / "mechanism.png")
 
-        self.make("mechanism.png", mechanism)
-
         @cache
         def pages() -> Mapping[str, Callable[[Path], None]]:
             from hertzwerk.runtime.pictures import plot  # slow to import: not after a stop
@@ -259,8 +258,21 @@ class _Extras:
         def page(name: str, at: Path) -> None:
             pages()[name](at / f"{name}.png")
 
-        for name in ("overview", *self.solution.model.pairs):
-            self.make(f"{name}.png", partial(page, name))
+        makers = {"overview": partial(page, "overview"), "mechanism": mechanism}
+        makers |= {name: partial(page, name) for name in self.solution.model.pairs}
+        with suppress(Exception), self.stop.at_once():  # each page reports what is wrong with it
+            pages()
+        made = side_by_side([partial(self._apart, f"{name}.png", make) for name, make in makers.items()])
+        for i, name in enumerate(makers):
+            files, missing = made.get(i, ([], [f"{name}.png is not there: the process that made it ended"]))
+            self.written.files += files
+            self.written.missing += missing
+
+    def _apart(self, name: str, make: Callable[[Path], object]) -> tuple[list[str], list[str]]:
+        """Make one file; return the files that are there, and what is missing."""
+        written = Written(self.written.folder, [], [])
+        _Extras(self.solution, written, self.stop).make(name, make)
+        return written.files, written.missing
 
 
 def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapping[str, Any] | None) -> list[str]:

@@ -28,7 +28,7 @@ class Stopping:
     """
 
     def __init__(self, progress: Progress) -> None:
-        self._progress = progress
+        self._progress, self._process = progress, os.getpid()
         self._before: dict[int, Any] = {}
         self._asked: float | None = None  # when [s]
         self._raises = False
@@ -65,8 +65,9 @@ class Stopping:
         self._progress(fraction)
 
     def stage(self, name: str) -> None:
-        """Announce the stage that begins."""
-        self._progress.stage(name)
+        """Announce the stage that begins; a forked process has no terminal of its own."""
+        if os.getpid() == self._process:
+            self._progress.stage(name)
 
     @contextmanager
     def at_once(self) -> Iterator[None]:
@@ -82,7 +83,9 @@ class Stopping:
         again = self._asked is not None and now - self._asked > AGAIN
         if self._asked is None:
             self._asked = now
-            if sys.stderr.isatty():  # not by print: the signal may have come while it was printing
+            if (
+                sys.stderr.isatty() and os.getpid() == self._process
+            ):  # not by print: the signal may have come while it was printing
                 os.write(2, b"\nstopping: the results so far are written; another signal discards them\n")
         if self._raises or again:
             raise KeyboardInterrupt

@@ -6,7 +6,6 @@ Both paths must agree bitwise.
 from __future__ import annotations
 
 import multiprocessing
-import os
 import signal
 import sys
 import warnings
@@ -20,6 +19,7 @@ import numpy as np
 
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
 from hertzwerk.runtime.host.interrupt import raise_interrupts
+from hertzwerk.runtime.host.side_by_side import cores
 from hertzwerk.runtime.integrate.loop.compiled import available
 from hertzwerk.runtime.integrate.tableaux.methods import SUNDIALS
 from hertzwerk.runtime.run.request import Compiled
@@ -133,13 +133,13 @@ def results(jobs: Sequence[tuple[HardCase, Sequence[str]]], workers: int | None 
     work: list[Work] = [(method, tuple(cases)) for (_, method), cases in groups.items()]
     # a long one last would keep one core waiting
     work.sort(key=lambda item: any(case.long for case in item[1]), reverse=True)
-    cores = min(workers or (len(os.sched_getaffinity(0)) if sys.platform.startswith("linux") else 1), len(work))
-    if cores <= 1:
+    count = min(workers or (cores() if sys.platform.startswith("linux") else 1), len(work))
+    if count <= 1:
         for method, cases in work:
             yield from (result(case, method) for case in cases)
         return
     others = multiprocessing.active_children()
-    executor = ProcessPoolExecutor(cores, multiprocessing.get_context("fork"), _enter, (work,))
+    executor = ProcessPoolExecutor(count, multiprocessing.get_context("fork"), _enter, (work,))
     try:
         with raise_interrupts():
             yield from _as_done(executor, len(work))

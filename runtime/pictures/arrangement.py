@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.layout_engine import LayoutEngine
-from matplotlib.transforms import ScaledTranslation
+from matplotlib.transforms import ScaledTranslation, Transform
 
 from hertzwerk.runtime.pictures.plot_style import STYLE
 
@@ -20,8 +20,10 @@ if TYPE_CHECKING:
 
 POINT = 1 / 72  # inch
 LINE = 1.3 * POINT  # height of a line of text, for each point of its size
+LEGEND = 1.6 * POINT  # height of a row of a legend, likewise
 DIGIT = 0.64  # width of a digit, of the size of its text
 TICK = 8 * POINT  # a tick and its distance from its number
+NUMBERS = TICK + LINE * STYLE["font.size"]  # height of those below a panel
 PAD = 4 * POINT  # between neighbours, and at the edge
 SIDE = 14 * POINT  # to the right of a panel: half of the number below its corner
 
@@ -60,12 +62,16 @@ class Arrangement(LayoutEngine):
         columns = _spans([cell.colspan for cell in cells], rooms, grid.get_width_ratios(), 0.0, width)
         for axis, (top, bottom), (left, right) in zip(axes, rows, columns, strict=True):
             axis.set_position((left / width, 1 - bottom / height, (right - left) / width, (bottom - top) / height))
+            axis.xaxis.set_label_coords(0.5, 0, _under(axis, NUMBERS))
 
     def legend_below(self, axis: Axes, columns: int) -> None:
         """Draw the legend of a panel below the name of its horizontal axis."""
         at = axis.transAxes + ScaledTranslation(0, -_below(axis), axis.get_figure(root=True).dpi_scale_trans)
-        legend = axis.legend(loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=at, borderaxespad=0, ncols=columns)
-        self._legends[axis] = LINE * STYLE["legend.fontsize"] * -(-len(legend.get_texts()) // columns) + 2 * PAD
+        legend = axis.legend(
+            loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=at, borderaxespad=0, ncols=columns
+        )
+        rows = -(-len(legend.get_texts()) // columns)
+        self._legends[axis] = LEGEND * STYLE["legend.fontsize"] * rows + 2 * PAD
 
 
 def _above(axis: Axes) -> float:
@@ -79,7 +85,12 @@ def _below(axis: Axes) -> float:
     if not axis.axison:
         return PAD
     named = LINE * axis.xaxis.label.get_fontsize() if axis.get_xlabel() else 0.0
-    return float(TICK + LINE * STYLE["font.size"] + named + PAD)
+    return float(NUMBERS + named + PAD)
+
+
+def _under(axis: Axes, distance: float) -> Transform:
+    """Return the coordinates of a panel, from a distance [inch] below it."""
+    return axis.transAxes + ScaledTranslation(0, -distance, axis.get_figure(root=True).dpi_scale_trans)
 
 
 def _left(axis: Axes) -> float:

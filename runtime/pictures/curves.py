@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 IMPACT_SAMPLES = 400
-KNOTS = 500, 2000  # times at which the ideal mechanism is assembled, more where the first are too few; between them cubics
+KNOTS = (
+    500,
+    2000,
+)  # times at which the ideal mechanism is assembled, more where the first are too few; between them cubics
 FROM_ROWS = (
     "Drawn from the rows that were kept, with straight lines between them: of each contact its onset, peak and end."
 )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -82,7 +83,8 @@ def pair(run: Solution, name: str) -> Figure:
 
 
 def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
-    """Return functions that save the overview and each pair's page as PNG, by name."""
+    """Sample a run; return functions that save the overview and each pair's page as PNG, by name."""
+    _ = Curves.of(run).ideal
 
     figures: dict[str, Callable[[], Figure]] = {"overview": partial(overview, run)}
     figures |= {name: partial(pair, run, name) for name in run.model.pairs}
@@ -103,7 +105,7 @@ def _overview(curves: Curves) -> Figure:
         panels.append(_forces)
     if curves.run.energy_residual is not None:
         panels.append(_energy)
-    with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
+    with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM, "axes.titley": 1.0}):  # nothing is above the panels
         rows = (len(panels) + 1) // 2
         figure = Figure(figsize=(12.5, (HEIGHT if rows < 4 else LOW) * rows + 0.6), layout=Arrangement())
         axes = figure.subplots(rows, 2, squeeze=False).ravel()
@@ -272,16 +274,17 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     radius = clearance / scale.factor
     look = {"facecolor": "#f3f6f9", "edgecolor": GREY, "linewidth": 1.2, "zorder": 0.8}
     axis.add_patch(Circle((0, 0), radius, label="clearance circle", **look))
-    segments = np.stack([points[:-1], points[1:]], axis=1)
-    touching = gap[:-1] + gap[1:] < 0
+    touching = gap[:-1] + gap[1:] < 0  # of each line between two points
+    ends = [0, *np.flatnonzero(np.diff(touching)) + 1, len(touching)]
+    ways = [(touching[a], points[a : b + 1]) for a, b in pairwise(ends) if a < b]
     apart = "on the film" if name in films(curves.run.model) else "free flight"
-    for chosen, colour, width, label in (
-        (~touching, BLUE, 0.8, apart),
-        (touching, VERMILLION, 1.0, "in contact" + (" (outside the circle: penetration)" if len(inside) == 2 else "")),
+    for touches, colour, width, label in (
+        (False, BLUE, 0.8, apart),
+        (True, VERMILLION, 1.0, "in contact" + (" (outside the circle: penetration)" if len(inside) == 2 else "")),
     ):
-        if not np.any(chosen):
-            continue
-        axis.add_collection(LineCollection(list(segments[chosen]), colors=colour, linewidths=width, label=label))
+        chosen = [way for touching, way in ways if touching == touches]
+        if chosen:
+            axis.add_collection(LineCollection(chosen, colors=colour, linewidths=width, label=label))
     axis.plot(*points[0], "o", color="black", markersize=4, label="start")
     reach = 1.08 * max(radius, float(np.max(np.hypot(*points.T))))
     axis.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")

@@ -26,6 +26,7 @@ from functools import partial
 from typing import Any
 
 from hertzwerk.runtime.host.heap import keep_freed
+from hertzwerk.runtime.host.side_by_side import cores
 from hertzwerk.runtime.sweeps.row_engine import every_row
 from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task
 from hertzwerk.runtime.sweeps.sweep_table import Row
@@ -150,8 +151,3 @@ def _timed(job: Job, tasks: list[Task]) -> tuple[list[Row], float]:
     """Do tasks; return their rows and the time of the processor that they took [s]."""
     began = time.thread_time()
     return job.do(*tasks), time.thread_time() - began
-
-
-def cores() -> int:
-    """Return the number of cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -60,8 +60,9 @@ def place(paper: Paper, labels: Sequence[Label], frame: Frame, point: float) -> 
 
 def _half(label: Label) -> Array:
     """Return half the size of a name with a margin [points]."""
-    box = TextPath((0, 0), label.text, size=label.size).get_extents()
-    return np.array([box.width / 2 + 1.5, label.size * 0.55 + 0.5])
+    path = TextPath((0, 0), label.text, size=label.size)
+    x = path.vertices[path.codes != path.CLOSEPOLY, 0]  # with the points that bend its curves: wider by no pixel
+    return np.array([np.ptp(x) / 2 + 1.5, label.size * 0.55 + 0.5])
 
 
 def _candidates(anchors: Array, half: Array, point: float) -> tuple[Array, Array]:
@@ -77,7 +78,7 @@ def _candidates(anchors: Array, half: Array, point: float) -> tuple[Array, Array
 
 def _inside(points: Array, low: Array, high: Array) -> Array:
     """Count the points (n, 2) in each of the boxes (k, 2)."""
-    x, y = points.T
+    x, y = points[np.all((points > np.min(low, axis=0)) & (points < np.max(high, axis=0)), axis=1)].T
     within = (x > low[:, :1]) & (x < high[:, :1]) & (y > low[:, 1:]) & (y < high[:, 1:])
     return np.asarray(np.sum(within, axis=1), dtype=float)
 

@@ -1,0 +1,56 @@
+"""Tasks side by side: every one is done once, by several processes, and one that ends takes nothing else with it."""
+
+import os
+import signal
+import time
+from functools import partial
+
+import pytest
+
+from hertzwerk.runtime.host import side_by_side as module
+from hertzwerk.runtime.host.side_by_side import side_by_side
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="no processes to fork")
+
+
+def slowly(number):
+    time.sleep(0.02)
+    return number, os.getpid()
+
+
+@pytest.mark.parametrize("cores", [1, 2, 3])
+def test_every_task_is_done_once(monkeypatch, cores):
+    monkeypatch.setattr(module, "cores", lambda: cores)
+    done = side_by_side([partial(slowly, number) for number in range(12)])
+    assert {i: number for i, (number, _) in done.items()} == {i: i for i in range(12)}
+    assert len({process for _, process in done.values()}) == cores
+
+
+def test_a_process_that_ends_loses_its_tasks_alone(monkeypatch):
+    monkeypatch.setattr(module, "cores", lambda: 2)
+    here = os.getpid()
+
+    def fatal(number):
+        if os.getpid() != here:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return slowly(number)
+
+    done = side_by_side([partial(fatal, number) for number in range(6)])
+    assert 0 < len(done) < 6
+    assert all(number == i for i, (number, _) in done.items())
+
+
+def test_what_a_task_raises_is_raised_and_no_process_is_left(monkeypatch):
+    monkeypatch.setattr(module, "cores", lambda: 2)
+
+    def refused():
+        raise ValueError("refused")
+
+    with pytest.raises(ValueError, match="refused"):
+        side_by_side([refused, partial(slowly, 1), partial(slowly, 2)])
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+def test_no_tasks_are_nothing():
+    assert side_by_side([]) == {}
