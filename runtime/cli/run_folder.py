@@ -258,7 +258,7 @@ class _Extras:
         def page(name: str, at: Path) -> None:
             pages()[name](at / f"{name}.png")
 
-        makers = {"overview": partial(page, "overview"), "mechanism": mechanism}
+        makers: dict[str, Callable[[Path], object]] = {"overview": partial(page, "overview"), "mechanism": mechanism}
         makers |= {name: partial(page, name) for name in self.solution.model.pairs}
         with suppress(Exception), self.stop.at_once():  # each page reports what is wrong with it
             pages()

@@ -19,9 +19,9 @@ def cores() -> int:
 
 
 def side_by_side(tasks: Sequence[Callable[[], Result]]) -> dict[int, Result]:
-    """Do tasks in the order in which they are given, on all cores; return their results, which pickle, by position.
+    """Do tasks on all cores, begun in their order; return their results by position.
 
-    The result of a task whose process ended is missing. What a task raises in this process is raised; in another, it
+    Results must pickle. The result of a task whose process ended is missing. What a task raises in this process is raised; in another, it
     ends that one. Without processes that can be forked safely, all is done in this one.
     """
     processes = min(cores() if sys.platform.startswith("linux") else 1, len(tasks))
@@ -30,18 +30,19 @@ def side_by_side(tasks: Sequence[Callable[[], Result]]) -> dict[int, Result]:
     queue, end = os.pipe()
     os.write(end, b"".join(i.to_bytes(_WIDTH) for i in range(len(tasks))))
     os.close(end)
+    found: list[dict[int, Result]] = []
     others = [_forked(queue, tasks) for _ in range(processes - 1)]
     try:
         done = _taken(queue, tasks)
     finally:
         os.close(queue)
-        found = [_result(*other) for other in others]
+        found += [_result(*other) for other in others]
     return {i: result for results in (done, *found) for i, result in results.items()}
 
 
 def _taken(queue: int, tasks: Sequence[Callable[[], Result]]) -> dict[int, Result]:
     """Do tasks from the queue until it is empty."""
-    done = {}
+    done: dict[int, Result] = {}
     while number := os.read(queue, _WIDTH):
         i = int.from_bytes(number)
         done[i] = tasks[i]()

@@ -1,12 +1,12 @@
-"""Layout of panels on a page from the sizes of their texts, which are not drawn to be measured.
+"""Layout of panels on a page from the sizes of their texts, without drawing them to measure them.
 
-Matplotlib's constrained layout measures all artists of a figure twice, which takes longer than drawing them.
+Matplotlib's constrained layout measures all artists of a figure twice, which takes longer than to draw them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.layout_engine import LayoutEngine
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 POINT = 1 / 72  # inch
 LINE = 1.3 * POINT  # height of a line of text, for each point of its size
 LEGEND = 1.6 * POINT  # height of a row of a legend, likewise
-DIGIT = 0.64  # width of a digit, of the size of its text
+DIGIT = 0.64 * POINT  # width of a digit, likewise
 TICK = 8 * POINT  # a tick and its distance from its number
 NUMBERS = TICK + LINE * STYLE["font.size"]  # height of those below a panel
 PAD = 4 * POINT  # between neighbours, and at the edge
@@ -39,23 +39,28 @@ class Arrangement(LayoutEngine):
 
     def __init__(self) -> None:
         super().__init__()
-        self.set(above=0.0, below=0.0)
+        self._rooms = {"above": 0.0, "below": 0.0}
         self._legends: dict[Axes, float] = {}
 
     def set(self, **rooms: float) -> None:
         """Set the room above or below all panels [inch]."""
-        self._params.update(rooms)
+        self._rooms |= rooms
+
+    def legend_below(self, axis: Axes, columns: int) -> None:
+        """Draw the legend of a panel below the name of its horizontal axis."""
+        at, look = _under(axis, _below(axis)), {"bbox_to_anchor": (0.5, 0), "borderaxespad": 0, "ncols": columns}
+        legend = axis.legend(loc="upper center", bbox_transform=at, **look)
+        rows = -(-len(legend.get_texts()) // columns)
+        self._legends[axis] = LEGEND * STYLE["legend.fontsize"] * rows + 2 * PAD
 
     def execute(self, fig: Figure) -> None:
         """Place the panels of a figure."""
-        axes = [axis for axis in fig.axes if axis.get_subplotspec() is not None and axis.get_visible()]
-        if not axes:
-            return
-        (width, height), cells = fig.get_size_inches(), [axis.get_subplotspec() for axis in axes]
-        grid = cells[0].get_gridspec()
-        above, below = self._params["above"], self._params["below"]
+        panels: list[tuple[Axes, Any]] = [(axis, axis.get_subplotspec()) for axis in fig.axes if axis.get_visible()]
+        axes, cells = [axis for axis, _ in panels], [cell for _, cell in panels]
+        (width, height), grid = fig.get_size_inches(), cells[0].get_gridspec()
         rooms = [(_above(axis), _below(axis) + self._legends.get(axis, 0.0)) for axis in axes]
-        rows = _spans([cell.rowspan for cell in cells], rooms, grid.get_height_ratios(), above, height - below)
+        first, last = self._rooms["above"], height - self._rooms["below"]
+        rows = _spans([cell.rowspan for cell in cells], rooms, grid.get_height_ratios(), first, last)
         for axis, (top, bottom) in zip(axes, rows, strict=True):  # a panel's height decides on its numbers
             axis.set_position((0.1, 1 - bottom / height, 0.8, (bottom - top) / height))
         rooms = [(_left(axis), SIDE) for axis in axes]
@@ -64,23 +69,20 @@ class Arrangement(LayoutEngine):
             axis.set_position((left / width, 1 - bottom / height, (right - left) / width, (bottom - top) / height))
             axis.xaxis.set_label_coords(0.5, 0, _under(axis, NUMBERS))
 
-    def legend_below(self, axis: Axes, columns: int) -> None:
-        """Draw the legend of a panel below the name of its horizontal axis."""
-        at = axis.transAxes + ScaledTranslation(0, -_below(axis), axis.get_figure(root=True).dpi_scale_trans)
-        legend = axis.legend(
-            loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=at, borderaxespad=0, ncols=columns
-        )
-        rows = -(-len(legend.get_texts()) // columns)
-        self._legends[axis] = LEGEND * STYLE["legend.fontsize"] * rows + 2 * PAD
+
+def _under(axis: Any, distance: float) -> Transform:
+    """Return the coordinates of a panel, from a distance [inch] below it."""
+    found: Transform = axis.transAxes + ScaledTranslation(0, -distance, axis.figure.dpi_scale_trans)
+    return found
 
 
-def _above(axis: Axes) -> float:
+def _above(axis: Any) -> float:
     """Return the height of the title of a panel, and of the legend between them [inch]."""
-    pad = axis.titleOffsetTrans.transform((0, 0))[1] / axis.get_figure(root=True).dpi
+    pad = axis.titleOffsetTrans.transform((0, 0))[1] / axis.figure.dpi
     return float(pad + LINE * STYLE["axes.titlesize"])
 
 
-def _below(axis: Axes) -> float:
+def _below(axis: Any) -> float:
     """Return the height of the numbers and the name of the axis below a panel [inch]."""
     if not axis.axison:
         return PAD
@@ -88,12 +90,7 @@ def _below(axis: Axes) -> float:
     return float(NUMBERS + named + PAD)
 
 
-def _under(axis: Axes, distance: float) -> Transform:
-    """Return the coordinates of a panel, from a distance [inch] below it."""
-    return axis.transAxes + ScaledTranslation(0, -distance, axis.get_figure(root=True).dpi_scale_trans)
-
-
-def _left(axis: Axes) -> float:
+def _left(axis: Any) -> float:
     """Return the width of the numbers and the name of the axis beside a panel [inch]."""
     if not axis.axison:
         return PAD
@@ -101,7 +98,7 @@ def _left(axis: Axes) -> float:
     ticks = [tick for tick in axis.yaxis.get_majorticklocs() if low <= tick <= high]
     longest = max(map(len, axis.yaxis.get_major_formatter().format_ticks(ticks)), default=0)
     named = LINE * axis.yaxis.label.get_fontsize() if axis.get_ylabel() else 0.0
-    return PAD + TICK + DIGIT * POINT * STYLE["font.size"] * longest + named
+    return float(PAD + TICK + DIGIT * STYLE["font.size"] * longest + named)
 
 
 def _spans(

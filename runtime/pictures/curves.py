@@ -172,8 +172,8 @@ def _between(ideal: IdealMotion, t: Array) -> IdealMotion:
             slopes[:, i] = ideal.u[:, ideal.speeds.index(speed)]
     rates = np.gradient(ideal.acceleration, ideal.t, axis=0, edge_order=2)
     q, u, acceleration = (
-        _cubic(ideal.t, *column, t)
-        for column in ((ideal.q, slopes), (ideal.u, ideal.acceleration), (ideal.acceleration, rates))
+        _cubic(ideal.t, values, slope, t)
+        for values, slope in ((ideal.q, slopes), (ideal.u, ideal.acceleration), (ideal.acceleration, rates))
     )
     return IdealMotion(t, q, u, acceleration, ideal.coordinates, ideal.speeds)
 

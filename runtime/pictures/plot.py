@@ -88,7 +88,11 @@ def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
 
     figures: dict[str, Callable[[], Figure]] = {"overview": partial(overview, run)}
     figures |= {name: partial(pair, run, name) for name in run.model.pairs}
-    return {name: lambda path, figure=figure: save_png(figure(), path) for name, figure in figures.items()}
+
+    def save(name: str, path: Path) -> None:
+        save_png(figures[name](), path)
+
+    return {name: partial(save, name) for name in figures}
 
 
 # ---- pages -----------------------------------------------------------------------------------------------------------
@@ -292,7 +296,7 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     axis.set(**dict(zip(("xlabel", "ylabel"), labels, strict=True)))
     pin = dict(curves.run.model.module.PAIRS)[name] == "pin_in_bush"
     axis.set_title(f"Path of the {'pin' if pin else 'ball'}'s centre in the {'bush' if pin else 'socket'}")
-    arrangement: Any = axis.get_figure(root=True).get_layout_engine()
+    arrangement: Any = axis.figure.get_layout_engine()
     arrangement.legend_below(axis, columns=2)
 
 
