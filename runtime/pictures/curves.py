@@ -155,7 +155,7 @@ class Curves:
 
 
 def _resolves(ideal: IdealMotion) -> bool:
-    """Return whether every second time of an ideal motion would give its accelerations, as a picture shows them."""
+    """Return whether half of its times would give the accelerations of an ideal motion."""
     parts = ideal.t[::2], ideal.q[::2], ideal.u[::2], ideal.acceleration[::2]
     half = _between(IdealMotion(*parts, ideal.coordinates, ideal.speeds), ideal.t).acceleration
     missed, shown = np.max(np.abs(half - ideal.acceleration), axis=0), np.ptp(ideal.acceleration, axis=0)

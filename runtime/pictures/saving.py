@@ -1,4 +1,4 @@
-"""Figures as PNG files, and as SVG text for pages that hold their pictures; each is laid out and drawn once."""
+"""Figures as PNG files, and as SVG text for pages that hold them; each is drawn once."""
 
 from __future__ import annotations
 

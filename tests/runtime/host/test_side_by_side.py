@@ -43,11 +43,15 @@ def test_a_process_that_ends_loses_its_tasks_alone(monkeypatch):
 def test_what_a_task_raises_is_raised_and_no_process_is_left(monkeypatch):
     monkeypatch.setattr(module, "cores", lambda: 2)
 
-    def refused():
-        raise ValueError("refused")
+    here = os.getpid()
+
+    def refused(number):
+        if os.getpid() == here:
+            raise ValueError("refused")
+        return slowly(number)
 
     with pytest.raises(ValueError, match="refused"):
-        side_by_side([refused, partial(slowly, 1), partial(slowly, 2)])
+        side_by_side([partial(refused, number) for number in range(20)])
     with pytest.raises(ChildProcessError):
         os.waitpid(-1, os.WNOHANG)
 
