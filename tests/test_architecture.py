@@ -60,11 +60,11 @@ ROOMS = {
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets derive/units design effects export fitting hard_cases host inputs "
         "integrate/tableaux loading measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run sensitivity "
-        "simulation solution start statics studies sweeps tables validate work_precision",
+        "simulation solution start statics studies sweeps sweeps/points tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
         "design": "derive/declare derive/dimension derive/faults derive/files derive/html derive/units host inputs loading model "
-        "pictures/sweeps run sensitivity simulation solution start sweeps",
+        "pictures/sweeps run sensitivity simulation solution start sweeps sweeps/points",
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
         "export": "accuracy derive/faults derive/html derive/units host integrate/events integrate/loop integrate/step integrate/tableaux model run "
         "report sensitivity simulation solution start tables",
@@ -103,8 +103,9 @@ ROOMS = {
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/html derive/units host inputs loading model run sensitivity "
-        "simulation solution start pictures/sweeps sweeps/kept tables",
+        "simulation solution start pictures/sweeps sweeps/kept sweeps/points tables",
         "sweeps/kept": "derive/faults derive/units model run solution",
+        "sweeps/points": "derive/faults derive/units host inputs model run start",
         "tables": "derive/faults derive/html derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units inputs integrate/tableaux loading model run "
         "simulation solution",
@@ -276,7 +277,7 @@ FILE_RINGS = {
         "derive/declare/scene.py",
     ): "a scene checks itself when it is made; its checks name its type",
     (
-        "runtime/sweeps/store.py",
+        "runtime/sweeps/stored_rows.py",
         "runtime/sweeps/sweep_table.py",
     ): "a sweep saves and reads itself; the format imports what it makes",
 }

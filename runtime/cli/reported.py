@@ -15,6 +15,7 @@ from hertzwerk.runtime.host.sealed import read_sealed
 if TYPE_CHECKING:
     from hertzwerk.runtime.loading import Model
     from hertzwerk.runtime.report.html_page import Origin
+    from hertzwerk.runtime.report.html_table import Cell
     from hertzwerk.runtime.simulation import Solution
 
 
@@ -92,22 +93,38 @@ def _of_design(name: str, command: str, folder: Path, _: str | None) -> str:
 
 
 def _of_sweep(folder: Path, _: str | None) -> str:
-    from hertzwerk.runtime.report.sweep_report import sweep_page
-    from hertzwerk.runtime.sweeps.definition import FOLLOW, read_definition
-    from hertzwerk.runtime.sweeps.sweep_table import Sweep, shared_warnings
+    from hertzwerk.derive.units import parse_unit
+    from hertzwerk.runtime.report.sweep_report import MOST, sweep_page
+    from hertzwerk.runtime.sweeps.points.definition import FOLLOW, read_definition
+    from hertzwerk.runtime.sweeps.row_summary import form_of
+    from hertzwerk.runtime.sweeps.sweep_table import Sweep
 
     sweep, definition = Sweep.load(folder), read_definition(folder) or {}
-    columns, rows = sweep.as_given()
+    columns, rows = sweep.as_given(MOST)
     settings = {name: value for name, value in definition.items() if name not in (*FOLLOW, "versions")}
     command = str(definition.get("command", f"hertzwerk sweep --resume {shlex.quote(str(folder))}"))
     origin = _origin(definition, command)
     whole = str(folder / "table.csv")
-    warnings = shared_warnings(sweep.rows)
+    summary = sweep.summary
+    numbers = {form: str(i) for i, form in enumerate(summary.warnings, 1)}
     column = sweep.names.index("warnings")
-    for row, entries in zip(sweep, rows, strict=True):
-        entries[column] = ", ".join(str(i) for i, each in enumerate(warnings, 1) if row.index in each.rows)
+    for row, entries in zip(sweep, rows, strict=False):
+        entries[column] = ", ".join(sorted({numbers[form_of(text)] for text in row.warnings}, key=int))
+    factors = {name: parse_unit(unit).to_si(1.0) for name, unit in sweep.given_units.items()}
+    ranges: list[list[Cell]] = [
+        [
+            name,
+            columns[name],
+            *(x / factors.get(name, 1.0) for x in (each.least, each.median, each.largest)),
+            each.count,
+        ]
+        for name, each in summary.spreads.items()
+        if each.count
+    ]
+    warnings = list(map(str, summary.warnings.values()))
+    counts = sweep.counts()
     return sweep_page(
-        sweep.scene, sweep.outcome, columns, rows, list(map(str, warnings)), settings, origin, whole, sweep.plot
+        sweep.scene, sweep.outcome, columns, rows, counts, ranges, warnings, settings, origin, whole, sweep.plot
     )
 
 

@@ -15,7 +15,7 @@ from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.derive.units import UnitError, parse_unit
 from hertzwerk.runtime.model.binding import Value, read, read_state
 from hertzwerk.runtime.model.free_quantities import read_quantity
-from hertzwerk.runtime.sweeps.definition import as_text
+from hertzwerk.runtime.sweeps.points.definition import as_text
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model

@@ -14,7 +14,7 @@ import secrets
 import shutil
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 if sys.platform != "win32":
@@ -38,13 +38,16 @@ def scratch_folder(parent: Path) -> Iterator[Path]:
         shutil.rmtree(path, ignore_errors=True)
 
 
-def write_atomically(path: Path, content: bytes) -> None:
-    """Write a file so that a reader, a crash, or a power loss never meets half of it; raises OSError."""
+def write_atomically(path: Path, content: bytes | Iterable[bytes]) -> None:
+    """Write a file so that a reader, a crash, or a power loss never meets half of it; raises OSError.
+
+    content    whole, or in parts that are made as they are written
+    """
     _prepare(path.parent)
     temporary = path.with_name(f"{_PREFIX}{secrets.token_hex(8)}")
     try:
         with temporary.open("xb") as stream, _held(temporary):
-            stream.write(content)
+            stream.writelines((content,) if isinstance(content, bytes) else content)
             stream.flush()
             os.fsync(stream.fileno())
             temporary.replace(path)

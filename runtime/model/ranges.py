@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from decimal import Context, Decimal
 from fractions import Fraction
 from typing import TypeAlias
@@ -33,6 +33,7 @@ _RANGE = re.compile(rf"\s*({NUMBER})\s*\.\.\s*({NUMBER})\s*([^:]*?)\s*(?::\s*([0
 _DIGITS = Context(prec=40)
 EXPECTED = 'a range "0.05..0.5 mm:10", "1e6..1e9 N/m:7 log", or values "0.1, 0.2, 0.4 mm"'
 AT_END = 1e-6  # of a range: nearer to its end a value is at it
+KNOWN = 10_000  # values of a range that are kept once they are computed
 
 
 @dataclass(frozen=True)
@@ -92,6 +93,35 @@ class Range:
         return min(x - low, high - x) <= AT_END * (high - low)
 
 
+@dataclass(frozen=True)
+class RangeValues:
+    """Values of a range at equal parts, ends included; each is computed when it is first looked at."""
+
+    range: Range
+    count: int
+    _known: dict[int, Given] = field(default_factory=dict, compare=False, repr=False)
+
+    def __str__(self) -> str:
+        ends, *log = str(self.range).rsplit(" log", 1)
+        return f"{ends}:{self.count}{' log' if log else ''}"
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __getitem__(self, i: int) -> Given:
+        found = self._known.get(i)
+        if found is None:
+            if not 0 <= i < self.count:
+                raise IndexError(i)
+            found = self.range.at(Fraction(i, self.count - 1))
+            if len(self._known) < KNOWN:
+                self._known[i] = found
+        return found
+
+    def __iter__(self) -> Iterator[Given]:
+        return map(self.__getitem__, range(self.count))
+
+
 def hypercube(box: Array, count: int, seed: int) -> Array:
     """Return places (count, k) of a Latin hypercube in a box (k, 2)."""
     from scipy.stats import qmc  # slow to import
@@ -113,7 +143,7 @@ def starts_in(ranges: Sequence[Range], values: Sequence[float], count: int, seed
     return np.vstack([own, hypercube(np.array([one.bounds for one in ranges]), count, seed)])
 
 
-def read_range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Range | tuple[Given, ...] | None:
+def read_range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Range | RangeValues | None:
     """Read a range, or where it is not sampled its values; bad input is appended to `faults`."""
     text = text.replace("−", "-")
     written = _RANGE.fullmatch(text)
@@ -143,4 +173,4 @@ def read_range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Ran
         faults.append(Fault(where, f"{count} values", f"2 to {MOST:,}, ends included"))
     if len(faults) > before:
         return None
-    return found if sampled else tuple(found.at(Fraction(i, int(count) - 1)) for i in range(int(count)))
+    return found if sampled else RangeValues(found, int(count))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
@@ -318,7 +318,7 @@ def _tuples(value: Any) -> Any:
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
-def write(path: Path, content: bytes, *, overwrite: bool) -> Path:
+def write(path: Path, content: bytes | Iterable[bytes], *, overwrite: bool) -> Path:
     """Write a file whole; raises FileExistsError if it exists and `overwrite` is not set."""
     if path.exists() and not overwrite:
         raise FileExistsError(f"{path} exists; name another file, or say overwrite=True")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
-from typing import TYPE_CHECKING, Any
+from itertools import chain
+from typing import TYPE_CHECKING, Any, Protocol
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.extras import required
@@ -20,7 +20,7 @@ from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError, RowEngine
-from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task
+from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task, Tasks
 from hertzwerk.runtime.sweeps.row_outputs import Output, finals, of_every_run, own
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
 
@@ -28,6 +28,14 @@ if TYPE_CHECKING:
     from distributed import Client
 
 INTERRUPTED = Outcome("interrupted", "stopped by the user", "the rows that were done are there")
+
+
+class Sets(Protocol):
+    """Values of rows by their numbers, made when they are looked at."""
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, i: int, /) -> Mapping[str, Value]: ...
 
 
 def _sets(given: object) -> list[dict[str, Value]]:
@@ -169,7 +177,7 @@ class Batch:
     def __init__(
         self,
         model: Model,
-        sets: Sequence[Mapping[str, Value]],
+        sets: Sets,
         settings: Mapping[str, Any],
         outputs: Sequence[Output],
         compiled: Compiled,
@@ -194,14 +202,17 @@ class Batch:
 
     def rows(
         self,
-        wanted: Sequence[int],
-        lost: Sequence[int] = (),
+        wanted: Iterable[int],
+        lost: Iterable[int] = (),
         starts: Mapping[int, Mapping[str, Value]] | None = None,
+        count: int | None = None,
     ) -> Generator[list[Row], None, None]:
         """Yield the rows of these sets as they are done, some at a time; close it to end the workers.
 
-        Then those of sets whose process died in an earlier call, where workers have processes of their own.
+        Then those of sets whose process died in an earlier call, where workers have processes of their own. Sets are
+        looked at as workers become free.
 
+        count    how many are wanted, about, by default all
         starts    initial values by row in place of those of its set
 
         Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
@@ -209,15 +220,18 @@ class Batch:
         """
         begun, given = self._begun, starts or {}
         self._begun = True
-        left, again = (deque[Task]((i, {**self._sets[i], **given.get(i, {})}) for i in sets) for sets in (wanted, lost))
-        with closing(self._rows(left, again if self._engine.workers > 1 else deque())) as rows:
+        left, again = (((i, {**self._sets[i], **given.get(i, {})}) for i in sets) for sets in (wanted, lost))
+        apart = again if self._engine.workers > 1 else ()
+        with closing(self._rows(Tasks(left, len(self._sets) if count is None else count), apart)) as rows:
             yield from rows if begun else _first_a_number(self._job.model, rows)
 
-    def _rows(self, left: deque[Task], again: deque[Task]) -> Generator[list[Row], None, None]:
+    def _rows(self, left: Tasks, again: Iterable[Task]) -> Generator[list[Row], None, None]:
         if self._job.settings.compiled == "auto":
             yield from ([row] for row in self._job.probe(left, self.workers, self._later))
-        with closing(self._engine.rows(self._job, [*left, *again])) as done:
-            yield from done
+        tasks = Tasks(chain(left, again), len(left))
+        if tasks:
+            with closing(self._engine.rows(self._job, tasks)) as done:
+                yield from done
 
 
 def _first_a_number(model: Model, rows: Iterable[list[Row]]) -> Iterator[list[Row]]:

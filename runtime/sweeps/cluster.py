@@ -12,7 +12,6 @@ import socket
 import sys
 import threading
 import time
-from collections import deque
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing, contextmanager, suppress
 from dataclasses import replace
@@ -28,9 +27,9 @@ from distributed.comm import get_address_host_port
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.sweeps.definition import LIBRARIES, versions
+from hertzwerk.runtime.sweeps.points.definition import LIBRARIES, versions
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError, every_row
-from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task
+from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task, Tasks
 from hertzwerk.runtime.sweeps.sweep_table import Row
 
 AHEAD = 4  # tasks submitted per thread of a worker: keeps it busy, and a scheduler is not flooded
@@ -75,12 +74,12 @@ class Cluster:
         if faults := [fault for worker, found in there.items() for fault in _differing(worker, in_use(), found)]:
             raise InputError("cluster", faults)
 
-    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[list[Row], None, None]:
+    def rows(self, job: Job, tasks: Tasks) -> Generator[list[Row], None, None]:
         """Yield rows as completed; tasks that Dask gives up, as workers died, are run again, each alone."""
         packed = _packed(job)
         yield from every_row(job, tasks, lambda waiting, suspects: self._together(job, packed, waiting, suspects))
 
-    def _together(self, job: Job, packed: bytes, waiting: deque[Task], suspects: list[Task]) -> Iterator[list[Row]]:
+    def _together(self, job: Job, packed: bytes, waiting: Tasks, suspects: list[Task]) -> Iterator[list[Row]]:
         """Yield rows as completed; `suspects` then holds the tasks that Dask has given up.
 
         Cancels what is under way when left. Raises EngineLostError where there is no scheduler or no worker left.
@@ -92,7 +91,7 @@ class Cluster:
             while waiting or under_way:
                 self._look()
                 while waiting and len(under_way) < AHEAD * self.workers:
-                    task = waiting.popleft()
+                    task = waiting.take()
                     future = client.submit(_do, sent, task, pure=False)
                     under_way[future.key] = future, task
                     future.add_done_callback(done.put)

@@ -1,10 +1,10 @@
 """Parameter sweep: a run for every point of a design, and outputs by name.
 
 1. model     a scene or a variation of it                       loading
-2. design    values of every point                              sweeps/design
+2. design    values of every point                              sweeps/points/design
 3. outputs   numbers of a run, by name or by own functions      sweeps/row_outputs
 4. rows      a run each, on all cores                           sweeps/batch
-             stored once done, where a folder is named          sweeps/definition, sweeps/store
+             stored once done, where a folder is named          sweeps/points/definition, sweeps/to_do, sweeps/store
 5. table     sorted by point                                    sweeps/sweep_table
 """
 
@@ -16,19 +16,19 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError
-from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.inputs.choices import NO_CHOICES, Choices, Labels, read_choices, units_of_inputs
+from hertzwerk.runtime.inputs.choices import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.inputs.given import Input, given_inputs, input_text
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value, named_values, read
 from hertzwerk.runtime.model.generated_text import text_of
-from hertzwerk.runtime.model.si_values import si_of, si_units
+from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.request import (
     METHOD,
@@ -43,15 +43,17 @@ from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
-from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
-from hertzwerk.runtime.sweeps.design import Design, Varied, read_design
-from hertzwerk.runtime.sweeps.following import Chains, read_chains, state_units
+from hertzwerk.runtime.sweeps.following import Chains, InMemory, read_chains, state_units
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
-from hertzwerk.runtime.sweeps.own_functions import digest
+from hertzwerk.runtime.sweeps.points.definition import Keys, as_text, axes_of, target_of, versions
+from hertzwerk.runtime.sweeps.points.design import Design, Varied, read_design
+from hertzwerk.runtime.sweeps.points.own_functions import digest
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, derived_by, finals, own, text_behind
-from hertzwerk.runtime.sweeps.store import TABLE, Store, opened, read_rows
+from hertzwerk.runtime.sweeps.store import TABLE, Store, opened
+from hertzwerk.runtime.sweeps.stored_rows import HELD, ROWS, DamagedError, StoredRows
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Sweep, columns_of
+from hertzwerk.runtime.sweeps.to_do import ToDo
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -59,6 +61,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
 
 NOT_STORED = "not_stored"  # outcome of a sweep
+LOOKED_AT = 1000  # rows, of which one at least can run
 LARGEST_CSV = 50e6  # bytes, about, of arrays that are written as CSV unasked
 
 
@@ -150,7 +153,8 @@ def sweep(
     model, wrong = given_inputs(model, inputs, duration, {})
     faults += wrong
     varied = {**_varied(model, over, fixed, faults), **dict.fromkeys(choices.signals, "")}
-    chains = read_chains(model, [{**fixed, **point} for point in design.points()], varied, continued, faults)
+    design = replace(design, fixed=fixed)
+    chains = read_chains(model, design, varied, continued, faults)
     # 3. outputs
     wanted = outputs_of(model, outputs, functions, varied, faults)
     asked = {"section": section, "after": after, "grid": grid, "histories": histories}
@@ -166,12 +170,11 @@ def sweep(
         faults.append(Fault("duration", found, 'a time, such as "24 ms"'))
     if faults:
         raise InputError(f"sweep of {model.name}", faults)
-    plan = Plan(model, design, fixed, varied, wanted, settings, kept, chains, choices)
+    plan = Plan(model, design, varied, wanted, settings, kept, chains, choices)
     plan.check()
     # 4. rows, 5. table
-    sets = plan.sets
-    later = 0 if chains is None else len(sets) - len(chains.rows)
-    batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client), kept, later, choices)
+    later = 0 if chains is None else len(design) - len(chains.rows)
+    batch = Batch(model, design, settings, wanted, compiled, engine_of(workers, client), kept, later, choices)
     table = plan.table("" if kept is None else place_of(kept.section, grid, after), batch.workers)
     if into is None:
         table = _in_memory(plan, batch, table, progress)
@@ -180,20 +183,16 @@ def sweep(
         spread["inputs"] = {name: input_text(value) for name, value in (inputs or {}).items()}
         definition, keys = _definition(plan, target, spread, asked, functions or {})
         with opened(Path(into)) as store:
-            store.define(definition, text_of(model.module), keys, sets, widen=widen)
-            outcome = _stored(plan, batch, store, keys, progress)
-            rows, _ = read_rows(store.folder, store.plan)
-            damage = "" if store.damage is None else store.damage.said(keys)
-            table = _written(replace(table, rows=tuple(rows), outcome=outcome, damage=damage), store.folder)
+            store.define(definition, text_of(model.module), widen=widen)
+            table = _stored(table, plan, store, lambda: _filled(plan, batch, store, keys, progress))
     return replace(table, compiled=batch.compiled, wall_s=time.perf_counter() - began)
 
 
 def _in_memory(plan: Plan, batch: Batch, table: Sweep, progress: Callable[[float], object] | None) -> Sweep:
     """Return the table with every row that could be computed."""
-    keys, chains = [str(i) for i in range(len(plan.sets))], plan.chains
-    whole = range(len(keys))
-    done = batch.rows(whole) if chains is None else chains.computed(batch, keys, whole, lambda _: None)
-    rows, outcome = in_memory(done, len(keys), progress)
+    count, ledger = len(plan.design), InMemory()
+    done = batch.rows(range(count)) if plan.chains is None else ledger.seen(plan.chains.computed(batch, ledger))
+    rows, outcome = in_memory(done, count, progress)
     return replace(table, rows=rows, outcome=outcome)
 
 
@@ -203,8 +202,8 @@ def _definition(
     spread: Mapping[str, Any],
     asked: Mapping[str, Any],
     functions: Mapping[str, Callable[[Solution], float]],
-) -> tuple[dict[str, Any], list[str]]:
-    """Return what is computed as plain data, and the key of every row; raises InputError."""
+) -> tuple[dict[str, Any], Keys]:
+    """Return what is computed as plain data, and the keys of its rows; raises InputError."""
     model, kept, text = plan.model, plan.kept, text_of(plan.model.module)
     if not text:
         fault = Fault("into", "a model whose generated text is not known", "a model that `load` returned")
@@ -220,14 +219,13 @@ def _definition(
     }
     definition = {
         **{"scene": model.name, **target_of(target, model), "over": axes_of(plan.design, plan.choices), **spread},
-        **{"values": {name: as_text(value) for name, value in plan.fixed.items()}, **plan.settings, **same},
-        **{"columns": plan.columns, "varied": list(plan.varied), "axes": plan.axes},
+        **{"values": {name: as_text(value) for name, value in plan.design.fixed.items()}, **plan.settings, **same},
+        **{"columns": plan.columns, "varied": list(plan.varied)},
         "arrays": {} if kept is None else kept.columns,
         "choices": plan.choices.digests(),
-        "points": len(plan.sets),
+        "points": len(plan.design),
     }
-    keys = keys_of(model, plan.sets, plan.settings, same, plan.choices)
-    return definition, keys if plan.chains is None else plan.chains.keys(keys)
+    return definition, Keys(model, plan.settings, same, plan.choices)
 
 
 def _written(table: Sweep, folder: Path) -> Sweep:
@@ -240,6 +238,8 @@ def _written(table: Sweep, folder: Path) -> Sweep:
             arrays = table.arrays_of(name)
             if arrays.csv_size() <= LARGEST_CSV:
                 arrays.to_csv(folder / f"{name}.csv", overwrite=True)
+    except DamagedError:
+        raise
     except OSError as error:
         return replace(table, outcome=_not_stored(error))
     return table
@@ -249,36 +249,59 @@ def _hash(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def _stored(
-    plan: Plan, batch: Batch, store: Store, keys: Sequence[str], progress: Callable[[float], object] | None
-) -> Outcome:
+def _stored(table: Sweep, plan: Plan, store: Store, fill: Callable[[], Outcome]) -> Sweep:
+    """Fill a store, write its table, and return that; what is found damaged on the way is computed again.
+
+    fill    computes what is missing, and returns how it ended
+    """
+    outcome = fill()
+
+    def there() -> StoredRows:
+        return StoredRows(store.folder / ROWS, store.plan, plan.design)
+
+    for last in (False, False, True):
+        damage = "" if store.damage is None else str(store.damage)
+        try:
+            rows = tuple(stored) if len(stored := there()) <= HELD else stored
+            return _written(replace(table, rows=rows, outcome=outcome, damage=damage), store.folder)
+        except DamagedError:
+            if last:  # a disk that keeps nothing
+                raise
+            store.mend()
+            outcome = fill() if outcome.finished else outcome
+        except KeyboardInterrupt:
+            return replace(table, rows=there(), outcome=_interrupted(store), damage=damage)
+    raise AssertionError("the last attempt neither returned nor raised")
+
+
+def _filled(plan: Plan, batch: Batch, store: Store, keys: Keys, progress: Callable[[float], object] | None) -> Outcome:
     """Compute and store the rows that are missing or lost, each once; return how it ended.
 
     A lost row of a chain stays: those after it started from the row before it.
     """
-    places, chains = {key: i for i, key in reversed(list(enumerate(keys)))}, plan.chains
-    left = sorted(i for key, i in places.items() if key not in store.stored)
-    again = sorted(places[key] for key in store.lost & places.keys()) if chains is None else []
-    count = len(places) - len(left) - len(again)
-    if not left and not again:
-        return COMPLETE
     try:
-        missing = batch.rows(left, again) if chains is None else chains.computed(batch, keys, {*left}, store.end_of)
-        with closing(missing) as done:
-            if progress is not None:
-                progress(count / len(places))
-            for rows in done:
-                store.add({keys[row.index]: row for row in rows})
-                count += len(rows)
-                if progress is not None:
-                    progress(count / len(places))
+        to_do, chains = ToDo(plan.design, keys, store, progress), plan.chains
+        to_do.tell()
+        if chains is None:
+            rows = batch.rows(to_do.missing(), to_do.died(), count=to_do.left)
+        elif to_do.left:
+            rows = chains.computed(batch, to_do)
+        else:
+            return COMPLETE
+        with closing(rows) as done:
+            for some in done:
+                to_do.store(some)
     except KeyboardInterrupt:
-        return Outcome("interrupted", "stopped by the user", f"the rows that were done are stored; {store.go_on}")
+        return _interrupted(store)
     except EngineLostError as error:
         return engine_lost(error, f"the rows that were done are stored; {store.go_on}")
     except sqlite3.Error as error:
         return _not_stored(error)
     return COMPLETE
+
+
+def _interrupted(store: Store) -> Outcome:
+    return Outcome("interrupted", "stopped by the user", f"the rows that were done are stored; {store.go_on}")
 
 
 def _not_stored(error: Exception) -> Outcome:
@@ -296,7 +319,6 @@ class Plan:
 
     model: plain.Model
     design: Design
-    fixed: Mapping[str, Value]
     varied: Mapping[str, str]
     outputs: Sequence[Output]
     settings: Mapping[str, Any]
@@ -304,23 +326,10 @@ class Plan:
     chains: Chains | None
     choices: Choices
 
-    @cached_property
-    def axes(self) -> dict[str, tuple[float | str, ...]]:
-        """Values in SI of what is varied, where the points are all combinations, and labels."""
-        return {
-            name: tuple(values) if isinstance(values, Labels) else tuple(si_of(self.model, name, x) for x in values)
-            for name, values in self.design.grid.items()
-        }
-
     @property
     def columns(self) -> dict[str, str]:
         """Columns of the table with their units."""
         return columns_of(self.varied, {name: unit for output in self.outputs for name, unit in output.columns.items()})
-
-    @cached_property
-    def sets(self) -> list[dict[str, Value]]:
-        """Values of every row."""
-        return [{**self.fixed, **point} for point in self.design.points()]
 
     def table(self, place: str, workers: int) -> Sweep:
         """Return the table without a row; place: phrase, where arrays are kept."""
@@ -330,16 +339,16 @@ class Plan:
             columns=self.columns,
             varied=tuple(self.varied),
             outcome=COMPLETE,
-            axes=self.axes,
+            design=self.design,
             arrays={} if self.kept is None else self.kept.columns,
             place=place,
             workers=workers,
         )
 
     def check(self) -> None:
-        """Raise InputError where not one row can run, with the faults of the first."""
+        """Raise InputError where not one row can run, of the first LOOKED_AT, with the faults of the first."""
         first: InputError | None = None
-        for values in self.sets:
+        for values in islice(self.design, LOOKED_AT):
             faults: list[Fault] = []
             try:
                 model, rest = self.choices.of(self.model, values)
@@ -358,7 +367,7 @@ class Plan:
                 first = first or error
             else:
                 return
-        if first is not None:
+        if first is not None and len(self.design) <= LOOKED_AT:
             raise first
 
 

@@ -11,8 +11,7 @@ import sys
 import threading
 import time
 import warnings
-from collections import deque
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import (
     FIRST_COMPLETED,
     BrokenExecutor,
@@ -23,12 +22,13 @@ from concurrent.futures import (
     wait,
 )
 from functools import partial
+from itertools import islice
 from typing import Any
 
 from hertzwerk.runtime.host.heap import keep_freed
 from hertzwerk.runtime.host.side_by_side import cores
 from hertzwerk.runtime.sweeps.row_engine import every_row
-from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task
+from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task, Tasks
 from hertzwerk.runtime.sweeps.sweep_table import Row
 
 # One pool at a time: a process forked while another pool is used would share its pipes, and outlive it.
@@ -47,7 +47,7 @@ class Processes:
     def __init__(self, workers: int | None) -> None:
         self.workers = workers or cores()
 
-    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[list[Row], None, None]:
+    def rows(self, job: Job, tasks: Tasks) -> Generator[list[Row], None, None]:
         """Yield rows as completed; tasks that may have killed a process are run again, each alone.
 
         A single task has a process of its own too, unless one worker was asked for: it may be the one that dies.
@@ -58,12 +58,12 @@ class Processes:
         else:
             yield from (job.do(task) for task in tasks)
 
-    def _together(self, job: Job, waiting: deque[Task], suspects: list[Task]) -> Iterator[list[Row]]:
+    def _together(self, job: Job, waiting: Tasks, suspects: list[Task]) -> Iterator[list[Row]]:
         with _pool:
             yield from _side_by_side(job, min(self.workers, len(waiting)), waiting, suspects)
 
 
-def _side_by_side(job: Job, workers: int, waiting: deque[Task], suspects: list[Task]) -> Iterator[list[Row]]:
+def _side_by_side(job: Job, workers: int, waiting: Tasks, suspects: list[Task]) -> Iterator[list[Row]]:
     """Yield rows as completed, until all are or a process dies.
 
     `suspects` then holds the tasks in progress. Stops the workers when left.
@@ -74,7 +74,7 @@ def _side_by_side(job: Job, workers: int, waiting: deque[Task], suspects: list[T
     try:
         while not suspects and (waiting or under_way):
             while not suspects and waiting and len(under_way) < AHEAD * workers:
-                tasks = [waiting.popleft() for _ in range(min(count, -(-len(waiting) // (AHEAD * workers))))]
+                tasks = list(islice(waiting, min(count, -(-len(waiting) // (AHEAD * workers)))))
                 try:
                     # Python 3.12 and later warn of threads when forking: NumPy's see to themselves.
                     with warnings.catch_warnings():

@@ -6,11 +6,10 @@ sweeps/cluster      on many, by Dask
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator
 from typing import Protocol
 
-from hertzwerk.runtime.sweeps.row_job import Job, Task
+from hertzwerk.runtime.sweeps.row_job import Job, Task, Tasks
 from hertzwerk.runtime.sweeps.sweep_table import Row
 
 
@@ -26,7 +25,7 @@ class RowEngine(Protocol):
 
     workers: int
 
-    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[list[Row], None, None]:
+    def rows(self, job: Job, tasks: Tasks) -> Generator[list[Row], None, None]:
         """Yield the rows as they are done, some at a time; close it to end what is under way.
 
         Raises InputError for input that is bad for every row, EngineLostError, and KeyboardInterrupt.
@@ -34,19 +33,18 @@ class RowEngine(Protocol):
 
 
 def every_row(
-    job: Job, tasks: Sequence[Task], together: Callable[[deque[Task], list[Task]], Iterator[list[Row]]]
+    job: Job, tasks: Tasks, together: Callable[[Tasks, list[Task]], Iterator[list[Row]]]
 ) -> Iterator[list[Row]]:
     """Yield the rows of all tasks: those that may have killed a worker are run again, each alone.
 
-    together    does tasks side by side, taking them from the first list, and leaves in the second those under way when
+    together    does tasks side by side, taking them from the first, and leaves in the list those under way when
                 a worker died
     """
-    waiting = deque(tasks)
-    while waiting:
+    while tasks:
         suspects: list[Task] = []
-        yield from together(waiting, suspects)
+        yield from together(tasks, suspects)
         for task in suspects:
             again: list[Task] = []
-            yield from together(deque([task]), again)
+            yield from together(Tasks([task]), again)
             if again:
                 yield [job.lost(task)]

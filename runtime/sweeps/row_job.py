@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
+from itertools import islice
 from operator import or_
 from typing import Any, Protocol, TypeAlias
 
@@ -35,6 +36,42 @@ PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
 Own: TypeAlias = Callable[[Solution], float]
 Task: TypeAlias = tuple[int, Mapping[str, Value]]
 """Number of a row, and the values in place of the model's: parameters, initial states, inputs."""
+
+
+class Tasks:
+    """Tasks in their order, made as they are taken.
+
+    count    how many they are, about
+    """
+
+    def __init__(self, made: Iterable[Task], count: int = 0) -> None:
+        self._made, self._seen, self._count = iter(made), deque[Task](), count
+
+    def __bool__(self) -> bool:
+        self._seen.extend(islice(self._made, 0 if self._seen else 1))
+        return bool(self._seen)
+
+    def __len__(self) -> int:
+        """Return how many are left, about: at least one where there is any."""
+        return max(self._count, int(bool(self)))
+
+    def __iter__(self) -> Iterator[Task]:
+        while self:
+            yield self.take()
+
+    @property
+    def first(self) -> Task:
+        """The next one, which stays; raises IndexError where there is none."""
+        if not self:
+            raise IndexError("no task is left")
+        return self._seen[0]
+
+    def take(self) -> Task:
+        """Take the next one; raises IndexError where there is none."""
+        task = self.first
+        self._seen.popleft()
+        self._count -= 1
+        return task
 
 
 class Flag(Protocol):
@@ -123,24 +160,23 @@ class Job:
         )
         return Row(*task, LOST, message, self._values(task))
 
-    def probe(self, left: deque[Task], workers: int, later: int = 0) -> Iterator[Row]:
+    def probe(self, left: Tasks, workers: int, later: int = 0) -> Iterator[Row]:
         """Run the first good row for at most PROBE [s] to foresee the uncompiled time of all that follow.
 
         Yield the rows that are done, taken from `left`.
         """
         while left:
-            task = left[0]
+            task = left.first
             try:
                 wall_time = min(PROBE, self.settings.wall_time or PROBE)
                 settings = replace(self.settings, compiled=False, wall_time=wall_time)
                 ((solution, times),) = in_stages([self._solving(task, settings)])
             except Exception as error:  # as in `do`
-                left.popleft()
-                yield self._without_run(task, error)
+                yield self._without_run(left.take(), error)
                 continue
             whole = solution.outcome.name != "wall_time_limit"
             if whole:
-                left.popleft()
+                left.take()
             done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
             wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
             one = min(wall_s / done, self.settings.wall_time or math.inf)

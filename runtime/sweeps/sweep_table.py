@@ -5,10 +5,10 @@ from __future__ import annotations
 import csv
 import io
 import math
-import re
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from array import array
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,13 +17,19 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.html.markup import joined, tag
 from hertzwerk.derive.html.plain_table import heading, table
+from hertzwerk.derive.units import parse_unit
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.host.versions import versions
+from hertzwerk.runtime.inputs.choices import Labels
 from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.ranges import Given
 from hertzwerk.runtime.model.si_values import ratio
 from hertzwerk.runtime.sensitivity.regression import Slope, slope_of
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
+from hertzwerk.runtime.sweeps.points.design import Design
+from hertzwerk.runtime.sweeps.row_summary import Summary
 from hertzwerk.runtime.tables.column_meanings import meaning_of
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
@@ -39,6 +45,7 @@ COMPLETE = Outcome("finished", "every row is there", "")
 TEXTS = ("outcome", "message", "warnings")
 LOST = "lost"  # outcome of a row whose process died
 SHOWN = 10  # rows in a notebook
+TOGETHER = 1000  # lines of a file
 
 
 @dataclass(frozen=True)
@@ -80,48 +87,14 @@ class Row:
 
 
 @dataclass(frozen=True)
-class SharedWarning:
-    """Warning that rows share but for its numbers: `text` that of the worst row, `where` which that is."""
-
-    text: str
-    where: str
-    rows: frozenset[int]
-
-    def __str__(self) -> str:
-        return f"{len(self.rows):,} row{'s' * (len(self.rows) > 1)}{self.where}: {self.text}"
-
-
-_NUMBER = r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?"
-
-
-def shared_warnings(rows: Iterable[Row]) -> tuple[SharedWarning, ...]:
-    """Return the warnings of rows, each once.
-
-    Its text is that of the row that states the largest "worst" value.
-    """
-    found: dict[str, list[tuple[float, int, str]]] = {}
-    for row in rows:
-        for text in row.warnings:
-            worst = re.search(f"worst ({_NUMBER})", text)
-            size = math.nan if worst is None else float(worst[1])
-            found.setdefault(re.sub(_NUMBER, "#", text), []).append((size, row.index, text))
-    shared = []
-    for each in found.values():
-        size, index, text = max(each, key=lambda one: one[0])
-        alike = len({other for *_, other in each}) == 1
-        where = "" if alike else f", such as row {index}" if math.isnan(size) else f", worst in row {index}"
-        shared.append(SharedWarning(text, where, frozenset(index for _, index, _ in each)))
-    return tuple(shared)
-
-
-@dataclass(frozen=True)
 class Sweep:
     """Rows in the order of the design; `sweep["peak_force"]` is a column, in SI, `sweep.names` lists all.
 
     scene    name of the scene
     columns    unit text by name of column, "" where there is none
     varied    columns of the values that were given
-    axes    their values in SI, or labels of inputs, where the rows are all combinations, the last fastest; else empty
+    rows    in memory, or where there are many, in the folder that they are stored in: a pass over them reads them there
+    design    points that the rows are of, None of those that were given one by one
     arrays    unit text of arrays by what they are of, "section" or "histories", and name
     place    phrase: where arrays were kept
     outcome    "finished", or the reason why rows are missing, with a remedy
@@ -129,11 +102,11 @@ class Sweep:
     """
 
     scene: str
-    rows: tuple[Row, ...]
+    rows: Sequence[Row]
     columns: Mapping[str, str]
     varied: tuple[str, ...]
     outcome: Outcome
-    axes: Mapping[str, tuple[float | str, ...]] = field(default_factory=dict)
+    design: Design | None = None
     arrays: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     place: str = ""
     damage: str = ""
@@ -144,9 +117,9 @@ class Sweep:
     @classmethod
     def load(cls, folder: str | Path) -> Sweep:
         """Read the rows that a sweep has stored in a folder, also while it goes on; raises InputError."""
-        from hertzwerk.runtime.sweeps import store
+        from hertzwerk.runtime.sweeps.stored_rows import loaded
 
-        return store.loaded(Path(folder))
+        return loaded(Path(folder))
 
     def __repr__(self) -> str:
         return f"<Sweep {self.scene}: {self._summary()}>"
@@ -182,29 +155,59 @@ class Sweep:
         return tuple(self.columns)
 
     def __getitem__(self, name: str) -> np.ndarray:
-        if name not in self.columns:
-            raise KeyError(f"no column {name!r}; there are {', '.join(self.names)}")
-        return np.array([row[name] for row in self.rows], dtype=None if self._is_text(name) else float)
+        return self.read(name)[name]
 
-    def _is_text(self, name: str) -> bool:
-        """Return whether a column has texts, as that of an input whose rows choose by label."""
-        return name in TEXTS or (name in self.varied and any(isinstance(row[name], str) for row in self.rows))
+    def read(self, *names: str) -> dict[str, np.ndarray]:
+        """Return columns by name, in one pass over the rows: texts where any row has one, else float64, in SI."""
+        for name in (names := tuple(dict.fromkeys(names))):
+            if name not in self.columns:
+                raise KeyError(f"no column {name!r}; there are {', '.join(self.names)}")
+        numbers = {name: array("d") for name in names}
+        texts: dict[str, list[float | str]] = {name: [] for name in TEXTS if name in names}
+        for row in self.rows:
+            for name in names:
+                entry = row[name]
+                if name in texts:
+                    texts[name].append(entry)
+                elif isinstance(entry, str):  # of an input whose rows choose by label
+                    texts[name] = [*numbers[name], entry]
+                else:
+                    numbers[name].append(entry)
+        return {name: np.array(texts.get(name, numbers[name])) for name in names}
+
+    @cached_property
+    def summary(self) -> Summary:
+        """Counts, ranges and warnings of all rows, in one pass over them."""
+        return Summary(self.rows, [name for name in self.names if name not in TEXTS])
+
+    @cached_property
+    def axes(self) -> dict[str, Sequence[float | str]]:
+        """Values in SI, or labels, of what was varied, where the rows are all combinations; else empty."""
+        grid = {} if self.design is None else self.design.grid
+        return {
+            name: axis if isinstance(axis, Labels) else [_si(value, self.unit(name)) for value in axis]
+            for name, axis in grid.items()
+        }
 
     def as_given(self, most: int | None = None) -> tuple[dict[str, str], list[list[float | str]]]:
         """Return units by column, and the first rows, for people.
 
         What was varied is in the unit that it was given in, where that is one in all rows.
         """
-        units: dict[str, str] = {}
-        for name in self.varied:
-            unit, *others = {_given_with_unit(row.given.get(name))[1] for row in self.rows} or {""}
-            if unit and not others:
-                units[name] = unit
+        units = self.given_units
         rows = [
             [_given_with_unit(row.given.get(name))[0] if name in units else row[name] for name in self.names]
-            for row in self.rows[:most]
+            for row in islice(self.rows, most)
         ]
         return {**self.columns, **units}, rows
+
+    @property
+    def given_units(self) -> dict[str, str]:
+        """Unit that what was varied was given in, where that is one in all rows, and not 1."""
+        if self.design is not None:
+            return {name: unit for name, unit in self.design.units.items() if unit != "1"}
+        units = {name: {_given_with_unit(row.given.get(name))[1] for row in self.rows} for name in self.varied}
+        return {name: unit for name, (unit, *others) in units.items() if unit and not others}
 
     @property
     def section(self) -> Arrays:
@@ -243,16 +246,16 @@ class Sweep:
         For what has none along one run, as averages in chaos. at: where [SI], by default in the middle of the rows. Other
         numbers that are varied count linearly. Raises InputError for names that are no such columns, and too few rows.
         """
-        numbers = [column for column in self.varied if np.asarray(self[column]).dtype.kind == "f"]
+        columns = self.read("outcome", *(column for column in self.names if column not in ("message", "warnings")))
+        numbers = [column for column in self.varied if columns[column].dtype.kind == "f"]
         outputs = [column for column in self.names if column not in (*self.varied, *TEXTS)]
         faults = [] if name in numbers else [unknown("varied number", name, numbers)]
         faults += [] if output in outputs else [unknown("output", output, outputs)]
         if faults:
             raise InputError(f"slope over the sweep of {self.scene}", faults)
-        columns = [np.asarray(self[each], dtype=float) for each in (name, output, *numbers)]
-        done = np.array([row.outcome == "finished" for row in self.rows], dtype=bool)
-        known = done & np.isfinite(columns).all(axis=0)
-        x, y, *others = (column[known] for column in columns)
+        wanted = [columns[each] for each in (name, output, *numbers)]
+        known = (columns["outcome"] == "finished") & np.isfinite(wanted).all(axis=0)
+        x, y, *others = (column[known] for column in wanted)
         others = [other for each, other in zip(numbers, others, strict=True) if each != name]
         try:
             unit = ratio(self.unit(output), self.unit(name))
@@ -264,7 +267,7 @@ class Sweep:
 
     def counts(self) -> dict[str, int]:
         """Return the number of rows by outcome, the most frequent first."""
-        return dict(Counter(row.outcome for row in self.rows).most_common())
+        return dict(self.summary.counts.most_common())
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a line per row, headed `name [unit]`, SI; raises FileExistsError."""
@@ -294,11 +297,11 @@ class Sweep:
         index = Column(np.array([row.index for row in self.rows], dtype=int), "", "place in the design")
         columns = {
             name: Column(
-                self[name],
-                None if self._is_text(name) else self.unit(name),
+                values,
+                self.unit(name) if values.dtype.kind == "f" else None,
                 meaning_of(name, varied=name in self.varied),
             )
-            for name in self.names
+            for name, values in self.read(*self.names).items()
         }
         first = self.rows[0].given if self.rows else {}
         same = {f"parameter.{name}": _given(value) for name, value in first.items() if name not in self.varied}
@@ -310,18 +313,22 @@ class Sweep:
         }
         return LabelledTable("row", {"row": index, **columns}, {**about, **same}, self.varied, grid, points)
 
-    def _csv(self) -> bytes:
+    def _csv(self) -> Iterator[bytes]:
+        """Yield the lines, some at a time."""
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
         table.writerow(["row", *(f"{name} [{unit}]" if unit else name for name, unit in self.columns.items())])
-        for row in self.rows:
+        for i, row in enumerate(self.rows, 1):
             entries = (row[name] for name in self.names)
             table.writerow([row.index, *(e if isinstance(e, str) else format(e, ".17g") for e in entries)])
-        return text.getvalue().encode()
+            if i % TOGETHER == 0:
+                yield text.getvalue().encode()
+                text.seek(0)
+                text.truncate()
+        yield text.getvalue().encode()
 
     def __str__(self) -> str:
-        finished = sum(row.outcome == "finished" for row in self.rows)
-        text = f"{len(self.rows)} runs, {finished} finished"
+        text = f"{len(self)} runs, {self.counts().get('finished', 0)} finished"
         if self.workers:
             text += f", in {self.wall_s:.3g} s on {self.workers} cores"
         return text if self.outcome.finished else f"{text}; {self.outcome.name}"
@@ -337,6 +344,13 @@ def _given_with_unit(value: Value | None) -> tuple[float, str]:
     if isinstance(value, tuple) and len(value) == 2 and isinstance(value[0], int | float) and value[1] != "1":
         return value[0], value[1]
     return math.nan, ""
+
+
+def _si(value: Given, declared: str) -> float:
+    """Return a value in SI, nan where its unit is none of what is declared."""
+    number, text = value
+    unit, wanted = parse_unit(text), parse_unit(declared or "1")
+    return unit.to_si(number) if unit.exponents == wanted.exponents or wanted.free_names else math.nan
 
 
 def _given(value: Value) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from hertzwerk.derive.faults import Fault, InputError
@@ -27,7 +27,11 @@ def table_file_faults(path: Path, *, overwrite: bool = False) -> list[Fault]:
 
 
 def write_table(
-    path: Path, table: Callable[[], LabelledTable], csv: Callable[[], bytes], *, overwrite: bool = False
+    path: Path,
+    table: Callable[[], LabelledTable],
+    csv: Callable[[], bytes | Iterable[bytes]],
+    *,
+    overwrite: bool = False,
 ) -> Path:
     """Write a table by the ending of its file, whole or not at all.
 
@@ -37,6 +41,7 @@ def write_table(
     if faults:
         raise InputError("table", faults)
     ending = path.suffix.lower()
+    content: bytes | Iterable[bytes]
     content = csv() if ending == CSV else parquet(table()) if ending == ".parquet" else netcdf(table())
     write_atomically(path, content)
     return path

@@ -197,7 +197,7 @@ def _arguments(
             from hertzwerk.runtime.sweeps.sweep_file import read_sweep
 
             return read_sweep(Path(str(target)))
-        from hertzwerk.runtime.sweeps.definition import arguments_of, read_definition
+        from hertzwerk.runtime.sweeps.points.definition import arguments_of, read_definition
 
         definition = read_definition(resume)
         if definition is None:
@@ -294,13 +294,13 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         found.scene,
         f"{len(found)} rows over {', '.join(found.varied)}, in {_time(found.wall_s)} on {found.workers} processes",
     )
-    messages = {row.outcome: row.message for row in reversed(found.rows)}
+    summary = found.summary
     for outcome, count in found.counts().items():
         rows = "1 row" if count == 1 else f"{count} rows"
-        why = "" if outcome == "finished" else f"{'' if count == 1 else ', as the first'}: {messages[outcome]}"
+        why = "" if outcome == "finished" else f"{'' if count == 1 else ', as the first'}: {summary.messages[outcome]}"
         line(outcome, rows + why)
     outputs = [name for name in found.columns if name not in ("outcome", "message", "warnings", *found.varied)]
-    if found.rows and outputs:
+    if len(found) and outputs:
         click.echo()
         table(("output", "unit", "least", "largest"), [_extremes(found, name) for name in outputs])
         click.echo()
@@ -308,7 +308,7 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
     for name in found.arrays:
         arrays = found.arrays_of(name)
         line(name, f"{arrays.points:,} points of {', '.join(arrays.units)}")
-    warned = sum(bool(row.warnings) for row in found)
+    warned = summary.warned
     if warned:
         line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} warnings (column `warnings`)")
     if found.damage:
@@ -332,8 +332,8 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
 
 
 def _extremes(found: Sweep, name: str) -> Sequence[str]:
-    values = sorted(value for value in found[name].tolist() if value == value)
-    ends = (f"{values[0]:.6g}", f"{values[-1]:.6g}") if values else ("-", "-")
+    spread = found.summary.spreads[name]
+    ends = (f"{spread.least:.6g}", f"{spread.largest:.6g}") if spread.count else ("-", "-")
     return (name, found.unit(name), *ends)
 
 
@@ -341,11 +341,11 @@ def _report_undetermined(found: Sweep, outputs: Sequence[str]) -> None:
     """Print each reason why outputs have no number in any row that ran, once."""
     from hertzwerk.runtime.tables.column_meanings import reason_of_none
 
-    if not any(row.outputs for row in found):
+    if not found.summary.ran:
         return
     reasons: dict[str, list[str]] = {}
     for name in outputs:
-        if all(value != value for value in found[name].tolist()):
+        if not found.summary.spreads[name].count:
             reasons.setdefault(reason_of_none(name), []).append(name)
     for reason, names in reasons.items():
         line("output", f"{', '.join(names)} not determined{reason and f': {reason}'}")

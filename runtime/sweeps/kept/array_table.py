@@ -103,18 +103,22 @@ class Arrays:
 
         Raises FileExistsError.
         """
+        return write(Path(path), self._csv(), overwrite=overwrite)
+
+    def _csv(self) -> Iterator[bytes]:
+        """Yield the lines, those of a row at a time."""
         text = io.StringIO()
         columns = (*self.varied.items(), *self.units.items())
         heads = (f"{name} [{unit}]" if unit else name for name, unit in columns)
         csv.writer(text, lineterminator="\n").writerow(["row", *heads])
+        yield text.getvalue().encode()
         for row in self._rows:
             line, lines = io.StringIO(), io.StringIO()
             entries = (row[name] for name in self.varied)
             given = [row.index, *(e if isinstance(e, str) else format(e, ".17g") for e in entries)]
             csv.writer(line, lineterminator=",").writerow(given)
             np.savetxt(lines, self._table(row), delimiter=",", fmt="%.17g")
-            text.writelines(f"{line.getvalue()}{each}\n" for each in lines.getvalue().splitlines())
-        return write(Path(path), text.getvalue().encode(), overwrite=overwrite)
+            yield "".join(f"{line.getvalue()}{each}\n" for each in lines.getvalue().splitlines()).encode()
 
     def csv_size(self) -> int:
         """Estimate the size [bytes] of the file that `to_csv` would write."""

@@ -10,11 +10,11 @@ from hashlib import blake2b
 from typing import Any, TypeAlias
 
 TABLES = {
-    "points": "CREATE TABLE points (digest BLOB NOT NULL, number INTEGER PRIMARY KEY, key TEXT NOT NULL, given TEXT NOT NULL)",
+    "points": "CREATE TABLE points (digest BLOB NOT NULL, number INTEGER PRIMARY KEY, key TEXT NOT NULL)",
     "rows": "CREATE TABLE rows (digest BLOB NOT NULL, key TEXT PRIMARY KEY, outcome TEXT NOT NULL, message TEXT NOT NULL, "
     "si TEXT NOT NULL, outputs TEXT NOT NULL, warnings TEXT NOT NULL, wall_s REAL, sizes TEXT NOT NULL, arrays BLOB NOT NULL)",
 }
-POINT, ROW = 4, 10  # columns
+POINT, ROW = 3, 10  # columns
 SIZE = 16  # bytes of a digest
 
 Entry: TypeAlias = tuple[Any, ...]
@@ -32,7 +32,7 @@ def is_whole(entry: Entry, plan: str = "") -> bool:
     return bool(entry[0] == digest_of(entry[1:], plan))
 
 
-def point_entry(plan: str, number: int, key: str, given: str) -> Entry:
+def point_entry(plan: str, number: int, key: str) -> Entry:
     """Return the entry of a point; `plan`: digest of its definition, as points of an earlier one are none."""
-    rest = (number, key, given)
+    rest = (number, key)
     return (digest_of(rest, plan), *rest)

@@ -168,7 +168,7 @@ def test_a_folder_goes_on_with_its_own_definition_and_with_no_other(tmp_path):
     wider = [option.replace("1 m:3", "1 m:5") for option in OPTIONS]
     refused = run("bouncing_ball", *wider, "--into", "a")
     assert refused.exit_code == 2
-    assert "over.drop_height: found 5 values, 0.5 to 1.0 m" in refused.stderr
+    assert "over.drop_height: found '0.5..1 m:5'" in refused.stderr
     assert run("bouncing_ball", *wider, "--into", "a", "--widen").exit_code == 0
     assert len(Sweep.load("a")) == 10
 

@@ -9,6 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.pictures.sweeps.plot_sweep import figure
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
+from hertzwerk.runtime.sweeps.points.design import Design
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep, columns_of
 
 SPEEDS = np.linspace(1000, 5000, 9)
@@ -19,9 +20,9 @@ def force(speed, height=1.0):
     return 7.0 * speed * height
 
 
-def made(rows, varied, axes=None, **arrays):
+def made(rows, varied, design=None, **arrays):
     columns = columns_of(varied, {"pin.force": "N", "pin.force.half_width": "N", "impacts": ""})
-    return Sweep("crank", tuple(rows), columns, tuple(varied), COMPLETE, axes or {}, **arrays)
+    return Sweep("crank", tuple(rows), columns, tuple(varied), COMPLETE, design, **arrays)
 
 
 def row(i, speed, height=None, outcome="finished", points=None):
@@ -39,8 +40,8 @@ def one(**failing):
 def two(broken=None):
     points = [(speed, height) for speed in SPEEDS for height in HEIGHTS]
     rows = [row(i, *point, outcome="failed" if i == broken else "finished") for i, point in enumerate(points)]
-    axes = {"speed": tuple(SPEEDS * math.pi / 30), "height": tuple(HEIGHTS)}
-    return made(rows, {"speed": "rad/s", "height": "m"}, axes)
+    axes = {"speed": tuple((x, "rpm") for x in SPEEDS.tolist()), "height": tuple((x, "m") for x in HEIGHTS.tolist())}
+    return made(rows, {"speed": "rad/s", "height": "m"}, Design(axes))
 
 
 def section():

@@ -82,7 +82,7 @@ def test_more_columns_than_fit_are_tables_side_by_side(alike, keys):
     outputs, same = [f"final.x{i}" for i in range(14)], [f"same_{i}" for i in range(alike)]
     columns = {**dict.fromkeys([*same, "mass"], "kg"), "outcome": "", **dict.fromkeys(outputs, "m"), "message": ""}
     rows = [[*[7.0] * alike, float(i), "finished", *(i + j / 100 for j in range(14)), ""] for i in (1, 2)]
-    page = sweep_page("s", COMPLETE, columns, rows, [], {}, Origin("x"), "table.csv", lambda: Figure())
+    page = sweep_page("s", COMPLETE, columns, rows, {}, [], [], {}, Origin("x"), "table.csv", lambda: Figure())
     tables = Outline(page).tables["Rows"]
     heads = [[name.partition(" [")[0] for name in head] for head, *_ in tables]
     assert all(head[: len(keys)] == keys and len(head) <= 7 for head in heads)

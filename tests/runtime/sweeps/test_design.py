@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hertzwerk.runtime.model.ranges import Range
-from hertzwerk.runtime.sweeps.design import read_design
+from hertzwerk.runtime.sweeps.points.design import read_design
 
 
 def design(over, **how):
@@ -32,11 +32,11 @@ def column(points, name):
 
 
 def test_values_of_a_range_are_those_one_would_type():
-    points = design({"clearance": "0.05..0.5 mm:10"}).points()
+    points = list(design({"clearance": "0.05..0.5 mm:10"}))
     assert column(points, "clearance") == [(float(f"{5 * i}e-2"), "mm") for i in range(1, 11)]
     naive = np.linspace(0.05, 0.5, 10).tolist()
     assert [value for value, _ in column(points, "clearance")] != naive  # the seeded fault: 0.15000000000000002
-    decades = design({"stiffness": "1e6..1e9 N/m:7 log"}).points()
+    decades = list(design({"stiffness": "1e6..1e9 N/m:7 log"}))
     assert [value for value, _ in column(decades, "stiffness")][::2] == [1e6, 1e7, 1e8, 1e9]
 
 
@@ -48,7 +48,7 @@ def test_values_of_a_range_are_those_one_would_type():
 )
 def test_a_finer_range_has_the_values_of_the_coarser_bitwise(low, rise, parts, finer):
     high = low + rise
-    coarse, fine = (column(design({"x": f"{low}..{high} m:{n + 1}"}).points(), "x") for n in (parts, parts * finer))
+    coarse, fine = (column(list(design({"x": f"{low}..{high} m:{n + 1}"})), "x") for n in (parts, parts * finer))
     assert fine[::finer] == coarse
     assert [value for value, _ in coarse] == [
         float(Fraction(Decimal(low)) + Fraction(i, parts) * Fraction(Decimal(rise))) for i in range(parts + 1)
@@ -69,17 +69,17 @@ def test_a_logarithmic_range_has_equal_ratios_and_nests(low, ratio, parts, finer
 def test_lists_share_a_unit_or_have_one_each():
     expected = [(0.1, "mm"), (0.2, "mm"), (0.4, "mm")]
     for written in ("0.1,0.2,0.4 mm", "0.1 mm, 0.2 mm, 0.4 mm", ("0.1 mm", (0.2, "mm"), "0.4 mm")):
-        assert column(design({"c": written}).points(), "c") == expected
-    assert column(design({"e": "0.5,0.7"}).points(), "e") == [(0.5, "1"), (0.7, "1")]
-    assert column(design({"e": np.array([0.5, 0.7])}).points(), "e") == [(0.5, "1"), (0.7, "1")]
-    assert column(design({"e": 0.5, "c": (0.2, "mm")}).points(), "c") == [(0.2, "mm")]
+        assert column(list(design({"c": written})), "c") == expected
+    assert column(list(design({"e": "0.5,0.7"})), "e") == [(0.5, "1"), (0.7, "1")]
+    assert column(list(design({"e": np.array([0.5, 0.7])})), "e") == [(0.5, "1"), (0.7, "1")]
+    assert column(list(design({"e": 0.5, "c": (0.2, "mm")})), "c") == [(0.2, "mm")]
 
 
 def test_points_of_a_grid_and_pairs_are_in_order():
     over = {"a": (1, 2), "b": (3, 4)}
-    rows = [tuple(value for value, _ in point.values()) for point in design(over).points()]
+    rows = [tuple(value for value, _ in point.values()) for point in list(design(over))]
     assert rows == list(itertools.product((1, 2), (3, 4)))
-    assert [tuple(value for value, _ in point.values()) for point in design(over, zip=True).points()] == [
+    assert [tuple(value for value, _ in point.values()) for point in list(design(over, zip=True))] == [
         (1, 3),
         (2, 4),
     ]
@@ -87,7 +87,7 @@ def test_points_of_a_grid_and_pairs_are_in_order():
 
 def test_a_latin_hypercube_has_one_point_in_each_part_of_every_range():
     over = {"a": "0..1 m", "b": "-3..5", "c": "1e-3..1e3 log"}
-    points = design(over, sample=50, seed=7).points()
+    points = list(design(over, sample=50, seed=7))
     scaled = np.array(
         [[a, (b + 3) / 8, (math.log10(c) + 3) / 6] for (a, _), (b, _), (c, _) in (p.values() for p in points)]
     )
@@ -98,7 +98,7 @@ def test_a_latin_hypercube_has_one_point_in_each_part_of_every_range():
 
 def test_sobol_points_are_balanced_and_those_of_a_shorter_sequence_are_among_them():
     over = {"a": "0..1", "b": "0..1", "e": (5, 7)}
-    few, many = (design(over, sample=n, sampler="sobol", seed=3).points() for n in (16, 64))
+    few, many = (list(design(over, sample=n, sampler="sobol", seed=3)) for n in (16, 64))
     assert many[:16] == few
     values = np.array([[a, b] for (a, _), (b, _), _ in (point.values() for point in many)])
     cells = np.floor(values * 8).astype(int)
@@ -108,8 +108,8 @@ def test_sobol_points_are_balanced_and_those_of_a_shorter_sequence_are_among_the
 
 def test_a_seed_says_which_samples():
     over = {"a": "0..1"}
-    assert design(over, sample=8, seed=1).points() == design(over, sample=8, seed=1).points()
-    assert design(over, sample=8, seed=1).points() != design(over, sample=8, seed=2).points()
+    assert list(design(over, sample=8, seed=1)) == list(design(over, sample=8, seed=1))
+    assert list(design(over, sample=8, seed=1)) != list(design(over, sample=8, seed=2))
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime.sweeps.own_functions import digest
+from hertzwerk.runtime.sweeps.points.own_functions import digest
 
 
 def defined(source, name="f"):

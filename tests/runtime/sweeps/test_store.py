@@ -21,6 +21,8 @@ from hertzwerk.derive.readings import readings
 from hertzwerk.derive.scenes import pendulum
 from hertzwerk.runtime import Sweep, load, sweep
 from hertzwerk.runtime.sweeps import processes, store
+from hertzwerk.runtime.sweeps.points.design import Design
+from hertzwerk.runtime.sweeps.stored_rows import StoredRows
 from hertzwerk.runtime.sweeps.sweep_table import Row
 
 BALL = {"duration": "2 s", "tolerance": 1e-8, "compiled": False, "workers": 1}
@@ -92,8 +94,8 @@ def test_a_wider_sweep_computes_what_is_new_alone_once_it_is_allowed_to(ball, tm
     with pytest.raises(InputError) as refused:
         sweep(ball, wider, into=tmp_path / "a", **how)
     (fault,) = refused.value.faults
-    assert (fault.where, fault.found) == ("over.drop_height", "9 values, 0.5 to 1.5 m")
-    assert fault.expected.startswith("5 values, 0.5 to 1.5 m")
+    assert (fault.where, fault.found) == ("over.drop_height", "'0.5..1.5 m:9'")
+    assert fault.expected.startswith("'0.5..1.5 m:5'")
     computed()
     widened = sweep(ball, wider, into=tmp_path / "a", widen=True, **how)
     assert computed() == 4
@@ -222,7 +224,7 @@ def test_a_row_is_written_through_though_no_other_follows(tmp_path, monkeypatch,
     if broken:
         monkeypatch.setattr(store._Syncing, "run", lambda self: None)
     with store.opened(tmp_path / "a") as opened:
-        opened.add({"k": row(0)})
+        opened.add({"k": row(0)}, {})
         deadline = time.monotonic() + (2 if broken else 30)
         while (found := on_disk(tmp_path / "a", tmp_path / "copy")) != ["k"] and time.monotonic() < deadline:
             time.sleep(0.05)
@@ -258,19 +260,17 @@ def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(b
 
 def test_a_row_that_is_there_cannot_be_stored_again(tmp_path):
     with store.opened(tmp_path / "a") as opened:
-        opened.add({"k": row(0)})
+        opened.add({"k": row(0)}, {})
         with pytest.raises(sqlite3.IntegrityError):
-            opened.add({"k": row(0)})
+            opened.add({"k": row(0)}, {})
 
 
 def test_a_row_comes_back_bitwise(tmp_path):
     outputs = {"x": 0.1 + 0.2, "y": -0.0, "z": float("nan"), "u": float("inf"), "v": 5e-324}
-    written = Row(0, {"a": (0.1, "mm"), "b": "2"}, "failed", "why", {"a": 1e-4}, outputs, ("one", "two"), 0.25)
+    written = Row(0, {"b": "2", "a": (0.1, "mm")}, "failed", "why", {"a": 1e-4}, outputs, ("one", "two"), 0.25)
     with store.opened(tmp_path / "a") as opened:
-        opened._plan(["k"], [written.given])
-        opened.add({"k": written})
-    ((read,), damaged) = store.read_rows(tmp_path / "a", plan="")
-    assert not damaged
+        opened.add({"k": written}, {0: "k"})
+    (read,) = StoredRows(tmp_path / "a" / store.ROWS, "", Design({"a": ((0.1, "mm"),)}, fixed={"b": "2"}))
     assert repr(read) == repr(written)
 
 
@@ -283,7 +283,7 @@ def test_a_full_disk_ends_with_an_outcome_and_goes_on_with_space(ball, tmp_path,
     folder = tmp_path / "disk" / "a"
     over = {"drop_height": "0.5..1.5 m:120"}
     long = {**BALL, "duration": "0.3 s", "functions": {"n": height}, "outputs": ["floor.peak_force"]}
-    connected = store._connected
+    connected = store.connected
     if how == "pages":
 
         def limited(file):
@@ -292,7 +292,7 @@ def test_a_full_disk_ends_with_an_outcome_and_goes_on_with_space(ball, tmp_path,
                 connection.execute("PRAGMA max_page_count = 9")
             return connection
 
-        monkeypatch.setattr(store, "_connected", limited)
+        monkeypatch.setattr(store, "connected", limited)
     else:
         folder.parent.mkdir()
         mount = ["mount", "-t", "tmpfs", "-o", "size=200k", "none", str(folder.parent)]
@@ -329,11 +329,13 @@ def note(run):
         log.write(f"{sys.argv[3]} {run.parameters['drop_height'][0]!r}\\n")
     return run.final["vertical.travel"]
 
-def late(self, rows, held={}):
+def late(self, rows, points, held={}, where={}):
     held |= rows
+    where |= points
     if len(held) >= 30:
-        add(self, held)
+        add(self, held, where)
         held.clear()
+        where.clear()
 
 def told(fraction, done=[]):
     # a line for every row that is done, and one before the first
@@ -428,6 +430,6 @@ def test_definitions_are_plain_and_say_where_they_come_from(ball, tmp_path):
     )
     told = json.loads((tmp_path / "a" / store.DEFINITION).read_text())
     assert (told["target"], told["laws"]) == ("bouncing_ball", {"floor": "hunt_crossley"})
-    assert told["over"] == {"mass": "0.1, 0.2 kg"}
+    assert told["over"] == {"mass": "0.1..0.2 kg:2"}
     assert told["seed"] == 0
     assert {"hertzwerk", "casadi", "numpy"} <= set(told["versions"])

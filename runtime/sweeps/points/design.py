@@ -2,15 +2,16 @@
 
 "0.05..0.5 mm:10"        a range, see model/ranges
 "0.1, 0.2, 0.4 mm"       these; one unit for all, or one each
+
+A design is known by its ranges: a point is made when it is looked at, so that a million of them take no memory.
 """
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias
 
@@ -18,15 +19,17 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, shown, unknown
 from hertzwerk.derive.units import UnitError
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.inputs.choices import Labels
 from hertzwerk.runtime.model.binding import Value, read, whole_faults
-from hertzwerk.runtime.model.ranges import EXPECTED, MOST, NUMBER, Given, Range, read_range
+from hertzwerk.runtime.model.ranges import EXPECTED, MOST, NUMBER, Given, Range, RangeValues, read_range
 
 Varied: TypeAlias = str | Value | Sequence[Value]
 
 SAMPLERS = ("latin", "sobol")
 
-Axis: TypeAlias = tuple[Given, ...] | Labels | Range
+Listed: TypeAlias = tuple[Given, ...] | RangeValues | Labels
+Axis: TypeAlias = Listed | Range
 """Values of one parameter, labels of an input's, or a range to be sampled."""
 
 
@@ -34,8 +37,11 @@ Axis: TypeAlias = tuple[Given, ...] | Labels | Range
 class Design:
     """Axes of a sweep by name, and how its points follow from them; raises nothing: `read_design` checks.
 
+    `design[i]` has the values of a point by name; of a grid the last name varies fastest.
+
     zip    points pair the values of the axes, first with first; otherwise they are all combinations
     sample    number of points drawn from the axes by `sampler` with `seed`; None where all values are taken
+    fixed    values that all points have
     """
 
     axes: Mapping[str, Axis]
@@ -43,29 +49,59 @@ class Design:
     sample: int | None = None
     sampler: str = "latin"
     seed: int = 0
+    fixed: Mapping[str, Value] = field(default_factory=dict)
 
-    def points(self) -> list[dict[str, Given | str]]:
-        """Return the values of every point by name, in order: of a grid the last name varies fastest."""
-        names = list(self.axes)
+    def __len__(self) -> int:
         if self.sample is not None:
-            rows: Iterable[Iterable[Given | str]] = self._samples(self.sample)
-        else:
-            lists = [axis for axis in self.axes.values() if not isinstance(axis, Range)]
-            rows = zip(*lists, strict=True) if self.zip else itertools.product(*lists)
-        return [dict(zip(names, row, strict=True)) for row in rows]
+            return self.sample
+        counts = [len(axis) for axis in self._listed.values()]
+        return min(counts, default=0) if self.zip else math.prod(counts)
+
+    def __getitem__(self, i: int) -> dict[str, Value]:
+        if not 0 <= i < len(self):
+            raise IndexError(i)
+        if self.sample is not None:
+            parts = self._parts[i].tolist()
+            drawn = {name: _drawn(axis, part) for (name, axis), part in zip(self.axes.items(), parts, strict=True)}
+            return {**self.fixed, **drawn}
+        places = dict.fromkeys(self._listed, i)
+        if not self.zip:
+            for name, axis in reversed(self._listed.items()):
+                i, places[name] = divmod(i, len(axis))
+        return {**self.fixed, **{name: axis[places[name]] for name, axis in self._listed.items()}}
+
+    def __iter__(self) -> Iterator[dict[str, Value]]:
+        return map(self.__getitem__, range(len(self)))
 
     @property
-    def grid(self) -> dict[str, tuple[Given, ...] | Labels]:
+    def grid(self) -> dict[str, Listed]:
         """Values of every axis where the points are all their combinations; else empty."""
-        whole = not self.zip and self.sample is None
-        return {name: axis for name, axis in self.axes.items() if whole and not isinstance(axis, Range)}
+        return {} if self.zip or self.sample is not None else self._listed
 
-    def _samples(self, count: int) -> Iterable[Iterable[Given | str]]:
+    @property
+    def units(self) -> dict[str, str]:
+        """Unit that each axis is given in, of those that have one unit."""
+        found: dict[str, str] = {}
+        for name, axis in self.axes.items():
+            whole = axis.range if isinstance(axis, RangeValues) else axis
+            if not isinstance(whole, Labels):
+                units = {whole.unit} if isinstance(whole, Range) else {unit for _, unit in whole}
+                if len(units) == 1:
+                    (found[name],) = units
+        return found
+
+    @cached_property
+    def _listed(self) -> dict[str, Listed]:
+        return {name: axis for name, axis in self.axes.items() if not isinstance(axis, Range)}
+
+    @cached_property
+    def _parts(self) -> np.ndarray:
+        """Places (points, axes) of samples, each a part 0..1 of its axis."""
         from scipy.stats import qmc  # slow to import
 
         sampler = {"latin": qmc.LatinHypercube, "sobol": qmc.Sobol}[self.sampler]
-        for row in sampler(len(self.axes), rng=self.seed).random(count):
-            yield (_drawn(axis, float(part)) for axis, part in zip(self.axes.values(), row, strict=True))
+        found: np.ndarray = sampler(len(self.axes), rng=self.seed).random(self.sample)
+        return found
 
 
 def _drawn(axis: Axis, part: float) -> Given | str:

@@ -11,6 +11,7 @@ import json
 import shlex
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from importlib import metadata, resources
 from pathlib import Path
@@ -23,11 +24,11 @@ from hertzwerk.runtime.inputs.choices import Choices, Labels
 from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.model.build import derive_digest, is_file, law_files
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.model.ranges import Given, Range
+from hertzwerk.runtime.model.ranges import Given, Range, RangeValues
 from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.design import Design
+from hertzwerk.runtime.sweeps.points.design import Design, read_design
 
 COMPUTING = (
     "accuracy",
@@ -58,13 +59,13 @@ ARGUMENTS = (  # of `sweep`, and names in a definition
     *("section", "after", "grid", "histories", "continued"),
     *("duration", "accuracy", "tolerance", "method", "max_steps", "max_events", "wall_time"),
 )
-FOLLOW = ("columns", "varied", "axes", "arrays", "points", "target_file", "digest")  # from the rest, or of no numbers
+FOLLOW = ("columns", "varied", "arrays", "points", "target_file", "digest")  # from the rest, or of no numbers
 DEFINITION = "definition.json"
 _NUMBER, _NONE = (str, int, float), type(None)
 ENTRIES: dict[str, type | tuple[type, ...]] = {  # of a definition, and their types
     **dict.fromkeys(("scene", "sampler", "method", "text", "readings", "signals", "digest"), str),
     **dict.fromkeys(("laws", "law_files", "over", "inputs", "values", "functions"), dict),
-    **dict.fromkeys(("versions", "columns", "axes", "arrays", "choices"), dict),
+    **dict.fromkeys(("versions", "columns", "arrays", "choices"), dict),
     **dict.fromkeys(("without", "outputs", "histories", "varied"), list),
     **dict.fromkeys(("seed", "points"), int),
     **dict.fromkeys(("target", "target_file", "coordinates", "section", "continued"), (str, _NONE)),
@@ -118,8 +119,17 @@ def as_text(value: Any) -> str:
     try:
         number, _, unit = read(value)
     except UnitError:
-        return shown(value)  # of a row that says so
+        return value if isinstance(value, str) else shown(value)  # of a row that says so
     return f"{number!r}" if unit == "1" else f"{number!r} {unit}"
+
+
+def _read_back(text: str) -> Value:
+    """Return the value of a text as `as_text` wrote it."""
+    try:
+        number, _, unit = read(text)
+    except UnitError:
+        return text
+    return number, unit
 
 
 def axes_of(design: Design, choices: Choices) -> dict[str, str | Mapping[str, str | None]]:
@@ -132,8 +142,19 @@ def axes_of(design: Design, choices: Choices) -> dict[str, str | Mapping[str, st
     }
 
 
-def _axis(axis: tuple[Given, ...] | Range) -> str:
-    if isinstance(axis, Range):
+def design_of(definition: Mapping[str, Any]) -> Design:
+    """Return the design of a definition, as it was when that was written."""
+    over = {name: axis for name, axis in definition["over"].items() if isinstance(axis, str)}
+    how = {name: definition[name] for name in ("zip", "sample", "sampler", "seed")}
+    found = read_design(over, **how, faults=[])
+    axes = {name: found.axes[name] if name in over else Labels(axis) for name, axis in definition["over"].items()}
+    return replace(
+        found, axes=axes, fixed={name: _read_back(text) for name, text in definition["values"].items()}, **how
+    )
+
+
+def _axis(axis: tuple[Given, ...] | RangeValues | Range) -> str:
+    if not isinstance(axis, tuple):
         return str(axis)
     shared = len({unit for _, unit in axis}) == 1
     return ", ".join(
@@ -169,27 +190,25 @@ def _told(value: Any) -> str:
     return "none" if value is None else shown(value)
 
 
-def keys_of(
-    model: Model,
-    sets: Sequence[Mapping[str, Value]],
-    settings: Mapping[str, Any],
-    about: Mapping[str, Any],
-    choices: Choices,
-) -> list[str]:
-    """Return the key of every set of values; `about`: what is the same for all, plain data."""
-    others = repr(sorted({**about, **{name: value for name, value in settings.items() if name != "duration"}}.items()))
-    same, keys = hashlib.sha256(f"{others}\n".encode()), []
-    for values in sets:
-        whole = same.copy()
+class Keys:
+    """Keys of rows by their values; `about`: what is the same for all, plain data."""
+
+    def __init__(self, model: Model, settings: Mapping[str, Any], about: Mapping[str, Any], choices: Choices) -> None:
+        self._model, self._duration, self._choices = model, settings["duration"], choices
+        others = {**about, **{name: value for name, value in settings.items() if name != "duration"}}
+        self._same = hashlib.sha256(f"{sorted(others.items())!r}\n".encode())
+
+    def of(self, values: Mapping[str, Value]) -> str:
+        """Return the key of a row."""
+        whole = self._same.copy()
         try:
-            of_row, rest = choices.of(model, values)
+            of_row, rest = self._choices.of(self._model, values)
         except InputError:
             whole.update(repr(sorted(map(repr, values.items()))).encode())
         else:
-            signals = () if of_row is model else (digest_of(of_row.signals),)
-            whole.update(repr((*_numbers(of_row, rest, settings["duration"]), *signals)).encode())
-        keys.append(whole.hexdigest()[:32])
-    return keys
+            signals = () if of_row is self._model else (digest_of(of_row.signals),)
+            whole.update(repr((*_numbers(of_row, rest, self._duration), *signals)).encode())
+        return whole.hexdigest()[:32]
 
 
 def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Sequence[Any]:

@@ -1,0 +1,1 @@
+"""Points of a sweep: their design, its definition as plain data, and the keys of rows."""
