@@ -10,6 +10,7 @@ from hertzwerk.runtime.integrate.events.events import (
     NEAR,
     NO_EVENT,
     endings,
+    ends_with_force,
     polynomials,
     search,
     signed_gaps,
@@ -39,6 +40,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     FLIGHT,
     NOT_FINITE,
     OUTSIDE_LAW_RANGE,
+    RELEASED,
     RUNNING,
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
@@ -93,6 +95,8 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
         rest = ca.Function("rest", still, still[2:4])
         end, verdict = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta)
     decided, switched = decide(state, controls, end, verdict, theta, delta)
+    if model.k and ca.mmax(ends_with_force(model)):
+        decided, switched = _without_pull(model, vectors, right, decide)(*given, decided, switched)
     changed = switch(model, vectors, right)
     before, after, run = changed.mx_in()
     keep = ca.Function("keep", [before, after, run], [after])
@@ -177,6 +181,37 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
     return ca.Function("moved", [*arguments, delta], outputs)
+
+
+def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> Any:
+    """Build the function (state, controls, next, verdict, decided, switched) -> (state, switched) of a step that ends no contact from a pull.
+
+    A force that falls through zero and returns to it with the gap is seen at neither end of the step that opens the
+    contact, but just before that: there the step is cut, so that the next attempt sees the fall.
+    """
+    arguments, (old, _, end, _) = vectors.symbols("state controls next verdict", ca.MX)
+    decided, switched = ca.MX.sym("decided", vectors.state.size), ca.MX.sym("switched")
+    modes = decided[vectors.state["mode"]]
+    ended = ends_with_force(model) * (old["mode"] == CONTACT) * (modes != CONTACT)
+    most = ca.if_else(modes == RELEASED, ca.fmin(end["force"], 0), 0)  # where it runs out it is aimed below zero
+    pulled = _if(any_of(ended), _just_before(model, vectors, right), [0.0], *arguments[:3], ended, most)
+    asked = [*arguments, decided, switched]
+    retaken = ca.Function("retaken", asked, decide(*arguments, 1 - NEAR, 0))
+    kept = ca.Function("kept", asked, [decided, switched])
+    found = ca.Function.if_else("unpulled", retaken, kept)(pulled, *asked)
+    return ca.Function("without_pull", asked, found)
+
+
+def _just_before(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """Build the function (state, controls, next, pairs, most (k)) -> 1 if one pulls by more a little before the end of the step."""
+    arguments, (old, run, end) = vectors.symbols("state controls next", ca.MX)
+    pairs, most = (ca.MX.sym(name, model.k) for name in ("pairs", "most"))
+    back = NEAR * old["h"]
+    t, y = end["t"] - back, end["y"] - back * end["dy"]
+    inside = {"t": t, "y": y, **right.at(t, y, old["mode"], old["m"], run["c"])}
+    tol, *_ = tolerances(model, run, inside)
+    found = any_of(pairs * (inside["force"] < most) * (inside["gap"] < -tol))
+    return ca.Function("just_before", [*arguments, pairs, most], [found])
 
 
 def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
