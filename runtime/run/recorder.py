@@ -129,41 +129,62 @@ class Grid:
 class Sampled:
     """Observer that keeps the states at which a run is compared with others.
 
-    That is at its start and end, at `count` times between, and in the middle of its own steps, which lie close where much
-    happens: of every one, or every second, fourth, ... where they are more than MOST. At an end of a step an event may
-    change a state at once, and another run may have it a rounding later.
+    That is at its start and end, at `count` times between, and within and at the end of its own steps, which lie close
+    where much happens: of all, or of every second, fourth, ... where they are more than EVEN, and of as many in which
+    the rates change most, as where friction turns round.
     """
 
-    MOST = 200
+    EVEN = 60
+    WITHIN = (
+        0.4,
+        0.8,
+    )  # of a step: of its error little has grown before, but where rates change at once it goes up and down
 
     def __init__(self, begin: float, end: float, count: int) -> None:
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
             end - begin
         )  # no event of a period meets them
         self._grid = Grid(np.concatenate([[begin], between, [end]]))
-        self._kept: list[np.ndarray] = []
-        self._count, self._stride, self._seen = 0, 1, 0
+        self._seen, self._stride = 0, 1
+        self._numbers, self._bends = np.zeros(0, int), np.zeros(0)  # of the steps that are kept
+        self._rows: np.ndarray | None = None  # (steps, 3, ns): within and at the end of each
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
         self._grid.take(block, fresh)
         first = max(fresh - 1, 0)
         begins = first + np.flatnonzero(np.diff(block.t[first:]) > 0)
-        number = self._seen + np.arange(len(begins))
+        numbers, bends = self._seen + np.arange(len(begins)), _bends(block, begins)
         self._seen += len(begins)
-        while self._count + np.count_nonzero(number % self._stride == 0) > self.MOST:
+        self._numbers, self._bends = np.append(self._numbers, numbers), np.append(self._bends, bends)
+        while np.count_nonzero(self._numbers % self._stride == 0) > self.EVEN:
             self._stride *= 2
-            self._kept = [np.concatenate(self._kept)[::2]] if self._kept else []
-            self._count = sum(map(len, self._kept))
-        begins = begins[number % self._stride == 0]
-        rows = block.between(begins, (block.t[begins + 1] - block.t[begins]) / 2).rows
-        self._kept.append(rows)
-        self._count += len(rows)
+        least = np.sort(self._bends)[-self.EVEN :][0] if len(self._bends) else 0.0
+        kept = (self._numbers % self._stride == 0) | (self._bends >= least)
+        self._numbers, self._bends = self._numbers[kept], self._bends[kept]
+        before, begins = np.split(kept, [len(kept) - len(begins)])[0], begins[kept[len(kept) - len(begins) :]]
+        h = block.t[begins + 1] - block.t[begins]
+        rows = np.stack(
+            [*(block.between(begins, part * h).rows for part in self.WITHIN), block.rows[begins + 1]], axis=1
+        )
+        self._rows = rows if self._rows is None else np.concatenate([self._rows[before], rows])
 
     @cached_property
     def history(self) -> History:
         """Histories at the times that the run reached, once it has ended."""
         grid = self._grid.history
-        rows = np.concatenate([*self._kept, grid.rows])
+        own = grid.rows[:0] if self._rows is None else self._rows.reshape(-1, grid.rows.shape[1])
+        rows = np.concatenate([own, grid.rows])
         column = grid.columns("t").start
         return grid.of(rows[np.unique(rows[:, column], return_index=True)[1]])
+
+
+def _bends(block: History, begins: np.ndarray) -> np.ndarray:
+    """Return how much rates change in steps (n,): the error of the trapezoidal rule, in the scales."""
+    n = block.model.nq + block.model.nu
+    y, dy = (block.part(name)[:, :n] for name in ("y", "dy"))
+    h = (block.t[begins + 1] - block.t[begins])[:, None]
+    scale = block.controls[block.engine.layouts.controls["scale"]][:n]
+    bent = y[begins + 1] - y[begins] - h / 2 * (dy[begins] + dy[begins + 1])
+    found: np.ndarray = np.max(np.abs(bent) / scale, axis=1, initial=0.0)
+    return found

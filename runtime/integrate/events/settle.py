@@ -184,10 +184,11 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> Any:
-    """Build the function (state, controls, next, verdict, decided, switched) -> (state, switched) of a step that ends no contact from a pull.
+    """Build the function that retakes a step which ends a contact from a pull.
 
-    A force that falls through zero and returns to it with the gap is seen at neither end of the step that opens the
-    contact, but just before that: there the step is cut, so that the next attempt sees the fall.
+    Arguments: state, controls, next, verdict, and state and switched as decided, which it returns. A force that falls
+    through zero and returns to it with the gap is seen at neither end of the step that opens the contact, but just
+    before that: there the step is cut, so that the next attempt sees the fall.
     """
     arguments, (old, _, end, _) = vectors.symbols("state controls next verdict", ca.MX)
     decided, switched = ca.MX.sym("decided", vectors.state.size), ca.MX.sym("switched")
@@ -203,7 +204,10 @@ def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> A
 
 
 def _just_before(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """Build the function (state, controls, next, pairs, most (k)) -> 1 if one pulls by more a little before the end of the step."""
+    """Build the function that returns 1 if a pair pulls a little before the end of a step.
+
+    Arguments: state, controls, next, pairs (k) that count, forces (k) [N], negative or 0, below which it does.
+    """
     arguments, (old, run, end) = vectors.symbols("state controls next", ca.MX)
     pairs, most = (ca.MX.sym(name, model.k) for name in ("pairs", "most"))
     back = NEAR * old["h"]

@@ -14,7 +14,7 @@ from hertzwerk.runtime.run.difference import impact_differences
 from hertzwerk.runtime.run.request import Request, read_accuracy
 from hertzwerk.runtime.solution.impacts import Impact
 from hertzwerk.runtime.solution.scales import Scales as SolutionScales
-from hertzwerk.runtime.solution.scales import distance
+from hertzwerk.runtime.solution.scales import distance, error
 
 
 def by_search(apart, rates, pace):
@@ -158,3 +158,22 @@ def test_extremes_are_found_within_the_steps_as_a_sweep_finds_them():
     assert swept["guide.travel.min"][0] == run.extremes("guide.travel").lowest
     with pytest.raises(KeyError, match="did you mean"):
         run.extremes("slider_pin.normal_forc")
+
+
+@pytest.mark.parametrize(
+    ("asked", "duration", "sizes"),
+    [(1e-3, 1.1155945691947136e-3, (1.65767217, 1.1268926, 0.60793)), (1e-5, 8.752949356809732e-4, (1.07636913, 2.5098988, 0.56774569))],
+)  # fmt: skip
+def test_where_friction_turns_round_within_a_step_the_error_is_seen(asked, duration, sizes):
+    """At the ends of steps, and where rates change at once. On the old code 29 and 7 times over, 87 and 65 times the estimate."""
+    units = {"clearance": "mm", "friction_speed": "mm/s", "friction_coefficient": "1"}
+    given = {name: f"{size!r} {unit}" for (name, unit), size in zip(units.items(), sizes, strict=True)}
+    crank = load("slider_crank")
+    run = simulate(crank, duration=duration, accuracy=asked, method="dop853", parameters=given, compiled=False)
+    truth = simulate(crank, duration=duration, tolerance=1e-13, method="dopri5", parameters=given, compiled=False)
+    times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in (0, 0.4, 0.8)]))
+    states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
+    true = error(crank, run.scales, *states).max()
+    assert run.outcome.finished
+    assert true <= asked
+    assert true <= 3 * run.error.worst
