@@ -226,6 +226,10 @@ class GivenEquations(Equations):
         }
         return {key: value for key, value in entries.items() if value != 0}
 
+    def _longest_path(self) -> int:
+        """0: the rows are not those of joints."""
+        return 0
+
     def bias(self, row: Row) -> Any:
         """Generalised inertia force at zero generalised accelerations, and the force of the potential."""
         mass = self.mass_matrix()

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import sympy as sp
 
@@ -16,30 +16,45 @@ from hertzwerk.derive.algebra.vectors import Matrix, Vector, apply, dot, less, p
 from hertzwerk.derive.program.program import Tape
 
 
-class Symmetric:
-    """A symmetric 3 x 3 matrix whose entries are computed, and named, on first request."""
+class Entries:
+    """A 3 x 3 matrix whose entries are computed, and named, on first request."""
 
     def __init__(self, entry: Callable[[int, int], Any]) -> None:
         self._entry = entry
         self._known: dict[tuple[int, int], Any] = {}
 
     def __getitem__(self, place: tuple[int, int]) -> Any:
-        i, j = min(place), max(place)
-        if (i, j) not in self._known:
-            self._known[i, j] = self._entry(i, j)
-        return self._known[i, j]
+        if place not in self._known:
+            self._known[place] = self._entry(*place)
+        return self._known[place]
+
+    def row(self, i: int) -> Vector:
+        """A row."""
+        return (self[i, 0], self[i, 1], self[i, 2])
 
     def column(self, j: int) -> Vector:
-        """A column, equal to the row of the same index."""
+        """A column."""
         return (self[0, j], self[1, j], self[2, j])
 
-    def named(self, tape: Tape, name: str) -> Symmetric:
+    def named(self, tape: Tape, name: str) -> Self:
         """The same matrix with every entry named on the tape."""
-        return Symmetric(lambda i, j: tape.let(self[i, j], f"{name}_{'xyz'[i]}_{'xyz'[j]}"))
+        return type(self)(lambda i, j: tape.let(self[i, j], f"{name}_{'xyz'[i]}_{'xyz'[j]}"))
 
     def apply(self, a: Vector) -> Vector:
         """Product M a; entries multiplied by zero are never requested."""
         return tuple(total(*(product(self[i, j], a[j]) for j in range(3) if a[j] != 0)) for i in range(3))
+
+    @property
+    def transposed(self) -> Entries:
+        """The transpose."""
+        return Entries(lambda i, j: self[j, i])
+
+
+class Symmetric(Entries):
+    """A symmetric matrix, of which the upper triangle is computed."""
+
+    def __getitem__(self, place: tuple[int, int]) -> Any:
+        return super().__getitem__((min(place), max(place)))
 
 
 def added(*parts: Symmetric) -> Symmetric:
@@ -153,3 +168,11 @@ class Change:
         for step in reversed(self.steps):
             inner = step.symmetric(inner, tape, name).named(tape, name)
         return inner
+
+    def both(self, inner: Entries, tape: Tape, name: str) -> Entries:
+        """Components of any matrix in the outer axes."""
+        if not self.steps:
+            return inner
+        half = [tape.vector(self.out(inner.column(j)), f"{name}_{'xyz'[j]}") for j in range(3)]
+        rows = [self.out((half[0][i], half[1][i], half[2][i])) for i in range(3)]
+        return Entries(lambda i, j: rows[i][j])

@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension.dimension import ONE
+from hertzwerk.derive.motion.articulated import Articulated
 from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.elimination import Factor, minimum_degree_order
 from hertzwerk.derive.program.program import CONSTANT, Tape
@@ -25,7 +26,7 @@ SOFTNESS = 3e-9  # softness of a constraint that is kept: fraction of the diagon
 class Loops:
     """Constraints of a mechanism with its factored mass matrix."""
 
-    def __init__(self, tape: Tape, constraints: tuple[Constraint, ...], mass: Factor) -> None:
+    def __init__(self, tape: Tape, constraints: tuple[Constraint, ...], mass: Factor | Articulated) -> None:
         self._tape, self._constraints, self._mass = tape, constraints, mass
         self._names = [constraint.name.replace(".", "_") for constraint in constraints]
         each = list(zip(constraints, self._names, strict=True))

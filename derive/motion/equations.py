@@ -12,10 +12,10 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, scale
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, scale
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.gravity import Gravity
-from hertzwerk.derive.motion.axes import of_matrix
+from hertzwerk.derive.motion.articulated import Articulated
 from hertzwerk.derive.motion.constrained import Loops
 from hertzwerk.derive.motion.constraints import constraints_of, driving_rows
 from hertzwerk.derive.motion.kinematics import Kinematics
@@ -30,6 +30,9 @@ REFINEMENTS = 2
 ARTIFICIAL_RATIO = sp.Rational(1, 10_000)
 # additional refinements with artificial inertia: each reduces its effect by about the factor ARTIFICIAL_RATIO
 EXTRA_REFINEMENTS = 2
+# free rows on a path up to which the mass matrix is written out and eliminated: articulated bodies take fewer operations
+# beyond 7 in the plane and 12 in space
+LONG_PATH = 10
 
 
 class Equations:
@@ -161,13 +164,19 @@ class Equations:
         return self._loops.independence()
 
     @cached_property
-    def _factor(self) -> Factor:
-        """Factored mass matrix of the free rows, leaves first.
+    def _factor(self) -> Factor | Articulated:
+        """Inverse of the mass matrix of the free rows: along long paths link by link, else by elimination, leaves first.
 
         Eliminating a chain from its end keeps the zeros of the branches.
         """
+        if self._longest_path() > LONG_PATH:
+            return Articulated(self.recursion, self.artificial_inertia)
         artificial = {(key, key): value for key, value in self.artificial_inertia.items()}
         return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **artificial})
+
+    def _longest_path(self) -> int:
+        """Number of free rows of the path that has most."""
+        return max((sum(row.free for below in link.path for row in below.rows) for link in self.links), default=0)
 
     @cached_property
     def artificial_inertia(self) -> dict[str, Any]:
@@ -226,17 +235,11 @@ class Equations:
     def kinetic(self) -> Any:
         """Kinetic energy [J]."""
         half, parts, tape = sp.Rational(1, 2), self.recursion, self.tape
-        total = []
+        total: list[Any] = []
         for link in self.links:
-            mass, moment, inertia = parts.own(link)
-            within = link.orientation.within
+            mass, moment, inertia = parts.resolved(link)
             v, w = parts.velocity(link), parts.spin(link).w
-            total.append(half * mass * dot(v, v))
-            if not is_zero(moment):
-                first = tape.vector(within.out(tape.vector(moment, f"{link.name}_h")), f"{link.name}_moment")
-                total.append(dot(v, cross(w, first)))
-            turned = within.symmetric(of_matrix(inertia).named(tape, f"{link.name}_I"), tape, f"{link.name}_J")
-            total.append(half * dot(w, turned.apply(w)))
+            total += half * mass * dot(v, v), dot(v, cross(w, moment)), half * dot(w, inertia.apply(w))
         return tape.let(sp.Add(*total), "kinetic")
 
     def potential(self) -> Any:

@@ -99,6 +99,14 @@ class Recursion:
             inertia = combine(inertia, self.about_centre(body), scaled(body.mass, steiner(centre)))
         return mass, moment, inertia
 
+    @per_link
+    def resolved(self, link: Link) -> tuple[Any, Vector, Symmetric]:
+        """As `own`, in the axes of the link's run."""
+        mass, moment, inertia = self.own(link)
+        tape, name, within = self.tape, link.name, link.orientation.within
+        turned = within.symmetric(of_matrix(inertia).named(tape, f"{name}_I"), tape, f"{name}_J")
+        return mass, tape.vector(within.out(tape.vector(moment, f"{name}_h")), f"{name}_moment"), turned
+
     def about_centre(self, body: Body) -> Matrix:
         """Inertia about the mass centre, in the link's axes.
 
