@@ -41,6 +41,7 @@ from hertzwerk.derive import (
 from hertzwerk.derive.derivation import derivation_of
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.derive.module.system import System
+from hertzwerk.derive.motion import equations
 from hertzwerk.derive.motion.absolute import absolute
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
@@ -148,12 +149,18 @@ def both(scene: Scene) -> tuple[Derived, Derived]:
     return Derived(scene), Derived(scene.with_coordinates("absolute"))
 
 
-def state(tree: Derived, absolute: Derived, seed: int = 0):
-    """A random state by the joints, and the same by the bodies."""
+def joints_state(tree: Derived, seed: int = 0):
+    """A random state by the joints."""
     rng = np.random.default_rng(seed)
     q, u = rng.uniform(-1, 1, tree.nq), rng.uniform(-2, 2, tree.nu)
     for i in getattr(tree, "QUATERNIONS", ()) if "QUATERNIONS" in tree.names else ():
         q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
+    return q, u
+
+
+def state(tree: Derived, absolute: Derived, seed: int = 0):
+    """A random state by the joints, and the same by the bodies."""
+    q, u = joints_state(tree, seed)
     return q, u, *absolute.call("placed", t=0.3, joints=q, joint_speeds=u)
 
 
@@ -260,6 +267,46 @@ def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one(
 def lent(scene: Scene) -> list[str]:
     """Rows that a mass or an inertia is lent to."""
     return list(System(absolute(scene)).equations.artificial_inertia)
+
+
+# -- long paths in joint coordinates -----------------------------------------------------------------------------------
+
+
+def quick_return() -> Scene:
+    """A loop with a slot block without mass, to which inertia is lent."""
+    crank, block, rocker = Body("crank", MASS, ACROSS), Body("block", 0), Body("rocker", MASS, ACROSS, centre=HALF_X)
+    joints = (
+        Revolute("main", GROUND, crank, axis=Z),
+        Revolute("pin", crank.at(*ALONG_X), block, axis=Z),
+        Revolute("swing", GROUND.at(0, -LENGTH, 0), rocker, axis=Z),
+        Prismatic("slot", rocker, block, axis=X),
+    )
+    return Scene(Mechanism("quick_return", joints), (), Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+
+
+@pytest.mark.by_turns(2)
+@pytest.mark.parametrize(
+    "name", ["spatial", "turned points", "free, with a tail", "slender rods and a cross without mass", "quick return"]
+)
+def test_articulated_bodies_accelerate_as_elimination_has_it(name, monkeypatch):
+    found = []
+    for longest in (0, 1000):
+        monkeypatch.setattr(equations, "LONG_PATH", longest)
+        found.append(Derived(quick_return() if name == "quick return" else SCENES[name]))
+    q, u = joints_state(found[0])
+    one, other = (each.call("accelerations", t=0.3, q=q, u=u, f=np.arange(1.0, len(u) + 1))[0] for each in found)
+    assert one == pytest.approx(other, rel=1e-8, abs=1e-9 * np.max(np.abs(other)))
+    assert found[0].OPERATIONS != found[1].OPERATIONS  # two ways
+
+
+@pytest.mark.parametrize(("axes", "lengths"), [("Z", (11, 12, 13)), ("ZYX", (12, 15, 18))])
+def test_steps_in_joint_coordinates_are_linear_in_the_length_of_a_chain(axes, lengths):
+    """Each further link about the same axis takes as many assignments as the one before."""
+    counts = []
+    for n in lengths:
+        program = derivation_of(chain(n, axes).scene(ledger=False))
+        counts += [len(function.body) for function in program.functions if function.name == "accelerations"]
+    assert counts[2] - counts[1] == counts[1] - counts[0]
 
 
 # -- which coordinates -------------------------------------------------------------------------------------------------

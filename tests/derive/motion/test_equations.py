@@ -25,6 +25,7 @@ from hertzwerk.derive import (  # fmt: skip
     Y,
     Z,
 )
+from hertzwerk.derive.motion import equations
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.derive.scenes.slider_crank_frictionless import scene as slider_crank_frictionless
 from reference.slider_crank import SliderCrank
@@ -100,6 +101,14 @@ LARGE = {
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LARGE else n for n in TREES])
 def test_accelerations_and_drive_reactions_equal_kanes_method(name):
     assert deviation(TREES[name], derived_of(name)) < 1e-10
+
+
+@pytest.mark.by_turns(2)
+@pytest.mark.parametrize("name", ["planar, branches", "spatial, branches", "driven root, spatial", "two drives"])
+def test_articulated_bodies_move_as_by_kanes_method(name, monkeypatch):
+    """The way of long paths, taken along short ones."""
+    monkeypatch.setattr(equations, "LONG_PATH", 0)
+    assert deviation(TREES[name], Derived(TREES[name].scene()), 2) < 1e-10
 
 
 @pytest.mark.by_turns(3)
