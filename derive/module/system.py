@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.contact.contact_forces import PairKinematics
+from hertzwerk.derive.declare.periods import period
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, Rubbing, state_faults
 from hertzwerk.derive.faults import Fault, InputError
@@ -25,7 +26,6 @@ from hertzwerk.derive.motion.absolute import Absolute
 from hertzwerk.derive.motion.carried import Carried, nonlinear_fault
 from hertzwerk.derive.motion.equations import equations_of
 from hertzwerk.derive.motion.links import Row
-from hertzwerk.derive.motion.periods import period
 from hertzwerk.derive.motion.resistance import resistance_faults
 from hertzwerk.derive.program.program import Function, Result, Tape
 

@@ -23,7 +23,10 @@ from hertzwerk.derive.program.program import Tape
 
 @dataclass(frozen=True)
 class Inertia:
-    """Inertia of an articulated body: moment = turning alpha + coupling a, force = coupling^T alpha + moving a."""
+    """Inertia of an articulated body.
+
+    moment = turning alpha + coupling a, force = coupling^T alpha + moving a
+    """
 
     turning: Symmetric
     coupling: Entries

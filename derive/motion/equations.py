@@ -165,9 +165,10 @@ class Equations:
 
     @cached_property
     def _factor(self) -> Factor | Articulated:
-        """Inverse of the mass matrix of the free rows: along long paths link by link, else by elimination, leaves first.
+        """Inverse of the mass matrix of the free rows.
 
-        Eliminating a chain from its end keeps the zeros of the branches.
+        Along long paths it is found link by link, else by elimination, leaves first: to eliminate a chain from its end
+        keeps the zeros of the branches.
         """
         if self._longest_path() > LONG_PATH:
             return Articulated(self.recursion, self.artificial_inertia)

@@ -25,8 +25,8 @@ from hertzwerk.derive import (
     coordinate_of,
     generate,
 )
+from hertzwerk.derive.declare.periods import period
 from hertzwerk.derive.mechanism.parameter import Parameter as AnyParameter
-from hertzwerk.derive.motion.periods import period
 
 SIZE, SPIN, RATE, ANGLE = (
     Parameter("size", "m", 0.1),
