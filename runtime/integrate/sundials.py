@@ -23,7 +23,7 @@ from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.loop.tally import Tally, tally
-from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.explicit import written_flow
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
     END_PARTS,
@@ -74,7 +74,7 @@ class Reference:
 
 def reference(model: Model, layouts: Layouts, method: str) -> Reference:
     """Build the integrators of a model with "cvodes" or "idas"."""
-    right = flow(model)
+    right = written_flow(model)
     sizes = {"t": 1, "h": 1, "mode": model.k, "m": model.nm, "c": model.nc, "scale": layouts.trial.sizes["y"]}
     p = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
     s, x = ca.SX.sym("s"), ca.SX.sym("x", sizes["scale"])

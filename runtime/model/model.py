@@ -278,7 +278,8 @@ class Model:
         """
         if not self.inputs:
             return function
-        symbols, pieces = function.sx_in(), ca.SX.sym("pieces", self.npieces)
+        symbols = list(function.mx_in() if function.is_a("MXFunction") else function.sx_in())
+        pieces = type(symbols[0]).sym("pieces", self.npieces)
         given = list(symbols)
         given[constant] = ca.vertcat(symbols[constant][: symbols[constant].numel() - self.npieces], pieces)
         return ca.Function(function.name(), [*symbols, pieces], function.call(given))

@@ -20,7 +20,7 @@ import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.integrate.step.classes import IN_FLIGHT, contact_classes
-from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.explicit import written_flow
 from hertzwerk.runtime.integrate.step.implicit import linearised, solves
 from hertzwerk.runtime.integrate.step.linear import solver_of_calls
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
@@ -191,7 +191,11 @@ def _implicit(integrator: Integrator, contacts: Contacts, columns: Columns) -> A
     The states at its stages are found by simplified Newton iterations, changes there by elimination.
     """
     at, table, model = _begin(integrator, columns), esdirk54(), integrator.model
-    rates, linear, change = flow(model, contacts).rates, linearised(model, contacts), _changes(model, contacts, columns)
+    rates, linear, change = (
+        written_flow(model, contacts).rates,
+        linearised(model, contacts),
+        _changes(model, contacts, columns),
+    )
     t, y, *given = (at.start[part] for part in PARTS[:4])
     given.append(at.c)
     time, pace = at.within(table.c[0])
@@ -229,7 +233,7 @@ def _stage(model: Model, contacts: Contacts, columns: Columns) -> Any:
     S, M, dc = made.sx_in()[5:]
     both, pace = ca.SX.sym("both", y.numel(), 1 + len(columns)), ca.SX.sym("pace")
     y, S = both[:, 0], both[:, 1:]
-    slopes = ca.horzcat(flow(model, contacts).rates(t, y, mode, m, c), made(t, y, mode, m, c, S, M, dc))
+    slopes = ca.horzcat(written_flow(model, contacts).rates(t, y, mode, m, c), made(t, y, mode, m, c, S, M, dc))
     return ca.Function("slopes", [t, both, mode, m, c, M, dc, pace], [ca.cse(pace * slopes)])
 
 
@@ -246,9 +250,9 @@ def _changes(model: Model, contacts: Contacts, columns: Columns) -> Any:
     dc = ca.SX.sym("dc", len(rows))
     of_constants = ca.SX(ca.Sparsity.triplet(model.nc, count, rows, of), dc)
     of_constants = ca.vertcat(of_constants[: model.nc - fixed, :], ca.SX(fixed, count))
-    rates, by, along = flow(model, contacts).rates(*given), ca.vertcat(y, m, c), ca.vertcat(S, M, of_constants)
+    rates, by, along = written_flow(model, contacts).rates(*given), ca.vertcat(y, m, c), ca.vertcat(S, M, of_constants)
     ways = [ca.jtimes(rates, by, along)]
-    if count > 1 and flow(model, contacts).rates.n_instructions() <= SMALL:
+    if count > 1 and written_flow(model, contacts).rates.n_instructions() <= SMALL:
         ways.append(ca.mtimes(ca.jacobian(rates, by), along))
     found = [ca.Function("changes", [*given, S, M, dc], [ca.cse(ca.densify(way))]) for way in ways]
     return min(found, key=lambda function: function.n_instructions())

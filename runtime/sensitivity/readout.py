@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.explicit import written_flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS
 from hertzwerk.runtime.model.readings import ARGUMENTS as READ_FROM
 from hertzwerk.runtime.model.readings import CONTACTS, Reading, readings_of
@@ -43,7 +43,7 @@ class Expressions:
         self.model = model
         self.t, self.y, self.mode, self.m, self.c, self.p = given
         self.q, self.u, self.z = model.parts(self.y)
-        self.ends = flow(model).at(*given[:-1])
+        self.ends = written_flow(model).at(*given[:-1])
 
     def __getitem__(self, name: str) -> Any:
         model, m = self.model, self.m
@@ -86,7 +86,7 @@ class Expressions:
 
     def _holding(self, which: int) -> Any:
         """Forces that hold the constraints (0), or those of drives and reactions that loads depend on (1)."""
-        holding: Any = flow(self.model).holding
+        holding: Any = written_flow(self.model).holding
         return holding.call([self.t, self.y, self.mode, self.m, self.c])[which]
 
     def _of_pair(self, pair: str, part: str) -> Any:

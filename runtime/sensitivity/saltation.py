@@ -25,7 +25,7 @@ import numpy as np
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.events.slips import at_rest
-from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.explicit import flow, written_flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.integrate.step.set_valued_friction import LANDING, grips_of, groups_of
 from hertzwerk.runtime.model.caller import Rowwise
@@ -317,7 +317,7 @@ def _rates(model: Model) -> Rowwise:
 def _parts(model: Model) -> tuple[list[Any], dict[str, Any]]:
     """Arguments of `watched`, and expressions in them by name."""
     t, y, mode, m, c, _ = given = model.symbols(ARGUMENTS)
-    ends = flow(model).at(t, y, mode, m, c)
+    ends = written_flow(model).at(t, y, mode, m, c)
     q, u, _ = model.parts(y)
     parts = {name: ends[name] for name in GUARDS}
     if model.has_ledger:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.explicit import written_flow
 from hertzwerk.runtime.model.caller import Callers, Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -128,4 +128,4 @@ def rowwise(model: Model, build: Callable[[Model], Any], count: int) -> Rowwise:
 def rates(model: Model) -> Any:
     """Return the function of dy/dt (ny)."""
     given = model.symbols(ARGUMENTS)
-    return ca.Function("rates", given, [flow(model).rates(*given[:-1])])
+    return ca.Function("rates", given, [written_flow(model).rates(*given[:-1])])

@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import accumulate, pairwise
-from typing import Any
+from typing import Any, TypeAlias
 
 import casadi as ca
 
 FEW = 4  # items of a kind from which operations on vectors cost less than each item's own
+
+
+Node: TypeAlias = tuple[int, tuple[int, ...], Any]  # operation, arguments, constant or place of an input
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,16 +33,45 @@ class Kind:
     leaves: list[list[int]]
     one: Any
 
+    def with_results(self, results: list[int]) -> Kind:
+        """Return the kind with some of its results, and the leaves of these alone."""
+        leaves = ca.SX.sym("leaves", self.one.numel_in(0))
+        one = ca.Function("one", [leaves], [self.one(leaves)[results]])
+        used = sorted({places[1] for operation, places, *_ in _instructions(one) if operation == ca.OP_INPUT})
+        own, given = ca.SX.sym("leaves", len(used)), ca.SX.zeros(leaves.numel())
+        given[used] = own
+        return Kind(self.items, [[of[i] for i in used] for of in self.leaves], ca.Function("one", [own], [one(given)]))
+
     def results(self, known: Any) -> list[Any]:
         """Return each result of all items, as vectors (MX), from inputs and shared values."""
-        n = len(self.items)
-        if n < FEW:
+        if len(self.items) < FEW:
             columns = ca.horzcat(*(self.one(known[places]) for places in self.leaves))
             return [columns[i, :].T for i in range(self.one.numel_out(0))]
-        gathered = []
-        for places in zip(*self.leaves, strict=True):
-            same = len(set(places)) == 1
-            gathered.append(known[places[0]] if same else known[list(places)])
+        columns = zip(*self.leaves, strict=True)
+        gathered = [known[of[0]] if len(set(of)) == 1 else known[list(of)] for of in columns]
+        return self._over(gathered, len(self.items))
+
+    def results_at(self, known: Any, slots: Any, places: list[tuple[int, ...]]) -> tuple[list[Any], list[Any]]:
+        """Return each result of the items in `slots` alone, and their entries in columns of places.
+
+        slots    their places among `items` (MX)
+        places    columns with an entry for each item. A slot that no item has, the number of items, has results that mean
+                  nothing, and negative places
+        """
+        n = slots.numel()
+        columns = list(zip(*self.leaves, strict=True))
+        varying = [i for i, of in enumerate(columns) if len(set(of)) > 1]
+        found = _entries([columns[i] for i in varying] + places, slots)
+        leaves = known.get_nz(False, ca.vertcat(ca.MX(0, 1), *found[: len(varying)]))
+        gathered = [known[of[0]] for of in columns]
+        for i, column in zip(varying, ca.vertsplit(leaves, n) if varying else [], strict=True):
+            gathered[i] = column
+        if n > 1:
+            return self._over(gathered, n), found[len(varying) :]
+        return ca.vertsplit(self.one(ca.vertcat(*gathered))), found[len(varying) :]
+
+    def _over(self, gathered: list[Any], n: int) -> list[Any]:
+        """Return each result of n items, as vectors (MX), from columns of their leaves."""
         work: dict[int, Any] = {}
         found: list[Any] = [None] * self.one.numel_out(0)
         for operation, places, target, constant in _instructions(self.one):
@@ -58,16 +89,67 @@ class Kind:
 
 @dataclass(frozen=True, eq=False)
 class Alike:
-    """Items by kind. `shared`: (inputs, one vector) -> values that several items need."""
+    """Items by kind.
 
+    taken    places of each input that are leaves
+    shared   (inputs) -> values that several items need
+    """
+
+    taken: list[list[int]]
     shared: Any
     kinds: list[Kind]
 
-    def known(self, inputs: Any) -> Any:
-        """Return inputs and shared values in one vector, of which kinds take their leaves."""
-        return ca.vertcat(inputs, self.shared(inputs))
+    def known(self, inputs: list[Any]) -> Any:
+        """Return leaves among the inputs, and shared values, in one vector: kinds take theirs from it."""
+        parts = [
+            part if places == [*range(part.numel())] else part[places]
+            for part, places in zip(inputs, self.taken, strict=True)
+            if places
+        ]
+        return ca.vertcat(*parts, self.shared(*inputs))
 
-    def results(self, inputs: Any) -> list[Any]:
+    def with_results(self, results: list[list[int]]) -> Alike:
+        """Return the items with some of their results, by kind.
+
+        Inputs that these do not need may be anything.
+        """
+        some = [kind.with_results(of) for kind, of in zip(self.kinds, results, strict=True)]
+        used = sorted({place for kind in some for leaves in kind.leaves for place in leaves})
+        known = [(part, entry) for part, entries in enumerate(self.taken) for entry in entries]
+        place = {old: new for new, old in enumerate(used)}
+        taken = [
+            [entry for i, (part, entry) in enumerate(known) if part == k and i in place] for k in range(len(self.taken))
+        ]
+        given = self.shared.sx_in()
+        column = self.shared(*given)[[old - len(known) for old in used if old >= len(known)]]
+        kinds = [Kind(kind.items, [[place[i] for i in of] for of in kind.leaves], kind.one) for kind in some]
+        return Alike(taken, ca.Function("shared", given, [column]), kinds)
+
+    def rates(self, results: list[int], moving: int) -> Alike:
+        """Return the items with the rate of one of their results, by kind; nothing may be shared.
+
+        The first `moving` inputs have rates, which are further inputs.
+        """
+        known = [(part, entry) for part, entries in enumerate(self.taken) for entry in entries]
+        rate = {
+            place: len(known) + i for i, place in enumerate(i for i, (part, _) in enumerate(known) if part < moving)
+        }
+        kinds = []
+        for kind, result in zip(self.kinds, results, strict=True):
+            leaves = ca.SX.sym("leaves", kind.one.numel_in(0))
+            moved = [i for i, place in enumerate(kind.leaves[0]) if place in rate]
+            own, along = ca.SX.sym("rates", len(moved)), ca.SX(leaves.numel(), 1)
+            along[moved] = own
+            one = ca.densify(ca.jtimes(kind.one(leaves)[result], leaves, along))
+            both = ca.vertcat(leaves, own)
+            places = [[*of, *(rate[of[i]] for i in moved)] for of in kind.leaves]
+            kinds.append(Kind(kind.items, places, ca.Function("one", [both], [ca.cse(one)])))
+        given = self.shared.sx_in()
+        given += [ca.SX.sym("rate", part.numel()) for part in given[:moving]]
+        shared = ca.Function("shared", given, [ca.SX(0, 1)])
+        return Alike([*self.taken, *self.taken[:moving]], shared, kinds).with_results([[0]] * len(kinds))
+
+    def results(self, inputs: list[Any]) -> list[Any]:
         """Return each result of all items in their order (MX); the items must have equally many."""
         known = self.known(inputs)
         by_kind = [kind.results(known) for kind in self.kinds]
@@ -80,16 +162,15 @@ class Alike:
         return sorted(range(len(items)), key=items.__getitem__)
 
 
-def alike(given: list[Any], items: list[Any]) -> Alike | None:
+def alike(given: list[Any], items: list[Any], *, share: bool = True) -> Alike | None:
     """Find the kinds of items, SX columns of results; None where one calls a function.
 
     Functions that are embedded, such as a search for the nearest point of a curve, are not operations on vectors.
+
+    share    what several items need is computed once, for all of them; else by each item for itself
     """
-    inputs = ca.SX.sym("inputs", sum(part.numel() for part in given))
-    ends = list(accumulate((part.numel() for part in given), initial=0))
-    parts = [inputs[start:end] for start, end in pairwise(ends)]
-    whole = ca.Function("items", [inputs], ca.Function("parts", given, items).call(parts))
-    nodes: list[tuple[int, tuple[int, ...], Any]] = []  # operation, arguments, constant or place of an input
+    whole = ca.Function("items", given, items)
+    nodes: list[Node] = []
     roots: list[list[int]] = [[-1] * item.numel() for item in items]
     work: dict[int, int] = {}
     for operation, places, target, constant in _instructions(whole):
@@ -98,44 +179,61 @@ def alike(given: list[Any], items: list[Any]) -> Alike | None:
         if operation == ca.OP_OUTPUT:
             roots[target[0]][target[1]] = work[places[0]]
             continue
-        leaf = operation in (ca.OP_INPUT, ca.OP_CONST)
-        nodes.append(
-            (
-                operation,
-                () if leaf else tuple(work[i] for i in places),
-                places[1] if operation == ca.OP_INPUT else constant,
-            )
-        )
+        is_leaf = operation in (ca.OP_INPUT, ca.OP_CONST)
+        arguments = () if is_leaf else tuple(work[i] for i in places)
+        nodes.append((operation, arguments, tuple(places) if operation == ca.OP_INPUT else constant))
         work[target] = len(nodes) - 1
-    users = [0] * len(nodes)  # bits: the items that need a node
-    for item, of_item in enumerate(roots):
-        for node in of_item:
-            users[node] |= 1 << item
-    for node in range(len(nodes) - 1, -1, -1):
-        for argument in nodes[node][1]:
-            users[argument] |= users[node]
-    is_shared = [
-        bool(arguments) and user & (user - 1) != 0 for user, (_, arguments, _) in zip(users, nodes, strict=True)
-    ]
+    is_shared = _shared(nodes, roots) if share else [False] * len(nodes)
     shared: dict[int, int] = {}
     found: dict[tuple[Any, ...], tuple[list[int], list[list[int]]]] = {}
     for item, of_item in enumerate(roots):
         form, leaves = _form(nodes, of_item, is_shared)
         numbers, of_items = found.setdefault(form, ([], []))
         numbers.append(item)
-        of_items.append([
-            nodes[leaf][2] if nodes[leaf][0] == ca.OP_INPUT
-            else inputs.numel() + shared.setdefault(leaf, len(shared)) for leaf in leaves
-        ])  # fmt: skip
-    values = [ca.SX(0)] * len(nodes)
-    for i, (operation, arguments, constant) in enumerate(nodes):
+        of_items.append(leaves)
+        for leaf in leaves:
+            if nodes[leaf][0] != ca.OP_INPUT:
+                shared.setdefault(leaf, len(shared))
+    used = {leaf for _, of_items in found.values() for of in of_items for leaf in of}
+    inputs = sorted(used - shared.keys(), key=lambda leaf: nodes[leaf][2])
+    place = {leaf: i for i, leaf in enumerate([*inputs, *shared])}
+    taken = [[nodes[leaf][2][1] for leaf in inputs if nodes[leaf][2][0] == i] for i in range(len(given))]
+    kinds = [
+        Kind(numbers, [[place[leaf] for leaf in of] for of in of_items], _function(form, len(of_items[0])))
+        for form, (numbers, of_items) in found.items()
+    ]
+    return Alike(taken, ca.Function("shared", given, [_values(given, nodes, [*shared])]), kinds)
+
+
+def _values(given: list[Any], nodes: list[Node], wanted: list[int]) -> Any:
+    """Return the values of some nodes (SX)."""
+    values: list[Any] = []
+    for operation, arguments, constant in nodes if wanted else ():
         if operation == ca.OP_INPUT:
-            values[i] = inputs[constant]
+            values.append(given[constant[0]].nz[constant[1]])
         else:
-            values[i] = ca.SX(constant) if not arguments else _apply(ca.SX, operation, [values[j] for j in arguments])
-    column = ca.vertcat(ca.SX(0, 1), *(values[node] for node in shared))
-    kinds = [Kind(numbers, leaves, _function(form, len(leaves[0]))) for form, (numbers, leaves) in found.items()]
-    return Alike(ca.Function("shared", [inputs], [column]), kinds)
+            values.append(
+                ca.SX(constant) if not arguments else _apply(ca.SX, operation, [values[j] for j in arguments])
+            )
+    return ca.vertcat(ca.SX(0, 1), *(values[node] for node in wanted))
+
+
+def _shared(nodes: list[Node], roots: list[list[int]]) -> list[bool]:
+    """Return which operations several items need."""
+    nobody, several = -1, -2
+    user = [nobody] * len(nodes)
+
+    def needs(node: int, item: int) -> None:
+        if user[node] != item:
+            user[node] = item if user[node] == nobody else several
+
+    for item, of_item in enumerate(roots):
+        for node in of_item:
+            needs(node, item)
+    for node in range(len(nodes) - 1, -1, -1):
+        for argument in nodes[node][1] if user[node] != nobody else ():
+            needs(argument, user[node])
+    return [bool(arguments) and of == several for of, (_, arguments, _) in zip(user, nodes, strict=True)]
 
 
 def over_items(function: Any) -> Any:
@@ -148,12 +246,10 @@ def over_items(function: Any) -> Any:
     found = alike(given, [ca.vertcat(*entries) for entries in zip(*columns, strict=True)])
     if found is None:
         return function
-    return ca.Function(function.name(), symbols, found.results(ca.vertcat(*symbols)))
+    return ca.Function(function.name(), symbols, found.results(symbols))
 
 
-def _form(
-    nodes: list[tuple[int, tuple[int, ...], Any]], roots: list[int], is_shared: list[bool]
-) -> tuple[tuple[Any, ...], list[int]]:
+def _form(nodes: list[Node], roots: list[int], is_shared: list[bool]) -> tuple[tuple[Any, ...], list[int]]:
     """Return an item's operations, numbered from its leaves up, and its leaves in the order met."""
     number: dict[int, int] = {}
     lines: list[tuple[Any, ...]] = []
@@ -166,7 +262,7 @@ def _form(
             continue
         operation, arguments, constant = nodes[node]
         if is_shared[node] or operation == ca.OP_INPUT:
-            lines.append(("leaf", len(leaves)))
+            lines.append(("leaf", len(leaves), None if arguments else constant[0]))
             leaves.append(node)
         elif not arguments:
             lines.append(("constant", constant))
@@ -178,6 +274,22 @@ def _form(
         number[node] = len(lines) - 1
         stack.pop()
     return (*lines, ("results", *(number[root] for root in roots))), leaves
+
+
+def _entries(columns: list[tuple[int, ...]], slots: Any) -> list[Any]:
+    """Return the entries of columns of numbers at places (MX); a negative number where there are none.
+
+    Columns that differ by a number are looked up once.
+    """
+    base: dict[tuple[int, ...], int] = {}
+    of = [base.setdefault(tuple(x - column[0] for x in column), len(base)) for column in columns]
+    if not columns:
+        return []
+    count, n = len(base), slots.numel()
+    table = [x for row in zip(*base, strict=True) for x in row] + [-(2**30)] * count
+    rows = ca.MX(ca.DM(table)).get_nz(False, ca.vec(ca.repmat(count * slots.T, count, 1) + ca.DM(range(count))))
+    entries = rows[[count * slot + i for i in of for slot in range(n)]]
+    return ca.vertsplit(entries + ca.DM([column[0] for column in columns for _ in range(n)]), n)
 
 
 def _function(form: tuple[Any, ...], size: int) -> Any:

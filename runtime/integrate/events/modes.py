@@ -158,26 +158,27 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
 
     Overlapping pairs are in contact, or released where their law would pull. Positive latches are kept.
     """
-    t, q, u = model.symbols("t q u")
-    known, controls = ca.SX.sym("latches", len(model.latches)), vectors.controls.symbol("controls")
+    n, kind = len(model.latches), vectors.kind
+    t, q, u = model.symbols("t q u", kind)
+    known, controls = kind.sym("latches", n), vectors.controls.symbol("controls", kind)
     run = vectors.controls.split(controls)
-    y = ca.vertcat(q, u, ca.SX.zeros(model.nz))
+    y = ca.vertcat(q, u, ca.DM.zeros(model.nz))
     if model.ne:
         y = jump(model)(t, y, run["c"], 0)
-    mode, floored = ca.SX.zeros(model.k), ca.SX(0)
-    m = ca.vertcat(ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
+    mode, floored = ca.DM.zeros(model.k), ca.DM(0)
+    m = ca.vertcat(ca.DM.ones(model.nm - model.ns), ca.DM.zeros(model.ns))
     end = right.at(t, y, mode, m, run["c"])
     gap, rate = end["gap"], end["gap_rate"]
     tol, *tolerance = tolerances(model, run, {**end, "t": t, "y": y})
     if model.k:
         touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
         m, floored = latch(model, run, m, touching, rate)
-        for i in range(len(model.latches)):
-            m[i] = ca.if_else(known[i] > 0, known[i], m[i])
+        latches, others = ca.vertsplit(m, [0, n, model.nm])
+        m = ca.vertcat(ca.if_else(known > 0, known, latches), others)
         end = right.at(t, y, touching, m, run["c"])
         spent = pulls(model, end["force"]) * (gap < -tol)
         mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
-    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns)]
+    asking = [t, y, mode, m, run["c"], ca.DM.ones(model.ns)]
     asking += _slip_tolerances(model, run, m, {**end, "t": t}, tolerance)
     touched = ca.Function("touched", [t, q, u, known, controls], [*asking, floored])
     given = touched.mx_in()
@@ -189,9 +190,9 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (t, controls, mode, m, y, unsettled, floored) -> initial state under given modes."""
-    t, controls = ca.SX.sym("t"), vectors.controls.symbol("controls")
-    unsettled, floored = ca.SX.sym("unsettled"), ca.SX.sym("floored")
-    mode, m, y = (ca.SX.sym(name, vectors.state.sizes[name]) for name in ("mode", "m", "y"))
+    t, unsettled, floored = (vectors.kind.sym(name) for name in ("t", "unsettled", "floored"))
+    controls = vectors.controls.symbol("controls", vectors.kind)
+    mode, m, y = (vectors.kind.sym(name, vectors.state.sizes[name]) for name in ("mode", "m", "y"))
     run = vectors.controls.split(controls)
     end = right.at(t, y, mode, m, run["c"])
     in_range = end.pop("in_range")
@@ -203,7 +204,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
     h_onset = ONSET_STEP * run["tolerance"] ** ONSET_POWER * run["scales"][0] / run["scales"][1]
     ahead = time_to_event(run, end, t) if model.ne else h
     start = {
-        **dict.fromkeys(vectors.state.sizes, ca.SX(0)),
+        **dict.fromkeys(vectors.state.sizes, ca.DM(0)),
         **end,
         "t": t,
         "y": y,
@@ -215,11 +216,11 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
         "h_onset": h_onset,
         "class": ca.if_else(status == RUNNING, class_of(model, mode), IDLE),
         "status": status,
-        "accepted": ca.SX(1),
+        "accepted": ca.DM(1),
         "fresh_contact": in_contact,
-        "pieces": run["c"][model.nc - model.npieces :] if model.inputs else ca.SX(0, 1),  # of one constant 1 x 0
-        "stop": run["t_end"] if model.inputs else ca.SX(0, 1),
-        "evaluations": ca.SX(3 if model.k else 1),
+        "pieces": run["c"][model.nc - model.npieces :] if model.inputs else ca.DM(0, 1),  # of one constant 1 x 0
+        "stop": run["t_end"] if model.inputs else ca.DM(0, 1),
+        "evaluations": ca.DM(3 if model.k else 1),
         "floored": floored,
         "unsettled": unsettled,
     }

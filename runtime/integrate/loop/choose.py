@@ -108,7 +108,7 @@ def suspicion(
     rate by more than the state itself does.
     """
     nq, n = model.nq, model.nq + model.nu
-    depends = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))
+    depends = ca.DM.ones(flow(model, contacts).dependence)
     reacting, fading = depends[nq:n, :], any(depends[i, i].nnz() for i in range(nq))  # states of effects
     if not (reacting.nnz() or fading):  # a free flight: both rates are zero, and stages need no position
         return {"pressure": ca.fmax(old["pressure"] - 1, 0)}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from typing import TYPE_CHECKING, Any
@@ -13,13 +13,7 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_c
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
 from hertzwerk.runtime.integrate.step.fed_friction import booked, certificate, solved
 from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS, EVENT_PARTS, GRIP_PARTS, PAIR_PARTS, layouts
-from hertzwerk.runtime.integrate.step.many_contacts import (
-    contact_sum,
-    energies_of_bodies,
-    force_rates,
-    of_pairs,
-    stored_energies,
-)
+from hertzwerk.runtime.integrate.step.many_contacts import contact_forces, energies_of_bodies, of_pairs, stored_energies
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, grips, may_slip
 from hertzwerk.runtime.integrate.step.set_valued_friction import forces as friction_forces
@@ -32,6 +26,7 @@ if TYPE_CHECKING:
 
 ARGUMENTS = "t y mode m c"
 """Arguments of the functions of a step: time, state, and the pairs' modes, latches and constants."""
+ENDS = "dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, *ENERGY_PARTS, "ahead"
 HELD = "multipliers", "reactions"
 SETTLED = 1e-9  # largest relative residual of a solved reaction
 MEAN_OF = 8  # most entries an error is averaged over: many bodies without error must not hide the two that collide
@@ -50,6 +45,9 @@ class Flow:
     holding: constraint forces of the loops (nl) [N or N m]; forces of drives, and reactions that loads read
     settling: margins of uniqueness of these reactions, and of set-valued friction that they press, and residuals of their solution;
             None without such loads
+    depends: sparsity of dy/dt by y where that of `rates` does not tell it
+    quadratures: last entries of y that nothing depends on
+    touching, of_touching: (mode) -> pairs in contact, of many; rates and ends of these, of one argument more
     """
 
     rates: Any
@@ -58,6 +56,22 @@ class Flow:
     settling: Any | None = None
     closing: Closing | None = None
     quaternions: tuple[int, ...] = ()
+    depends: Any = None
+    quadratures: int = 0
+    touching: Any | None = None
+    of_touching: tuple[Any, Any] | None = None
+
+    @property
+    def dependence(self) -> Any:
+        """Sparsity of dy/dt by y."""
+        return self.rates.jac_sparsity(0, 1) if self.depends is None else self.depends
+
+    def under(self, mode: Any) -> tuple[Any, Any]:
+        """Return rates and ends for many calls under the same modes, whose contacts are found once."""
+        if self.touching is None or self.of_touching is None:
+            return self.rates, self.ends
+        rates, ends, touching = *self.of_touching, self.touching(mode)
+        return lambda *given: rates(*given, touching), lambda *given: ends(*given, touching)
 
     def closed(self, t: Any, y: Any, run: Mapping[str, Any]) -> tuple[Any, Any]:
         """Return the state with closed loops and unit quaternions, and whether the loops are closed."""
@@ -77,57 +91,85 @@ class Flow:
 
     def at(self, t: Any, y: Any, mode: Any, m: Any, c: Any) -> dict[str, Any]:
         """Return the results of `ends` by name."""
-        return dict(zip(self.ends.name_out(), self.ends.call([t, y, mode, m, c]), strict=True))
+        return dict(zip(ENDS, self.ends(t, y, mode, m, c), strict=True))
 
 
 def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
     """Return the right-hand side of a model with the forces of these contacts."""
     if calls_parts(model) and contacts in (BY_MODE, ()):
         return _flow_of_calls(model, contacts)
-    return _flow(model, contacts if model.k else ())  # without pairs all classes are one
+    return written_flow(model, contacts)
 
 
 def calls_parts(model: Model) -> bool:
     """Return whether the right-hand side calls its parts, contacts as vectors: pays off for many."""
-    return layouts(model).kind is ca.MX and not (model.nl or model.ne or model.loads) and contact_sum(model) is not None
+    return (
+        layouts(model).kind is ca.MX and not (model.nl or model.ne or model.loads) and contact_forces(model) is not None
+    )
 
 
 @per_model
 def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
-    t, y, mode, m, c = given = model.symbols(ARGUMENTS, ca.MX)
+    """Build the right-hand side from functions that it calls, of contacts by the pairs that touch."""
+    t, y, mode, _, c = given = model.symbols(ARGUMENTS, ca.MX)
     q, u, _ = model.parts(y)
-    at = t, q, u, c
-    f, dz = model.function("applied")(*at), ca.DM.zeros(model.nz)
-    forces, rate, in_range = ca.DM.zeros(model.k), ca.DM.zeros(model.k), ca.DM.ones(model.nr)
-    if contacts is BY_MODE:
-        pushed, dz, forces, in_range = contact_sum(model)(*given)
-        f = f + pushed
-    a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
-    if model.has_ledger:
-        dz = dz + model.function("ledger")(t, q, u, reactions, c)
-    dy = ca.vertcat(model.function("coordinate_rates")(*at), a, dz)
+    at, none = (t, q, u, c), ca.DM(0, 1)
+    forces = contact_forces(model) if contacts is BY_MODE else None
+    touching = ca.MX.sym("touching", forces.touching.numel_out(0) if forces is not None else 0)
+    asked = [*given, touching]
+
+    def motion(pushed: Any, dz: Any) -> tuple[Any, Any, Any]:
+        f = model.function("applied")(*at) + pushed
+        a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
+        if model.has_ledger:
+            dz = dz + model.function("ledger")(t, q, u, reactions, c)
+        return ca.vertcat(model.function("coordinate_rates")(*at), a, dz), a, reactions
+
+    dy, a, reactions = motion(ca.DM(0), ca.DM.zeros(model.nz))
+    normal = rate = stored = ca.DM.zeros(model.k)
+    in_range, quadratures, depends = ca.DM.ones(model.nr), model.nz, ca.DM(model.nu + model.nz, y.numel())
     gap, gap_rate = of_pairs(model, "gaps")(*at)
-    if contacts is BY_MODE:  # at zero penetration the derivative of a root is not a number
-        rate = ca.if_else(gap < 0, force_rates(model)(t, y, dy, mode, m, c), 0)
-    energies: list[Any] = [ca.DM(0, 1)] * 2
+    rates = dy
+    if forces is not None:
+        now = touching[0], *asked
+        rates, *_ = motion(*forces.pushes(*now))
+        pushed, dz, normal, in_range = forces.contacts(*now)
+        dy, a, reactions = motion(pushed, dz)
+        # at zero penetration the derivative of a root is not a number
+        rate = ca.if_else(gap < 0, forces.rates(*now, dy), 0)
+        if model.has_ledger:
+            stored = ca.if_else(mode == CONTACT, stored_energies(model)(*at), 0)
+        quadratures, depends = (0 if forces.reads_memory else model.nz), forces.depends
+    energies: list[Any] = [none] * 2
     if model.has_ledger:
         kinetic, potential = energies_of_bodies(model)(*at)
-        stored = ca.if_else(mode == CONTACT, stored_energies(model)(*at), 0) if contacts is BY_MODE else ca.DM(0)
         energies = [kinetic, potential + ca.sum1(stored)]
-    none = ca.DM(0, 1)
-
-    def function(name: str, results: list[Any], outputs: list[str]) -> Any:
-        return ca.Function(name, given, [ca.densify(ca.MX(x)) for x in results], ARGUMENTS.split(), outputs)
-
-    pair_parts = [gap, gap_rate, of_pairs(model, "gap_accelerations")(t, q, u, a, c), forces, rate, in_range]
+    nf = depends.size1() - model.nz
+    by_y = motion(*ca.vertsplit(ca.mtimes(depends, y), [0, nf, nf + model.nz]))[0]
+    pair_parts = [gap, gap_rate, of_pairs(model, "gap_accelerations")(t, q, u, a, c), normal, rate, in_range]
     ends = [dy, *pair_parts, *[none] * (len(GRIP_PARTS) + len(EVENT_PARTS)), *energies, none]
-    end_names = ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, *ENERGY_PARTS, "ahead"]
+
+    def function(name: str, results: list[Any], outputs: Sequence[str], given: list[Any] = given) -> Any:
+        names = [*ARGUMENTS.split(), "touching"][: len(given)]
+        return ca.Function(name, given, [ca.densify(ca.MX(x)) for x in results], names, [*outputs])
+
+    of_touching = function("rates_of_touching", [rates], ["dy"], asked), function("ends_of_touching", ends, ENDS, asked)
+    found = forces.touching(mode) if forces is not None else ca.DM(0, 1)
     return Flow(
-        quaternions=model.quaternions,
-        rates=function("rates", [dy], ["dy"]),
-        ends=function("ends", ends, end_names),
+        rates=function("rates", [of_touching[0](*given, found)], ["dy"]),
+        ends=function("ends", of_touching[1](*given, found), ENDS),
         holding=function("holding", [none, reactions], list(HELD)),
+        depends=ca.Function("depends", [y, t, c], [by_y]).jac_sparsity(0, 0),
+        quaternions=model.quaternions,
+        quadratures=quadratures,
+        touching=forces and forces.touching,
+        of_touching=of_touching,
     )
+
+
+def written_flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
+    """Return the right-hand side with every pair written out (SX), for derivatives."""
+    return _flow(model, contacts if model.k else ())  # without pairs all classes are one
 
 
 @per_model
@@ -201,7 +243,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
                 ]
             ),
             names,
-            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, *ENERGY_PARTS, "ahead"],
+            [*ENDS],
         ),
         holding=ca.Function("holding", arguments, [*(multipliers or [ca.SX(0, 1)]), reactions], names, list(HELD)),
         settling=ca.Function("settling", arguments, [margins, residuals], names, ["margins", "residuals"])
@@ -234,14 +276,17 @@ def explicit_step(
     `choose.suspicion`).
     """
     given = (start["mode"], start["m"], run["c"])
+    rates, ends = right.under(start["mode"])
     t, y = start["t"], start["y"]
-    slopes = [start["dy"]]
+    n = y.numel() - right.quadratures
+    slopes, moving, kept = [start["dy"]], [start["dy"][:n]], y[n:]
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
-        stage = _combined(y, h, row, slopes)
-        slopes.append(right.rates(t + node * h, stage, *given))
+        stage = ca.vertcat(_combined(y[:n], h, row, moving), kept)
+        slopes.append(rates(t + node * h, stage, *given))
+        moving.append(slopes[-1][:n])
     t1 = t + h
     y1, is_closed = right.closed(t1, _combined(y, h, table.b, slopes), run)
-    end = right.at(t1, y1, *given)
+    end = dict(zip(ENDS, ends(t1, y1, *given), strict=True))
     weights = 1 / (run["tolerance"] * run["scale"] + 4 * EPS * ca.fabs(y1))
     if seen is not None:
         seen |= {"stage": stage, "slope": slopes[-1], "weights": weights}
@@ -259,27 +304,30 @@ def short_step(
     Return the parts of a trial without its error: delta is too short for one that counts.
     """
     given = (start["mode"], start["m"], run["c"])
+    rates, ends = right.under(start["mode"])
     t, y, k1 = end["t"], end["y"], end["dy"]
-    k2 = right.rates(t + delta / 2, y + delta / 2 * k1, *given)
-    k3 = right.rates(t + delta / 2, y + delta / 2 * k2, *given)
-    k4 = right.rates(t + delta, y + delta * k3, *given)
+    k2 = rates(t + delta / 2, y + delta / 2 * k1, *given)
+    k3 = rates(t + delta / 2, y + delta / 2 * k2, *given)
+    k4 = rates(t + delta, y + delta * k3, *given)
     y1, _ = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), run)
-    return {"t": t + delta, "y": y1, **right.at(t + delta, y1, *given)}
+    return {"t": t + delta, "y": y1, **dict(zip(ENDS, ends(t + delta, y1, *given), strict=True))}
 
 
 def unit_quaternions(y: Any, first: tuple[int, ...]) -> Any:
-    """Normalise the quaternions (four entries from each row in `first`) of an SX column.
+    """Normalise the quaternions (four entries from each row in `first`) of a column.
 
     Done once per step: the derived rotation matrices need the norm 1, and a step's departure from it is of the order
     of its error.
     """
     if not first:
         return y
-    parts = ca.vertsplit(y)
-    for i in first:
-        four = ca.vertcat(*parts[i : i + 4])
-        parts[i : i + 4] = ca.vertsplit(four / ca.sqrt(ca.sumsqr(four)))
-    return ca.vertcat(*parts)
+    y = type(y)(y)
+    rows = [[i + k for i in first] for k in range(4)]
+    a, b, c, d = (y[of] for of in rows)
+    norm = ca.sqrt(a * a + b * b + c * c + d * d)
+    for of, part in zip(rows, (a, b, c, d), strict=True):
+        y[of] = part / norm
+    return y
 
 
 def _combined(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:

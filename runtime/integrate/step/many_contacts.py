@@ -1,18 +1,27 @@
-"""Gaps and contact forces of many pairs, by operations on vectors over those that are alike."""
+"""Gaps and contact forces of many pairs, by operations on vectors over those that are alike.
+
+Forces are evaluated of the pairs in contact: their numbers are inputs, as many as a rung of a ladder has, and each pair's
+leaves are looked up by them. Where more of a kind touch than its highest rung has, all of it is evaluated.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.alike.kinds import alike, over_items
-from hertzwerk.runtime.integrate.step.classes import masked
+from hertzwerk.runtime.integrate.alike.kinds import Alike, alike, over_items
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
+
+LADDER = (1, 4, 16, 64, 256, 1024)  # pairs of a kind that are evaluated, where no more are in contact
+SPARSE = 8  # times a rung: pairs of a kind from which it is one
+BLOCK = 16  # entries added up by one product with a triangle
 
 
 @per_model
@@ -25,8 +34,7 @@ def of_pairs(model: Model, name: str) -> Any:
 def stored_energies(model: Model) -> Any:
     """Return the function (t, q, u, c) -> elastic energies (k) [J] of the pairs (MX)."""
     given = model.symbols("t q u c")
-    _, _, stored = model.function("energy")(*given)
-    return over_items(ca.Function("stored", given, [stored]))
+    return over_items(ca.Function("stored", given, [model.function("energy")(*given)[2]]))
 
 
 @per_model
@@ -36,55 +44,168 @@ def energies_of_bodies(model: Model) -> Any:
     return ca.Function("energies", given, model.function("energy").call(given)[:2])
 
 
-@per_model
-def contact_sum(model: Model) -> Any:
-    """Build the function (t, y, mode, m, c) -> contact forces (MX).
+@dataclass(frozen=True, eq=False)
+class ContactForces:
+    """Functions (MX) of the contacts of many pairs.
 
-    Results: generalised force and dz of all contacts; normal force and in_range (k). Without contact the force of a
-    pair is 0 and in_range is 1. None where pairs are not alike.
+    touching   (mode) -> rung of the ladder, which is the first argument of the others, and the pairs in contact by kind
+    pushes     (rung, t, y, mode, m, c, touching) -> generalised force and dz of all contacts
+    contacts   the same, and of each pair (k) normal force and in_range; without contact 0 and 1
+    rates      (rung, t, y, mode, m, c, touching, dy) -> rates (k) of the normal forces along dy/dt, 0 without contact
+    depends    pattern of generalised force and dz by y
+    reads_memory    whether they depend on z
     """
-    t, y, mode, m, c = given = model.symbols("t y mode m c")
+
+    touching: Any
+    pushes: Any
+    contacts: Any
+    depends: Any
+    reads_memory: bool
+    rates: Any
+
+
+@per_model
+def contact_forces(model: Model) -> ContactForces | None:
+    """Build the functions of the contacts of many pairs; None where pairs are not alike."""
+    t, y, m, c = given = model.symbols("t y m c")
     q, u, z = model.parts(y)
     nf = model.function("applied").numel_out(0)
     items: list[Any] = []
-    rows: list[list[int]] = []
-    for j, pair in enumerate(model.pairs):
-        active = mode[j] == CONTACT
+    rows: list[tuple[int, ...]] = []
+    for pair in model.pairs:
         f, dz, normal, _, valid, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
         f, dz = ca.sparsify(f), ca.sparsify(dz)
-        rows.append([*f.sparsity().row(), *(nf + row for row in dz.sparsity().row())])
-        entries = ca.vertcat(ca.SX(0, 1), *f.nonzeros(), *dz.nonzeros(), normal)
-        items.append(ca.vertcat(masked(active, entries), masked(active, valid, 1)))
-    found = alike(given, items)
-    if found is None:
-        return None
-    symbols = model.symbols("t y mode m c", ca.MX)
-    known = found.known(ca.vertcat(*symbols))
-    columns: list[Any] = [ca.MX(0, 1)]
-    places: list[int] = []
-    normals, valids = [], []
-    for kind in found.kinds:
-        *moved, normal, valid = kind.results(known)
-        columns += moved
-        places += [rows[item][i] for i in range(len(moved)) for item in kind.items]
-        normals.append(normal)
-        valids.append(valid)
-    summing = ca.DM.triplet(places, range(len(places)), ca.DM.ones(len(places)), nf + model.nz, len(places))
-    total = ca.densify(ca.mtimes(summing, ca.vertcat(*columns)))
-    order = found.order
-    results = [total[:nf], total[nf:], ca.vertcat(*normals)[order], ca.vertcat(*valids)[order]]
-    return ca.Function("contact_sum", symbols, results)
+        rows.append((*f.sparsity().row(), *(nf + row for row in dz.sparsity().row())))
+        items.append(ca.vertcat(ca.SX(0, 1), *f.nonzeros(), *dz.nonzeros(), normal, valid))
+    found = alike(given, items, share=False)
+    return None if found is None else _Evaluation(model, found, rows).functions()
 
 
-@per_model
-def force_rates(model: Model) -> Any:
-    """Build the function (t, y, dy, mode, m, c) -> rates (k) of the normal forces along dy/dt (MX).
+class _Evaluation:
+    """Contacts of a model by kind.
 
-    0 without contact.
+    rows: of each pair, the places of its forces among generalised force and dz
     """
-    t, y, dy, mode, m, c = given = model.symbols("t y y mode m c")
-    q, u, z = model.parts(y)
-    normals = [model.function(f"contact_{pair}")(t, q, u, z, m, c)[2] for pair in model.pairs]
-    active = ca.vertcat(*(masked(mode[j] == CONTACT, normal) for j, normal in enumerate(normals)))
-    rates = ca.cse(ca.densify(ca.jtimes(active, ca.vertcat(t, y), ca.vertcat(1, dy))))
-    return over_items(ca.Function("force_rates", given, [rates]))
+
+    def __init__(self, model: Model, found: Alike, rows: list[tuple[int, ...]]) -> None:
+        self._model, self._found, self._rows = model, found, rows
+        self._nf = model.function("applied").numel_out(0)
+        sizes = [len(kind.items) for kind in found.kinds]
+        self._ladder = [rung for rung in LADDER if SPARSE * rung <= max(sizes)]
+        self._most = [max((rung for rung in self._ladder if SPARSE * rung <= size), default=0) for size in sizes]
+
+    def functions(self) -> ContactForces:
+        """Build all functions."""
+        t, y, mode, m, c = self._model.symbols("t y mode m c", ca.MX)
+        touching, dy = ca.MX.sym("touching", 1 + sum(self._most)), ca.MX.sym("dy", y.numel())
+        given, forces = [t, y, mode, m, c, touching], [len(self._rows[kind.items[0]]) for kind in self._found.kinds]
+        pushes = self._found.with_results([[*range(n)] for n in forces])
+        rates = self._found.rates(forces, 2)
+        at, moving = [t, y, m, c], [t, y, m, c, ca.MX(1), dy]
+        return ContactForces(
+            touching=ca.Function("touching", [mode], [self._touching(mode)]),
+            pushes=self._by_rung("pushes", given, pushes, at, []),
+            contacts=self._by_rung("contacts", given, self._found, at, [0, 1]),
+            rates=self._by_rung("force_rates", [*given, dy], rates, moving, [0]),
+            depends=self._depends(pushes),
+            reads_memory=any(place >= self._model.nq + self._model.nu for place in pushes.taken[1]),
+        )
+
+    def _depends(self, pushes: Alike) -> Any:
+        """Return the pattern (DM) of generalised force and dz by y."""
+        known = [(part, entry) for part, entries in enumerate(pushes.taken) for entry in entries]
+        at: list[int] = []
+        by: list[int] = []
+        for kind in pushes.kinds:
+            pattern = list(zip(*kind.one.jac_sparsity(0, 0).get_triplet(), strict=True))
+            for item, leaves in zip(kind.items, kind.leaves, strict=True):
+                for row, column in pattern:
+                    part, entry = known[leaves[column]]
+                    if part == 1:
+                        at.append(self._rows[item][row])
+                        by.append(entry)
+        return ca.DM(ca.Sparsity.triplet(self._nf + self._model.nz, pushes.shared.numel_in(1), at, by), 1)
+
+    def _touching(self, mode: Any) -> Any:
+        """Return the rung, and of each kind the places of as many touching pairs as its highest rung has."""
+        kinds = [(kind, most) for kind, most in zip(self._found.kinds, self._most, strict=True) if most]
+        if not kinds:
+            return ca.MX(0)
+        sizes, slots = [len(kind.items) for kind, _ in kinds], [most for _, most in kinds]
+        ends, first = [*accumulate(sizes, initial=0)], [*accumulate(slots, initial=0)]
+        of = [i for i, size in enumerate(sizes) for _ in range(size)]
+        active = mode[[item for kind, _ in kinds for item in kind.items]] == CONTACT
+        rank = ca.vertcat(0, running_sum(active))
+        before = rank[ends]
+        counts, place = before[1:] - before[:-1], rank[1:] - before[of]
+        fits = active * (place <= ca.DM([slots[i] for i in of]))
+        place = ca.if_else(fits, place + ca.DM([first[i] for i in of]), 0) - 1
+        none = ca.DM([size for size, most in zip(sizes, slots, strict=True) for _ in range(most)])
+        own = ca.DM([i - size for size in sizes for i in range(size)])
+        rung: Any = 0
+        for most in self._ladder:
+            rung = rung + ca.mmax(counts[[i for i, size in enumerate(slots) if size >= most]] > most)
+        return ca.vertcat(rung, added(ca.MX(none), place, own))
+
+    def _by_rung(self, name: str, given: list[Any], found: Alike, inputs: list[Any], otherwise: list[float]) -> Any:
+        """Build the function (rung, given) -> sums of forces, if `found` has any, and values of each pair."""
+        *some, every = (
+            ca.Function(f"{name}_{rung or 'all'}", given, self._case(found, given, inputs, otherwise, rung))
+            for rung in (*self._ladder, None)
+        )
+        return ca.Function.conditional(name, some or [every], every)
+
+    def _case(
+        self, found: Alike, given: list[Any], inputs: list[Any], otherwise: list[float], rung: int | None
+    ) -> list[Any]:
+        """Return the results of as many pairs of each kind as a rung has, of all if its highest has fewer."""
+        _, _, mode, _, _, touching, *_ = given
+        known = found.known(inputs)
+        start, k = 1, self._model.k
+        at: list[Any] = [ca.MX(0, 1)]
+        pushes: list[Any] = [ca.MX(0, 1)]
+        of_pairs = [ca.MX(ca.DM([value] * k)) for value in otherwise]
+        for kind, most in zip(found.kinds, self._most, strict=True):
+            forces = kind.one.numel_out(0) - len(otherwise)
+            places = [*zip(*(self._rows[item][:forces] for item in kind.items), strict=True), tuple(kind.items)]
+            if rung is not None and rung <= most:
+                columns, (*rows, items) = kind.results_at(known, touching[start : start + rung], places)
+            else:
+                active = mode[kind.items] == CONTACT
+                idle = [*[0.0] * forces, *otherwise]
+                columns = [ca.if_else(active, x, value) for x, value in zip(kind.results(known), idle, strict=True)]
+                *rows, items = [list(of) for of in places]
+            start += most
+            at += [row if isinstance(row, ca.MX) else ca.MX(ca.DM(row)) for row in rows]
+            pushes += columns[:forces]
+            of_pairs = [
+                added(column, items, values - value)
+                for column, values, value in zip(of_pairs, columns[forces:], otherwise, strict=True)
+            ]
+        if len(pushes) == 1:
+            return of_pairs
+        total = added(ca.MX(self._nf + self._model.nz, 1), ca.vertcat(*at), ca.vertcat(*pushes))
+        return [total[: self._nf], total[self._nf :], *of_pairs]
+
+
+def added(vector: Any, places: Any, values: Any) -> Any:
+    """Return a vector (MX) to which values were added at places, one after another.
+
+    Places that it does not have are passed over.
+    """
+    x = ca.MX.sym("x", vector.numel())
+    taken = x[places] if isinstance(places, list) else x.get_nz(False, places)
+    return ca.jtimes(ca.vertcat(x, taken), x, ca.vertcat(vector, values), True)
+
+
+def running_sum(x: Any) -> Any:
+    """Return the sums of a vector (MX) up to each of its entries."""
+    n = x.numel()
+    if n <= BLOCK:
+        return ca.mtimes(ca.DM(ca.Sparsity.lower(n), 1), x)
+    blocks = -(-n // BLOCK)
+    padded = ca.vertcat(x, ca.DM.zeros(blocks * BLOCK - n))
+    within = ca.mtimes(ca.DM(ca.Sparsity.lower(BLOCK), 1), ca.reshape(padded, BLOCK, blocks))
+    totals = within[-1, :].T
+    before = running_sum(totals) - totals
+    return ca.vec(within + ca.repmat(before.T, BLOCK, 1))[:n]

@@ -13,8 +13,9 @@ from hertzwerk.runtime.integrate.loop.chunk import chunk
 from hertzwerk.runtime.integrate.loop.compiled import c_text
 from hertzwerk.runtime.integrate.step import stepper
 from hertzwerk.runtime.integrate.step.classes import BY_MODE
-from hertzwerk.runtime.integrate.step.explicit import _flow, calls_parts, flow
-from hertzwerk.runtime.integrate.step.many_contacts import of_pairs
+from hertzwerk.runtime.integrate.step.explicit import calls_parts, flow, written_flow
+from hertzwerk.runtime.integrate.step.layout import CONTACT
+from hertzwerk.runtime.integrate.step.many_contacts import LADDER, SPARSE, contact_forces, of_pairs, running_sum
 from hertzwerk.runtime.integrate.step.rounding import STATE, bounds, gap_rounding
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.model import Model
@@ -63,7 +64,7 @@ def test_right_hand_side_is_that_of_pairs_written_out(contacts):
     """Sums of forces are rounded in another order; forces, gaps and their rates have every bit."""
     model = balls(6)
     assert calls_parts(model)
-    called, written = flow(model, contacts), _flow(model, contacts)
+    called, written = flow(model, contacts), written_flow(model, contacts)
     touched = 0
     for seed in range(10):
         arguments = given(model, "t y mode m c", seed)
@@ -78,6 +79,59 @@ def test_right_hand_side_is_that_of_pairs_written_out(contacts):
             assert found[part] == pytest.approx(expected[part], rel=1e-10, abs=1e-7)
         touched += np.count_nonzero(found["force"])
     assert touched > 30 if contacts is BY_MODE else touched == 0
+
+
+def touching(model, number, seed):
+    """Arguments of contact forces with a number of pairs in contact."""
+    t, y, mode, m, c = given(model, "t y mode m c", seed)
+    mode[:] = np.where(mode == CONTACT, 0, mode)
+    mode[np.random.default_rng(seed).choice(model.k, number, replace=False)] = CONTACT
+    return t, y, mode, m, c, np.array(contact_forces(model).touching(mode)).ravel()
+
+
+@pytest.mark.parametrize("number", [0, 1, 2, 4, 5, 45])
+def test_pairs_in_contact_alone_have_every_bit_of_all(number):
+    """On every rung that has as many places; the least of them is chosen."""
+    model = balls(9)
+    forces, rungs = (
+        contact_forces(model),
+        [rung for rung in LADDER if SPARSE * rung <= 36],
+    )  # balls on balls; 9 on the floor
+    for seed in range(3):
+        arguments = touching(model, number, seed)
+        dy = 10 * np.random.default_rng(seed).standard_normal(arguments[1].size)
+        counts = np.count_nonzero(arguments[2][:36] == CONTACT), np.count_nonzero(arguments[2][36:] == CONTACT)
+        fits = [counts[0] <= rung and (counts[1] <= rung or SPARSE * rung > 9) for rung in rungs]
+        assert arguments[-1][0] == fits.index(True) if any(fits) else len(rungs)
+        for function, given in (
+            (forces.contacts, arguments),
+            (forces.pushes, arguments),
+            (forces.rates, (*arguments, dy)),
+        ):
+            every = arrays(function, [len(rungs), *given])
+            for rung in np.flatnonzero(fits):
+                assert all(np.array_equal(a, b) for a, b in zip(arrays(function, [rung, *given]), every, strict=True))
+        assert number // 10 <= np.count_nonzero(every[0]) <= number  # of some the surfaces are apart
+
+
+def test_a_rung_with_too_few_places_leaves_contacts_out():
+    model = balls(9)
+    arguments = touching(model, 20, 0)
+    some, every = (arrays(contact_forces(model).contacts, [rung, *arguments]) for rung in (0, 2))
+    assert np.count_nonzero(some[2]) < np.count_nonzero(every[2])
+
+
+def test_sums_up_to_each_entry():
+    x = ca.MX.sym("x", 300)
+    ones = np.random.default_rng(0).integers(0, 2, 300)
+    assert np.array_equal(arrays(ca.Function("sums", [x], [running_sum(x)]), [ones])[0], np.cumsum(ones))
+
+
+@pytest.mark.parametrize("contacts", [(), BY_MODE], ids=["flight", "contact"])
+def test_what_rates_depend_on_is_found_from_kinds(contacts):
+    found, written = (made(balls(6), contacts).dependence for made in (flow, written_flow))
+    assert found == written
+    assert flow(balls(6), contacts).quadratures == balls(6).nz
 
 
 def test_operations_grow_with_kinds_not_with_pairs():
@@ -105,7 +159,7 @@ def kinds(*expressions):
     found = alike([x], made)
     values = np.random.default_rng(1).uniform(1, 2, 12)
     symbol = ca.MX.sym("x", 12)
-    results = ca.Function("found", [symbol], found.results(symbol))
+    results = ca.Function("found", [symbol], found.results([symbol]))
     expected = np.array(ca.Function("expected", [x], [ca.vertcat(*made)])(values)).ravel()
     assert np.array_equal(np.array(results(values)).ravel(), expected)
     return sorted(kind.items for kind in found.kinds)
