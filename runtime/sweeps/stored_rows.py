@@ -67,7 +67,7 @@ class StoredRows(Sequence[Row]):
 
     def __iter__(self) -> Iterator[Row]:
         """Yield the rows; raises DamagedError at the first that is not as it was written."""
-        return self._after(-1)
+        return (_row_of(number, self._design, row) for number, row in self.entries())
 
     def __getitem__(self, i: Any) -> Any:
         if isinstance(i, slice):
@@ -76,14 +76,15 @@ class StoredRows(Sequence[Row]):
             raise IndexError(i)
         return next(islice(self, i % self._count, None))
 
-    def _after(self, number: int) -> Iterator[Row]:
-        joined = "SELECT points.*, rows.* FROM points CROSS JOIN rows ON rows.key = points.key WHERE number > ? AND rows.rowid <= ? ORDER BY number"
+    def entries(self) -> Iterator[tuple[int, Entry]]:
+        """Yield the numbers of rows and their entries; raises DamagedError as above."""
+        joined = "SELECT points.*, rows.* FROM points CROSS JOIN rows ON rows.key = points.key WHERE rows.rowid <= ? ORDER BY number"
         with _reading(self._file) as rows:
-            for entry in rows.execute(joined, (number, self._last)) if rows is not None else ():
+            for entry in rows.execute(joined, (self._last,)) if rows is not None else ():
                 point, row = entry[:POINT], entry[POINT:]
                 if not (is_whole(point, self._plan) and is_whole(row)):
                     raise DamagedError(f"{self._file} is damaged, or was changed while it was read; load it anew")
-                yield _row_of(point[1], self._design, row)
+                yield point[1], row
 
 
 @contextmanager
@@ -246,7 +247,7 @@ def held(rows: StoredRows) -> Sequence[Row]:
     """Return rows that were checked, in memory where they are few; raises DamagedError."""
     if len(rows) <= HELD:
         return tuple(rows)
-    for _ in rows:
+    for _ in rows.entries():
         pass
     return rows
 
@@ -294,7 +295,10 @@ def _row_of(number: int, design: Design, entry: Entry) -> Row:
 
 def arrays_of(sizes: str, data: bytes) -> dict[str, Packed]:
     """Return the arrays of a row by name."""
-    arrays, begin = {}, 0
+    arrays: dict[str, Packed] = {}
+    begin = 0
+    if sizes == "{}":
+        return arrays
     for name, (shape, size) in json.loads(sizes).items():
         arrays[name] = Packed(tuple(shape), data[begin : begin + size])
         begin += size

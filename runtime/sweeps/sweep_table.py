@@ -6,9 +6,10 @@ import csv
 import io
 import math
 from array import array
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
+from operator import itemgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -157,23 +158,27 @@ class Sweep:
     def __getitem__(self, name: str) -> np.ndarray:
         return self.read(name)[name]
 
-    def read(self, *names: str) -> dict[str, np.ndarray]:
-        """Return columns by name, in one pass over the rows: texts where any row has one, else float64, in SI."""
-        for name in (names := tuple(dict.fromkeys(names))):
+    def read(self, *names: str, **others: Callable[[Row], float | str]) -> dict[str, np.ndarray]:
+        """Return columns by name in one pass over the rows: texts where any row has one, else float64, in SI.
+
+        others    what else there is to read of each row, by name
+        """
+        for name in names:
             if name not in self.columns:
                 raise KeyError(f"no column {name!r}; there are {', '.join(self.names)}")
-        numbers = {name: array("d") for name in names}
+        of: dict[str, Callable[[Row], float | str]] = {**{name: itemgetter(name) for name in names}, **others}
+        numbers = {name: array("d") for name in of}
         texts: dict[str, list[float | str]] = {name: [] for name in TEXTS if name in names}
         for row in self.rows:
-            for name in names:
-                entry = row[name]
+            for name, get in of.items():
+                entry = get(row)
                 if name in texts:
                     texts[name].append(entry)
                 elif isinstance(entry, str):  # of an input whose rows choose by label
                     texts[name] = [*numbers[name], entry]
                 else:
                     numbers[name].append(entry)
-        return {name: np.array(texts.get(name, numbers[name])) for name in names}
+        return {name: np.array(texts.get(name, numbers[name])) for name in of}
 
     @cached_property
     def summary(self) -> Summary:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import matplotlib as mpl
@@ -14,11 +15,26 @@ from matplotlib.ticker import MaxNLocator
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, empty_panel, legend
 from hertzwerk.runtime.pictures.plot_style import BLUE, CYCLE, GREY, STYLE, VERMILLION, plain
-from hertzwerk.runtime.pictures.sweeps.swept import Array, SweptTable, Varied, labelled, shown_in, varied
+from hertzwerk.runtime.pictures.sweeps.swept import (
+    CELLS,
+    DOTS,
+    PLACES,
+    Array,
+    SweptTable,
+    Varied,
+    coarse,
+    coarse_edges,
+    extremes,
+    given_number,
+    labelled,
+    shown_in,
+    some,
+    varied,
+)
 from hertzwerk.runtime.pictures.title import title_height, write_title
 from hertzwerk.runtime.solution.outcome import REACHED_END
 
-SECTION, HALF_WIDTH = "section", ".half_width"
+SECTION, HALF_WIDTH, FAILED = "section", ".half_width", "failed"
 NO_OUTPUT = ("outcome", "message", "warnings", "wall_s")
 WIDE, HIGH = 5.6, 3.4  # inches of a panel
 DIAGRAM = (9.6, 3.6)  # inches of a panel of a bifurcation diagram
@@ -46,10 +62,24 @@ def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
         )
     wanted = list(names) or there
     with mpl.rc_context(STYLE):
-        axes = [varied(table, name) for name in table.varied]
+        beside = [each for name in wanted[:MOST_PANELS] for each in (name, name + HALF_WIDTH)]
+        outputs = [name for name in beside if name in table.columns and not diagram]
+        given = {name: given_number(name) for name in table.given_units if name in table.varied}
+        plain_ones = [name for name in table.varied if name not in given]
+        columns = table.read(*outputs, *plain_ones, **given, **{FAILED: lambda row: row.outcome not in REACHED_END})
+        axes = [varied(table, name, columns[name]) for name in table.varied]
         axes = [axis for axis in axes if len(axis.distinct) > 1] or axes[:1]
         draw = _diagram if diagram else _lines if _along_one(table, axes) else _maps
-        return draw(table, axes, wanted[:MOST_PANELS], len(wanted))
+        return draw(Drawn(table, columns, columns[FAILED] == 1), axes, wanted[:MOST_PANELS], len(wanted))
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """Table that is drawn, its columns as they were read, and which rows failed (rows,)."""
+
+    table: SweptTable
+    columns: Mapping[str, np.ndarray]
+    failed: Any
 
 
 def _outputs(table: SweptTable) -> list[str]:
@@ -57,7 +87,9 @@ def _outputs(table: SweptTable) -> list[str]:
     return [
         name
         for name in table.columns
-        if name not in (*NO_OUTPUT, *table.varied) and not name.endswith(HALF_WIDTH) and np.isfinite(table[name]).any()
+        if name not in (*NO_OUTPUT, *table.varied)
+        and not name.endswith(HALF_WIDTH)
+        and table.summary.spreads[name].count
     ]
 
 
@@ -71,11 +103,11 @@ def _curves(axes: Sequence[Varied]) -> int:
 
 
 def _page(
-    table: SweptTable, size: tuple[float, float], count: int, shape: tuple[int, int], told: str
+    drawn: Drawn, size: tuple[float, float], count: int, shape: tuple[int, int], told: str
 ) -> tuple[Figure, list[Axes]]:
     """Return a figure with its title and panels."""
     rows, columns = shape
-    below = _below(table, told)
+    table, below = drawn.table, _below(drawn, told)
     width = size[0] * columns
     head = title_height(width, table.scene, below)
     page = Figure(figsize=(width, size[1] * rows + head), layout="constrained")
@@ -85,27 +117,25 @@ def _page(
     return page, [page.add_subplot(rows, columns, i + 1) for i in range(count)]
 
 
-def _below(table: SweptTable, told: str) -> str:
+def _below(drawn: Drawn, told: str) -> str:
     """Return what is said below the title: what is the same for all rows, and how many of them failed."""
+    table = drawn.table
     fixed = {name: value for name, value in table.rows[0].given.items() if name not in table.varied}
     values = [
         f"{name} = {value[0]:.6g} {value[1]}".removesuffix(" 1")
         for name, value in fixed.items()
         if isinstance(value, tuple)
     ]
-    failed = int(_failed(table).sum())
-    ends = f"{failed} of {len(table.rows)} rows failed: marked by x" if failed else ""
+    failed = int(drawn.failed.sum())
+    ends = f"{failed:,} of {len(drawn.failed):,} rows failed: marked by x" if failed else ""
     return "; ".join(filter(None, (told, ", ".join(values), ends)))
-
-
-def _failed(table: SweptTable) -> Any:
-    return np.array([row.outcome not in REACHED_END for row in table.rows])
 
 
 def _mark_failures(axis: Axes, positions: Array) -> None:
     """Mark along the lower edge of a panel where rows failed."""
     if not len(positions):
         return
+    positions = positions[some(positions, PLACES)]
     axis.plot(
         positions, np.full(len(positions), 0.015), "x", transform=axis.get_xaxis_transform(), color=VERMILLION,
         markersize=4.5, clip_on=False, zorder=3,
@@ -149,23 +179,29 @@ def _shape(count: int) -> tuple[int, int]:
 # -- one parameter -----------------------------------------------------------------------------------------------------
 
 
-def _lines(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
+def _lines(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
     x, *others = axes
-    page, panels = _page(table, (WIDE, HIGH), len(names), _shape(len(names)), _listed(names, count))
-    good = ~_failed(table)
+    table, columns, good = drawn.table, drawn.columns, ~drawn.failed
+    groups = list(_groups(others, len(good)))
+    told = [_listed(names, count)]
+    if any(mask.sum() > 2 * PLACES for _, mask in groups):
+        told.append(f"{len(good):,} rows, of which the least and the largest at {PLACES:,} places are drawn")
+    page, panels = _page(drawn, (WIDE, HIGH), len(names), _shape(len(names)), "; ".join(filter(None, told)))
     for panel, name in zip(panels, names, strict=True):
-        scale = shown_in(table.columns[name], table[name])
-        for (label, mask), colour in zip(_groups(others, len(good)), _colours(others), strict=True):
+        scale = shown_in(table.columns[name], columns[name])
+        for (label, mask), colour in zip(groups, _colours(others), strict=True):
             order = np.flatnonzero(mask)[np.argsort(x.values[mask], kind="stable")]
-            values = np.where(good, scale(table[name]), np.nan)[order]
+            values = np.where(good, scale(columns[name]), np.nan)[order]
+            places = extremes(values, PLACES)
+            order, values = order[places], values[places]
             marker = "o" if len(order) <= FEW_POINTS else ""
             panel.plot(x.values[order], values, color=colour, marker=marker, markersize=3.2, label=plain(label) or None)
             if name + HALF_WIDTH in table.columns:
-                half = scale(table[name + HALF_WIDTH])[order]
+                half = scale(columns[name + HALF_WIDTH])[order]
                 panel.fill_between(x.values[order], values - half, values + half, color=colour, alpha=0.18, linewidth=0)
         _mark_failures(panel, x.values[~good])
         _labelled(panel, name, scale.unit)
-        if np.array_equal(values := table[name][good], np.round(values)):
+        if np.array_equal(values := columns[name][good], np.round(values)):
             panel.yaxis.set_major_locator(MaxNLocator(integer=True))
         _scaled(panel, x)
         if others:
@@ -191,9 +227,13 @@ def _groups(others: Sequence[Varied], size: int) -> Iterator[tuple[str, Any]]:
         yield label, np.all(table == combination, axis=1)
 
 
+def _combinations(others: Sequence[Varied]) -> int:
+    return len(np.unique(np.column_stack([axis.values for axis in others]), axis=0)) if others else 1
+
+
 def _colours(others: Sequence[Varied]) -> list[Any]:
     """Return a colour for every combination of the other parameters."""
-    count = len(np.unique(np.column_stack([axis.values for axis in others]), axis=0)) if others else 1
+    count = _combinations(others)
     if count <= len(CYCLE):
         return list(CYCLE[:count])
     return [mpl.colormaps["viridis"](i / count) for i in range(count)]
@@ -202,28 +242,40 @@ def _colours(others: Sequence[Varied]) -> list[Any]:
 # -- two parameters ----------------------------------------------------------------------------------------------------
 
 
-def _maps(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
+def _maps(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
     x, y, *others = axes
+    table, good = drawn.table, ~drawn.failed
     gridded = bool(table.axes) and not others
     told = [_listed(names, count)]
     told += [f"{', '.join(axis.name for axis in others)} varied too, from dot to dot"] if others else []
-    page, panels = _page(table, (WIDE, HIGH + 0.4), len(names), _shape(len(names)), "; ".join(filter(None, told)))
-    good = ~_failed(table)
+    told += [_of_many(x, y, len(good), gridded=gridded)]
+    page, panels = _page(drawn, (WIDE, HIGH + 0.4), len(names), _shape(len(names)), "; ".join(filter(None, told)))
     for panel, name in zip(panels, names, strict=True):
-        scale = shown_in(table.columns[name], table[name])
-        values = np.where(good, scale(table[name]), np.nan)
+        scale = shown_in(table.columns[name], drawn.columns[name])
+        values = np.where(good, scale(drawn.columns[name]), np.nan)
         if not np.isfinite(values).any():
             empty_panel(panel, f"{name}: no row has one")
             continue
         if gridded:
-            drawn: Any = panel.pcolormesh(
-                *_edges(x), *_edges(y), _placed(x, y, values), cmap="viridis", rasterized=True
-            )
+            edges = [coarse_edges(_edges(axis), CELLS) for axis in (x, y)]
+            cells = coarse(_placed(x, y, values), CELLS)
+            dots: Any = panel.pcolormesh(*edges, cells, cmap="viridis", rasterized=True)
             panel.grid(visible=False)
+            failed = _failed_cells(x, y, drawn.failed, cells)
         else:
-            drawn = panel.scatter(x.values, y.values, c=values, cmap="viridis", s=16)
-        panel.plot(x.values[~good], y.values[~good], "x", color=VERMILLION, markersize=5)
-        bar = page.colorbar(drawn, ax=panel, pad=0.02)
+            places = some(values, DOTS)
+            dots = panel.scatter(
+                x.values[places],
+                y.values[places],
+                c=values[places],
+                cmap="viridis",
+                s=16,
+                rasterized=len(places) > FEW_DOTS,
+            )
+            failed = x.values[~good], y.values[~good]
+        marked = some(failed[0], PLACES)
+        panel.plot(failed[0][marked], failed[1][marked], "x", color=VERMILLION, markersize=5)
+        bar = page.colorbar(dots, ax=panel, pad=0.02)
         bar.set_label(_label(name, scale.unit))
         bar.outline.set_visible(False)
         panel.set(title=plain(name), xlabel=plain(x.label), ylabel=plain(y.label))
@@ -236,12 +288,31 @@ def _maps(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count
     return page
 
 
-def _edges(axis: Varied) -> tuple[Array]:
+def _of_many(x: Varied, y: Varied, count: int, *, gridded: bool) -> str:
+    """Return what is said of a map that does not show all rows."""
+    if not gridded:
+        return f"{DOTS:,} of {count:,} rows are drawn, the least and the largest among them" if count > DOTS else ""
+    sides = [len(coarse_edges(_edges(axis), CELLS)) - 1 for axis in (x, y)]
+    if sides == [len(axis.distinct) for axis in (x, y)]:
+        return ""
+    return f"{count:,} rows in {sides[0]} x {sides[1]} cells, each with the value farthest from the median"
+
+
+def _failed_cells(x: Varied, y: Varied, failed: Any, cells: Array) -> tuple[Array, Array]:
+    """Return the places of failed rows in whose cell of a map no row has a value."""
+    rows = np.flatnonzero(failed)
+    across, down = (np.searchsorted(axis.distinct, axis.values[rows]) for axis in (x, y))
+    steps = [-(-len(axis.distinct) // CELLS) for axis in (x, y)]
+    empty = rows[np.isnan(cells[down // steps[1], across // steps[0]])]
+    return x.values[empty], y.values[empty]
+
+
+def _edges(axis: Varied) -> Array:
     """Return the edges of cells around the values of an axis, half way between them."""
     values = np.log(axis.distinct) if axis.log else axis.distinct
     middle = (values[1:] + values[:-1]) / 2
     edges = np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
-    return (np.exp(edges) if axis.log else edges,)
+    return np.exp(edges) if axis.log else edges
 
 
 def _placed(x: Varied, y: Varied, values: Array) -> Array:
@@ -254,25 +325,28 @@ def _placed(x: Varied, y: Varied, values: Array) -> Array:
 # -- section -----------------------------------------------------------------------------------------------------------
 
 
-def _diagram(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
-    """Draw every point of the section over the parameter with the most values."""
+def _diagram(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
+    """Draw the points of the section over the parameter with the most values."""
+    table = drawn.table
     x = max(axes, key=lambda axis: len(axis.distinct))
     others = [axis for axis in axes if axis is not x]
-    arrays, section = table.arrays[SECTION], table.arrays_of(SECTION)
-    told = "; ".join(filter(None, (table.place, _listed(names, count))))
-    page, panels = _page(table, DIAGRAM, len(names), (len(names), 1), told)
-    failed = _failed(table)
+    arrays, section, step = table.arrays[SECTION], _section(table, names), -(-len(table.rows) // PLACES)
+    many = f"every {step}th of {len(table.rows):,} rows is drawn, and the extremes" if step > 1 else ""
+    told = "; ".join(filter(None, (table.place, _listed(names, count), many)))
+    page, panels = _page(drawn, DIAGRAM, len(names), (len(names), 1), told)
+    failed = drawn.failed
     for panel, name in zip(panels, names, strict=True):
-        points, folded = _within_a_turn(section[name], arrays[name])
+        of_row = np.array([i for i, _ in section[name]], dtype=int)
+        points, folded = _within_a_turn([each for _, each in section[name]], arrays[name])
         dots = sum(map(len, points))
         scale = shown_in(arrays[name], np.concatenate(points)) if dots else shown_in(arrays[name], np.zeros(1))
-        groups = list(_groups(others, len(table.rows)))
-        shown = groups if len(groups) <= MOST_CURVES else [(_span(others), np.full(len(table.rows), True))]
+        few = _combinations(others) <= MOST_CURVES
+        shown = list(_groups(others, len(failed))) if few else [(_span(others), np.full(len(failed), True))]
         size = np.clip(ALL_DOTS / np.sqrt(max(dots, 1)), SMALLEST, LARGEST)
         for (label, mask), colour in zip(shown, _colours(others) if len(shown) > 1 else [BLUE], strict=True):
-            rows = np.flatnonzero(mask & np.isfinite(x.values))
-            at = np.concatenate([np.zeros(0), *(np.full(len(points[i]), x.values[i]) for i in rows)])
-            values = np.concatenate([np.zeros(0), *(scale(points[i]) for i in rows)])
+            places = np.flatnonzero((mask & np.isfinite(x.values))[of_row])
+            at = np.concatenate([np.zeros(0), *(np.full(len(points[k]), x.values[of_row[k]]) for k in places)])
+            values = np.concatenate([np.zeros(0), *(scale(points[k]) for k in places)])
             panel.plot(
                 at, values, linestyle="none", marker="o", markersize=size, color=colour,
                 markeredgewidth=0, rasterized=dots > FEW_DOTS,
@@ -287,6 +361,28 @@ def _diagram(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], co
             panel.set_title(plain(name), pad=LEGEND_ROOM)
             legend(panel)
     return page
+
+
+def _section(table: SweptTable, names: Sequence[str]) -> dict[str, list[tuple[int, Array]]]:
+    """Return rows with points of theirs: all, or where rows are many those of every nth row, and extremes.
+
+    The extremes are the least and the largest point of the rows between.
+    """
+    step = -(-len(table.rows) // PLACES)
+    found: dict[str, list[tuple[int, Array]]] = {name: [] for name in names}
+    ends: dict[str, dict[int, tuple[int, Array]]] = {name: {} for name in names}  # by sign
+    for i, points in enumerate(table.arrays_of(SECTION)):
+        for name in names:
+            values = points[name]
+            if i % step == 0:
+                found[name] += [*ends[name].values(), (i, values)]
+                ends[name].clear()
+                continue
+            for sign in (-1, 1) if len(values) else ():
+                end = values[[(sign * values).argmax()]]
+                if sign not in ends[name] or sign * end[0] > sign * ends[name][sign][1][0]:
+                    ends[name][sign] = i, end
+    return {name: [*found[name], *ends[name].values()] for name in names}
 
 
 def _within_a_turn(points: list[Array], unit: str) -> tuple[list[Array], bool]:

@@ -52,13 +52,17 @@ class Design:
     fixed: Mapping[str, Value] = field(default_factory=dict)
 
     def __len__(self) -> int:
+        return self._count
+
+    @cached_property
+    def _count(self) -> int:
         if self.sample is not None:
             return self.sample
         counts = [len(axis) for axis in self._listed.values()]
         return min(counts, default=0) if self.zip else math.prod(counts)
 
     def __getitem__(self, i: int) -> dict[str, Value]:
-        if not 0 <= i < len(self):
+        if not 0 <= i < self._count:
             raise IndexError(i)
         if self.sample is not None:
             parts = self._parts[i].tolist()

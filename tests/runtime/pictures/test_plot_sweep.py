@@ -1,12 +1,14 @@
 """Pictures of sweeps show the numbers of the table, in units that fit, and mark what failed."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.pictures.sweeps import plot_sweep
 from hertzwerk.runtime.pictures.sweeps.plot_sweep import figure
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.points.design import Design
@@ -100,8 +102,6 @@ def test_two_parameters_are_a_map_with_every_value_at_its_place(broken):
 
 
 def test_a_map_whose_axes_were_exchanged_would_show(monkeypatch):
-    from hertzwerk.runtime.pictures.sweeps import plot_sweep
-
     placed = plot_sweep._placed
     monkeypatch.setattr(plot_sweep, "_placed", lambda x, y, values: placed(x, y, values[::-1]))
     with pytest.raises(AssertionError):
@@ -155,3 +155,51 @@ def test_what_cannot_be_drawn_is_said():
         figure(one(), ["pin.forse"])
     with pytest.raises(InputError, match="none with numbers"):
         figure(made([], {"speed": "rad/s"}))
+
+
+# -- more rows than a person can see -------------------------------------------------------------------------------------
+
+
+def test_of_many_rows_a_curve_shows_the_extremes_and_says_how_many(monkeypatch):
+    """One spike and one dip among 300 rows, drawn at 20 places; every 15th row, the seeded fault, has neither."""
+    monkeypatch.setattr(plot_sweep, "PLACES", 20)
+    speeds = np.linspace(1000, 5000, 300)
+    rows = [row(i, speed, outcome="failed" if i == 77 else "finished") for i, speed in enumerate(speeds)]
+    rows[131], rows[202] = (replace(rows[i], outputs={**rows[i].outputs, "pin.force": x}) for i, x in ((131, 9e4), (202, -9e4)))  # fmt: skip
+    page = figure(made(rows, {"speed": "rad/s"}), ["pin.force"])
+    x, y = curve(page.axes[0])
+    assert len(x) <= 40
+    assert (x[y.argmax()], y.max()) == (speeds[131], 90)
+    assert (x[y.argmin()], y.min()) == (speeds[202], -90)
+    assert np.abs(y[::15]).max() < 90
+    said = " ".join(text.get_text() for text in page.texts)
+    assert "300 rows, of which the least and the largest at 20 places are drawn" in " ".join(said.split())
+    assert "1 of 300 rows failed" in " ".join(said.split())
+    assert curve(page.axes[0], 1)[0].tolist() == [speeds[77]]
+
+
+def test_of_many_rows_a_map_shows_in_each_cell_the_farthest_from_the_median(monkeypatch):
+    monkeypatch.setattr(plot_sweep, "CELLS", 4)
+    page = figure(two(7), ["pin.force"])
+    (mesh,) = page.axes[0].collections
+    assert mesh.get_array().shape == (3, 3)  # nine speeds in cells of three, and three heights
+    good = [force(s, h) / 1e3 for i, s in enumerate(SPEEDS) for j, h in enumerate(HEIGHTS) if 3 * i + j != 7]
+    middle = np.median(good)
+    for i in range(3):
+        for j, height in enumerate(HEIGHTS):
+            inside = [force(s, height) / 1e3 for k, s in enumerate(SPEEDS) if k // 3 == i and 3 * k + j != 7]
+            assert mesh.get_array()[j, i] == pytest.approx(max(inside, key=lambda value: abs(value - middle)))
+    assert mesh.get_array().max() == pytest.approx(max(good))
+    assert mesh.get_array().min() == pytest.approx(min(good))
+    assert not len(page.axes[0].lines[0].get_xydata())  # other rows of the cell have values
+    assert "27 rows in 3 x 3 cells" in " ".join(text.get_text() for text in page.texts)
+
+
+def test_of_many_rows_a_section_shows_some_and_the_extremes_of_all(monkeypatch):
+    monkeypatch.setattr(plot_sweep, "PLACES", 3)
+    x, y = curve(figure(section()).axes[0])
+    every = np.array([[s, value * s * 1e-3] for s in SPEEDS for value in (1, 3)])
+    shown = {*zip(x.tolist(), np.round(y, 9).tolist(), strict=True)}
+    assert shown <= {*zip(every[:, 0].tolist(), np.round(every[:, 1], 9).tolist(), strict=True)}
+    assert len(shown) == 2 * 3 + 2 * 3  # of three rows all, of the six others the extremes of each pair
+    assert (y.min(), y.max()) == pytest.approx((1, 15))
