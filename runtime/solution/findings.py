@@ -16,6 +16,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
+from hertzwerk.runtime.integrate.loop.turning import PASSING
 from hertzwerk.runtime.solution.history import part_of_step
 from hertzwerk.runtime.solution.impacts import crest
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
@@ -96,6 +97,8 @@ class Choices:
                 reason = "a singular position is near, where the Jacobian does not predict the motion beyond"
             elif method[i] == EXPLICIT:
                 reason = f"step x fastest rate fell to {stiffness[i]:.2g}: implicit steps save less than they cost"
+            elif pressure[i] == PASSING:
+                reason = "a direction of sliding turns faster than explicit steps can follow"
             elif stiffness[i] > STIFF:
                 reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
             elif stiffness[i] == 0:

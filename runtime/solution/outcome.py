@@ -18,6 +18,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
 )
+from hertzwerk.runtime.integrate.tableaux.methods import IMPLICIT
 from hertzwerk.runtime.solution.remedies import of_accuracy, of_steps
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ _OUTCOMES = {
     STALLED: (
         "stalled",
         "the run at tolerance {tolerance:.2g} hardly gets ahead at t = {t:.9g} s, after {steps:,} accepted and {rejected:,} rejected steps",
-        'take method="esdirk" or "rodas", or another tolerance; give a relay that chatters a hysteresis; with a max_steps of your own it goes on',
+        "take another tolerance; give a relay that chatters a hysteresis; with a max_steps of your own it goes on",
     ),
     EXCEPTION: (
         "exception",
@@ -175,6 +176,8 @@ def outcome(status: int, method: str, history: History, *, error: Exception | No
     """Return the outcome of a status of the engine, after the last of the kept rows."""
     name, message, remedy = _OUTCOMES[status]
     better = of_steps(method, history) if status in STEPS else ""
+    if status == STALLED and not better:
+        better = f"take {' or '.join(other for other in IMPLICIT if other != method)}"
     raised = "" if error is None else _raised(error)
     return Outcome(name, message.format(**facts, error=raised), _first(better, remedy))
 

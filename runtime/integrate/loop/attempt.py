@@ -13,12 +13,14 @@ from hertzwerk.runtime.integrate.events.modes import begin, enter
 from hertzwerk.runtime.integrate.events.settle import reject, settle
 from hertzwerk.runtime.integrate.loop.advance import advance, lean, no_event_of_any_pair
 from hertzwerk.runtime.integrate.loop.choose import Choosing
+from hertzwerk.runtime.integrate.loop.turning import implicit_near_rest, passes_by_implicit_steps
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import REJECTED, RUNNING, Layouts, layouts
 from hertzwerk.runtime.integrate.step.singular import explicit_near
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dopri5
+from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import esdirk54
 from hertzwerk.runtime.integrate.tableaux.methods import Table
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -63,12 +65,13 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     """Build the attempt of a model with a method of one table, or of two to choose from (`choose`).
 
     With two, the attempt steps by the first and watches for stiffness; `with_choice` chooses in every step. For closed
-    loops an implicit table is joined by an explicit one to pass singular positions.
+    loops an implicit table is joined by an explicit one to pass singular positions, and an explicit one by an implicit one where
+    directions of sliding turn too fast for it.
     """
-    alone = len(tables) == 1
-    if alone and (isinstance(tables[0], RungeKutta) or not model.nl):
+    alone, explicit = len(tables) == 1, isinstance(tables[0], RungeKutta)
+    if alone and not (passes_by_implicit_steps(model, tables) if explicit else model.nl):
         return replace(_integrator(model, tables, tables, Choosing.NONE), asked=tables)
-    asked, tables = tables, (*tables, dopri5()) if alone else tables
+    asked, tables = tables, (*tables, esdirk54() if explicit else dopri5()) if alone else tables
     first, later = (Choosing.NONE,) * 2 if alone else (Choosing.ON_SUSPICION, Choosing.EVERY_STEP)
     with_choice = cache(lambda: _integrator(model, tables, tables, later))
     return replace(_integrator(model, tables[:1], tables, first), asked=asked, with_choice=with_choice)
@@ -91,6 +94,8 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     taking = state[vectors.state["class"]] * (state[vectors.state["status"]] >= RUNNING)
     end, verdict = advanced(_case(taking, method, len(classes)), state, controls)
     done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
+    if passes_by_implicit_steps(model, tables):
+        done = implicit_near_rest(model, tables, taken, alone=choosing is Choosing.NONE)(done, controls)
     if model.nl and not all(isinstance(table, RungeKutta) for table in taken):
         done = explicit_near(vectors.state, tables, taken)(done)
     return Integrator(

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.loop.turning import PASSING
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import fraction_to_rest, linearised, sliding
 from hertzwerk.runtime.integrate.step.layout import CALM, SUSPECT, layouts
@@ -76,7 +77,7 @@ def choice(
     against = ca.if_else(turned, REVERSAL, ca.if_else(stiffness > STIFF, 1, -1))
     pressure = ca.fmax(old["pressure"] + ca.if_else(implicit, gain, against), 0)
     stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE)
-    given_up = implicit * (1 - stays)
+    given_up = implicit * (1 - stays) * (old["pressure"] != PASSING)
     wary = ca.if_else(given_up, WARY * (1 + wary) - 1, ca.if_else(pays, ca.fmax((1 + wary) / WARY - 1, 0), wary))
     return {
         "method": ca.if_else(stays, IMPLICIT, EXPLICIT),

@@ -109,6 +109,19 @@ class Grips:
         total = self.touching * (held**2 + needed**2)
         return (held**2 - needed**2) * self.touching / positive(total), ca.sqrt(total / 2)
 
+    def turning(self, W: Any) -> Any:
+        """Return the fastest rate [1/s] at which a direction of sliding relaxes; 0 where none slides.
+
+        W (n, n) [1/kg]: accelerations by forces along the tangents.
+        """
+        fastest = ca.SX(0)
+        for group in self.groups:
+            if len(group) > 1:
+                speed = size_of(_ahead(self.velocity[group], self.slip[group]))
+                rate = self.sliding[group[0]] * ca.trace(W[group, group]) / positive(speed)
+                fastest = ca.fmax(fastest, ca.if_else(speed > 0, rate, 0))
+        return fastest
+
     def pace(self, velocity: Any) -> Any:
         """Return the speeds (n) along their slips of pairs that slide, of velocities (n) or their rates."""
         found = self.slip * velocity

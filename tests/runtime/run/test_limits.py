@@ -25,8 +25,9 @@ from hertzwerk.derive import (
 from hertzwerk.derive.laws import gonthier, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.loop import automatic, compiled
-from hertzwerk.runtime.integrate.loop.chunk import STALL
+from hertzwerk.runtime.integrate.loop.chunk import STALL, STALLED
 from hertzwerk.runtime.model import caller
+from hertzwerk.runtime.solution.outcome import outcome
 
 SLOW = 60.0  # s that the compiler takes
 SOON = 30.0  # s, far above what a run of SHORT takes, far below SLOW
@@ -130,10 +131,25 @@ def test_a_run_that_stands_still_is_stopped_as_a_stall(monkeypatch):
     assert run.outcome.name == "stalled"
     assert STALL <= run.statistics.rejected < 1.1 * STALL
     assert f"{run.statistics.rejected:,} rejected" in run.outcome.message
-    assert "esdirk" in run.outcome.remedy
+    assert run.outcome.remedy.count("esdirk") == run.outcome.remedy.count("rodas") == 1
     counted = simulate(ball, **given, max_steps=2 * STALL)  # a limit of one's own holds in its place
     assert counted.outcome.name == "too_many_steps"
     assert counted.statistics.rejected > 2 * STALL
+
+
+def test_the_remedy_of_a_stall_names_a_method_once_and_not_its_own(monkeypatch):
+    history = simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, compiled=False).history
+    given = {"tolerance": 1e-6, "t": 0.0, "steps": 0, "rejected": 0}
+
+    def remedy(method):
+        return outcome(STALLED, method, history, **given).remedy
+
+    for stiff in ("", "take rodas or esdirk"):
+        monkeypatch.setattr("hertzwerk.runtime.solution.outcome.of_steps", lambda *_, stiff=stiff: stiff)
+        assert remedy("dopri5").count("esdirk") == remedy("dopri5").count("rodas") == 1
+        assert remedy("dopri5").endswith("with a max_steps of your own it goes on")
+    monkeypatch.setattr("hertzwerk.runtime.solution.outcome.of_steps", lambda *_: "")
+    assert remedy("esdirk").startswith("take rodas; else take another tolerance")
 
 
 # ---- where explicit steps fail -----------------------------------------------------------------------------------------
