@@ -19,7 +19,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path[:0] = [str(Path(__file__).parents[1] / part) for part in ("", "runtime")]
 
 from benchmarks.against_peers import exudyn, peers
 from benchmarks.automatic import automatic

@@ -1,8 +1,8 @@
-"""The benchmark of honest estimates, on two cheap scenes with every method."""
+"""The benchmark of honest estimates, on two cheap scenes and a few random mechanisms."""
 
 import numpy as np
 import pytest
-from benchmarks.honesty import METHODS, Case, honesty, measured
+from benchmarks.honesty import METHODS, Case, honesty, random_motions, scene
 
 from hertzwerk.runtime.accuracy import ladder as accuracy
 
@@ -12,8 +12,8 @@ def within(cases):
 
 
 def cases(methods=METHODS):
-    scenes, asked = ("soft_ball", "pendulum"), (1e-3, 1e-5, 1e-7)
-    return [measured(scene, method, a) for scene in scenes for method in methods for a in asked]
+    motions, asked = [scene("soft_ball"), scene("pendulum")], (1e-3, 1e-5, 1e-7)
+    return [motion.measured(method, a) for motion in motions for method in methods for a in asked]
 
 
 @pytest.mark.exhaustive
@@ -26,9 +26,19 @@ def test_every_method_is_honest(monkeypatch):
     assert within(cases(METHODS[:2])) < 0.95
 
 
+@pytest.mark.exhaustive
+def test_requests_of_random_mechanisms_hold_for_the_whole_run():
+    asked = (1e-3, 1e-5, 1e-7, 1e-9)
+    found = [motion.measured(method, a) for motion in random_motions(60) for method in METHODS[:2] for a in asked]
+    judged = [case for case in found if case.what == "finished"]
+    assert len(judged) > 300
+    assert [case for case in judged if case.true > case.asked] == []
+    assert within(found) >= 0.99
+
+
 def test_the_report_tells_what_is_off():
     asked = 1e-6
-    lines = list(honesty(scenes=("pendulum",), methods=("dop853",), accuracies=(1e-4, asked)))
+    lines = list(honesty(scenes=("pendulum",), methods=("dop853",), accuracies=(1e-4, asked), at_random=0))
     assert "2 runs: 100.0% within 10" in lines[0]
     assert lines[-1] == "  2 finished"
     assert Case("a", "b", asked, "finished", 1e-8, 2e-7).ratio == pytest.approx(0.05)

@@ -382,3 +382,27 @@ def test_several_clearances_in_one_mechanism(count):
         turned = 100.0 * curves.t
         closed = 0.05 * np.cos(turned) + np.sqrt(0.12**2 - (0.05 * np.sin(turned)) ** 2)
         assert curves.ideal["guide.travel"] == pytest.approx(closed, rel=1e-10)
+
+
+def test_a_pin_sinks_into_its_bush_by_the_energy_of_its_speed():
+    """m v^2/2 = K d^2.5/2.5, so deep beside the clearance that the event function of a journal is no distance."""
+    mass, speed, stiffness, clearance = 0.3, 2.0, 3.3e10, 1e-4
+    pin = Body("pin", Parameter("mass", "kg", mass))
+    room, bush = Parameter("clearance", "m", clearance), Parameter("bush_radius", "m", 0.01)
+    pace = Parameter("pace", "m/s", speed)
+    scene = Scene(
+        Mechanism(
+            "shot",
+            (Prismatic("across", GROUND, pin, axis=X),),
+            (PinInBush("joint", pin.at(0, 0, 0), GROUND.at(0, 0, 0), Z, bush, room),),
+        ),
+        (Contact("joint", power(Parameter("stiffness", "N/m^1.5", stiffness), 1.5)), EnergyLedger()),
+        Scales(room, pace),
+        Start(speed={"across": pace}),
+    )
+    run = simulate(load(scene), duration="0.3 ms", tolerance=1e-9, compiled=False)
+    depth = (1.25 * mass * speed**2 / stiffness) ** 0.4
+    assert 0.5 < depth / clearance < 1
+    assert run.impacts[0].peak_penetration == pytest.approx(depth, rel=1e-7)
+    assert run.impacts[0].peak_force == pytest.approx(stiffness * depth**1.5, rel=1e-7)
+    assert run["joint.penetration"].max() == pytest.approx(run["across.travel"].max() - clearance, rel=1e-9)

@@ -188,3 +188,16 @@ def test_mean_accelerations_of_the_quadruple_digits(scene):
     exact = np.abs(np.diff(speeds) - np.diff(ideal.velocity(W * ms / 1000, W, R, L))) / WINDOW / DEAD_CENTRE
     assert fluctuation(two_revolutions(scene), ms[:-1] / 1000) == pytest.approx(exact, abs=1e-6)
     assert 0.05 < np.max(exact) < 0.25
+
+
+def test_the_force_of_the_line_contact_is_that_of_its_law():
+    """Liu, Zhang, Yang, pi E* L d/2 sqrt(d/(2 (c + d))), under the damping of Lankarani and Nikravesh, at every step of the first contacts."""
+    run = simulate(load("slider_crank_line"), duration="2 ms", tolerance=1e-8, compiled=False)
+    touching = run["slider_pin.mode"] == 1
+    d, rate = run["slider_pin.penetration"][touching], -run["slider_pin.gap_rate"][touching]
+    modulus, length, room, e = 207e9 / (2 * (1 - 0.3**2)), 0.015, 0.5e-3, 0.9
+    elastic = np.pi / 2 * modulus * length * d * np.sqrt(d / (2 * (room + d)))
+    sinking = rate * room / (room + d)  # the event function of a journal is (c^2 - e^2)/(2 c)
+    damped = 1 + 0.75 * (1 - e**2) * sinking / run["slider_pin.approach_speed"][touching]
+    assert np.count_nonzero(touching) > 50
+    assert run["slider_pin.normal_force"][touching] == pytest.approx(elastic * damped, rel=1e-6, abs=1e-3)
