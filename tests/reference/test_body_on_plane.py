@@ -258,7 +258,7 @@ FAULTS = {
         "if (latch) B->v0 = most(P.v, B->floor);",
         "if (latch) B->v0 = most(P.v, B->floor) * 1.000001L;",
     ),
-    "the centripetal term": ("b[i] += a[i] + turn[i];", "b[i] += a[i];"),
+    "the centripetal term": ("b[i] += a[i] + turn[i];", "b[i] += a[i] + 1.000001L * turn[i];"),
     "the gyroscopic moment": ("moment[i] -= dot(P->A[i], gyro);", "moment[i] += 0 * dot(P->A[i], gyro);"),
 }
 
