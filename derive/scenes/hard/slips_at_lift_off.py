@@ -1,4 +1,4 @@
-"""Hard scenes of balls that stick in an impact and slip again just before they lift off.
+"""Hard scenes of balls that slip in an impact just before they lift off, or until their law pulls.
 
 Derived when run, never committed.
 """
@@ -14,7 +14,7 @@ from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.gravity import Gravity
-from hertzwerk.derive.laws import coulomb, hunt_crossley, power
+from hertzwerk.derive.laws import coulomb, hunt_crossley, kelvin_voigt, power
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
 from hertzwerk.derive.mechanism.joints.free import Free
 from hertzwerk.derive.mechanism.joints.planar import Planar
@@ -78,4 +78,28 @@ def ball_beside_wall() -> Scene:
     )
 
 
-LATE_SLIPS: dict[str, Callable[[], Scene]] = {scene.__name__: scene for scene in (ball_on_diagonal, ball_beside_wall)}
+def ball_that_is_held_back() -> Scene:
+    """A ball without weight in plane motion that slides in an impact whose law pulls at its end."""
+    radius = Parameter("radius", "m", 0.05)
+    ball = Body("ball", mass=Parameter("mass", "kg", 1), inertia=Parameter("inertia", "kg m^2", 1e-3))
+    friction = Parameter("friction_coefficient", "1", 0.2)
+    law = power(Parameter("stiffness", "N/m", 1e6), 1), kelvin_voigt(Parameter("restitution", "1", 0.5))
+    return Scene(
+        Mechanism(
+            "ball_that_is_held_back",
+            (Planar("flight", GROUND, ball, normal=Z),),
+            (SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),),
+        ),
+        effects=(Contact("floor", *law), Friction("rub", "floor", coulomb(friction, friction)), EnergyLedger()),
+        start=Start(
+            position={"flight.y": Parameter("height", "m", 0.0505)},
+            speed={"flight.x": Parameter("slide", "m/s", 3), "flight.y": Parameter("approach", "m/s", -1)},
+        ),
+        scales=Scales(length=radius, speed=_PACE, arm=radius),
+        summary="a ball that slides until the law of its contact pulls",
+    )
+
+
+LATE_SLIPS: dict[str, Callable[[], Scene]] = {
+    scene.__name__: scene for scene in (ball_on_diagonal, ball_beside_wall, ball_that_is_held_back)
+}

@@ -7,12 +7,15 @@ import math
 import numpy as np
 
 from hertzwerk.runtime.hard_cases.case import HardCase, Known, Source, final, impact, largest
+from hertzwerk.runtime.hard_cases.closed import damping_ratio, oscillator
 from hertzwerk.runtime.solution.solution import Solution
 
 MU, G, RATE, BEYOND = 0.5, 9.81, 20.0, 1.05
 CIRCLE = MU * G * math.sqrt(BEYOND**2 - 1) / RATE  # m/s
 HELD = "friction holds all up to mu N, whichever way"
 STICKS = "normal motion alone, by SciPy to 1e-13: rolling needs m g sin(tilt) J/(J + m R^2), friction holds mu N"
+PULLING = "mu times what the force gives until it is zero: Schwager, Poeschel, Granular Matter 9 (2007) 465"
+PRESSED = 0.2 * (1 + oscillator(1e6, 1.0, damping_ratio(0.5), pulls=False)[0])  # m/s
 INERTIA, DRILLING, ROLLING, SPIN, ROLL = 0.4 * 0.02**2, 2e-3, 1e-3, 40.0, 21.0  # per mass
 
 
@@ -112,5 +115,18 @@ CASES = (
         duration=0.55225,
         tolerance=1e-8,
         known=(_slips_at(0.1024180826476, 1e-8), impact(0, "t", 0.0986560487228, 1e-11, "free fall")),
+    ),
+    HardCase(
+        name="slides_until_its_law_pulls",
+        theme="friction",
+        hard="friction ends within a contact, where a damped spring begins to pull: a kink that estimates of error may not see",
+        source=Source("ball_that_is_held_back", hard=True),
+        duration=0.01,
+        tolerance=1e-10,
+        known=(
+            final("flight.x_speed", 3 - PRESSED, 1e-10, PULLING, "m/s"),
+            final("flight.angle_speed", -50 * PRESSED, 5e-9, PULLING, "rad/s"),
+            final("flight.y_speed", 0.5, 1e-9, "restitution of a damped oscillator"),
+        ),
     ),
 )

@@ -22,6 +22,7 @@ from hertzwerk.runtime.integrate.step.set_valued_friction import (
     margin_tolerances,
     margins,
     margins_positive,
+    rubbing,
     touching,
 )
 from hertzwerk.runtime.model.per_model import per_model
@@ -39,6 +40,7 @@ PARTS = 8  # sub-intervals searched
 BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
 # retakes after which a margin counts as rootless: nearly redundant friction forces jump with a step's error
 LOCATED = 16
+AT_START = 1e-8  # of a step, from its start: a kink there is one of its start, where a landing has come as near as rounding lets it
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
 
@@ -122,6 +124,8 @@ def no_event_possible(
     between = _graze_margin(before, after, h)
     soon = b[5] + NEAR * h * after[1]
     clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
+    if any(rubs_till_it_pulls(model)):
+        clear *= 1 - (ca.DM(rubs_till_it_pulls(model)) * (start["force"] * end["force"] < 0))[pairs]
     for coefficient in b[1:5]:
         clear *= coefficient > between
     return clear * (margins_positive(model, mode, start, end) if model.ns else 1)
@@ -136,6 +140,12 @@ def ends_with_force(model: Model) -> Any:
     """Return 1 (k) for pairs whose law ends a contact at zero force, 0 where it ends with the gap."""
     releases = getattr(model.module, "RELEASES", model.k * ("force",))
     return ca.DM([float(rule == "force") for rule in releases])
+
+
+def rubs_till_it_pulls(model: Model) -> list[float]:
+    """Return 1 (k) for pairs whose set-valued friction ends where their law begins to pull."""
+    ends = ends_with_force(model)
+    return [float(j in rubbing(model) and not ends[j]) for j in range(model.k)]
 
 
 @per_model
@@ -214,7 +224,10 @@ def _beside_pairs(
 def _endings(
     model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any
 ) -> list[Any]:
-    """Return, for force and opening speed: falls below zero, values and rates at both ends, tolerance."""
+    """Return, for force and opening speed: falls below zero, values and rates at both ends, tolerance.
+
+    A force that goes on beyond zero, pulling, takes friction with it and brings it back: a kink, located for both signs.
+    """
     kinds = (
         (CONTACT, "force", "force_rate", tol_force, ends_with_force(model)),
         (RELEASED, "gap_rate", "gap_acceleration", tol_rate, 1),
@@ -223,6 +236,12 @@ def _endings(
     for mode, value, rate, small, counts in kinds:
         falls = counts * (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
         found.append((falls, start[value], end[value], start[rate], end[rate], small))
+    if any(rubs_till_it_pulls(model)):
+        goes_on = ca.DM(rubs_till_it_pulls(model)) * (start["mode"] == CONTACT) * (end["gap"] < -tol)
+        for sign in (1, -1):
+            values = [sign * side[part] for part in ("force", "force_rate") for side in (start, end)]
+            falls = goes_on * (values[1] < -tol_force) * (values[0] > -AT_START * values[1])
+            found.append((falls, *values, tol_force))
     return found
 
 

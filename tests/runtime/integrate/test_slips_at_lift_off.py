@@ -240,3 +240,24 @@ def test_what_exceeds_its_bound_by_rounding_lets_go():
         assert np.array(slip).ravel() == pytest.approx([-0.6, 0.8], abs=1e-6)
     held = 0.5 * (1 - 1e-8) * np.array([0.6, -0.8])
     assert not np.any(np.array(settle(W, -W @ held, np.ones(2), bound, np.zeros(2), bound)[0]))
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_friction_ends_where_a_law_begins_to_pull(method):
+    """Friction was cut off within a step: as the steps fell, its impulse was off by up to 3 tolerances, unseen by any estimate.
+
+    N = K d + c d' is zero at d' = -v0 exp(-z (pi - 2 asin z)/sqrt(1 - z^2)), z the damping ratio (Schwager, Poeschel, Granular Matter 9
+    (2007) 465), and pulls from then on, to e v0. Until then the ball slides: its loss of speed is mu times what N has given.
+    """
+    mu, e = 0.2, 0.5
+    z = -math.log(e) / math.hypot(math.pi, math.log(e))
+    pressed = 1 + math.exp(-z / math.sqrt(1 - z**2) * (math.pi - 2 * math.asin(z)))
+    data = {"mass": 1, "inertia": 1e3, "radius": 0.05, "stiffness": 1e6, "n": 1, "damping": (kelvin_voigt, e)}
+    start = {"position": {"y": 0.0505}, "speed": {"x_speed": 3, "y_speed": -1}}
+    model = load(body(**data, **start, friction=(mu, mu), normal=Y, up=Y))
+    for tolerance in (1e-6, 1e-7, 1e-9, 1e-10, 1e-11):
+        run = simulate(
+            model, duration=0.01, method=method, tolerance=tolerance, parameters={"g": "0 m/s^2"}, compiled=False
+        )
+        assert run["flight.y_speed"][-1] == pytest.approx(e, abs=10 * tolerance)
+        assert run["flight.x_speed"][-1] == pytest.approx(3 - mu * pressed, abs=2 * tolerance)
