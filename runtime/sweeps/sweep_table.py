@@ -7,7 +7,7 @@ import io
 import math
 from array import array
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
 from operator import itemgetter
 from pathlib import Path
@@ -46,7 +46,7 @@ COMPLETE = Outcome("finished", "every row is there", "")
 TEXTS = ("outcome", "message", "warnings")
 LOST = "lost"  # outcome of a row whose process died
 SHOWN = 10  # rows in a notebook
-TOGETHER = 1000  # lines of a file
+TOGETHER, PART = 1000, 20_000  # lines of a file, rows of a table, that are made before they are written
 
 
 @dataclass(frozen=True)
@@ -296,7 +296,15 @@ class Sweep:
 
         Sections and histories are in the last two; `section.to_csv` writes them to a file of their own.
         """
-        return write_table(Path(path), self._labelled, self._csv, overwrite=overwrite)
+        return write_table(Path(path), self._labelled, self._csv, self._parts, overwrite=overwrite)
+
+    def _parts(self) -> Iterator[LabelledTable]:
+        rows = iter(self.rows)
+        part = tuple(islice(rows, PART))
+        while part or not len(self):
+            yield replace(self, rows=part)._labelled()
+            if not (part := tuple(islice(rows, PART))):
+                return
 
     def _labelled(self) -> LabelledTable:
         index = Column(np.array([row.index for row in self.rows], dtype=int), "", "place in the design")

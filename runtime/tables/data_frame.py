@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import io
 import json
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
 
 from hertzwerk.runtime.host.extras import required
 from hertzwerk.runtime.tables.labelled_table import EXTRA, LabelledTable
@@ -28,12 +29,47 @@ def data_frame(table: LabelledTable) -> DataFrame:
     return frame
 
 
-def parquet(table: LabelledTable) -> bytes:
-    """Return a Parquet file: every field has its unit and meaning as metadata; nan is null.
+def parquet(parts: Iterable[LabelledTable]) -> Iterator[bytes]:
+    """Yield the Parquet file of a table as its parts are made.
 
-    Points of the rows are columns of lists.
+    Every field has its unit and meaning as metadata; nan is null. Points of the rows are columns of lists.
     """
-    arrow, writer = required("pyarrow", EXTRA), required("pyarrow.parquet", EXTRA)
+    writer, file = None, _Parts()
+    for part in parts:
+        table = _arrow(part)
+        if writer is None:
+            writer = required("pyarrow.parquet", EXTRA).ParquetWriter(file, table.schema)
+        writer.write_table(table.cast(writer.schema))
+        yield file.taken()
+    if writer is not None:
+        writer.close()
+    yield file.taken()
+
+
+class _Parts(io.RawIOBase):
+    """File whose content is taken as it is written."""
+
+    def __init__(self) -> None:
+        self._content, self._begin = io.BytesIO(), 0
+
+    def writable(self) -> bool:
+        return True
+
+    def tell(self) -> int:
+        return self._begin + self._content.tell()
+
+    def write(self, content: Any) -> int:
+        return self._content.write(content)
+
+    def taken(self) -> bytes:
+        """Return what was written since the last call."""
+        found = self._content.getvalue()
+        self._content, self._begin = io.BytesIO(), self.tell()
+        return found
+
+
+def _arrow(table: LabelledTable) -> Any:
+    arrow = required("pyarrow", EXTRA)
     frame = data_frame(table)
     plain = arrow.Table.from_pandas(frame, preserve_index=True)
     about = {**plain.schema.metadata, b"PANDAS_ATTRS": json.dumps(frame.attrs).encode()}  # as pandas itself writes them
@@ -44,6 +80,4 @@ def parquet(table: LabelledTable) -> bytes:
             lists = arrow.array([row[:, k].tolist() for row in points.rows], arrow.list_(arrow.float64()))
             field = arrow.field(f"{name}.{each}", lists.type, metadata={"units": unit or "1"})
             written = written.append_column(field, lists)
-    content = io.BytesIO()
-    writer.write_table(written, content)
-    return content.getvalue()
+    return written

@@ -30,10 +30,13 @@ def write_table(
     path: Path,
     table: Callable[[], LabelledTable],
     csv: Callable[[], bytes | Iterable[bytes]],
+    parts: Callable[[], Iterable[LabelledTable]] | None = None,
     *,
     overwrite: bool = False,
 ) -> Path:
     """Write a table by the ending of its file, whole or not at all.
+
+    parts    makes the table some rows at a time, where they are many
 
     Raises InputError with every fault, OSError.
     """
@@ -42,6 +45,12 @@ def write_table(
         raise InputError("table", faults)
     ending = path.suffix.lower()
     content: bytes | Iterable[bytes]
-    content = csv() if ending == CSV else parquet(table()) if ending == ".parquet" else netcdf(table())
+    content = (
+        csv()
+        if ending == CSV
+        else parquet([table()] if parts is None else parts())
+        if ending == ".parquet"
+        else netcdf(table())
+    )
     write_atomically(path, content)
     return path

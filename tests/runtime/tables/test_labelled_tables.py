@@ -12,6 +12,7 @@ import xarray as xr
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, Sweep, load, simulate, simulate_many, sweep
+from hertzwerk.runtime.sweeps import sweep_table
 from hertzwerk.runtime.tables.meanings import meaning_of
 from hertzwerk.runtime.tables.table_file import table_file_faults
 
@@ -249,6 +250,20 @@ def test_objects_of_a_missing_package_are_refused_too(method, pairs, run, monkey
     for table in (pairs, run):
         with pytest.raises(InputError, match=r"pip install 'hertzwerk\[data\]'"):
             getattr(table, method)()
+
+
+def test_a_file_that_is_written_in_parts_is_that_of_the_whole(pairs, grid, tmp_path, monkeypatch):
+    """Parts of two rows, the last one shorter or not: numbers, texts, lists, units; without the second part rows are missing."""
+    for name, table in (("pairs", pairs), ("grid", grid)):
+        whole = pq.read_table(table.to_file(tmp_path / f"{name}.parquet"))
+        monkeypatch.setattr(sweep_table, "PART", 2)
+        file = table.to_file(tmp_path / f"{name} in parts.parquet")
+        assert pq.ParquetFile(file).num_row_groups == -(-len(table) // 2) > 1
+        parts = pq.read_table(file)
+        assert parts.schema.equals(whole.schema, check_metadata=True)
+        pd.testing.assert_frame_equal(parts.to_pandas(), whole.to_pandas())
+        assert len(next(iter(table._parts())).columns["row"].values) == 2 < len(parts)
+        monkeypatch.undo()
 
 
 def test_files_are_whole_and_never_overwritten_unasked(pairs, tmp_path, monkeypatch):
