@@ -57,7 +57,7 @@ def test_a_type_checker_sees_what_the_names_are(tmp_path):
     for expected in (
         "-> hertzwerk.derive.declare.scene.Scene",
         "(name: str, parent: ",
-        "dict[str, hertzwerk.derive.laws.law.Law]",
+        "hertzwerk.derive.laws.catalogue.Catalogue",
         "-> hertzwerk.runtime.loading.Model",
         "-> hertzwerk.runtime.simulation.Solution",
         "def (e: ",

@@ -28,22 +28,22 @@ def form_of(pair: Pair) -> str:
     return str(form)
 
 
-def laws_of_form(form: str) -> tuple[Law, ...]:
-    """Consistent laws made for a form of contact, but not for every form, in catalogue order."""
+def laws_of_form(form: str) -> Iterator[Law]:
+    """Yield consistent laws made for a form of contact, but not for every form, in catalogue order."""
     laws = (law for law in LAWS.values() if law.verdict == "consistent")
-    return tuple(law for law in laws if form in law.forms and law.forms != FORMS)
+    yield from (law for law in laws if form in law.forms and law.forms != FORMS)
 
 
 def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> tuple[str, ...]:
     """Names of consistent laws of a kind that fit a pair's form and geometry, in catalogue order."""
-    found = [
-        law
-        for law in laws_of_form(form_of(pair))
-        if law.kind == kind
-        and (not law.pairs or pair.kind in law.pairs)
-        and all(quantity.name in offered for quantity in law.geometry())
-    ]
-    return tuple(law.name for law in found)
+    return tuple(_fitting(kind, pair, offered))
+
+
+def _fitting(kind: str, pair: Pair, offered: Mapping[str, Any]) -> Iterator[str]:
+    for law in laws_of_form(form_of(pair)):
+        fits = not law.pairs or pair.kind in law.pairs
+        if law.kind == kind and fits and all(quantity.name in offered for quantity in law.geometry()):
+            yield law.name
 
 
 def advice(scene: Scene) -> tuple[str, ...]:
@@ -71,6 +71,6 @@ def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]
     offered = scene.geometry(pair.name) | ({} if long else {"L": None})
     given = "" if long or form != "line" else ", once the pair has a length"
     listed = f"`hertzwerk laws --form {form}` lists others{given}"
-    way = listed if fitting_laws(law.kind, pair, offered) else "the catalogue has no other"
+    way = listed if any(_fitting(law.kind, pair, offered)) else "the catalogue has no other"
     touches = f"a {kind.replace('_', ' ')} touches {_TOUCHES[form]}"
     return f"{', '.join(effects)}: {touches}, and {name} is a law of {own} contact; {way}"

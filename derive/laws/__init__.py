@@ -5,7 +5,18 @@ Type checkers and editors read `__init__.pyi` beside this file, with the paramet
 """
 
 from hertzwerk.derive.laws.catalogue import LAWS
-
-globals().update(LAWS)
+from hertzwerk.derive.laws.law import Law
 
 __all__ = ["LAWS", *sorted(LAWS)]  # the names of laws are text
+
+
+def __getattr__(name: str) -> Law:
+    """Return a law by name."""
+    if name not in LAWS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return LAWS[name]
+
+
+def __dir__() -> list[str]:
+    """Return the names of all laws."""
+    return __all__

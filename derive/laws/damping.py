@@ -10,7 +10,6 @@ The other laws were published for one stiffness law; with the secant F/d or the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
@@ -28,7 +27,7 @@ _HIGH = Interval(0.8, 1, open_left=True)
 # -- m = n -------------------------------------------------------------------------------------------------------------
 
 
-def _hysteresis(factor: sp.Expr, at_zero: sp.Expr, *, at_one: sp.Expr = sp.S.Zero, **fields: Any) -> DampingLaw:
+def hysteresis(factor: sp.Expr, at_zero: sp.Expr, *, at_one: sp.Expr = sp.S.Zero, **fields: Any) -> DampingLaw:
     """Build the law F h v/v0 with h = `factor`; an infinite h at e = 0 opens that end of its range."""
     fields.setdefault("defined", _WHOLE if at_zero is sp.oo else _CLOSED)
     fields.setdefault("recommended", _WHOLE)
@@ -37,7 +36,7 @@ def _hysteresis(factor: sp.Expr, at_zero: sp.Expr, *, at_one: sp.Expr = sp.S.Zer
     )
 
 
-hunt_crossley = _hysteresis(
+hunt_crossley = hysteresis(
     3 * (1 - e) / 2,
     sp.Rational(3, 2),
     name="hunt_crossley",
@@ -48,7 +47,7 @@ hunt_crossley = _hysteresis(
     note="Never returns less than e = 0.4877. Often quoted with the 1/e of hu_guo.",
 )
 
-herbert_mcwhannell = _hysteresis(
+herbert_mcwhannell = hysteresis(
     6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
     sp.Rational(3, 2),
     name="herbert_mcwhannell",
@@ -58,7 +57,7 @@ herbert_mcwhannell = _hysteresis(
     grade="B",
 )
 
-lee_wang = _hysteresis(
+lee_wang = hysteresis(
     3 * (1 - e) / 4,
     sp.Rational(3, 4),
     name="lee_wang",
@@ -68,7 +67,7 @@ lee_wang = _hysteresis(
     grade="B",
 )
 
-lankarani_nikravesh = _hysteresis(
+lankarani_nikravesh = hysteresis(
     3 * (1 - e**2) / 4,
     sp.Rational(3, 4),
     name="lankarani_nikravesh",
@@ -79,7 +78,7 @@ lankarani_nikravesh = _hysteresis(
     note="For v0 up to 1e-5 sqrt(E/rho). Never returns less than e = 0.6630.",
 )
 
-gonthier = _hysteresis(
+gonthier = hysteresis(
     (1 - e**2) / e,
     sp.oo,
     name="gonthier",
@@ -88,7 +87,7 @@ gonthier = _hysteresis(
     grade="B",
 )
 
-zhiying_qishao = _hysteresis(
+zhiying_qishao = hysteresis(
     3 * (1 - e**2) * sp.exp(2 * (1 - e)) / 4,
     3 * sp.exp(2) / 4,
     name="zhiying_qishao",
@@ -98,7 +97,7 @@ zhiying_qishao = _hysteresis(
     grade="A",
 )
 
-flores = _hysteresis(
+flores = hysteresis(
     8 * (1 - e) / (5 * e),
     sp.oo,
     name="flores",
@@ -107,7 +106,7 @@ flores = _hysteresis(
     grade="A",
 )
 
-gharib_hurmuzlu = _hysteresis(
+gharib_hurmuzlu = hysteresis(
     1 / e,
     sp.oo,
     at_one=sp.S.One,
@@ -119,7 +118,7 @@ gharib_hurmuzlu = _hysteresis(
     note="For small e (the bound 0.2 is where it is 2 % from the exact factor). e = 1 does not give the elastic law.",
 )
 
-hu_guo = _hysteresis(
+hu_guo = hysteresis(
     3 * (1 - e) / (2 * e),
     sp.oo,
     name="hu_guo",
@@ -129,7 +128,7 @@ hu_guo = _hysteresis(
     note="Often quoted with half the factor.",
 )
 
-carvalho_martins = _hysteresis(
+carvalho_martins = hysteresis(
     3 * (1 - e) * (11 - e) / (2 * (1 + 9 * e)),
     sp.Rational(33, 2),
     name="carvalho_martins",
@@ -139,70 +138,13 @@ carvalho_martins = _hysteresis(
     note="At e = 0 the factor is 33/2: large, not infinite.",
 )
 
-safaeifar_farshidianfar = _hysteresis(
+safaeifar_farshidianfar = hysteresis(
     5 * (1 - e) / (4 * e),
     sp.oo,
     name="safaeifar_farshidianfar",
     title="Safaeifar and Farshidianfar",
     source="Safaeifar, Farshidianfar, Multibody Syst. Dyn. 50 (2020) 233",
     grade="C",
-)
-
-_y = Quantity("y", "1", "(1 - e)/(1 + e), of which t is the inverse Langevin function")
-_r = Quantity("r", "1", "1 - y, without cancellation")
-
-
-def _inverse_langevin(steps: int) -> Iterator[tuple[Quantity, sp.Expr]]:
-    """Yield definitions of t = L^-1(y), the inverse Langevin function, L(t) = coth t - 1/t, r = 1 - y.
-
-    Newton's method from a start that is accurate to 0.3 %. Below t = 1 the Langevin function is its continued
-    fraction t/(3 + t^2/(5 + t^2/(7 + ...))), because coth t - 1/t cancels there; above, y - L is taken as 1/t - (coth
-    t - 1) - r, because 1 - y cancels there.
-    """
-    t = Quantity("t_0", "1", "first guess of h (1 + e)/2")
-    yield (
-        t,
-        _y * (3 - (6 * _y**2 + _y**4 - 2 * _y**6) / 5) / (_r * (1 + _y)),
-    )  # Kroeger, J. Non-Newton. Fluid Mech. 223 (2015) 77
-    for k in range(steps):
-        q = Quantity(f"q_{k}", "1", "t/L(t) by the continued fraction, for t < 1")
-        w = Quantity(f"w_{k}", "1", "1/t, for t > 1")  # bounded: the branch that is not taken stays finite
-        c = Quantity(f"c_{k}", "1", "coth t - 1, for t > 1")
-        yield q, _langevin_fraction(t)
-        yield w, 1 / sp.Max(t, 1)
-        yield c, 2 / (sp.exp(2 / w) - 1)
-        step = Where(t < 1, (_y - t / q) / (1 - (t / q) ** 2 - 2 / q), (w - c - _r) / (w**2 - c * (c + 2)))
-        following = Quantity(f"t_{k + 1}", "1", f"h (1 + e)/2 after {k + 1} of Newton's steps")
-        yield following, t + step
-        t = following
-
-
-def _langevin_fraction(t: Quantity) -> sp.Expr:
-    """Continued fraction 3 + t^2/(5 + t^2/(7 + ... 17)) as one quotient of polynomials.
-
-    All coefficients are positive, so nothing cancels.
-    """
-    above, below = [17], [1]
-    for odd in range(15, 1, -2):
-        shifted = [0, *below]
-        size = max(len(above), len(shifted))
-        padded = above + [0] * (size - len(above)), shifted + [0] * (size - len(shifted))
-        above, below = [odd * a + b for a, b in zip(*padded, strict=True)], above
-    top, bottom = (sp.Add(*(c * t ** (2 * k) for k, c in enumerate(row))) for row in (above, below))
-    return top / bottom
-
-
-_LANGEVIN = tuple(_inverse_langevin(3))
-
-exact = _hysteresis(
-    2 * _LANGEVIN[-1][0] / (1 + e),
-    sp.oo,
-    name="exact",
-    title="Exact factor: restitution out equals restitution in",
-    definitions=((_y, (1 - e) / (1 + e)), (_r, 2 * e / (1 + e)), *_LANGEVIN),
-    source="root of h (1 + e) = ln((1 + h)/(1 - h e)), the relation of F (1 + h v/v0): Hunt, Crossley, J. Appl. Mech. 42 (1975) 440",
-    grade="A",
-    note="coth t - 1/t = (1 - e)/(1 + e), h = 2 t/(1 + e): computed once, from the restitution alone.",
 )
 
 # -- another power of the penetration ----------------------------------------------------------------------------------
