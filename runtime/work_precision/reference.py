@@ -30,6 +30,7 @@ TOLERANCES = (1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
 AGREED = 1e-12  # at the end: agreement that suffices
 LIMITS = {"max_steps": 300_000, "wall_time": 20.0}  # of each run
 SAMPLES = 400  # equally spaced, and at most so many of the reference's own steps, which lie close where much happens
+MEASURABLE = 3.0  # times the uncertainty of the reference
 KNOWN = 1e-6  # error of the reference up to which shortened runs are made
 
 
@@ -108,6 +109,11 @@ class Reference:
     def uncertainty(self) -> float:
         """Uncertainty of the motion as far as it is known, no less than rounding."""
         return max(float(np.max(self.floor[self.t <= self.known])), float(np.finfo(float).eps))
+
+    @property
+    def least(self) -> float:
+        """The least error that can be measured."""
+        return MEASURABLE * self.uncertainty
 
     @property
     def horizon(self) -> float:

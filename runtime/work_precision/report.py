@@ -14,19 +14,10 @@ from hertzwerk.runtime.work_precision.timed_runs import LATE
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.sensitivity.lyapunov import Lyapunov
+    from hertzwerk.runtime.work_precision.reference import Reference
 
-COLUMNS = (
-    "method",
-    "asked",
-    "error",
-    "estimate",
-    "steps",
-    "evaluations",
-    "time as C",
-    "time in VM",
-    "valid for",
-    "outcome",
-)
+NUMBERS = ("method", "requested", "error", "estimate", "steps", "evaluations")
+COLUMNS = (*NUMBERS, "time as C", "time in VM", "valid for", "outcome")
 FAR = 10
 FIELDS = ("method", "compiled", "accuracy", "error", "estimate", "steps", "rhs_evaluations", "time", "horizon")
 
@@ -60,22 +51,26 @@ def rows(study: Study) -> list[tuple[str, ...]]:
         native: list[Row | None] = [*study.of(method, compiled=True)] or [None] * len(machine)
         for a, c in zip(machine, native, strict=True):
             row = c if c is not None and (c.error is not None or a.error is None) else a
-            ended = "" if row.outcome == "finished" else row.outcome.replace("_", " ")
-            ended += "" if row.floor is None else f", floor {row.floor:.1e}"
-            table.append((
-                method, f"{row.accuracy:.0e}", error(study, row), _number(row.estimate), _count(row.steps),
-                _count(row.rhs_evaluations), "" if c is None else _time(c), _time(a), valid_for(study, row), ended,
-            ))  # fmt: skip
+            times = "" if c is None else _time(c), _time(a)
+            table.append((*_numbers(study.least, row), *times, valid_for(study, row), _ended(row)))
     return table
 
 
-def error(study: Study, row: Row) -> str:
-    """Format the error of a row; below the reference's uncertainty only that bound."""
-    if row.error is None:
-        return ""
-    if row.error < study.least:
-        return f"< {study.least:.1e}"
-    return f"{row.error:.1e}"
+def first_rows(held: Reference, found: Sequence[Row]) -> list[tuple[str, ...]]:
+    """Return the table of the runs of one method, each timed once."""
+    return [(*_numbers(held.least, row), _time(row), _ended(row)) for row in found]
+
+
+def _numbers(least: float, row: Row) -> tuple[str, ...]:
+    """Format a row but for its times and horizon; an error below the least measurable one as that bound."""
+    error = "" if row.error is None else f"< {least:.1e}" if row.error < least else f"{row.error:.1e}"
+    counts = _count(row.steps), _count(row.rhs_evaluations)
+    return row.method, f"{row.accuracy:.0e}", error, _number(row.estimate), *counts
+
+
+def _ended(row: Row) -> str:
+    ended = "" if row.outcome == "finished" else row.outcome.replace("_", " ")
+    return ended if row.floor is None else f"{ended}, floor {row.floor:.1e}".removeprefix(", ")
 
 
 def valid_for(study: Study, row: Row) -> str:

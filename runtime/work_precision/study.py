@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, product
 from statistics import fmean, median
 from typing import TYPE_CHECKING
 
@@ -27,8 +27,7 @@ ACCURACIES = tuple(10.0**-k for k in range(3, 10))
 WALL_TIME = 5.0  # s, of a run
 STARTED = 0.01  # of the local tolerance: least error that shows growth; before it may be a free flight without error
 APART = 0.3  # least decades between two errors that a cost is computed from
-TOLD = 3.0  # times the reference's uncertainty: least measurable error
-FIRST = (0.3, 0.6)  # progress after the reference, and after the first run of each kind
+FIRST = (0.1, 0.5)  # progress after the reference, and after the first run of each kind
 DEAR = 20_000  # implicit steps: derivatives of more take too long
 NOT_TRIED = "not_tried"
 
@@ -101,7 +100,7 @@ class Study:
     @property
     def least(self) -> float:
         """The least measurable error."""
-        return TOLD * self.reference.uncertainty
+        return self.reference.least
 
     @cached_property
     def levels(self) -> tuple[float, ...]:
@@ -197,12 +196,14 @@ def study(
     accuracies: Sequence[float] = ACCURACIES,
     wall_time: float = WALL_TIME,
     progress: Callable[[float], object] = lambda _: None,
+    arrived: Callable[[Reference, Sequence[Row]], object] = lambda *_: None,
 ) -> Study:
-    """Make the reference, then every run, one after the other.
+    """Make the reference, then every run, one after the other: in the virtual machine, then as C.
 
     Runs timed at once would disturb each other.
 
     accuracies    from loose to tight; where a run takes longer than wall_time [s], the tighter ones of its method are not tried
+    arrived       called with the rows of each method as soon as they are made, with times of one run and without horizons
 
     Raises InputError for bad input, NoReferenceError where there is no reference.
     """
@@ -211,20 +212,16 @@ def study(
     if held.known < asked:
         problem = replace(problem, duration=held.known)
         held = reference(problem)
-    paths = (False, True) if ready(problem, methods) else (False,)
-    series = [(method, compiled) for method in methods for compiled in paths]
+    series = [(method, compiled) for compiled in (False, True) for method in methods]
     made: list[TimedRun] = []
     rows: list[Row] = []  # of what is not tried
     for i, (method, compiled) in enumerate(series):
         progress(FIRST[0] + (FIRST[1] - FIRST[0]) * i / len(series))
-        late: TimedRun | None = None
-        for accuracy in accuracies:
-            if late is None:
-                made.append(make(RunSpec(problem, method, compiled, accuracy, wall_time), held))
-                late = made[-1] if made[-1].late else None
-            else:
-                message = f"with {late.by.accuracy:.0e} {late.outcome.message}"
-                rows.append(Row(method, compiled, accuracy, NOT_TRIED, message))
+        if i == len(methods) and not ready(problem, methods):
+            break
+        runs, left = _series(problem, held, method, accuracies, compiled=compiled, wall_time=wall_time)
+        made, rows = [*made, *runs], [*rows, *left]
+        arrived(held, [*(_row(this, held) for this in runs), *left])
     repeat(made, lambda part: progress(FIRST[1] + (1 - FIRST[1]) * part))
     reached = [this for this in made if this.reached]
     floors = [np.maximum(held.floor_of_departure, STARTED * this.tolerance) for this in reached]
@@ -233,7 +230,7 @@ def study(
     if exponent is not None and exponent.chaotic:
         grows = exponent.law  # of small changes: errors of runs show it where they are small, and known
     rows += [_row(this, held, grows) for this in made]
-    places = {key: i for i, key in enumerate((m, c, a) for m, c in series for a in accuracies)}
+    places = {(m, c, a): i for i, (m, c, a) in enumerate(product(methods, (False, True), accuracies))}
     return Study(
         problem=problem,
         reference=held,
@@ -244,6 +241,25 @@ def study(
         along={(this.by.method, this.by.accuracy): (this.error, this.departure) for this in reached},
         taken={this.by.accuracy: this.taken for this in made if this.taken},
     )
+
+
+def _series(
+    problem: Problem,
+    held: Reference,
+    method: str,
+    accuracies: Sequence[float],
+    *,
+    compiled: bool,
+    wall_time: float,
+) -> tuple[list[TimedRun], list[Row]]:
+    """Make the runs of a method from loose to tight; return them, and rows of those that would take too long."""
+    made: list[TimedRun] = []
+    for i, accuracy in enumerate(accuracies):
+        made.append(make(RunSpec(problem, method, compiled, accuracy, wall_time), held))
+        if made[-1].late:
+            message = f"with {accuracy:.0e} {made[-1].outcome.message}"
+            return made, [Row(method, compiled, tighter, NOT_TRIED, message) for tighter in accuracies[i + 1 :]]
+    return made, []
 
 
 def _lyapunov(held: Reference) -> Lyapunov | None:
@@ -276,9 +292,9 @@ def _slope(x: Array, y: Array) -> float | None:
     return median(float((y[j] - y[i]) / (x[j] - x[i])) for i, j in apart) if len(apart) > 1 else None
 
 
-def _row(this: TimedRun, held: Reference, grows: Growth) -> Row:
+def _row(this: TimedRun, held: Reference, grows: Growth | None = None) -> Row:
     horizon: float | None = None
-    if this.reached:
+    if this.reached and grows is not None:
         left = crossing(held.t, this.departure)
         if math.isinf(left):
             last = slice(-max(1, len(held.t) // 10), None)

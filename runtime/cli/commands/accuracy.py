@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -29,8 +30,8 @@ from hertzwerk.runtime.cli.terminal import (
 )
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.work_precision.reference import NoReferenceError, Problem
-    from hertzwerk.runtime.work_precision.study import Study
+    from hertzwerk.runtime.work_precision.reference import NoReferenceError, Problem, Reference
+    from hertzwerk.runtime.work_precision.study import Row, Study
 
 
 @click.command()
@@ -48,8 +49,9 @@ if TYPE_CHECKING:
 def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
     """Measure what accuracy costs TARGET in time, with every method, in the virtual machine and as C.
 
-    Each run asks for an error at its end; what it really has is measured against a reference of two independent methods. How errors go along
-    the run says how long a trajectory stays the true one, and what ten times more accuracy buys.
+    Each run requests an error of the whole run; the true one is measured against a reference of two independent methods. How errors grow along
+    the run says how long a trajectory stays the true one, and what ten times more accuracy buys. Rows are printed as they come, with the time of
+    one run; a table of medians follows.
     """
     from hertzwerk.runtime.work_precision.reference import NoReferenceError
     from hertzwerk.runtime.work_precision.report import record
@@ -60,7 +62,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     name = problem.model.name
     try:
         with Progress(f"{name}: accuracy", shown=not as_json and sys.stderr.isatty()) as progress:
-            found = study(problem, progress=progress)
+            found = study(problem, progress=progress, arrived=_shown(problem, progress, quiet=as_json))
     except NoReferenceError as error:
         return _without_reference(problem, error, as_json=as_json)
     return conclude(
@@ -102,19 +104,38 @@ def _write(found: Study, out: Path | None, missing: list[str]) -> tuple[Path, li
     return write_study(name, out, texts, lambda file: plot_accuracy.save(found, file), missing)
 
 
+def _shown(problem: Problem, progress: Progress, *, quiet: bool) -> Callable[[Reference, Sequence[Row]], None]:
+    """Return what prints the rows of each method as they come."""
+    begun = False
+
+    def show(held: Reference, rows: Sequence[Row]) -> None:
+        nonlocal begun
+        if not begun:
+            _head(problem, held)
+        path = "time as C" if rows[0].compiled else "time in VM"
+        table((*report.NUMBERS, path, "outcome"), report.first_rows(held, rows))
+        begun = True
+
+    from hertzwerk.runtime.work_precision import report
+
+    return lambda held, rows: None if quiet else progress.aside(lambda: show(held, rows))
+
+
+def _head(problem: Problem, held: Reference) -> None:
+    """Print what is measured, and by what."""
+    from hertzwerk.runtime.work_precision.report import seconds
+
+    span = seconds(float(held.t[-1]))
+    line(problem.model.name, f"{span}; error: the largest of the run, in the scene's scales; times of one run each")
+    methods = f"{held.run.method} and {held.partner.method}"
+    line("reference", f"{methods} at a tolerance of {held.run.tolerance:.0e} agree to {held.uncertainty:.1e}")
+
+
 def _report(found: Study) -> None:
     from hertzwerk.runtime.work_precision import report
 
-    held = found.reference
-    line(
-        found.problem.model.name,
-        f"{report.seconds(float(held.t[-1]))}, largest errors of the runs, in the scene's scales",
-    )
+    line("in all", f"{report.seconds(float(found.reference.t[-1]))}, medians of the times of several runs")
     table(report.COLUMNS, report.rows(found))
-    line(
-        "reference",
-        f"{held.run.method} and {held.partner.method} at a tolerance of {held.run.tolerance:.0e} agree to {held.uncertainty:.1e}",
-    )
     for warning in report.warnings(found):
         line("warning", warning)
     for sentence in report.conclusions(found):

@@ -155,7 +155,7 @@ def _along(axis: Axes, study: Study) -> None:
         color=VERMILLION,
     )
     _decades(axis)
-    axis.set_title(f"Departure along the run, {method}, by accuracy asked for", pad=26)
+    axis.set_title(f"Departure along the run, {method}, by requested accuracy", pad=26)
     _legend(axis, handles, 7)
 
 

@@ -314,3 +314,28 @@ def test_without_a_reference_the_command_says_why(hertzwerk, monkeypatch):
     printed = json.loads(done.stdout)
     assert (printed["rows"], printed["reference"], printed["recommended"]) == ([], None, None)
     assert printed["outcomes"]["dop853"]["outcome"] == "too_many_steps"
+
+
+def test_rows_arrive_before_anything_is_compiled_or_repeated(damped, monkeypatch):
+    """A user waited a minute for the first number."""
+    events = []
+
+    def compiled(problem, methods):
+        events.append("compile")
+        return False
+
+    monkeypatch.setattr(work_precision, "ready", compiled)
+    monkeypatch.setattr(work_precision, "repeat", lambda made, progress: events.append("repeat"))
+    short = dataclasses.replace(damped, duration="0.1 s")
+    study(short, methods=METHODS, accuracies=(1e-3, 1e-4), arrived=lambda held, rows: events.append(tuple(rows)))
+    first, second, *rest = events
+    assert rest == ["compile", "repeat"]
+    for method, rows in zip(METHODS, (first, second), strict=True):
+        assert [(row.method, row.compiled, row.accuracy) for row in rows] == [
+            (method, False, 1e-3),
+            (method, False, 1e-4),
+        ]
+        assert all(0 < row.error <= row.accuracy and row.time > 0 for row in rows)
+        assert all(
+            len(line) == len(accuracy_report.NUMBERS) + 2 for line in accuracy_report.first_rows(reference(short), rows)
+        )
