@@ -1,4 +1,4 @@
-"""The hysteresis law whose restitution is that which is requested: its factor is a root, found by Newton's method."""
+"""Hysteresis law that returns the requested restitution; its factor is a root of Newton's method."""
 
 from __future__ import annotations
 
