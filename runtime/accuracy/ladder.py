@@ -126,7 +126,7 @@ class ErrorEstimate:
             return f"not known from t = {self.times[-1]:.4g} s on"
         if self.worst <= LEAST:
             return f"below {brief(LEAST)}"
-        return f"{brief(self.worst)} at t = {self.when:.4g} s, {brief(self.end)} at the end"
+        return f"{brief(self.worst, 2)} at t = {self.when:.4g} s, {brief(self.end, 2)} at the end"
 
     def __repr__(self) -> str:
         return f"<ErrorEstimate {self}>"

@@ -357,7 +357,7 @@ class _Search:
                 outcome = Outcome(
                     "no_progress",
                     f"SciPy's SLSQP: {found.message}",
-                    "begin elsewhere, or ask for tighter runs: start, tolerance",
+                    "begin elsewhere (start), or request more accurate runs (tolerance)",
                 )
         return self._result(checked, outcome)
 
@@ -381,14 +381,14 @@ class _Search:
         key, best = min(self.known.items(), key=order)
         if order((key, best))[0] > 0:
             outcome = Outcome(
-                "infeasible", "no run keeps the constraints", "widen ranges or bounds, or begin elsewhere: start"
+                "infeasible", "no run keeps the constraints", "widen ranges or bounds, or begin elsewhere (start)"
             )
         x, units = np.frombuffer(key), si_units(problem.model)
         values = problem.given(x)
         gradient = dict(zip(values, (best.gradient[0] / problem.slopes(x)).tolist(), strict=True))
         held = [
             Held(bound.text, float(v), bound.formula.unit, bound.lower, bound.upper,
-                 active=bool(min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size))
+                 active=bool(min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size), kept=bool(bound.missed(v) <= KEPT))
             for bound, v in zip(problem.bounds, best.value[1:], strict=True)
         ]  # fmt: skip
         return Minimum(

@@ -24,7 +24,10 @@ NEAR = 1e-2  # and whose places by less than this part of a range
 
 @dataclass(frozen=True)
 class Held:
-    """Constraint at the minimum, in SI: lower <= value <= upper; `active` where it holds the minimum back."""
+    """Constraint at the minimum, in SI: lower <= value <= upper.
+
+    active: it holds the minimum back; kept: false where no run kept it.
+    """
 
     text: str
     value: float
@@ -32,6 +35,12 @@ class Held:
     lower: float
     upper: float
     active: bool
+    kept: bool
+
+    @property
+    def state(self) -> str:
+        """Say whether it is violated, kept, or holds the minimum back."""
+        return "is violated" if not self.kept else "holds it back" if self.active else "is kept"
 
 
 @dataclass(frozen=True)
@@ -98,9 +107,7 @@ class Minimum:
         for name, (value, text) in self.values.items():
             end = ", at the end of its range" if name in self.at_end else ""
             lines.append(f"    {name} = {value:.6g} {text}{end}".rstrip())
-        for held in self.constraints:
-            state = "holds it back" if held.active else "is kept"
-            lines.append(f"    {held.text} {state}: {held.value:.6g} {held.unit}".rstrip())
+        lines += [f"    {held.text} {held.state}: {held.value:.6g} {held.unit}".rstrip() for held in self.constraints]
         if not self.outcome.finished:
             lines.append(f"{self.outcome.message}; {self.outcome.remedy}")
         return "\n".join([*lines, *(f"note: {text}" for text in self.notes)])
@@ -112,10 +119,7 @@ class Minimum:
             (name, f"{value:.6g} {text}", "at the end of its range" if name in self.at_end else "")
             for name, (value, text) in self.values.items()
         ]
-        rows += [
-            (held.text, f"{held.value:.6g} {held.unit}", "holds it back" if held.active else "is kept")
-            for held in self.constraints
-        ]
+        rows += [(held.text, f"{held.value:.6g} {held.unit}", held.state) for held in self.constraints]
         notes = (tag("p", text) for text in (self.outcome.remedy, *self.notes) if text)
         head = heading(self.scene, self.outcome.name, told, good=self.outcome.finished)
         return joined([head, table(("quantity or constraint", "value", ""), rows), *notes])
@@ -142,7 +146,7 @@ class Minimum:
             "constraints": [
                 {
                     name: value if not isinstance(value, float) or np.isfinite(value) else None
-                    for name, value in vars(held).items()
+                    for name, value in {**vars(held), "state": held.state}.items()
                 }
                 for held in self.constraints
             ],

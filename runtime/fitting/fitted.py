@@ -147,8 +147,8 @@ class Fitted:
         for value in (*self.values.values(), *self.nuisance.values()):
             yield value.name, f"{value}; {value.interval.how}"
         for text in self.untold:
-            yield "not told", text
-        yield "told", self._told()
+            yield "unidentified", text
+        yield "identified", self._identified()
         if pairs := list(self._pairs()):
             yield "correlated", ", ".join(pairs)
         for signal in self.signals:
@@ -166,9 +166,7 @@ class Fitted:
         if self.goodness is None and any(signal.stated for signal in self.signals):
             parts.append("as many quantities as data are fitted: nothing is left to judge the model by")
         elif self.goodness is None:
-            parts.append(
-                "whether the model explains the data cannot be said without the noise of the measurement (noise)"
-            )
+            parts.append("the model is not tested, as the noise of the measurement is not stated (noise)")
         else:
             g = self.goodness
             numbers = f"chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
@@ -179,11 +177,11 @@ class Fitted:
             )
         if self.untold:
             parts.append(
-                f"{len(self.untold)} combination{'s' if len(self.untold) > 1 else ''} of parameters cannot be told from these data"
+                f"{len(self.untold)} combination{'s' if len(self.untold) > 1 else ''} of parameters cannot be identified from these data"
             )
         return "; ".join(parts)
 
-    def _told(self) -> str:
+    def _identified(self) -> str:
         values = ", ".join(f"{s:.3g}" for s in self.known.singular_values)
         return f"singular values {values} of the scaled Jacobian (1 over the standard deviation, in half ranges or factors of e)"
 

@@ -155,6 +155,8 @@ def _signal_record(signal: Signal) -> dict[str, Any]:
 
 
 def _alignment(found: Alignment) -> str:
+    if not found.searched and found.offset == found.drift == 0:
+        return "none: measured times are times of the run"
     if not found.searched:
         return f"the measured time plus {time_text(found.offset)}, a drift of {found.drift:.3g}: as given, nothing searched"
     ends = [
@@ -176,10 +178,11 @@ def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: boo
         yield "trajectory", f"not compared: no sample lies before the horizon, t = {time_text(horizon)}"
     else:
         until = "whole run" if horizon >= end else f"until the horizon, t = {time_text(horizon)}"
-        part = f" ({residual.rms / residual.variation:.2%} of the measured variation)" if residual.variation > 0 else ""
+        of_all = 100 * residual.rms / residual.variation if residual.variation > 0 else math.nan
+        part = f" ({of_all:.2g} % of the measured variation)" if residual.variation > 0 else ""
         yield (
             "trajectory",
-            f"{until}: residual rms {residual.rms:.4g}{unit}{part}, mean {residual.mean:.2g}, peak {residual.peak:.4g}; "
+            f"{until}: residual rms {residual.rms:.4g}{unit}{part}, mean {residual.mean:.2g}{unit}, peak {residual.peak:.4g}{unit}; "
             f"correlation {residual.correlation:.4f}",
         )
         if residual.largest is not None and residual.noise is not None:
@@ -202,13 +205,13 @@ def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: boo
 
 def _noise(residual: Residual, unit: str) -> str:
     ratio = residual.rms / residual.noise if residual.noise else math.nan
-    limit = f"{residual.largest:.4g}{unit}, which noise of {residual.noise:.4g} alone exceeds once in a hundred"
+    limit = f"{residual.largest:.4g}{unit}, which noise of {residual.noise:.4g}{unit} alone exceeds once in a hundred"
     if not residual.explained:
         return f"the residual is {ratio:.3g} times the stated noise, more than {limit}: something else differs"
     if residual.overstated:
-        least = f"{residual.least:.4g}{unit}, which noise of {residual.noise:.4g} falls below once in a hundred"
+        least = f"{residual.least:.4g}{unit}, which noise of {residual.noise:.4g}{unit} falls below once in a hundred"
         return f"the residual is {ratio:.2g} times the stated noise, less than {least}: too much noise is stated, and hides differences"
-    return f"the residual is {ratio:.3g} times the stated noise, within {limit}: a difference that small cannot be seen"
+    return f"the residual is {ratio:.3g} times the stated noise, within {limit}: no difference is seen"
 
 
 def _statistic(statistic: Statistic) -> str:
@@ -238,7 +241,7 @@ def _verdict(found: Compared) -> str:
             else "the stated noise explains every residual that was judged by it"
         )
     if len(judged) < len(residuals):
-        parts.append("whether a residual is small cannot be said without the noise of the measurement (noise)")
+        parts.append("residuals are not judged, as the noise of the measurement is not stated (noise)")
     if counted:
         parts.append(
             f"{differ} of {counted} statistics differ beyond their 95 % intervals, {counted / 20:.2g} would by chance"

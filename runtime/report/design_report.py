@@ -101,8 +101,7 @@ def minimum_page(record: Record, picture: bytes | None, origin: Origin) -> str:
         for name, one in record["values"].items()
     ]
     held: list[list[Cell]] = [
-        [one["text"], one["value"], unit_markup(one["unit"]), "holds it back" if one["active"] else "is kept"]
-        for one in record["constraints"]
+        [one["text"], one["value"], unit_markup(one["unit"]), one["state"]] for one in record["constraints"]
     ]
     searches: list[list[Cell]] = [
         [_at(one["begun"]), _at(one["values"]), one["objective"], one["outcome"], "yes" if one["here"] else "no"]

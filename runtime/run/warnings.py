@@ -14,6 +14,8 @@ from hertzwerk.runtime.model.model import Bound, Model
 from hertzwerk.runtime.solution.history import History, constraint_force
 from hertzwerk.runtime.solution.watch import Lasting
 
+SMALL = 0.01  # share of a dissipation below which a number says no more
+
 
 def unchecked(model: Model) -> tuple[str, ...]:
     """Return the dimensionally inconsistent effects that a model runs unchecked."""
@@ -97,7 +99,9 @@ def left_law(model: Model, found: Sequence[Lasting], ends: History) -> Iterator[
     if model.has_ledger:
         booked = [model.nq + model.nu + model.module.DISSIPATED[model.pairs.index(pair)] for pair in pairs]
         spent = float((ends.part("y")[-1, booked] - ends.part("y")[0, booked]).sum())
-        share = f" ({sum([each.dissipated for each in found]) / spent:.0%} of its dissipation)" if spent > 0 else ""
+        part = sum([each.dissipated for each in found]) / spent if spent > 0 else 0.0
+        if spent > 0:
+            share = f" ({f'{part:.0%}' if part >= SMALL else f'less than {SMALL:.0%}'} of its dissipation)"
     of = f" of {', '.join(pairs)}"
     which = f"{len(found)} contacts{of}, the worst" if len(found) > 1 else f"a contact{of},"
     yield (

@@ -252,7 +252,7 @@ def _series(
     compiled: bool,
     wall_time: float,
 ) -> tuple[list[TimedRun], list[Row]]:
-    """Make the runs of a method from loose to tight; return them, and rows of those that would take too long."""
+    """Make the runs of a method from loose to tight; return them, and rows of those not tried."""
     made: list[TimedRun] = []
     for i, accuracy in enumerate(accuracies):
         made.append(make(RunSpec(problem, method, compiled, accuracy, wall_time), held))

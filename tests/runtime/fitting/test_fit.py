@@ -60,7 +60,7 @@ def test_free_fall_is_a_regression(ball):
         one = found[name]
         assert one.value == pytest.approx(value, rel=1e-7)
         assert one.interval.high - one.value == pytest.approx(error, rel=1e-3)
-    assert found.goodness is None and "cannot be said without the noise" in str(found)
+    assert found.goodness is None and "is not stated" in str(found)
     slope = design.T @ design
     assert found.known.correlation[0, 1] == pytest.approx(-slope[0, 1] / np.sqrt(slope[0, 0] * slope[1, 1]), rel=1e-4)
 
@@ -119,7 +119,7 @@ def test_what_the_data_cannot_tell_is_said_by_name(walls):
         or "stiffness times 2 with mass times 2" in text.replace("mass times 2 with", "")
     )
     assert "none" in found["mass"].interval.how and "linear" in found["restitution"].interval.how
-    assert "cannot be told" in found.verdict and np.isnan(found.known.correlation[0, 2])
+    assert "cannot be identified" in found.verdict and np.isnan(found.known.correlation[0, 2])
 
 
 def test_noise_that_is_larger_than_stated_is_seen(ball):
