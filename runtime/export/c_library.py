@@ -17,7 +17,6 @@ from hertzwerk.runtime.export.exported import Contents, Row, contents, name_faul
 from hertzwerk.runtime.host.folder import new_folder
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.integrate.loop.choose import PATIENCE
-from hertzwerk.runtime.integrate.loop.compiled import LARGE
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step import layout
 from hertzwerk.runtime.model.signal import WIDTH
@@ -40,6 +39,7 @@ IN_STATE = (
 )
 IN_CONTROLS = ("scale", "speed_limits", "tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
 MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000  # where none is set: a library recognises no stall by its progress
+LARGE = 1_500_000  # characters of C from which more than -O1 takes minutes
 DEEP = 10.0  # of the scene's length: overlap of surfaces at a start of one's own that is refused
 
 
@@ -59,11 +59,15 @@ def write(asked: Asked, folder: Path) -> str:
     return f"{folder}/ ({', '.join(files)})"
 
 
+def level(text: str) -> str:
+    """Return the compiler's level of optimisation for a C text."""
+    return "-O1" if len(text) > LARGE else "-O2"
+
+
 def library(found: Contents, name: str) -> dict[str, str]:
     """Return the files of a library by name; `name` begins its functions."""
     made = functions(found.model, found.made, [row.name for row in found.outputs], f"{name}_")
-    level = "-O1" if len(made.text) > LARGE else "-O2"
-    words = {**_words(found, name), "level": level}
+    words = {**_words(found, name), "level": level(made.text)}
     constants = _constants(found, made.work)
     driver = template("driver.c", words)
     include = f'#include <math.h>\n#include <string.h>\n\n#include "{name}.h"\n'

@@ -14,18 +14,18 @@ from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LEAST
-from hertzwerk.runtime.export.c_library import library, number, template
+from hertzwerk.runtime.export.c_library import level, library, number, template
 from hertzwerk.runtime.export.exported import contents, name_faults
 from hertzwerk.runtime.export.model_description import build_description, description
 from hertzwerk.runtime.host.folder import new_file_faults
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
-from hertzwerk.runtime.integrate.loop.compiled import LARGE, NoCompilerError, compile_files
+from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError, compile_files
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.export.export_request import Asked
     from hertzwerk.runtime.export.exported import Contents
 
-FLAGS = ("-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-fPIC", "-shared")
+FLAGS = ("-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-fPIC")
 TIGHTER = 1e-2  # of the tolerance: that of the two runs whose difference is a directional derivative
 
 
@@ -94,10 +94,8 @@ def _binary(sources: dict[str, str], name: str) -> bytes:
     with scratch_folder(Path(tempfile.gettempdir())) as folder:
         for file, text in sources.items():
             (folder / file).write_text(text, encoding="utf-8")
-        level = "-O1" if len(sources[f"{name}.c"]) > LARGE else "-O2"
-        return compile_files(
-            (level, *FLAGS), [folder / f"{name}.c", folder / "fmu.c"], folder / f"{name}.so"
-        ).read_bytes()
+        levels = dict.fromkeys((folder / f"{name}.c", folder / "fmu.c"), level(sources[f"{name}.c"]))
+        return compile_files(FLAGS, levels, folder / f"{name}.so").read_bytes()
 
 
 def _platform(fmi: int) -> tuple[str, str]:

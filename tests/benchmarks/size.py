@@ -67,22 +67,26 @@ def c_of(model: Any) -> str:
 
 
 class Compilation:
-    """The measurement of the processor time [s] of a compilation; `megabytes`: the most memory of any."""
+    """The measurement of the processor time [s] of a compilation of all files; `megabytes`: the most memory of a compiler."""
 
     def __init__(self, text: str) -> None:
         self._text, self.megabytes = text, 0.0
 
     def __call__(self) -> float:
-        from hertzwerk.runtime.integrate.loop.compiled import FLAGS, level
+        from hertzwerk.runtime.integrate.loop.c_files import c_files
+        from hertzwerk.runtime.integrate.loop.compiled import FLAGS
 
-        with tempfile.TemporaryDirectory() as folder:
-            source = Path(folder) / "chunk.c"
-            source.write_text(self._text, encoding="utf-8")
-            command = ["cc", level(self._text), *FLAGS, "-o", str(source.with_suffix(".so")), str(source), "-lm"]
-            run = subprocess.Popen(command)
-            _, status, usage = os.wait4(run.pid, 0)
-            run.returncode = os.waitstatus_to_exitcode(status)
-        if run.returncode:
-            raise RuntimeError(f"{' '.join(command)} failed")
-        self.megabytes = max(self.megabytes, usage.ru_maxrss / 1000)
-        return usage.ru_utime + usage.ru_stime
+        seconds = 0.0
+        for file in c_files(self._text):
+            with tempfile.TemporaryDirectory() as folder:
+                source = Path(folder) / "chunk.c"
+                source.write_text(file.text, encoding="utf-8")
+                command = ["cc", file.level, *FLAGS, "-c", "-o", str(source.with_suffix(".o")), str(source)]
+                run = subprocess.Popen(command)
+                _, status, usage = os.wait4(run.pid, 0)
+                run.returncode = os.waitstatus_to_exitcode(status)
+            if run.returncode:
+                raise RuntimeError(f"{' '.join(command)} failed")
+            self.megabytes = max(self.megabytes, usage.ru_maxrss / 1000)
+            seconds += usage.ru_utime + usage.ru_stime
+        return seconds

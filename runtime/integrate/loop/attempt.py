@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 
+FINISH = "finish"  # name of the function that completes an attempt, by an event or a rejection
+
+
 @dataclass(frozen=True, eq=False)
 class Integrator:
     """CasADi functions of one model and method: initial state, attempt, dense output.
@@ -85,7 +88,7 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     state, controls, end, verdict = ends[0].mx_in()
     method = state[vectors.state["method"]]
     plain = _unchanged(ends[0])
-    finish = ca.Function.conditional("finish", [plain, *ends[:-1]], ends[-1])
+    finish = ca.Function.conditional(FINISH, [plain, *ends[:-1]], ends[-1])
     idle = ca.Function("idle", [state, controls], [state, ca.MX.zeros(vectors.verdict.size)])
     classes = contact_classes(model)
     tries = [advance(model, vectors, table, contacts, choosing) for table in taken for contacts in classes]

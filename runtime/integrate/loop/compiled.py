@@ -14,9 +14,11 @@ import shlex
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
-from collections.abc import Callable, Iterable, Sequence
-from functools import cache, cached_property
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
+from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -25,18 +27,18 @@ import casadi as ca
 from hertzwerk.runtime.host import cache as disk
 from hertzwerk.runtime.host.interrupt import raise_interrupts
 from hertzwerk.runtime.host.scratch import scratch_folder
+from hertzwerk.runtime.integrate.loop.c_files import OFTEN, SELDOM, CFile, c_files
 
 FLAGS = (
     *("-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"),
+    *("-fno-tree-pre", "-fno-gcse"),  # find nothing in such text, in a sixth of the time
     "-fno-tree-slp-vectorize",  # GCC 12 makes of a sum beside a difference one fused instruction all the same
-    *("-fno-semantic-interposition", "-fPIC", "-shared", "-w"),  # the first lets CasADi's small functions be inlined
+    *("-fno-semantic-interposition", "-fPIC", "-w"),  # the first lets CasADi's small functions be inlined
 )
 FUSED = "-ffp-contract=fast"
-LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
 PATIENCE = 0.1  # s between two polls
-# s; within a fifth of 8 measured times of 12 to 77 s. What registers hold takes a time with the square of a function's length: of the longest
-# text of the built-in scenes, ball_bearing with both methods, two thirds
-COMPILE_S, COMPILE_S_PER_CHARACTER, COMPILE_S_PER_SQUARE = 0.8, {"-O1": 7.5e-6, "-O3": 13e-6}, 8e-12
+# s of the processor: within a third of what 7 scenes took
+BEGIN_S, PER_CHARACTER_S = 0.1, {OFTEN: 9e-6, SELDOM: 7e-6}
 
 
 class NoCompilerError(RuntimeError):
@@ -55,10 +57,10 @@ class Program:
 
     def __init__(self, *functions: Any, bitwise: bool = True) -> None:
         self._functions, self._compiler = functions, _compiler()
-        self._text = c_text(functions)
-        self._level = level(self._text)
-        self._flags = (self._level, *FLAGS, *(() if bitwise else (FUSED,)))
-        parts = (self._text, *self._compiler, _version(self._compiler), *self._flags, _processor())
+        self._files = c_files(c_text(functions))
+        self._flags = (*FLAGS, *(() if bitwise else (FUSED,)))
+        texts = (part for file in self._files for part in (file.text, file.level))
+        parts = (*texts, *self._compiler, _version(self._compiler), *self._flags, _processor())
         digest = hashlib.sha256("\0".join(parts).encode()).hexdigest()
         self._key = f"compiled-{digest[:32]}"
         self._library = disk.entry(self._key, ".so")
@@ -70,7 +72,7 @@ class Program:
 
     @cached_property
     def _estimate(self) -> float:
-        return compile_seconds(self._text)
+        return compile_seconds(self._files)
 
     def load(self, poll: Callable[[], object] = lambda: None) -> list[Any]:
         """Return the compiled functions, compiled now if need be.
@@ -81,9 +83,11 @@ class Program:
             return self._loaded(self._library)
         try:
             with raise_interrupts(), scratch_folder(Path(tempfile.gettempdir())) as folder:
-                source = folder / "chunk.c"
-                source.write_text(self._text, encoding="utf-8")
-                made = compile_files(self._flags, [source], folder / "chunk.so", poll)
+                sources = {folder / f"chunk{i}.c": file for i, file in enumerate(self._files)}
+                for source, file in sources.items():
+                    source.write_text(file.text, encoding="utf-8")
+                levels = {source: file.level for source, file in sources.items()}
+                made = compile_files(self._flags, levels, folder / "chunk.so", poll)
                 self._library = disk.keep(self._key, ".so", made.read_bytes())
                 return self._loaded(self._library or made)  # what is loaded needs no file any more
         except OSError as error:
@@ -93,15 +97,10 @@ class Program:
         return [ca.external(function.name(), str(library)) for function in self._functions]
 
 
-def compile_seconds(text: str) -> float:
-    """Return the estimated time [s] to compile a C text."""
-    squares = sum(len(function) ** 2 for function in text.split("\n}\n"))
-    return COMPILE_S + COMPILE_S_PER_CHARACTER[level(text)] * len(text) + COMPILE_S_PER_SQUARE * squares
-
-
-def level(text: str) -> str:
-    """Return the compiler's level of optimisation for a C text."""
-    return "-O1" if len(text) > LARGE else "-O3"
+def compile_seconds(files: Sequence[CFile]) -> float:
+    """Return the estimated time [s] to compile files side by side."""
+    times = [BEGIN_S + PER_CHARACTER_S[file.level] * len(file.text) for file in files]
+    return max([*times, sum(times) / cores()])
 
 
 def available() -> bool:
@@ -126,37 +125,59 @@ def c_text(functions: Iterable[Any], name: str = "hertzwerk_chunk") -> str:
 
 
 def compile_files(
-    flags: tuple[str, ...], sources: Sequence[Path], target: Path, poll: Callable[[], object] = lambda: None
+    flags: tuple[str, ...], levels: Mapping[Path, str], target: Path, poll: Callable[[], object] = lambda: None
 ) -> Path:
-    """Compile C files to a library; raises NoCompilerError, OSError, and what `poll` raises."""
-    command = [*_compiler(), *flags, "-o", str(target), *map(str, sources), "-lm"]
-    said, returncode = _run(command, poll)
-    if returncode != 0:
-        raise BrokenCompilerError(f"{' '.join(command)} failed:\n{said.strip()[:2000]}")
+    """Compile C files, each at its level, side by side, and link them to a library.
+
+    Raises NoCompilerError, OSError, and what `poll` raises.
+    """
+    objects = [source.with_suffix(".o") for source in levels]
+    compiler = _compiler()
+    _run(
+        [
+            [*compiler, level, *flags, "-c", "-o", str(made), str(source)]
+            for made, (source, level) in zip(objects, levels.items(), strict=True)
+        ],
+        poll,
+    )
+    command = [*compiler, "-shared", "-o", str(target), *map(str, objects), "-lm"]
+    _run([command], poll)
     if not target.is_file():
-        raise BrokenCompilerError(f"{' '.join(command)} makes no library")
+        raise BrokenCompilerError(f"{shlex.join(command)} makes no library")
     return target
 
 
-def _run(command: list[str], poll: Callable[[], object]) -> tuple[str, int]:
-    """Run a command; return its standard error and exit code.
+def cores() -> int:
+    """Return the number of processor cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if sys.platform.startswith("linux") else os.cpu_count() or 1
 
-    Killed with all its children where `poll`, called meanwhile, raises.
+
+def _run(commands: Sequence[Sequence[str]], poll: Callable[[], object]) -> None:
+    """Run commands side by side, one on each core.
+
+    All are killed with their children where one fails, which raises BrokenCompilerError, or where `poll`, called
+    meanwhile, raises.
     """
     group = 0 if os.name == "posix" else None  # a compiler has children
-    null, pipe = subprocess.DEVNULL, subprocess.PIPE
-    with subprocess.Popen(command, stdout=null, stderr=pipe, text=True, process_group=group) as run:
-        try:
-            while True:
-                try:
-                    return run.communicate(timeout=PATIENCE)[1], run.returncode
-                except subprocess.TimeoutExpired:
-                    poll()
-        except BaseException:
-            if group is not None:
-                os.killpg(run.pid, signal.SIGKILL)
-            run.kill()
-            raise
+    start = partial(subprocess.Popen, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, process_group=group)
+    waiting, running = list(commands), dict[subprocess.Popen[str], Sequence[str]]()
+    try:
+        while waiting or running:
+            while waiting and len(running) < cores():
+                command = waiting.pop(0)
+                running[start(command)] = command
+            for process, command in running.items():
+                with suppress(subprocess.TimeoutExpired):
+                    _, said = process.communicate(timeout=PATIENCE / len(running))
+                    if process.returncode:
+                        raise BrokenCompilerError(f"{shlex.join(command)} failed:\n{said.strip()[:2000]}")
+            running = {process: command for process, command in running.items() if process.returncode is None}
+            poll()
+    except BaseException:
+        for process in running:
+            with process, suppress(ProcessLookupError):
+                (process.kill if group is None else partial(os.killpg, process.pid, signal.SIGKILL))()
+        raise
 
 
 @cache

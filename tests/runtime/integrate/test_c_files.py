@@ -1,0 +1,85 @@
+"""C text as files that compile fast: the same bits whatever is parted, and what runs seldom apart."""
+
+import re
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.integrate.loop import c_files
+from hertzwerk.runtime.integrate.loop.attempt import integrator
+from hertzwerk.runtime.integrate.loop.chunk import chunk
+from hertzwerk.runtime.integrate.loop.compiled import Program, c_text
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+
+
+@pytest.fixture
+def small(monkeypatch, tmp_path):
+    """Parts and files far smaller than they are."""
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    for name, value in (("LONG", 3_000), ("FILE", 50_000), ("BESIDE", 1_000)):
+        monkeypatch.setattr(c_files, name, value)
+
+
+@pytest.fixture(scope="module")
+def text():
+    """The C of a crank by dop853."""
+    tables = tuple(table() for table in METHODS["dop853"])
+    return c_text([chunk(integrator(load("slider_crank_frictionless"), tables))])
+
+
+@pytest.mark.parametrize("method", ["dop853", "esdirk"])
+def test_many_parts_in_many_files_give_the_same_bits(small, method):
+    model = load("slider_crank_frictionless")
+    settings = {"duration": "24 ms", "tolerance": 1e-7, "method": method}
+    machine = simulate(model, compiled=False, **settings)
+    native = simulate(model, compiled=True, **settings)
+    assert len(native.impacts) > 1
+    assert np.array_equal(machine.history.rows.view(np.uint64), native.history.rows.view(np.uint64))
+
+
+def test_small_parts_are_made_of_the_text(small, text):
+    files = c_files.c_files(text)
+    assert len(files) > 4
+    assert sum(len(re.findall(r"\) void casadi_f\d+_\d+\(", file.text)) for file in files) > 50
+    for file in files:
+        longest = max(len(body) for body in file.text.split("\n}\n") if "casadi_real a" in body)
+        assert longest < 4 * c_files.LONG  # with what a part takes and hands on
+
+
+def test_arguments_and_results_may_be_absent(small):
+    """0 for an argument without entries, nothing for a result that nobody reads; in parts as well."""
+    x, y, nothing = ca.SX.sym("x", 3), ca.SX.sym("y", 2), ca.MX(2, 1)
+    terms = [ca.sin(x[i % 3] * i) + y[i % 2] for i in range(300)]
+    inner = ca.Function("inner", [x, y], [ca.vertcat(*terms), sum(terms)])
+    u = ca.MX.sym("u", 3)
+    outer = ca.Function("outer", [u], [inner(u, nothing)[1], inner(2 * u, u[:2])[0]])
+    (native,) = Program(outer).load()
+    for value in ([0.1, -2.0, 3.0], [1e-9, 5.0, -7.0]):
+        for expected, found in zip(outer(value), native(value), strict=True):
+            assert np.array_equal(np.array(expected), np.array(found))
+
+
+def test_what_completes_a_step_with_an_event_is_apart_and_less_optimised(text):
+    """Of the functions that are long; what runs in every attempt is not among them."""
+    often, *others = c_files.c_files(text)
+    assert often.level == c_files.OFTEN
+    assert [file.level for file in others] == [c_files.SELDOM]
+    said = [set(re.findall(r"^/\* (\w+):", file.text, re.MULTILINE)) for file in (often, *others)]
+    assert {"advance_in_contact", "advance_in_flight", "attempts_0", "chunk"} <= said[0]
+    assert {"moved", "decide", "locate"} <= said[1]
+    assert not said[0] & said[1]
+
+
+def test_a_variable_that_is_not_handed_on_is_noticed(small, monkeypatch):
+    """The seeded fault of the first test: the last variable of each part is lost."""
+    parts = c_files._parts
+
+    def lossy(body):
+        found, size = parts(body)
+        return [re.sub(r"  v\[\d+\]=a\d+;\n\Z", "", part) for part in found], size
+
+    monkeypatch.setattr(c_files, "_parts", lossy)
+    with pytest.raises(AssertionError):
+        test_many_parts_in_many_files_give_the_same_bits(None, "dop853")
