@@ -27,6 +27,7 @@ FEW = (
     2**11
 )  # rows of a block that may wait for those of other runs: more leave the cache, and their memory is given back
 BESIDE = np.array([-1, 0, 1])
+AT_ONCE = 8 * np.finfo(float).eps  # of the time: rows so near each other are one
 BEYOND = 1.1  # gap rate over approach speed from which a contact has left its law; rounding and steps make an impact's no larger than 1.001
 
 Piece: TypeAlias = tuple["History", slice]
@@ -304,11 +305,22 @@ def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.nd
 def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets: np.ndarray) -> np.ndarray:
     """Return the rows at places (n, kinds) in the blocks of runs (n,), and beside them, (n, kinds, 3, ns).
 
-    None is before the onset (n, 1) of its contact.
+    None is before the onset (n, 1) of its contact, nor, if there is another, at the same time but for rounding: landings leave such
+    steps, whose values are the largest by chance, while the crest is beside them.
     """
-    ends = np.array([len(block.rows) - 1 for block, _ in pieces])[run]
-    beside = np.clip(places[:, :, None] + BESIDE, onsets[:, :, None], ends[:, None, None])
     bounds = np.searchsorted(run, np.arange(len(pieces) + 1))
-    return np.concatenate([
-        block.rows[beside[first:stop]] for (block, _), (first, stop) in zip(pieces, pairwise(bounds), strict=True)
-    ])  # fmt: skip
+    found = []
+    for (block, _), (first, stop) in zip(pieces, pairwise(bounds), strict=True):
+        top, least, last = places[first:stop], onsets[first:stop], len(block.rows) - 1
+        least = np.broadcast_to(least, top.shape)
+        sides = np.clip(top[:, :, None] + BESIDE, least[:, :, None], last)
+        for side, edge in ((0, least), (2, np.full_like(top, last))):
+            while True:
+                beside = sides[:, :, side]
+                at_once = np.abs(block.t[beside] - block.t[top]) <= AT_ONCE * np.abs(block.t[top])
+                goes_on = at_once & (beside != edge)
+                if not goes_on.any():
+                    break
+                sides[:, :, side] = beside + BESIDE[side] * goes_on
+        found.append(block.rows[sides])
+    return np.concatenate(found)

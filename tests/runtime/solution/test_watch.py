@@ -126,3 +126,18 @@ def test_peaks_are_those_within_the_steps(run, monkeypatch):
     monkeypatch.setattr("hertzwerk.runtime.solution.impacts.PEAK", 1)
     monkeypatch.setattr("hertzwerk.runtime.solution.impacts._crest_of_cubic", lambda: lambda *_: 0.0)
     assert beside_their_steps(solve(load("slider_crank"), SETTINGS, {}, {}))
+
+
+def test_a_step_of_rounding_at_a_peak_hides_no_crest(run):
+    """An event close to a peak was landed on by steps of 1e-16 s; one of their values was the largest, and no crest was looked for before it."""
+    rows, expected = run.history.rows[:290], watched(run.history.of(run.history.rows[:290])).impacts()
+    force, t = (run.history.of(rows).part(name)[:, 0] for name in ("force", "t"))
+    for impact in expected[:-1]:
+        within = np.flatnonzero((t >= impact.t) & (t <= impact.t + impact.duration))
+        top = within[np.argmax(force[within])]
+        doubled = run.history.of(np.insert(rows, [top + 1] * 2, rows[top], axis=0))
+        for i in (1, 2):
+            doubled.part("t")[top + i, 0] += i * np.spacing(t[top])
+            doubled.part("force")[top + i, 0] *= 1 + i * 1e-12
+        found = next(each for each in watched(doubled).impacts() if each.t == impact.t)
+        assert found.peak_force == pytest.approx(impact.peak_force, rel=1e-8)
