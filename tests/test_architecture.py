@@ -74,7 +74,7 @@ ROOMS = {
         "inputs": "derive/faults derive/units measured model run",
         "integrate": "host integrate/events integrate/loop integrate/step model",
         "integrate/alike": "",
-        "integrate/events": "integrate/friction integrate/step integrate/tableaux model",
+        "integrate/events": "integrate/alike integrate/friction integrate/step integrate/tableaux model",
         "integrate/friction": "",
         "integrate/loop": "host integrate/events integrate/step integrate/tableaux model",
         "integrate/step": "host integrate/alike integrate/friction integrate/tableaux model",

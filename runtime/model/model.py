@@ -257,6 +257,11 @@ class Model:
             "joint_speeds": self.joints.nu,
         }[name]
 
+    def expressions(self, name: str, *given: Any) -> list[Any]:
+        """Return the results of one of the module's builders, columns in its arguments (SX)."""
+        results = getattr(self.module, name)(*given)
+        return [ca.vec(ca.SX(x)) for x in (results if isinstance(results, tuple) else (results,))]
+
     @per_model
     def _build(self, name: str) -> Any:
         inputs = _INPUTS["contact" if name.startswith("contact_") else name]
@@ -267,8 +272,7 @@ class Model:
             last = self.nc - self.npieces
             softness = self.module.constants(*self.symbols("p"))[last - self.nl : last]
             given["c"] = ca.vertcat(given["c"][: last - self.nl], softness, given["c"][last:])
-        results = getattr(self.module, name)(*given.values())
-        columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
+        columns = [*map(ca.densify, self.expressions(name, *given.values()))]
         return ca.Function(name, symbols, ca.cse(columns), inputs.split(), [f"o{i}" for i in range(len(columns))])
 
     def with_pieces(self, function: Any, constant: int) -> Any:

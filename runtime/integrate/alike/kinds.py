@@ -303,7 +303,7 @@ def _function(form: tuple[Any, ...], size: int) -> Any:
             values.append(ca.SX(arguments[0]))
         else:
             values.append(_apply(ca.SX, operation, [values[i] for i in arguments]))
-    return ca.Function("one", [leaves], [ca.densify(ca.vertcat(*(values[i] for i in results)))])
+    return ca.Function("one", [leaves], ca.cse([ca.densify(ca.vertcat(*(values[i] for i in results)))]))
 
 
 def _apply(kind: Any, operation: int, arguments: list[Any]) -> Any:

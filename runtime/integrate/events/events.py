@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.alike.selection import places_of
 from hertzwerk.runtime.integrate.events.jumps import falls
-from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, MANY, RELEASED, Layouts
 from hertzwerk.runtime.integrate.step.rounding import gap_rounding, time_rounding
 from hertzwerk.runtime.integrate.step.set_valued_friction import (
     LANDING,
@@ -37,6 +38,7 @@ NEAR = 1 / 64  # of a step: most by which its end is moved to land on a surface,
 RESOLVED = 0.5  # of a gap and its way in a step: most that a step may leave open of its course
 UNSEEN = 1e-10  # of the scene's length: what a step may leave open in any case
 PARTS = 8  # sub-intervals searched
+SOME = 4  # events of many pairs that are looked for by their places
 BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
 # retakes after which a margin counts as rootless: nearly redundant friction forces jump with a step's error
 LOCATED = 16
@@ -45,19 +47,29 @@ NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the 
 NO_EVENT = 2.0  # theta beyond every step
 
 
-def tolerances(model: Model, run: Mapping[str, Any], at: Mapping[str, Any]) -> tuple[Any, Any, Any]:
+def floors(model: Model, at: Mapping[str, Any], c: Any) -> Any:
+    """Return the bounds of rounding of gaps and gap rates (2 k) in a state."""
+    if not model.k:
+        return ca.DM(0, 1)
+    q, u = at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu]
+    return ca.vertcat(*gap_rounding(model)(at["t"], q, u, c))
+
+
+def tolerances(model: Model, run: Mapping[str, Any], at: Mapping[str, Any], known: Any = None) -> tuple[Any, Any, Any]:
     """Return the landing tolerances of a gap (k) [m], a gap rate (k) [m/s] and a force (k) [N].
 
     A hundredth of the tolerance, but not below rounding: a gap is rounded with the coordinates and lengths it is a
     difference of (`rounding`) and with the time of its landing; a force with that time and with the gap, by the
     stiffness of the scene's scales and by the contact's own, force over depth, which hard surfaces and strong damping
     raise far above.
+
+    known    the `floors` there
     """
     if not model.k:
         return (ca.DM(0, 1),) * 3
     length, speed, force = (run["scales"][i] for i in range(3))
-    q, u = at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu]
-    gap_floor, rate_floor = (ROUNDINGS * bound for bound in gap_rounding(model)(at["t"], q, u, run["c"]))
+    bounds = floors(model, at, run["c"]) if known is None else known
+    gap_floor, rate_floor = (ROUNDINGS * bound for bound in ca.vertsplit(bounds, model.k))
     small = LANDING * run["tolerance"]
     tol = ca.fmax(_landing(run, at["t"], at["gap_rate"]), gap_floor)
     own = gap_floor * ca.fabs(at["force"]) / ca.fmax(ca.fabs(at["gap"]), tol)
@@ -150,17 +162,19 @@ def rubs_till_it_pulls(model: Model) -> list[float]:
 
 @per_model
 def polynomials(model: Model, layouts: Layouts) -> Any:
-    """Build the function (state, controls, next) -> gap polynomials over a step and their suspicions.
+    """Build the function of the gap polynomials over a step and their suspicions.
 
-    Results: bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n); without pairs the last alone. An event is the first theta where a
+    (state, controls, next, floors) ->
+    bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n); without pairs the last alone. An event is the first theta where a
     polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
     resolved by a shorter step. suspect: 1 where any of this is possible; ending: 1 where `endings` has an event.
     """
     arguments, (start, run, end) = layouts.symbols("state controls next")
+    arguments.append(layouts.kind.sym("floors", 2 * model.k))
     h = start["h"]
     if not model.k:
         return ca.Function("polynomials", arguments, [ca.densify(_beside_pairs(model, run, start, end, ca.DM(0, 1)))])
-    tol, tol_rate, tol_force = tolerances(model, run, end)
+    tol, tol_rate, tol_force = tolerances(model, run, end, arguments[-1])
     before, after = signed_gaps(start["mode"], start), signed_gaps(start["mode"], end)
     g, rate, _ = before
     b = _quintic(before, after, h)
@@ -181,18 +195,19 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
 
 @per_model
 def endings(model: Model, layouts: Layouts) -> Any:
-    """Build the function (state, controls, next) -> cubics of the force, opening speed and margins.
+    """Build the function of the cubics of the force, opening speed and margins.
 
-    Results: bernstein (6, n), margin (n), doubt (n). A mode also ends, before the gap opens, where one of these falls
+    (state, controls, next, floors) -> bernstein (6, n), margin (n), doubt (n). A mode also ends, before the gap opens, where one of these falls
     through zero: in contact the force, which would pull from there on; released, the opening speed, after which the
     bodies close again; for the ns pairs that slip or stick, the margin of that; for the ne events of effects their
     own. The root is aimed half the tolerance below zero, so that the landing is beyond it. Where stiff damping makes the
     force, its rate is dominated by the velocity error of a step: after BELIEVED retakes the chord replaces the cubic.
     """
     arguments, (start, run, end) = layouts.symbols("state controls next")
+    arguments.append(layouts.kind.sym("floors", 2 * model.k))
     h = start["h"]
     rows, aim, margins_of = [ca.DM.ones(model.k)] * 6, ca.DM.zeros(model.k), []
-    tolerance = tolerances(model, run, end)
+    tolerance = tolerances(model, run, end, arguments[-1])
     if model.k:
         for ends, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
             rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
@@ -264,17 +279,29 @@ def _slipping(
 
 
 def search(k: int) -> Any:
-    """Build the function (wanted, bernstein, margin, doubt) -> theta (k) of each first event.
+    """Build the function (wanted, bernstein, margin, doubt) -> theta of the first event of any.
 
-    NO_EVENT where there is none. MX, lazy: pairs not wanted cost nothing.
+    NO_EVENT where there is none. MX, lazy: pairs not wanted cost nothing, nor are they looked through where there are many.
     """
     wanted, margin, doubt = (ca.MX.sym(name, k) for name in ("wanted", "margin", "doubt"))
-    bernstein = ca.MX.sym("bernstein", 6, k)
+    given = [wanted, ca.MX.sym("bernstein", 6, k), margin, doubt]
     found = locate()
     none = ca.Function("none", found.mx_in(), [ca.MX(NO_EVENT)])
-    each = ca.Function.if_else("lazy", found, none).map(k)
-    theta = each(wanted.T, bernstein, margin.T, doubt.T)
-    return ca.Function("search", [wanted, bernstein, margin, doubt], [theta.T])
+    lazy = ca.Function.if_else("lazy", found, none)
+
+    def of(count: int, *given: Any) -> Any:
+        wanted, bernstein, margin, doubt = given
+        return ca.mmin(lazy.map(count)(wanted.T, bernstein, margin.T, doubt.T))
+
+    every = ca.Function("every", given, [of(k, *given)])
+    if k <= MANY:
+        return every
+    places = places_of(wanted, SOME)
+    rows = ca.repmat(6 * places.T, 6, 1) + ca.DM(range(6))
+    taken = (part.get_nz(False, at) for part, at in zip(given[1:], (rows, places, places), strict=True))
+    some = ca.Function("some", given, [of(SOME, places < k, *taken)])
+    few = ca.sum1(wanted) <= SOME
+    return ca.Function("search", given, [ca.Function.if_else("searched", some, every)(few, *given)])
 
 
 @cache

@@ -48,10 +48,10 @@ ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7
 FINITE = 1e300  # larger sums of magnitudes, and nan, are not finite
 
 
-def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> Any:
+def next_modes(model: Model, mode: Any, end: Parts, landed: Any, tolerance: tuple[Any, Any, Any]) -> Any:
     """Return the modes (k) after a step from `mode` to `end`; landed: the step was cut to an event."""
     gap, rate, acceleration = end["gap"], end["gap_rate"], end["gap_acceleration"]
-    tol, _, tol_force = tolerances(model, run, end)
+    tol, _, tol_force = tolerance
     # an opening that would end within the tolerance is none: a body at rest stays in contact
     leaves = (rate > 0) * ((acceleration >= 0) + (rate * rate > -2 * acceleration * tol) > 0)
     opened = (gap > tol) + (gap >= -tol) * leaves > 0

@@ -11,6 +11,7 @@ from hertzwerk.runtime.integrate.events.events import (
     NO_EVENT,
     endings,
     ends_with_force,
+    floors,
     polynomials,
     search,
     signed_gaps,
@@ -77,26 +78,28 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
     state, controls, end, verdict = given
     decide = _decide(model, vectors, table)
     if not (model.k or model.ns or model.ne):
-        decided, _ = decide(*given, NO_EVENT, 0)
+        decided, _ = decide(*given, NO_EVENT, 0, ca.DM(0, 1))
         return ca.Function("settle", given, [decided], names, ["new"])
-    *gaps, ending = polynomials(model, vectors).call([state, controls, end])
+    run = vectors.within(vectors.controls.split(controls), vectors.state.split(state))
+    known = moved_floors = floors(model, vectors.state.split(end), run["c"])
+    *gaps, ending = polynomials(model, vectors).call([state, controls, end, known])
     forces, count = endings(model, vectors), model.k + model.ns + model.ne
     at_gap = ca.MX(NO_EVENT)
     if model.k:
         suspect = gaps.pop()
-        at_gap = _if(any_of(suspect), search(model.k), [NO_EVENT] * model.k, suspect, *gaps)
-    wanted, three = ca.MX.sym("wanted", count), forces.mx_in()
-    searched = ca.Function("searched", [wanted, *three], [search(count)(wanted, *forces(*three))])
-    at_force = _if(any_of(ending), searched, [NO_EVENT] * count, ending, state, controls, end)
-    theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force)
+        at_gap = _if(any_of(suspect), search(model.k), NO_EVENT, suspect, *gaps)
+    wanted, asked = ca.MX.sym("wanted", count), forces.mx_in()
+    searched = ca.Function("searched", [wanted, *asked], [search(count)(wanted, *forces(*asked))])
+    at_force = _if(any_of(ending), searched, NO_EVENT, ending, state, controls, end, known)
+    theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force, known)
     if model.k:
         moved = _nudge(model, vectors, right)
         still = moved.mx_in()
-        rest = ca.Function("rest", still, still[2:4])
-        end, verdict = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta)
-    decided, switched = decide(state, controls, end, verdict, theta, delta)
+        rest = ca.Function("rest", still, [*still[2:4], still[-1]])
+        end, verdict, moved_floors = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta, known)
+    decided, switched = decide(state, controls, end, verdict, theta, delta, moved_floors)
     if model.k and ca.mmax(ends_with_force(model)):
-        decided, switched = _without_pull(model, vectors, right, decide)(*given, decided, switched)
+        decided, switched = _without_pull(model, vectors, right, decide)(*given, known, decided, switched)
     changed = switch(model, vectors, right)
     before, after, run = changed.mx_in()
     keep = ca.Function("keep", [before, after, run], [after])
@@ -132,28 +135,24 @@ def reject(vectors: Layouts, table: Table) -> Any:
     return ca.Function("reject", arguments, ca.cse([vectors.state.join(new)]))
 
 
-def _if(condition: Any, function: Any, otherwise: list[float], *arguments: Any) -> Any:
+def _if(condition: Any, function: Any, otherwise: float, *arguments: Any) -> Any:
     """Return the function's only result if the condition holds, else a constant; evaluated lazily."""
-    constant = ca.Function("otherwise", function.mx_in(), [ca.MX(ca.DM(otherwise))])
+    constant = ca.Function("otherwise", function.mx_in(), [ca.MX(otherwise)])
     return ca.Function.if_else("branch", function, constant)(condition, *arguments)
 
 
 def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     """Build the function that returns theta of a step's first event and a move delta [s] of its end.
 
-    Arguments: state, controls, next, verdict, theta of the gaps (k), of the other endings (k + ns + ne). delta leads
+    Arguments: state, controls, next, verdict, theta of the first gap, of the first other ending, floors. delta leads
     to a surface close by, or is 0.
     """
     arguments, (old, run, end, _) = vectors.symbols("state controls next verdict")
-    at_gap, at_force = (
-        vectors.kind.sym("at_gap", max(model.k, 1)),
-        vectors.kind.sym("at_force", model.k + model.ns + model.ne),
-    )
-    asked = [*arguments, at_gap, at_force]
-    theta, force = ca.mmin(at_gap), ca.mmin(at_force)
+    theta, force, known = (vectors.kind.sym(name, n) for name, n in (("gap", 1), ("force", 1), ("floors", 2 * model.k)))
+    asked = [*arguments, theta, force, known]
     if not model.k:
         return ca.Function("aim", asked, [ca.fmin(theta, force), ca.DM(0)])
-    tol, _, _ = tolerances(model, run, end)
+    tol, _, _ = tolerances(model, run, end, known)
     times = time_to_root(*signed_gaps(old["mode"], end))
     # its fifth power, the nudge's error, is below the tolerance
     near = ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
@@ -173,20 +172,24 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
 
 @per_model
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """Build the function (state, controls, next, verdict, delta) -> (next, verdict) delta [s] later."""
+    """Build the function that moves the end of a step by delta [s].
+
+    (state, controls, next, verdict, delta, floors) -> (next, verdict, floors).
+    """
     kind = ca.MX if uses_calls(model) else vectors.kind
     arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict", kind)
     delta = kind.sym("delta")
     moved = short_step(right, old, end, run, delta)
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
-    return ca.Function("moved", [*arguments, delta], outputs)
+    outputs.append(floors(model, moved, run["c"]))
+    return ca.Function("moved", [*arguments, delta, kind.sym("floors", 2 * model.k)], outputs)
 
 
 def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> Any:
     """Build the function that retakes a step which ends a contact from a pull.
 
-    Arguments: state, controls, next, verdict, and state and switched as decided, which it returns. A force that falls
+    Arguments: state, controls, next, verdict, floors, and state and switched as decided, which it returns. A force that falls
     through zero and returns to it with the gap is seen at neither end of the step that opens the contact, but just
     before that: there the step is cut, so that the next attempt sees the fall.
     """
@@ -195,9 +198,10 @@ def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> A
     modes = decided[vectors.state["mode"]]
     ended = ends_with_force(model) * (old["mode"] == CONTACT) * (modes != CONTACT)
     most = ca.if_else(modes == RELEASED, ca.fmin(end["force"], 0), 0)  # where it runs out it is aimed below zero
-    pulled = _if(any_of(ended), _just_before(model, vectors, right), [0.0], *arguments[:3], ended, most)
-    asked = [*arguments, decided, switched]
-    retaken = ca.Function("retaken", asked, decide(*arguments, 1 - NEAR, 0))
+    pulled = _if(any_of(ended), _just_before(model, vectors, right), 0.0, *arguments[:3], ended, most)
+    known = ca.MX.sym("floors", 2 * model.k)
+    asked = [*arguments, known, decided, switched]
+    retaken = ca.Function("retaken", asked, decide(*arguments, 1 - NEAR, 0, known))
     kept = ca.Function("kept", asked, [decided, switched])
     found = ca.Function.if_else("unpulled", retaken, kept)(pulled, *asked)
     return ca.Function("without_pull", asked, found)
@@ -219,18 +223,20 @@ def _just_before(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
-    """Build the function (state, controls, next, verdict, theta, delta) -> (state, switched).
+    """Build the function (state, controls, next, verdict, theta, delta, floors) -> (state, switched).
 
     Accepts the step or retakes it to its first event. switched: 1 if a pair changes its mode or an effect its state, so that
     the right-hand side has to be evaluated again.
     """
     arguments, (old, run, end, judged) = vectors.symbols("state controls next verdict")
     theta, delta = vectors.kind.sym("theta"), vectors.kind.sym("delta")
+    known = vectors.kind.sym("floors", 2 * model.k)
     moved, finite = delta != 0, is_finite(end)
     aimed, retake = old["h"] * theta, theta < 1
     mode, m, floored, begun = old["mode"], old["m"], ca.DM(0), ca.DM(0)
     if model.k:  # moved, but too far: the step is retaken to the root as it appears from there
-        tol, _, _ = tolerances(model, run, end)
+        tolerance = tolerances(model, run, end, known)
+        tol = tolerance[0]
         g, *rates = signed_gaps(mode, end)
         beyond = ca.mmin(ca.if_else(g < -tol, time_to_root(g, *rates), 0))
         retake = ca.if_else(moved, beyond < 0, retake)
@@ -242,14 +248,13 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     retake = ca.if_else(finite, retake * (old["h"] > 2 * least), 1)
     accepted = 1 - retake
     if model.k:
-        mode = ca.if_else(accepted, next_modes(model, run, mode, end, old["retakes"] > 0), mode)
+        mode = ca.if_else(accepted, next_modes(model, mode, end, old["retakes"] > 0, tolerance), mode)
         onset = (mode == CONTACT) * (old["mode"] == FLIGHT)
         m, floored = latch(model, run, m, onset, end["gap_rate"])
         begun = ca.sum1(onset)
     switched = any_of(mode != old["mode"])
     if model.ns:
-        _, *tolerance = tolerances(model, run, end)
-        small = margin_tolerances(model, run, old["m"], end, *tolerance)
+        small = margin_tolerances(model, run, old["m"], end, *tolerance[1:])
         turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
         following, some = turned(model, m, end["friction"], end["margin"])
         switched = switched + accepted * (any_of(sum(turns)) + some) > 0
@@ -297,7 +302,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         otherwise=RUNNING,
     )
     new["class"] = ca.if_else(new["status"] == RUNNING, class_of(model, mode), IDLE)
-    return ca.Function("decide", [*arguments, theta, delta], ca.cse([vectors.state.join(new), switched]))
+    return ca.Function("decide", [*arguments, theta, delta, known], ca.cse([vectors.state.join(new), switched]))
 
 
 def _steps_to_continue(table: Table, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:

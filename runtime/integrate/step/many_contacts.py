@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.alike.kinds import Alike, alike, over_items
+from hertzwerk.runtime.integrate.alike.selection import added, running_sum
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 
 LADDER = (1, 4, 16, 64, 256, 1024)  # pairs of a kind that are evaluated, where no more are in contact
 SPARSE = 8  # times a rung: pairs of a kind from which it is one
-BLOCK = 16  # entries added up by one product with a triangle
 
 
 @per_model
@@ -73,7 +73,7 @@ def contact_forces(model: Model) -> ContactForces | None:
     items: list[Any] = []
     rows: list[tuple[int, ...]] = []
     for pair in model.pairs:
-        f, dz, normal, _, valid, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
+        f, dz, normal, _, valid, *_ = model.expressions(f"contact_{pair}", t, q, u, z, m, c)
         f, dz = ca.sparsify(f), ca.sparsify(dz)
         rows.append((*f.sparsity().row(), *(nf + row for row in dz.sparsity().row())))
         items.append(ca.vertcat(ca.SX(0, 1), *f.nonzeros(), *dz.nonzeros(), normal, valid))
@@ -186,26 +186,3 @@ class _Evaluation:
             return of_pairs
         total = added(ca.MX(self._nf + self._model.nz, 1), ca.vertcat(*at), ca.vertcat(*pushes))
         return [total[: self._nf], total[self._nf :], *of_pairs]
-
-
-def added(vector: Any, places: Any, values: Any) -> Any:
-    """Return a vector (MX) to which values were added at places, one after another.
-
-    Places that it does not have are passed over.
-    """
-    x = ca.MX.sym("x", vector.numel())
-    taken = x[places] if isinstance(places, list) else x.get_nz(False, places)
-    return ca.jtimes(ca.vertcat(x, taken), x, ca.vertcat(vector, values), True)
-
-
-def running_sum(x: Any) -> Any:
-    """Return the sums of a vector (MX) up to each of its entries."""
-    n = x.numel()
-    if n <= BLOCK:
-        return ca.mtimes(ca.DM(ca.Sparsity.lower(n), 1), x)
-    blocks = -(-n // BLOCK)
-    padded = ca.vertcat(x, ca.DM.zeros(blocks * BLOCK - n))
-    within = ca.mtimes(ca.DM(ca.Sparsity.lower(BLOCK), 1), ca.reshape(padded, BLOCK, blocks))
-    totals = within[-1, :].T
-    before = running_sum(totals) - totals
-    return ca.vec(within + ca.repmat(before.T, BLOCK, 1))[:n]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.alike.kinds import over_items
+from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -33,8 +33,36 @@ def time_rounding(t: Any, rate: Any) -> Any:
 @per_model
 def gap_rounding(model: Model) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
-    found = bounds(model.function("gaps"), STATE)
-    return over_items(found) if layouts(model).kind is ca.MX else found
+    gaps = model.function("gaps")
+    if layouts(model).kind is ca.MX:
+        given = gaps.sx_in()
+        items = zip(*map(ca.vertsplit, gaps.call(given)), strict=True)
+        found = alike(given, [ca.vertcat(*parts) for parts in items])
+        if found is not None:
+            symbols = gaps.mx_in()
+            return ca.Function("rounding", symbols, _of_kinds(found, STATE).results(symbols))
+    return bounds(gaps, STATE)
+
+
+def _of_kinds(found: Alike, rounded: tuple[int, ...]) -> Alike:
+    """Return the items with rounding error bounds of their results: of a kind, not of each."""
+    given = found.shared.sx_in()
+    values = found.shared(*given)
+    shared = ca.Function("shared", given, [ca.vertcat(values, bounds(found.shared, rounded)(*given))])
+    part_of, n = [part for part, entries in enumerate(found.taken) for _ in entries], values.numel()
+    kinds = []
+    for kind in found.kinds:
+        leaves, places = ca.SX.sym("leaves", kind.one.numel_in(0)), kind.leaves[0]
+        of_shared = [i for i, place in enumerate(places) if place >= len(part_of)]
+        errors = ca.SX.zeros(leaves.numel())
+        errors[of_shared] = known = ca.SX.sym("errors", len(of_shared))
+        for i, place in enumerate(places):
+            if place < len(part_of) and part_of[place] in rounded:
+                errors[i] = EPS * ca.fabs(leaves[i])
+        (found_errors,) = _propagated(kind.one, [leaves], [errors])
+        one = ca.Function("one", [ca.vertcat(leaves, known)], [ca.cse(found_errors)])
+        kinds.append(Kind(kind.items, [[*of, *(of[i] + n for i in of_shared)] for of in kind.leaves], one))
+    return Alike(found.taken, shared, kinds)
 
 
 def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
@@ -43,6 +71,12 @@ def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
     rounded: the inputs that are rounded themselves.
     """
     given = [ca.SX.sym(f"x{i}", function.sparsity_in(i)) for i in range(function.n_in())]
+    errors = [EPS * ca.fabs(part) if i in rounded else ca.SX.zeros(part.sparsity()) for i, part in enumerate(given)]
+    return ca.Function("rounding", given, ca.cse(_propagated(function, given, errors)))
+
+
+def _propagated(function: Any, given: list[Any], known: list[Any]) -> list[Any]:
+    """Return rounding error bounds of an SX function's results from its arguments and bounds of theirs."""
     errors = [ca.SX.zeros(function.sparsity_out(i)) for i in range(function.n_out())]
     work: dict[int, tuple[Any, Any]] = {}
     for k in range(function.n_instructions()):
@@ -52,8 +86,7 @@ def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
             function.instruction_output(k),
         )
         if operation == ca.OP_INPUT:
-            value = given[places[0]].nz[places[1]]
-            work[target[0]] = value, EPS * ca.fabs(value) if places[0] in rounded else ca.SX(0)
+            work[target[0]] = given[places[0]].nz[places[1]], known[places[0]].nz[places[1]]
         elif operation == ca.OP_OUTPUT:
             errors[target[0]].nz[target[1]] = work[places[0]][1]
         elif operation == ca.OP_CALL:
@@ -64,7 +97,7 @@ def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
             work[target[0]] = ca.SX(function.instruction_constant(k)), ca.SX(0)
         else:
             work[target[0]] = _result(operation, [work[place] for place in places])
-    return ca.Function("rounding", given, ca.cse(errors))
+    return errors
 
 
 def _result(operation: int, arguments: list[tuple[Any, Any]]) -> tuple[Any, Any]:

@@ -8,6 +8,8 @@ import pytest
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.alike.kinds import alike, over_items
+from hertzwerk.runtime.integrate.alike.selection import places_of, running_sum
+from hertzwerk.runtime.integrate.events.events import NO_EVENT, locate, search
 from hertzwerk.runtime.integrate.loop.attempt import integrator
 from hertzwerk.runtime.integrate.loop.chunk import chunk
 from hertzwerk.runtime.integrate.loop.compiled import c_text
@@ -15,7 +17,7 @@ from hertzwerk.runtime.integrate.step import stepper
 from hertzwerk.runtime.integrate.step.classes import BY_MODE
 from hertzwerk.runtime.integrate.step.explicit import calls_parts, flow, written_flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT
-from hertzwerk.runtime.integrate.step.many_contacts import LADDER, SPARSE, contact_forces, of_pairs, running_sum
+from hertzwerk.runtime.integrate.step.many_contacts import LADDER, SPARSE, contact_forces, of_pairs
 from hertzwerk.runtime.integrate.step.rounding import STATE, bounds, gap_rounding
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.model import Model
@@ -121,10 +123,25 @@ def test_a_rung_with_too_few_places_leaves_contacts_out():
     assert np.count_nonzero(some[2]) < np.count_nonzero(every[2])
 
 
-def test_sums_up_to_each_entry():
+def test_sums_up_to_each_entry_and_places_of_ones():
     x = ca.MX.sym("x", 300)
+    sums, places = ca.Function("sums", [x], [running_sum(x)]), ca.Function("places", [x], [places_of(x, 4)])
     ones = np.random.default_rng(0).integers(0, 2, 300)
-    assert np.array_equal(arrays(ca.Function("sums", [x], [running_sum(x)]), [ones])[0], np.cumsum(ones))
+    assert np.array_equal(arrays(sums, [ones])[0], np.cumsum(ones))
+    assert np.array_equal(arrays(places, [ones])[0], np.flatnonzero(ones)[:4])
+    assert np.array_equal(arrays(places, [np.eye(300)[7]])[0], [7, 300, 300, 300])
+
+
+@pytest.mark.parametrize("number", [0, 1, 4, 5, 40])
+def test_the_first_event_of_many_pairs_is_that_of_each_sought_alone(number):
+    """Up to four pairs are looked for by their places, more among all."""
+    random = np.random.default_rng(number)
+    bernstein = np.vstack([np.ones((1, 40)), random.uniform(-2, 1, (5, 40))])
+    wanted, margin, doubt = np.zeros(40), random.uniform(0, 1e-3, 40), random.uniform(0, 0.5, 40)
+    wanted[random.choice(40, number, replace=False)] = 1
+    each = [float(locate()(bernstein[:, j], margin[j], doubt[j])) for j in np.flatnonzero(wanted)]
+    assert float(search(40)(wanted, bernstein, margin, doubt)) == min(each, default=NO_EVENT)
+    assert number < 4 or min(each) < 1
 
 
 @pytest.mark.parametrize("contacts", [(), BY_MODE], ids=["flight", "contact"])

@@ -233,7 +233,7 @@ def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():
             for name, value in parts.items():
                 row[vectors.state[name]] = value
             rows.append(row)
-        return float(locate()(*force(rows[0], controls, rows[1])))
+        return float(locate()(*force(rows[0], controls, rows[1], np.zeros(2))))
 
     assert theta(0) > 0.98  # 60 of them leave a third of the step
     assert theta(4) == pytest.approx(60.2 / 70.9, rel=1e-3)

@@ -80,7 +80,7 @@ def test_a_gap_is_rounded_with_the_lengths_it_is_a_difference_of():
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])
 def test_without_the_rounding_of_gaps_rows_end_nowhere(monkeypatch, method, tolerance):
     """The fault that this guards against: a landing that asks for less than the last digit of a gap is tried to the last digit of the time."""
-    monkeypatch.setattr(events, "gap_rounding", lambda model: lambda *_: (ca.SX.zeros(model.k), ca.SX.zeros(model.k)))
+    monkeypatch.setattr(events, "gap_rounding", lambda model: lambda *_: (ca.DM.zeros(model.k), ca.DM.zeros(model.k)))
     blind = load(touching_row(5))
     assert solve(blind, tolerance, 0.004, method=method).statistics.retaken > 100
     monkeypatch.undo()
