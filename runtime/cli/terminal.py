@@ -122,6 +122,12 @@ def line(label: str, text: str) -> None:
         click.echo(f"{'':14}{line}".rstrip())
 
 
+def report_damage(*found: str) -> None:
+    """Print what was found damaged among kept rows, and was computed again; empty texts are nothing."""
+    for text in filter(None, found):
+        line("damage", text)
+
+
 def print_prose(text: str, indent: int = 0) -> None:
     """Print prose, broken between words where a terminal ends, each line's further ones indented."""
     click.echo(wrapping.wrapped(text, wrapping.columns(), indent=indent))

@@ -168,6 +168,7 @@ class Propagated:
             "runs": len(self.samples),
             "outputs": {one.name: plain(vars(one)) for one in self},
             "warnings": list(self.warnings),
+            "damage": self.samples.damage,
         }
 
     def plot(self) -> Figure:

@@ -20,10 +20,12 @@ class Sweeps:
     """Makes the sweeps of a study.
 
     begin    returns the folder that they are stored in, each under its name; without it they are kept in memory
+    damage    sentences: what was found damaged among the rows that were kept, and was computed again
     """
 
     def __init__(self, begin: Callable[[], Path] | None = None) -> None:
         self._begin = begin
+        self.damage: list[str] = []
 
     @cached_property
     def folder(self) -> Path | None:
@@ -38,6 +40,8 @@ class Sweeps:
         into = None if self.folder is None else self.folder / name
         with raise_interrupts():
             found = sweep(target, over, into=into, **arguments)
+        if found.damage:
+            self.damage.append(f"{name}: {found.damage}")
         if not found.outcome.finished:
             raise SweepStoppedError(f"{name}, after {len(found)} rows: {found.outcome.message}")
         return found

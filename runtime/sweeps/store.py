@@ -61,6 +61,7 @@ OURS = {
     DEFINITION,
     MODEL,
     *(TABLE, "section.csv", "histories.csv", PICTURE),
+    *("report.html", "propagation.json", "propagation.png"),  # of commands that read a sweep, or make one
     *(f"{name}{end}" for name in (ROWS, LOCK) for end in ("", "-wal", "-shm", "-journal")),
 }
 SYNC = 0.5  # s between two writes to the disk

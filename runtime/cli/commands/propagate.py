@@ -12,7 +12,15 @@ import click
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.cli.designing import definition, keep
 from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, number
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, print_prose, report_missing, reports_bad_input
+from hertzwerk.runtime.cli.terminal import (
+    GOOD,
+    OTHER_OUTCOME,
+    Progress,
+    print_prose,
+    report_damage,
+    report_missing,
+    reports_bad_input,
+)
 
 
 @click.command()
@@ -95,6 +103,7 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
         click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False))
     else:
         print_prose(str(found), indent=4)
+        report_damage(found.samples.damage)
     return OTHER_OUTCOME if found.notes or report_missing(missing) else GOOD
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from hertzwerk.runtime.cli.terminal import (
     Progress,
     conclude,
     line,
+    report_damage,
     reports_bad_input,
 )
 
@@ -75,22 +77,24 @@ def study(
     target = str(Path(name).absolute()) if is_file(name) else name
     asked = {"study": target, "quick": quick, "measured": None if measured is None else str(measured.absolute())}
     folder = page_folder.StudyFolder(found.name, resume or out, asked, begun=resume is not None)
+    sweeps = Sweeps(folder.rows if wanted else None)
     try:
         with Progress(f"study {found.name}", shown=not as_json and sys.stderr.isatty()) as progress:
-            page = found.run(quick, progress, Sweeps(folder.rows if wanted else None))
+            page = found.run(quick, progress, sweeps)
     except SweepStoppedError as stopped:
+        report_damage(*sweeps.damage)
         line("stopped", str(stopped))
         if folder.path is not None:
             line("remedy", f"hertzwerk study --resume {folder.path}")
         return OTHER_OUTCOME
     page = page if laid is None else laid_over(page, laid)
-    about = {"study": found.name, "question": found.question, "quick": quick}
+    about = {"study": found.name, "question": found.question, "quick": quick, "damage": sweeps.damage}
     given = [*(["--quick"] if quick else []), *([] if measured is None else ["--measured", str(measured)])]
     about |= {"command": shlex.join(["hertzwerk", "study", name, *given])}
     code = conclude(
         lambda missing: folder.write(page, about, missing),
         lambda: {**about, **page.record()},
-        lambda: _report(page),
+        lambda: _report(page, sweeps.damage),
         wanted=wanted,
         as_json=as_json,
     )
@@ -108,8 +112,8 @@ def _asked(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
     return asked["study"], asked["quick"], None if asked["measured"] is None else Path(asked["measured"])
 
 
-def _report(page: Page) -> None:
-    """Print the verdicts of a page, and what its sources lack."""
+def _report(page: Page, damage: Sequence[str]) -> None:
+    """Print the verdicts of a page, what its sources lack, and what was damaged among its rows."""
     from hertzwerk.runtime.cli.page_folder import MARKS
 
     if page.missing:
@@ -118,3 +122,4 @@ def _report(page: Page) -> None:
         line(MARKS[verdict.holds], f"{verdict.text} ({verdict.source})")
     for text in page.lacking:
         line("lacking", text)
+    report_damage(*damage)

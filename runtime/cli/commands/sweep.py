@@ -27,6 +27,7 @@ from hertzwerk.runtime.cli.terminal import (
     OTHER_OUTCOME,
     Progress,
     line,
+    report_damage,
     report_missing,
     reports_bad_input,
     table,
@@ -311,8 +312,7 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
     warned = summary.warned
     if warned:
         line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} warnings (column `warnings`)")
-    if found.damage:
-        line("damage", found.damage)
+    report_damage(found.damage)
     if not found.outcome.finished:
         line(found.outcome.name, found.outcome.message)
         line("remedy", found.outcome.remedy)

@@ -1,6 +1,8 @@
 """Commands propagate and minimise: what they print, files that define them, bad input."""
 
 import json
+import sqlite3
+from contextlib import closing
 
 import pytest
 from click.testing import CliRunner
@@ -56,6 +58,13 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
         0.08, rel=1e-4
     )
     assert {"Picture", "What it is owed to", "Origin"} <= set(outline.texts["h2"])
+    with closing(sqlite3.connect(kept / "rows.sqlite")) as rows, rows:  # a digit of one number
+        here = "key = (SELECT key FROM points WHERE number = 2)"
+        rows.execute(f"UPDATE rows SET outputs = replace(outputs, '9', '8') WHERE {here}")
+    told = run("propagate", "bouncing_ball", *options, "--into", str(kept))
+    assert "rows of it are whole; row 2 damaged" in " ".join(told.output.split())
+    assert "row 2 damaged" in json.loads((kept / "propagation.json").read_text())["damage"]
+    assert "damage" not in run("propagate", "bouncing_ball", *options, "--into", str(kept)).output
     one, other = (
         json.loads(run("propagate", *of, "--json").output) for of in (("bouncing_ball", *options), (file(FILE),))
     )

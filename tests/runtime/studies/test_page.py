@@ -2,6 +2,8 @@
 
 import json
 import shutil
+import sqlite3
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -154,7 +156,15 @@ def test_an_unknown_name_has_suggestions(hertzwerk):
     assert (done.exit_code, "did you mean exponents" in done.output) == (2, True)
 
 
+def damage_a_row(folder):
+    """Change a digit of what a sweep keeps of its third row, as SQLite itself would write it."""
+    with closing(sqlite3.connect(folder / "rows.sqlite")) as rows, rows:
+        here = "key = (SELECT key FROM points WHERE number = 2)"
+        assert rows.execute(f"UPDATE rows SET outputs = replace(outputs, '0', '1') WHERE {here}").rowcount == 1
+
+
 SWEPT = """
+from contextlib import closing
 from pathlib import Path
 from hertzwerk.runtime.studies.page import Page, Study, Table
 
@@ -175,7 +185,7 @@ study = Study("swept", "Which rows are kept?", run)
 """
 
 
-@pytest.mark.parametrize("kept", [True, False])
+@pytest.mark.parametrize("kept", [True, False, "damaged"])
 def test_a_study_that_is_stopped_keeps_its_rows_and_goes_on(hertzwerk, tmp_path, kept):
     (tmp_path / "swept.py").write_text(SWEPT)
     stopped = hertzwerk("swept.py", "--quick")
@@ -188,10 +198,15 @@ def test_a_study_that_is_stopped_keeps_its_rows_and_goes_on(hertzwerk, tmp_path,
     assert (beside.exit_code, "NAME, --quick beside it" in beside.output) == (2, True)
     if not kept:  # what is counted would show it
         shutil.rmtree(folder / "rows" / "drops")
+    if kept == "damaged":
+        damage_a_row(folder / "rows" / "drops")
     (tmp_path / "again").touch()
     done = hertzwerk("--resume", "runs/swept-study-001")
     assert done.exit_code == 0, done.output
-    assert (tmp_path / "computed").read_text() == "." * (8 if kept else 12)
+    assert (tmp_path / "computed").read_text() == "." * {True: 8, False: 12, "damaged": 9}[kept]
+    found = "drops: rows.sqlite was damaged: 7 rows of it are whole; row 2 damaged"
+    assert (found in " ".join(done.stdout.split())) == (kept == "damaged")
+    assert len(json.loads((folder / "study.json").read_text())["damage"]) == (kept == "damaged")
     assert json.loads((folder / "study.json").read_text())["command"].endswith("swept.py --quick")
     assert len((folder / "drops.csv").read_text().splitlines()) == 9
     again = hertzwerk("--resume", "runs/swept-study-001")
