@@ -151,7 +151,7 @@ class Spline(NoText):
     def eval(cls, table: Any, argument: Any, order: Any) -> None:
         """Check the order of the derivative; never evaluate. Raises ValueError."""
         if order not in (0, 1, 2):
-            raise ValueError(f"the spline of {table} has two derivatives everywhere; found the {order}th asked for")
+            raise ValueError(f"the spline of {table} has two derivatives everywhere; the {order}th was requested")
 
     def fdiff(self, argindex: int = 2) -> Any:
         """Next derivative."""

@@ -434,7 +434,7 @@ def _offer(name: str) -> str:
     same = next((known for known in FUNCTIONS if known.lower() == name.lower()), None)
     if same is not None:
         arguments = ", ".join("abc"[: FUNCTIONS[same][0]]) if FUNCTIONS[same][0] > 1 else "x"
-        return f"write {same}({arguments}): names are told apart by their case"
+        return f"write {same}({arguments}): names are case-sensitive"
     known = _ALIASES.get(name.lower())
     close = [known] if known else difflib.get_close_matches(name.lower(), FUNCTIONS, n=3, cutoff=0.6)
     if close:

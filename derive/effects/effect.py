@@ -455,7 +455,7 @@ class PairEffect(Effect):
             for quantity in law.geometry():
                 if offered and quantity.name not in offered:
                     yield Fault(self.where, f"a pair without {quantity.name}, {quantity.meaning}",
-                                f"one that has it, because {law.name} asks for it",
+                                f"one that has it, because {law.name} requires it",
                                 "Line contacts need a length: PinInBush(..., length=...), ParallelCylinders, CylinderOnPlane; "
                                 "edges and corners have no radius: power(K, n) does without one.")  # fmt: skip
             if law.pairs and kind not in law.pairs:

@@ -87,7 +87,7 @@ class CountedAngle(JointEffect):
         freedom = scene.scalars.get(self.joint)
         if freedom is not None and (freedom.kind != "turn" or scene.mechanism.plane is not None):
             found = (
-                f"{self.joint}, a {'travel' if freedom.kind == 'slide' else 'plane angle'}, which tells its whole turns"
+                f"{self.joint}, a {'travel' if freedom.kind == 'slide' else 'plane angle'}, which counts whole turns"
             )
             yield Fault(self.where, found, "an angle in space", "Leave it out: the coordinate is a history as it is.")
 

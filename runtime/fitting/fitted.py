@@ -268,8 +268,11 @@ def joint(values: Mapping[str, FittedValue], known: Identified, scene: str) -> C
     names = [free.name for free in known.free]
     lost = [name for name in values if known.concerned(names.index(name))]
     if lost:
-        remedy = "measure what tells it, or fit without it"
-        faults = [Fault(name, "a quantity that the data do not tell", "those that they tell", remedy) for name in lost]
+        remedy = "measure what determines it, or fit without it"
+        faults = [
+            Fault(name, "a quantity that the data do not determine", "those that they determine", remedy)
+            for name in lost
+        ]
         raise InputError(f"distribution of the fit of {scene}", faults)
     deviations = np.sqrt(np.diag(known.covariance))
     found: dict[str, Distribution | str] = {}

@@ -65,14 +65,14 @@ class Ranking:
     def verdict(self) -> str:
         """Say which laws the data tell apart."""
         best = self.best
-        alike = f"not told apart by these data: {', '.join((best.name, *self.alike))}"
-        text = alike if self.alike else f"{best.name} is told apart from the others"
+        alike = f"not distinguished by these data: {', '.join((best.name, *self.alike))}"
+        text = alike if self.alike else f"{best.name} is distinguished from the others"
         if best.fitted.explained is False:
             return f"{text}; but the best is itself rejected at 5 % by the stated noise: none of these laws explains the data"
         return text
 
     def _repr_html_(self) -> str:
-        found = "not told apart" if self.alike else "told apart"
+        found = "not distinguished" if self.alike else "distinguished"
         head = heading(self.best.fitted.scene, found, f": {self.verdict}", good=not self.alike)
         rows = (
             (

@@ -50,7 +50,7 @@ class Statistic:
     @property
     def verdict(self) -> str:
         """Say whether they differ."""
-        return {None: "cannot be told apart", True: "differ", False: "no difference seen"}[self.differs]
+        return {None: "cannot be distinguished", True: "differ", False: "no difference seen"}[self.differs]
 
 
 def by_chance(count: int, differing: int) -> float:

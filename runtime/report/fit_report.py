@@ -96,7 +96,7 @@ def _told(record: Record) -> Markup:
         for name, row in zip(names, record["correlation"], strict=True)
     ]
     parts = [
-        paragraphs(["Combinations that the data cannot tell; the values of their quantities are not to be used."]),
+        paragraphs(["Combinations that the data do not identify; do not use the values of their quantities."]),
         bullets(untold),
     ]
     singular: list[list[Cell]] = [

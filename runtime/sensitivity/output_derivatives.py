@@ -34,7 +34,7 @@ WITHOUT = {
     "error": "it is an estimate, and has no derivative",
     "energy_residual": "it is an error, and has no derivative",
 }
-REGRESSION = "a sweep over the parameter tells it, with an interval: sweep(...).slope(OUTPUT, NAME)"
+REGRESSION = "a sweep over the parameter gives it, with an interval: sweep(...).slope(OUTPUT, NAME)"
 LONG = f"an average of a long run has no derivative along one trajectory; {REGRESSION}"
 OWN = f"a function of yours has no derivative here; {REGRESSION}"
 AVERAGES = (*POWERS.values(), ".impact_rate", ".mean_force", ".mean_peak_force", ".mean_largest_force")

@@ -163,7 +163,7 @@ class Jumps:
         if self.told[first]:
             return first, "events at one instant that would part"
         none = not self.graze[first] and not self.guards[first].any()
-        return first, "an event that no margin tells the time of" if none else GRAZE
+        return first, "an event whose time no margin determines" if none else GRAZE
 
 
 def switched(history: History) -> np.ndarray:

@@ -53,7 +53,7 @@ _OUTCOMES = {
     STEP_TOO_SMALL: (
         "step_too_small",
         "at t = {t:.9g} s no step above rounding meets the local tolerance {tolerance:g}",
-        "ask for less accuracy; if that does not help, the model is discontinuous or singular there: look at the last states",
+        "request less accuracy; if that does not help, the model is discontinuous or singular there: look at the last states",
     ),
     NOT_FINITE: (
         "not_finite",
@@ -63,7 +63,7 @@ _OUTCOMES = {
     CONSTRAINT_LOST: (
         "constraint_lost",
         "at t = {t:.9g} s no step leads to a position in which the loops are closed",
-        "the mechanism locks or cannot reach what a drive asks for: check lengths and drives at the last states",
+        "the mechanism locks or cannot follow a drive: check lengths and drives at the last states",
     ),
     OUTSIDE_LAW_RANGE: (
         "outside_law_range",
@@ -78,12 +78,12 @@ _OUTCOMES = {
     EVENT_LIMIT: (
         "event_limit",
         "more than {max_events:,} contacts and events of effects by t = {t:.9g} s",
-        "raise max_events, or ask for more accuracy if contacts chatter, give a relay that chatters a hysteresis",
+        "raise max_events, or request more accuracy if contacts chatter, give a relay that chatters a hysteresis",
     ),
     TOO_MANY_STEPS: (
         "too_many_steps",
         "the run at tolerance {tolerance:.2g} ended at t = {t:.9g} s: {steps:,} steps accepted, {rejected:,} rejected, {whose} = {max_steps:,.0f}",
-        "raise max_steps or leave it out, ask for less accuracy, or simulate a shorter time",
+        "raise max_steps or leave it out, request less accuracy, or simulate a shorter time",
     ),
     INTERRUPTED: (
         "interrupted",
@@ -93,7 +93,7 @@ _OUTCOMES = {
     WALL_TIME_LIMIT: (
         "wall_time_limit",
         "wall_time = {wall_time:g} s was over when the run at tolerance {tolerance:.2g} was at t = {t:.9g} s",
-        "raise wall_time, ask for less accuracy, or simulate a shorter time",
+        "raise wall_time, request less accuracy, or simulate a shorter time",
     ),
     STALLED: (
         "stalled",
@@ -142,7 +142,7 @@ def unknown(asked: float, tighter: Outcome) -> Outcome:
         "accuracy_unknown",
         f"the run is complete, but whether its error is below {brief(asked, 3)} is not known: the runs to compare it with end as {tighter.name}, "
         f"{tighter.message}",
-        "take another method, or ask for less accuracy; tolerance= in place of accuracy= makes one run without an estimate",
+        "take another method, or request less accuracy; tolerance= in place of accuracy= makes one run without an estimate",
     )
 
 

@@ -191,7 +191,7 @@ def _table(bounces: Sequence[Bounce]) -> Table:
 
 def _chart(form: Form, bounces: Sequence[Bounce]) -> Chart:
     shown = [b for b in bounces if b.given == DRAWN]
-    given = Axis("restitution asked for, e")
+    given = Axis("requested restitution, e")
     by_law = {law: [b for b in bounces if b.law == law] for law in dict.fromkeys(b.law for b in bounces)}
 
     def over_e(of: Any) -> tuple[Curve, ...]:
@@ -209,7 +209,7 @@ def _chart(form: Form, bounces: Sequence[Bounce]) -> Chart:
                   tuple(Curve(b.law, b.t, b.height * 1e3) for b in shown)),
             Panel(f"Hysteresis loop of the first impact, e = {DRAWN:g}", Axis("penetration", "µm"), Axis("force", "kN"),
                   tuple(Curve(b.law, b.loop[2] * 1e6, b.loop[1] * 1e-3) for b in shown)),
-            Panel("Restitution returned less that asked for", given, Axis("e out - e in"), over_e(lambda b: b.out - b.given), y_limits=(-0.4, 0.65)),
+            Panel("Restitution returned less that requested", given, Axis("e out - e in"), over_e(lambda b: b.out - b.given), y_limits=(-0.4, 0.65)),
             Panel("Energy lost in the first impact", given, Axis("share of the energy"), (
                 Curve("1 - e²", np.linspace(0.05, 1, 50), 1 - np.linspace(0.05, 1, 50) ** 2, look="reference"), *over_e(lambda b: b.lost))),
             Panel("Duration over that of the elastic impact", given, Axis("duration/elastic"), over_e(lambda b: b.duration / form.duration)),
@@ -256,7 +256,7 @@ def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
         for e in sorted({b.given for b in bounces} & {0.9, 0.5, 0.1}, reverse=True):
             good = [b.law for b in bounces if b.form is form and b.given == e and abs(b.out - e) <= NEAR]
             yield Verdict(
-                f"{form.name}, e = {e:g}: within {NEAR:g} of what is asked for are {', '.join(good) or 'none'}",
+                f"{form.name}, e = {e:g}: within {NEAR:g} of the requested restitution are {', '.join(good) or 'none'}",
                 "simulated, table",
             )
     for form in shown:

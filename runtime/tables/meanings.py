@@ -33,13 +33,13 @@ _WORDS = {  # by the last part of a name, or by the one before an axis: meaning,
     "off": "opening of the closed loop",
     "turned": "sine of the angle that the closed loop is open by",
 }
-SECTIONS = (False, "in every run"), (True, "derived when asked for")
+SECTIONS = (False, "in every run"), (True, "derived on request")
 _ENERGY = "kinetic and potential energy, with what springs and surfaces store"
 
 
 @dataclass(frozen=True)
 class Entry:
-    """History of a model: its name, SI unit and meaning; whether it is derived when asked for."""
+    """History of a model: its name, SI unit and meaning; whether it is derived on request."""
 
     name: str
     unit: str

@@ -249,7 +249,7 @@ def _failures(found: Iterable[Row]) -> dict[str, str]:
     failed: dict[str, str] = {}
     for row in found:
         if row.error is None and row.outcome not in (NOT_TRIED, *LATE):
-            failed.setdefault(row.method, f"asked for {row.accuracy:.0e}, {row.message}")
+            failed.setdefault(row.method, f"requested {row.accuracy:.0e}, {row.message}")
     return failed
 
 

@@ -119,7 +119,7 @@ OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics 
     type=click.Choice(["auto", "all", "none"]),
     default="auto",
     show_default=True,
-    help="Whose intervals are by profile likelihood; auto: of what is badly told.",
+    help="Whose intervals are by profile likelihood; auto: of what the data determine badly.",
 )
 @click.option(
     "--shooting",
@@ -135,9 +135,9 @@ OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics 
 def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
     """Fit parameters of TARGET to measured data, with exact derivatives through impacts.
 
-    Reported are values with intervals and how each was obtained, combinations that the data cannot tell, goodness of fit.
+    Reported are values with intervals and how each was obtained, unidentifiable combinations, goodness of fit.
     With --laws each law is fitted, and they are ranked by AICc and by measured runs held out. Exit code 1: the model is rejected
-    at 5 %, there is such a combination, or the laws are not told apart.
+    at 5 %, there is such a combination, or the data do not discriminate between the laws.
     """
     wanted = into is not None or not as_json
     faults = [replace(fault, where="--into", remedy="name another: --into FOLDER") if fault.where == "--out" else fault

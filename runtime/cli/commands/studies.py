@@ -106,7 +106,7 @@ def _asked(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
     from hertzwerk.runtime.cli.page_folder import asked_of
 
     if given:
-        expected = "what was asked for there; beside it --json"
+        expected = "the same options as there; beside them --json"
         raise InputError("study", [Fault("--resume", f"{', '.join(given)} beside it", expected)])
     asked = asked_of(folder)
     return asked["study"], asked["quick"], None if asked["measured"] is None else Path(asked["measured"])

@@ -103,7 +103,7 @@ class FittedMoments:
             does = "explain" if self.explained else "do not explain"
             text = f"the stated deviations {does} what differs: chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
         many = "a combination of parameters" if len(self.untold) == 1 else f"{len(self.untold)} combinations"
-        return f"{text}; {many} cannot be told" if self.untold else text
+        return f"{text}; {many} cannot be identified" if self.untold else text
 
     def lines(self) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences."""
@@ -111,7 +111,7 @@ class FittedMoments:
         for value in self.values.values():
             yield value.name, f"{value}; {value.interval.how}"
         for text in self.untold:
-            yield "not told", text
+            yield "unidentified", text
         for moment in self.moments:
             yield moment.name, str(moment)
         yield "verdict", self.verdict

@@ -98,7 +98,7 @@ CASES = (
     HardCase(
         name="knife_edge_at_no_speed",
         theme="constraints on speeds",
-        hard="a sleigh let go on a slope, its mass centre above its edge: no speed tells the edge which way to run",
+        hard="a sleigh let go on a slope, its mass centre above its edge: no speed shows the edge which way to run",
         source=Source("resting_sleigh", hard=True),
         duration=0.5,
         tolerance=1e-8,

@@ -24,6 +24,7 @@ SOLIDS = ("solid_", "hole_")
 """Beginnings of the kinds of shapes that a body is made of, or that are taken out of it."""
 OUTLINES = ("outline", "track")
 """Names of the points of a curve beside its place, round a solid or not: first all x, then all y, `along` and `across`."""
+LARGEST = 1e100  # m: the squares of lengths are numbers
 SAMPLES = 1200  # samples between the steps of a run, and most of the steps
 
 
@@ -113,9 +114,10 @@ class Places:
 
     @classmethod
     def _of(cls, model: Model, p: Array, t: Array, positions: Array, rotations: Array) -> Places:
+        """Return the places; raises InputError where the mechanism is too large to be drawn."""
         n, bodies = len(t), model.module.BODIES
         ground = np.zeros((n, 1, 3)), np.broadcast_to(np.eye(3), (n, 1, 3, 3))
-        return cls(
+        found = cls(
             model,
             np.asarray(t, dtype=float),
             (GROUND, *bodies),
@@ -123,6 +125,18 @@ class Places:
             np.concatenate([ground[0], positions.reshape(n, -1, 3)], axis=1),
             np.concatenate([ground[1], rotations.reshape(n, -1, 3, 3)], axis=1),
         )
+        if not found.reach <= LARGEST:
+            far, most = f"parts {found.reach:.3g} m large or far from the origin", f"at most {LARGEST:g} m"
+            raise InputError(model.name, [Fault("drawing", far, most, "look for a length with the wrong unit")])
+        return found
+
+    @property
+    def reach(self) -> float:
+        """Largest distance of a landmark from the origin, or size of one [m]; nan where one is not known."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            parts = [self.point(mark) for mark in self.landmarks]
+        parts += [value for mark in self.landmarks for value in mark.beside.values()]
+        return float(np.max([np.max(np.abs(part), initial=0.0) for part in parts], initial=0.0))
 
     def turned(self, body: str, vector: Array) -> Array:
         """Rotate a vector (3,) from a body's axes to the ground's: (n, 3)."""

@@ -24,7 +24,7 @@ LEFT_OUT = "#b8b0a4"
 MOST = 6  # signals that are drawn
 FINE = 1500  # places of a run's curve
 CHARACTERS = 150  # of a line below the panels
-LISTED = ("fit", "verdict", "not told", "warning")  # labels of what is not a fitted quantity that is written below
+LISTED = ("fit", "verdict", "unidentified", "warning")  # labels of what is not a fitted quantity that is written below
 
 
 def save(fit: Fitted, path: Path) -> None:

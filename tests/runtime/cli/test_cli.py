@@ -253,7 +253,7 @@ def test_a_run_tells_its_error_and_what_the_next_decade_costs(hertzwerk):
     done = hertzwerk("run", "two_spheres", "--no-plots", "--accuracy", "2.5e-5")
     (told,) = [line for line in done.output.splitlines() if line.startswith("accuracy")]
     assert re.fullmatch(
-        r"accuracy +requested 2.5e-5, estimated \d+e-\d+ at t = 0.\d+ s, \d+e-\d+ at the end; ten times more would cost about 1.\d x the time",
+        r"accuracy +requested 2.5e-5, estimated [\d.]+e-\d+ at t = 0.\d+ s, [\d.]+e-\d+ at the end; ten times more would cost about 1.\d x the time",
         told,
     )
     kept = json.loads(Path("runs/two_spheres-001/run.json").read_text())

@@ -55,6 +55,8 @@ def test_a_constraint_holds_the_minimum_back(yoke):
     assert ended["counterweight"] == pytest.approx(1)
     lacking = minimise(yoke, BEARING, {"counterweight": "0.01..1 kg"}, {"counterweight": ">= 2 kg"}, **TURN)
     assert lacking.outcome.name == "infeasible"
+    assert [one.constraints[0].state for one in (found, lacking)] == ["holds it back", "is violated"]
+    assert "counterweight >= 2 kg is violated: 1 kg" in str(lacking)
 
 
 def test_a_smooth_stand_in_for_the_largest_force(yoke):

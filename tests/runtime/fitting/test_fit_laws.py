@@ -50,10 +50,10 @@ def test_peak_forces_tell_the_form_of_damping_and_not_its_name(ball):
         and found.best.fitted.explained
         and not last.fitted.explained
     )
-    assert found.alike == (alike[1].name,) and found.verdict.startswith("not told apart by these data")
+    assert found.alike == (alike[1].name,) and found.verdict.startswith("not distinguished by these data")
     assert abs(sum(law.weight for law in found.laws) - 1) < 1e-12
     told = fit_laws(ball, drops(ball), {"floor": ["tsuji", "flores"]}, noise=NOISE, **HOW)
-    assert told.alike == () and "flores is told apart" in str(told)
+    assert told.alike == () and "flores is distinguished" in str(told)
 
 
 def test_weights_are_akaikes(ball):

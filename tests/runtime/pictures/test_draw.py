@@ -289,3 +289,13 @@ def test_draw_writes_one_picture_and_never_over_another(tmp_path, monkeypatch):
     assert "--start" in bad.output
     assert "several targets" in bad.output
     assert "NAME=VALUE" in bad.output
+
+
+@pytest.mark.parametrize(("height", "drawn"), [("1.7e308 m", False), ("1e200 m", False), ("9e99 m", True)])
+def test_a_mechanism_too_large_to_be_drawn_is_refused(height, drawn):
+    """Matplotlib raised a bare ValueError."""
+    if drawn:
+        load("bouncing_ball").draw(parameters={"drop_height": height})
+        return
+    with pytest.raises(InputError, match="wrong unit"):
+        load("bouncing_ball").draw(parameters={"drop_height": height})

@@ -157,3 +157,10 @@ def test_the_flagship_says_since_when_and_how_much():
         assert impacts[left.since].speed == pytest.approx(left.speed, rel=1e-9)
     (text,) = (text for text in runs[0].warnings if "left the law of damping" in text)
     assert f"{len(first)} contacts of slider_pin, the worst since t = {worst.since:.4g} s" in text
+
+
+def test_a_share_too_small_to_be_a_number_is_said_to_be_small():
+    """It was "0% of its dissipation"."""
+    run = simulate(load("bouncing_ball"), duration="5 s", parameters={"restitution": 0.7}, tolerance=1e-8)
+    (warning,) = (text for text in run.warnings if "left the law" in text)
+    assert "(less than 1% of its dissipation)" in warning

@@ -31,7 +31,7 @@ def shown(name):
 
 def test_histories_are_shown_as_a_table():
     lines = shown("bouncing_ball").splitlines()
-    assert lines[0] == "in every run:" and "derived when asked for:" in lines
+    assert lines[0] == "in every run:" and "derived on request:" in lines
     row = next(line for line in lines if line.startswith("floor.normal_force "))
     assert re.fullmatch(r"floor\.normal_force +N +normal force, of floor", row)
     at = row.index("N")
