@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 FACTOR = 3.0  # standard errors by which spreads differ before it is said
 SLACK = 1e-3  # of a spread: error that is left to derivatives and to the runs themselves
 ROUNDING = 1e-12  # of a mean: spreads below are none
+PLAIN = 1e-3, 1e7  # sizes of numbers that are written without an exponent
 
 
 @dataclass(frozen=True)
@@ -122,14 +123,14 @@ class Propagated:
         lines = [f"{self.scene}: {len(self.samples)} runs over {', '.join(self.names)}"]
         for one in self:
             unit = f" {one.unit}" if one.unit else ""
-            linear = f"{one.linear:.3g}{unit}" if math.isfinite(one.linear) else f"none, as {one.reason}"
+            linear = f"{one.linear:.3g}{unit}" if math.isfinite(one.linear) else f"none: {one.reason}"
             lines += [
                 f"{one.name}: {one.nominal:.6g}{unit} at the means",
-                f"    standard deviation by derivatives {linear}; of samples {one.std:.3g} +- {one.std_error:.2g}{unit}",
-                f"    mean {one.mean:.6g} +- {one.mean_error:.2g}{unit}, 95 % within {one.low:.6g} to {one.high:.6g}{unit}",
+                f"    standard deviation by derivatives {linear}; of samples {_rounded(one.std, one.std_error)}{unit}",
+                f"    mean {_rounded(one.mean, one.mean_error)}{unit}, 95 % within {one.low:.6g} to {one.high:.6g}{unit}",
             ]
             lines += [
-                f"    {name}: {one.first[name]} of the variance alone, {one.total[name]} with what it interacts with"
+                f"    {name}: Sobol index {one.first[name]} of first order, {one.total[name]} total"
                 for name in one.first
             ]
         return "\n".join([*lines, *(f"warning: {text}" for text in self.warnings)])
@@ -188,3 +189,13 @@ class Propagated:
             cells += [getattr(one, kind)[name].value if getattr(one, kind) else math.nan for kind, name in indices]
             lines.append([one.name, one.unit, *(repr(float(cell)) for cell in cells)])
         return write(Path(path), "".join(",".join(line) + "\n" for line in lines).encode(), overwrite=overwrite)
+
+
+def _rounded(value: float, error: float) -> str:
+    """Format a value with its standard error, both to the second digit of the error."""
+    if not (math.isfinite(value) and 0 < error < math.inf):
+        return f"{value:.6g} +- {error:.2g}"
+    place, size = math.floor(math.log10(error)) - 1, max(abs(value), error)
+    if not PLAIN[0] <= size < PLAIN[1]:
+        return f"{value:.{math.floor(math.log10(size)) - place}e} +- {error:.1e}"
+    return " +- ".join(f"{round(number, -place):.{max(-place, 0)}f}" for number in (value, error))

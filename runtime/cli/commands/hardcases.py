@@ -67,7 +67,11 @@ def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -
     from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
 
     known = dict.fromkeys(method for case in CASES for method in case.methods)
-    faults = [unknown("case", name, BY_NAME, "as `hertzwerk hardcases --list` shows them") for name in names if name not in BY_NAME]
+    faults = [
+        unknown("case", name, BY_NAME, "as `hertzwerk hardcases --list` shows them")
+        for name in names
+        if name not in BY_NAME
+    ]
     faults += [unknown("method", method, known) for method in methods if method not in known]
     cases = [BY_NAME[name] for name in dict.fromkeys(names) if name in BY_NAME]
     if not faults:

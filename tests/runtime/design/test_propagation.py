@@ -19,6 +19,7 @@ from hertzwerk.runtime import (
     load,
     propagate,
 )
+from hertzwerk.runtime.design import propagated
 from hertzwerk.runtime.design.correlated import correlated_parts, covariance
 
 SHORT = {"tolerance": 1e-9, "workers": 1, "compiled": False}
@@ -232,3 +233,13 @@ def test_a_fit_is_propagated_with_its_correlation(ball):
         (later,) = propagate(ball, given, ["final.vertical.travel"], sample=32, duration=end, **SHORT)
         assert later.linear == pytest.approx(expected, rel=1e-4)
         assert later.std == pytest.approx(expected, rel=0.2)
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [(87775.4, 123.4, "87780 +- 120"), (1.15625, 0.065, "1.156 +- 0.065"), (-5, 2e-5, "-5.000000 +- 0.000020"), (1e-9, 3e-12, "1.0000e-09 +- 3.0e-12"),
+     (1e12, 3e8, "1.00000e+12 +- 3.0e+08"), (math.nan, 1, "nan +- 1"), (2, 0, "2 +- 0")],
+)  # fmt: skip
+def test_a_value_has_the_digits_that_its_error_leaves(value, error, text):
+    """It was 87775.4 +- 1.2e+02."""
+    assert propagated._rounded(value, error) == text
