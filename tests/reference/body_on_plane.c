@@ -56,7 +56,7 @@ typedef struct {
     real *at; /* times at which the state is printed, rising */
     /* where it is */
     int mode, approaching;
-    real v0, way[3]; /* way: direction of sliding while |s| has none; in plane motion the sign along the tangent */
+    real v0, speed, way[3]; /* speed: of the last approach; way: direction of sliding while |s| has none; in plane motion the sign along the tangent */
     real least;
     long steps;
 } Body;
@@ -509,7 +509,7 @@ static void decide(Body *B, real *y, int breaks) {
 static void onset(Body *B, real *y, int latch) {
     Place P;
     place(B, y, &P);
-    if (latch) B->v0 = most(P.v, B->floor);
+    if (latch) B->speed = P.v, B->v0 = most(P.v, B->floor);
     B->approaching = P.v >= 0;
     B->mode = FLIGHT;
     decide(B, y, 0);
@@ -587,7 +587,7 @@ static int simulate(Body *B, real *y) {
         place(B, y, &P);
         if (B->law != SECANT && P.d > 0 && presses(B, &P) < 0) B->mode = RELEASED;
     }
-    printf("e %.21Lg %s %.21Lg\n", (long double)t, B->mode == FLIGHT ? "flight" : KIND[B->mode], (long double)B->v0);
+    printf("e %.21Lg %s %.21Lg\n", (long double)t, B->mode == FLIGHT ? "flight" : KIND[B->mode], (long double)B->speed);
     for (B->steps = 0; B->steps < B->most; B->steps++) {
         for (; B->stop < B->stops && t >= B->at[B->stop]; B->stop++) {
             real f[STATES];
@@ -664,7 +664,7 @@ static int simulate(Body *B, real *y) {
                 if (l < REST && rate < 0) {
                     decide(B, y, 0);
                     h = 1e-9;
-                    if (B->mode == STICK) printf("e %.21Lg sticks %.21Lg\n", (long double)t, (long double)B->v0);
+                    if (B->mode == STICK) printf("e %.21Lg sticks %.21Lg\n", (long double)t, (long double)B->speed);
                 }
             }
             continue;
@@ -687,8 +687,8 @@ static int simulate(Body *B, real *y) {
         if (B->law == SECANT_APPROACHING && which == 1 && from != FLIGHT && from != RELEASED) continue;
         const char *kind = from == FLIGHT ? "touches" : from == RELEASED && target == SLIP ? "resumes" : KIND[B->mode];
         if (from == SLIP && B->mode == SLIP) kind = "reverses";
-        printf("e %.21Lg %s %.21Lg\n", (long double)t, kind, (long double)B->v0);
-        if (from == FLIGHT && B->mode == STICK) printf("e %.21Lg sticks %.21Lg\n", (long double)t, (long double)B->v0);
+        printf("e %.21Lg %s %.21Lg\n", (long double)t, kind, (long double)B->speed);
+        if (from == FLIGHT && B->mode == STICK) printf("e %.21Lg sticks %.21Lg\n", (long double)t, (long double)B->speed);
     }
     return 1;
 }

@@ -255,8 +255,8 @@ FAULTS = {
     "an arm of the friction force": ("P->rho[i] = P->c[i] - B->R", "P->rho[i] = P->c[i] - (B->R - 1e-6)"),
     "friction a millionth too large": ("limit = -B->mu_k * N;", "limit = -1.000001L * B->mu_k * N;"),
     "the latched speed": (
-        "if (latch) B->v0 = most(P.v, B->floor);",
-        "if (latch) B->v0 = most(P.v, B->floor) * 1.000001L;",
+        "B->v0 = most(P.v, B->floor);",
+        "B->v0 = most(P.v, B->floor) * 1.000001L;",
     ),
     "the centripetal term": ("b[i] += a[i] + turn[i];", "b[i] += a[i] + 1.000001L * turn[i];"),
     "the gyroscopic moment": ("moment[i] -= dot(P->A[i], gyro);", "moment[i] += 0 * dot(P->A[i], gyro);"),
