@@ -185,12 +185,17 @@ class Sweep:
         """Counts, ranges and warnings of all rows, in one pass over them."""
         return Summary(self.rows, [name for name in self.names if name not in TEXTS])
 
+    @property
+    def gridded(self) -> bool:
+        """Whether the rows are all combinations of what was varied."""
+        return self.design is not None and bool(self.design.grid)
+
     @cached_property
     def axes(self) -> dict[str, Sequence[float | str]]:
         """Values in SI, or labels, of what was varied, where the rows are all combinations; else empty."""
         grid = {} if self.design is None else self.design.grid
         return {
-            name: axis if isinstance(axis, Labels) else [_si(value, self.unit(name)) for value in axis]
+            name: tuple(axis) if isinstance(axis, Labels) else tuple(_si(value, self.unit(name)) for value in axis)
             for name, axis in grid.items()
         }
 
@@ -302,7 +307,7 @@ class Sweep:
         rows = iter(self.rows)
         part = tuple(islice(rows, PART))
         while part or not len(self):
-            yield replace(self, rows=part)._labelled()
+            yield replace(self, rows=part, design=None)._labelled()  # without the values of all axes
             if not (part := tuple(islice(rows, PART))):
                 return
 

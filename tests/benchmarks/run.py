@@ -4,7 +4,7 @@
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
 in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
-matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size,
+matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size and rows,
 issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
 """
 
@@ -34,6 +34,7 @@ from benchmarks.nothing import nothing
 from benchmarks.orders import orders
 from benchmarks.pairs import pairs
 from benchmarks.ratios import Ratio, medians, timed
+from benchmarks.rows import rows
 from benchmarks.size import size
 from benchmarks.stiff import implicit
 from benchmarks.sweep import sweep
@@ -130,6 +131,7 @@ SECTIONS = {
     "sweep": sweep,
     "sensitivities": sensitivities,
     "size": size,
+    "rows": rows,
 }
 
 

@@ -95,7 +95,7 @@ def _outputs(table: SweptTable) -> list[str]:
 
 def _along_one(table: SweptTable, axes: Sequence[Varied]) -> bool:
     """Return whether outputs are curves over one parameter, a few of them where there are others."""
-    return len(axes) == 1 or (len(axes) > 2 and bool(table.axes) and _curves(axes[1:]) <= MOST_CURVES)
+    return len(axes) == 1 or (len(axes) > 2 and table.gridded and _curves(axes[1:]) <= MOST_CURVES)
 
 
 def _curves(axes: Sequence[Varied]) -> int:
@@ -245,7 +245,7 @@ def _colours(others: Sequence[Varied]) -> list[Any]:
 def _maps(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
     x, y, *others = axes
     table, good = drawn.table, ~drawn.failed
-    gridded = bool(table.axes) and not others
+    gridded = table.gridded and not others
     told = [_listed(names, count)]
     told += [f"{', '.join(axis.name for axis in others)} varied too, from dot to dot"] if others else []
     told += [_of_many(x, y, len(good), gridded=gridded)]

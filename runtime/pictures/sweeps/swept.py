@@ -68,8 +68,8 @@ class SweptTable(Protocol):
         """Columns that were varied."""
 
     @property
-    def axes(self) -> Mapping[str, Sequence[float | str]]:
-        """Values of what was varied where all combinations were run, else empty."""
+    def gridded(self) -> bool:
+        """Whether all combinations of what was varied were run."""
 
     @property
     def arrays(self) -> Mapping[str, Mapping[str, str]]:

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from benchmarks import rows
 
 from hertzwerk.runtime import Sweep, load, sweep
 from hertzwerk.runtime.inputs.choices import NO_CHOICES
@@ -46,13 +47,13 @@ def made(monkeypatch):
     return counts
 
 
-def stopped_after(rows):
+def stopped_after(most):
     """Return a progress that stops a sweep like Ctrl-C once so many reports are in."""
     reports = []
 
     def progress(fraction):
         reports.append(fraction)
-        if len(reports) > rows:
+        if len(reports) > most:
             raise KeyboardInterrupt
 
     return progress
@@ -189,3 +190,16 @@ def test_a_damaged_row_among_many_is_computed_again_and_reported(ball, tmp_path,
     assert (len(again), again.outcome.finished) == (300, True)
     assert again.rows[77].outputs != again.rows[76].outputs
     assert Sweep.load(tmp_path / "a").outcome.finished
+
+
+@pytest.mark.exhaustive
+def test_a_million_rows_are_resumed_and_written_in_bounded_memory(tmp_path):
+    """All but a hundred are there: the rest, and the table, in a process whose largest memory counts."""
+    folder = tmp_path / "a"
+    rows.fill(folder)
+    taken = rows.process(rows.SWEPT.format(over=rows.OVER, how=rows.HOW), str(folder), "all", "processes")
+    assert taken.memory < rows.MEMORY
+    with (folder / store.TABLE).open() as lines:
+        head, *numbers = (line.partition(",")[0] for line in lines)
+    assert head == "row"
+    assert list(map(int, numbers)) == list(range(1_000_000))
