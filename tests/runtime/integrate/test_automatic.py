@@ -111,15 +111,16 @@ def test_a_compiler_is_not_started_that_cannot_pay_within_the_limit(crank, clock
     assert bool(started) is begun
 
 
-# Files of the C of built-in scenes, each its level and length [MB], and the processor's time that GCC 12 took of them all [s]; three by both methods.
+# Files of the C of built-in scenes, each its level and length [MB], and the processor's time that GCC 12 took of them all [s].
 MEASURED = {
     "bouncing_ball": ((("-O3", 0.106), ("-O1", 0.033)), 1.11),
-    "slider_crank": ((("-O3", 0.385), ("-O1", 0.064)), 3.5),
+    "slider_crank by both methods": ((("-O3", 0.385), ("-O1", 0.064)), 3.5),
     "newtons_cradle": ((("-O3", 0.477), ("-O1", 0.164)), 4.2),
     "bicycle": ((("-O3", 0.467),), 4.2),
+    "bicycle by both methods": ((("-O3", 0.440), ("-O3", 0.554)), 14.7),
     "translational_clearance": ((("-O3", 0.545), ("-O1", 0.203)), 6.6),
     "ball_bearing": ((("-O3", 0.324), ("-O1", 0.297), ("-O1", 0.259)), 9.1),
-    "woodpecker": ((("-O3", 0.492), ("-O3", 0.381), ("-O3", 0.438), ("-O1", 0.123)), 14.8),
+    "woodpecker by both methods": ((("-O3", 0.492), ("-O3", 0.381), ("-O3", 0.438), ("-O1", 0.123)), 14.8),
 }
 
 
@@ -130,7 +131,7 @@ def test_the_time_to_compile_is_known_beforehand(name, monkeypatch):
     files = [CFile("x" * round(1e6 * length), level) for level, length in sizes]
     monkeypatch.setattr(compiled, "cores", lambda: 1)
     alone = compiled.compile_seconds(files)
-    assert 0.7 < alone / took < 1.4
+    assert 1 / 1.5 < alone / took < 1.5
     monkeypatch.setattr(compiled, "cores", lambda: 2)
     longest = max(compiled.compile_seconds([file]) for file in files)
     assert compiled.compile_seconds(files) == pytest.approx(max(longest, alone / 2))

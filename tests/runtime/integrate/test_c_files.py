@@ -18,7 +18,7 @@ from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 def small(monkeypatch, tmp_path):
     """Parts and files far smaller than they are."""
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
-    for name, value in (("LONG", 3_000), ("FILE", 50_000), ("BESIDE", 1_000)):
+    for name, value in (("LONG", 3_000), ("PART", 3_000), ("FILE", 50_000), ("BESIDE", 1_000)):
         monkeypatch.setattr(c_files, name, value)
 
 
