@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 import sympy_models as models
-from derived import Derived
+from derived import Derived, rate_along
 from scipy.integrate import solve_ivp
 from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
 
@@ -15,6 +15,7 @@ from hertzwerk.derive import (
     Body,
     ConstantSpeed,
     Contact,
+    Drive,
     EnergyLedger,
     Gravity,
     Input,
@@ -24,6 +25,7 @@ from hertzwerk.derive import (
     JointSpring,
     Mechanism,
     Parameter,
+    PointForce,
     Revolute,
     Scales,
     Scene,
@@ -290,3 +292,67 @@ def test_whipples_bicycle_has_its_published_eigenvalues():
     weave = -0.77534188219585 + 4.46486771378823j
     published = np.sort_complex(np.array([-14.07838969279822, -0.32286642900409, weave, weave.conjugate()]))
     assert found == pytest.approx(published, rel=1e-8)
+
+
+def test_what_bodies_store_is_not_put_in_by_their_weight():
+    """A bob on a string beside a push of 2 N: the energy of its height is stored, and only the push puts work in, 2 N times its way."""
+    method, at, units, values = models.pendulum(extra=sp.Symbol("push"))
+    (bob,) = method.bodies
+    m, g = sp.Symbol("m"), sp.Symbol("g")
+    bob.potential_energy = m * g * at["P"].pos_from(at["O"]).dot(method._inertial.y)
+    model = from_sympy(
+        method,
+        units=units | {sp.Symbol("push"): "N"},
+        values=values | {sp.Symbol("push"): 2},
+        origin=at["O"],
+        name="bob",
+    )
+    l = model.parameters["l"]
+    scales = Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l)
+    start = Start(position={"q": Parameter("q0", "rad", 0.5)})
+    run = simulate(
+        load(model.scene(effects=(EnergyLedger(),), scales=scales, start=start)), duration="1 s", tolerance=1e-10
+    )
+    way = 0.5 * (np.sin(run["q.angle"]) - np.sin(0.5))
+    assert np.ptp(way) > 0.1
+    assert run["loads.input"] == pytest.approx(2 * way, abs=1e-8)
+
+
+def test_a_gap_beside_a_driven_coordinate_accelerates_with_its_drive():
+    """A bob below a cart that a law of time moves: the derivative of the gap's rate along the motion, by CasADi."""
+    method, O, units, values = models.cart(1)
+    model = from_sympy(
+        method, units=units, values=values, origin=O, specified={"push": 0 * Parameter("F", "N", 1)}, name="cart"
+    )
+    size, rate = Parameter("size", "m", 0.2), Parameter("rate", "rad/s", 3)
+    radius = Parameter("radius", "mm", 20)
+    wall = SphereOnPlane("wall", sphere=model.at("P1"), radius=radius, plane=GROUND.at(0, 0, 0), normal=X)
+    scene = model.scene(
+        pairs=(wall,),
+        effects=(
+            Drive("shaker", "q0", position=size * sp.sin(rate * T)),
+            Contact("wall", laws.power(Parameter("K", "N/m", 1e5), 1)),
+        ),
+        scales=Scales(length=radius, speed=Parameter("pace", "m/s", 1), arm=radius),
+    )
+    derived = Derived(scene)
+    given = {"t": 0.4, "q": np.array([0.5]), "u": np.array([0.7])}
+    a = np.array([1.3])
+    expected = rate_along(derived, "gaps", 1, given["t"], given["q"], given["u"], a)
+    assert derived.call("gap_accelerations", **given, a=a) == pytest.approx(expected, rel=1e-10)
+    driven = -0.2 * 3**2 * np.sin(1.2)  # of the cart, and of the string of 0.5 m as an arm of its own
+    assert expected == pytest.approx([driven + 0.5 * (np.cos(0.5) * 1.3 - np.sin(0.5) * 0.7**2)], rel=1e-10)
+
+
+def test_a_force_beside_the_origin_of_an_imported_body_has_its_arm():
+    """A push along X at (x, y) of a string's frame, its origin the bob: F dX/dq with X = x cos q + (l - y) sin q."""
+    method, at, units, values = models.pendulum()
+    model = from_sympy(method, units=units, values=values, origin=at["O"], name="pushed")
+    l, x, y = model.parameters["l"], Parameter("x", "m", 0.2), Parameter("y", "m", 0.1)
+    place = model.at("P", "A").body.at(x, y, 0)
+    push = PointForce("push", place, (Parameter("F", "N", 3), 0, 0))
+    derived = Derived(model.scene(effects=(push,), scales=Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l)))
+    q = 0.6
+    found = derived.call("applied", t=0.0, q=np.array([q]), u=np.array([0.0]))
+    expected = 3 * (-0.2 * np.sin(q) + (0.5 - 0.1) * np.cos(q)) - 9.81 * 0.5 * np.sin(q)
+    assert found == pytest.approx([expected], rel=1e-12)

@@ -283,3 +283,10 @@ def test_every_fault_of_a_file_comes_at_once(tmp_path):
     found = [fault.found for fault in table_file_faults(tmp_path / "t.xls")]
     assert found == [str(tmp_path / "t.xls"), f"{tmp_path / 't.xls'}, which exists"]
     assert "which is a file" in table_file_faults(tmp_path / "t.xls" / "t.csv")[0].found
+
+
+def test_the_error_of_a_run_is_the_one_that_was_requested(ball):
+    """Along the way to rest it is larger than at the end."""
+    whole, end = (simulate(ball, duration="2 s", accuracy=asked, compiled=False) for asked in (1e-3, "1e-3 at the end"))
+    assert whole.to_xarray().attrs["error"] == whole.error.values.max() > whole.error.values[-1]
+    assert end.to_xarray().attrs["error"] == max(end.error.values[-1], 1e-13) < end.error.values.max()
