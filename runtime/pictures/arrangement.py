@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 POINT = 1 / 72  # inch
-LINE = 1.3 * POINT  # height of a line of text, for each point of its size
+LINE = 1.2 * POINT  # height of a line of text, for each point of its size
 LEGEND = 1.6 * POINT  # height of a row of a legend, likewise
 DIGIT = 0.64 * POINT  # width of a digit, likewise
 TICK = 8 * POINT  # a tick and its distance from its number
@@ -51,7 +51,7 @@ class Arrangement(LayoutEngine):
         at, look = _under(axis, _below(axis)), {"bbox_to_anchor": (0.5, 0), "borderaxespad": 0, "ncols": columns}
         legend = axis.legend(loc="upper center", bbox_transform=at, **look)
         rows = -(-len(legend.get_texts()) // columns)
-        self._legends[axis] = LEGEND * STYLE["legend.fontsize"] * rows + 2 * PAD
+        self._legends[axis] = LEGEND * STYLE["legend.fontsize"] * rows + 3 * PAD
 
     def execute(self, fig: Figure) -> None:
         """Place the panels of a figure."""
