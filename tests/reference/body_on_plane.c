@@ -15,6 +15,7 @@ grows from zero: there s is a state of its own in a Radau collocation, which New
 
     gcc -O2 body_on_plane.c -lm           long double
     gcc -O2 -DQUAD body_on_plane.c -lquadmath -lm
+    gcc -O2 -DDOUBLE body_on_plane.c -lm  double: what its rounding leaves
 
 Standard input: a body a line, see `read_body`. Standard output: events `e TIME KIND APPROACH_SPEED`; at requested times `s` with the time, the
 state and its rates; then `f` with the final state, the
@@ -36,6 +37,12 @@ typedef __float128 real;
 #define TOLERANCE 1e-27Q
 #define REST 1e-24Q
 #define COLUMNS 13
+#elif defined(DOUBLE)
+typedef double real;
+#define EPS DBL_EPSILON
+#define TOLERANCE 3e-14
+#define REST 3e-13
+#define COLUMNS 7
 #else
 typedef long double real;
 #define EPS LDBL_EPSILON

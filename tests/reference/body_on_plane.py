@@ -143,7 +143,7 @@ class Motion:
 
 @cache
 def program(quad: bool = False, *flags: str, source: Path = SOURCE) -> Path:
-    """Compile the oracle, in long double or in quadruple precision."""
+    """Compile the oracle, in long double or in quadruple precision, or in double by a flag: -DDOUBLE."""
     folder = Path(tempfile.mkdtemp(prefix="body_on_plane_"))
     target = folder / "body_on_plane"
     precision = ["-DQUAD", "-lquadmath"] if quad else []

@@ -220,6 +220,14 @@ def test_quadruple_precision_agrees():
         np.testing.assert_allclose(one.state, other.state, rtol=1e-13, atol=1e-14)
 
 
+def test_double_precision_is_off_by_what_its_rounding_leaves():
+    """Of the bodies of the test before: more than the precisions above it differ by, and little."""
+    bodies = [BALL, HARD, replace(HARD, mu_s=0.5)]
+    for one, other in zip(motions(bodies), motions(bodies, by=program(False, "-DDOUBLE")), strict=True):
+        assert [kind for _, kind, _ in one.events] == [kind for _, kind, _ in other.events]
+        assert 1e-14 < np.max(np.abs(np.subtract(one.state, other.state))) < 1e-10
+
+
 def test_a_contact_that_fades_is_released_before_its_gap_opens():
     """N = K d (d + 2 c d') falls with d < 2 c |d'| however slowly the body is lifted: here one that rolls off by its own offset."""
     fading = Body(

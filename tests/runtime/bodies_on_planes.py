@@ -38,7 +38,7 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive import Body as RigidBody
 from hertzwerk.runtime.solution.solution import Solution
-from reference.body_on_plane import Body, Motion, motions
+from reference.body_on_plane import Body, Motion, motions, program
 
 SEED, GRAVITY, RUB_SPEED = 20261124, 9.81, 1e-3
 RESTITUTIONS = {  # of each law by restitution: what it is tried with
@@ -65,6 +65,7 @@ MOST = 100_000  # steps: a run, or one that checks it, that takes more is at fau
 LEAST = 1e-12  # of the scales: what no estimate is judged below
 ROUNDING = 1e-16  # share of the start by which that of the second truth differs
 AMPLIFIED = 1e3  # roundings in a run, each amplified like one of the start, that a request may fail by
+IN_DOUBLES = 10.0  # times the error of the oracle in double precision, likewise
 
 
 @cache
@@ -319,6 +320,7 @@ class Finding:
     """What a request of a body came to: truth and estimate of its error, what rounding does to it, steps beside those with smooth friction.
 
     truth, rounding: largest over the run, impacts included; nan where there is none
+    doubles: error of the oracle in double precision where a request failed
     """
 
     body: Body
@@ -331,6 +333,12 @@ class Finding:
     smooth_steps: int = 0
     seconds: float = 0.0
     remark: str = ""
+    doubles: float = math.nan
+
+    @property
+    def amplified(self) -> bool:
+        """Return whether the motion amplifies what rounding leaves, beyond the request."""
+        return AMPLIFIED * self.rounding >= self.accuracy or IN_DOUBLES * self.doubles >= self.accuracy
 
     @property
     def faults(self) -> list[str]:
@@ -344,8 +352,10 @@ class Finding:
             ratio = self.truth / max(self.estimate, LEAST)
             if not (ratio <= 10 or self.truth <= LEAST):
                 found.append(f"estimate {ratio:.3g} times too small")
-        elif self.outcome != "exception" and not AMPLIFIED * self.rounding >= self.accuracy:
-            found.append(f"{self.outcome} without a reason: rounding makes {self.rounding:.1e}")
+        elif self.outcome != "exception" and not self.amplified:
+            found.append(
+                f"{self.outcome} without a reason: rounding makes {self.rounding:.1e}, doubles {self.doubles:.1e}"
+            )
         if self.smooth_steps and self.steps > 3 * self.smooth_steps:
             found.append(f"{self.steps / self.smooth_steps:.3g} times the steps")
         return found
@@ -385,9 +395,13 @@ def judged(
         if outcome.finished and found.t[-1] != body.duration:
             worst, remark = math.nan, "finished before its end"
         estimate = math.nan if found.error is None else found.error.worst
-        yield Finding(
-            body, accuracy, outcome.name, worst, estimate, off, found.statistics.steps, smoothed, seconds, remark
-        )
+        doubles = math.nan
+        if not outcome.finished:
+            (rounded,) = motions([body], at=found.t[rows].tolist(), by=program(False, "-DDOUBLE"))
+            rounded_off = apart - truth_of(rounded, found, rows)[0]
+            doubles = math.nan if rounded.wrong else float(distance(rounded_off, rates, pace).max())
+        counts = found.statistics.steps, smoothed
+        yield Finding(body, accuracy, outcome.name, worst, estimate, off, *counts, seconds, remark, doubles)
 
 
 def main() -> None:

@@ -94,6 +94,8 @@ def test_a_wrong_judgement_is_found():
     ):
         assert any(found.startswith(words) for found in replace(good, **wrong).faults), wrong
     assert not replace(good, outcome="accuracy_unreachable", rounding=2e-9).faults
+    assert not replace(good, outcome="accuracy_unreachable", doubles=2e-7).faults
+    assert replace(good, outcome="accuracy_unreachable", doubles=9e-8).faults
 
 
 def test_distance_from_a_motion_up_to_a_shift_in_time():
