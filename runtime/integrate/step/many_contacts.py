@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 LADDER = (1, 4, 16, 64, 256, 1024)  # pairs of a kind that are evaluated, where no more are in contact
-SPARSE = 8  # times a rung: pairs of a kind from which it is one
+SPARSE = 16  # times a rung: pairs of a kind from which it is one: each adds 40 kB of C
 
 
 @per_model
