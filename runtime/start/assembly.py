@@ -205,8 +205,12 @@ def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
     matrix = loops.at(q).by_u * loops.scales[1]
     norms, lengths = np.linalg.norm(matrix, axis=1), np.array(loops.model.is_length)
     sizes = np.where(lengths, *(np.max(norms, where=which, initial=1e-300) for which in (lengths, ~lengths)))
-    left, values, _ = np.linalg.svd(matrix / sizes[:, None])
-    ways: Array = left[:, int(np.sum(values > rank * values[0])) :].T
+    scaled = matrix / sizes[:, None]
+    values = np.linalg.svd(scaled, compute_uv=False)
+    kept = int(np.sum(values > rank * values[0]))
+    if kept == len(scaled):  # as nearly always; vectors take ten times as long
+        return np.zeros((0, kept))
+    ways: Array = np.linalg.svd(scaled)[0][:, kept:].T
     return ways
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 ITERATIONS = 2  # Newton's: the residual after a step is small, its square below rounding
 RUNAWAY = 1e3  # speeds over their scales: near a position in which a driven mechanism locks they grow without bound
+CALLED = 3000  # instructions of all projections of a step's end, beyond which they are called: written out they take long to build
 LOST = 1e200  # error norm of a step whose end does not close the loops; no other is as large
 
 
@@ -63,10 +64,11 @@ def closing(model: Model) -> Closing | None:
 @per_model
 def _closed(model: Model) -> Any:
     """Build the function (t, y, c) -> (projected y, residuals, their rounding bounds, their rates (nl))."""
-    t, y, c = model.symbols("t y c")
-    q, u, z = model.parts(y)
     constraints, project = model.function("constraints"), model.function("projection")
-    rates, still = model.function("coordinate_rates"), ca.SX.zeros(model.nu)
+    called = (1 + ITERATIONS) * project.n_instructions() > CALLED
+    t, y, c = model.symbols("t y c", ca.MX if called else ca.SX)
+    q, u, z = model.parts(y)
+    rates, still = model.function("coordinate_rates"), ca.DM.zeros(model.nu)
     phi, _ = constraints(t, q, u, c)
     for _ in range(ITERATIONS):
         q = q + rates(t, q, project(t, q, -phi, c)[0], c) - rates(t, q, still, c)
@@ -74,7 +76,8 @@ def _closed(model: Model) -> Any:
     u = u - project(t, q, phi_rate, c)[0]
     _, rate = constraints(t, q, u, c)
     rounding, _ = bounds(constraints, STATE)(t, q, u, c)  # an angle after many turns is known to fewer digits
-    return ca.Function("closed", [t, y, c], ca.cse([ca.vertcat(q, u, z), phi, rounding, rate]))
+    results = [ca.vertcat(q, u, z), phi, rounding, rate]
+    return ca.Function("closed", [t, y, c], results if called else ca.cse(results))
 
 
 @per_model

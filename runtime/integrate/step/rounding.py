@@ -8,6 +8,9 @@ Numerical Algorithms, 2nd ed. (2002), section 3.3.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import cache
+from itertools import compress
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -78,7 +81,7 @@ def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
 def _propagated(function: Any, given: list[Any], known: list[Any]) -> list[Any]:
     """Return rounding error bounds of an SX function's results from its arguments and bounds of theirs."""
     errors = [ca.SX.zeros(function.sparsity_out(i)) for i in range(function.n_out())]
-    work: dict[int, tuple[Any, Any]] = {}
+    work: dict[int, Sequence[Any]] = {}
     for k in range(function.n_instructions()):
         operation, places, target = (
             function.instruction_id(k),
@@ -96,25 +99,27 @@ def _propagated(function: Any, given: list[Any], known: list[Any]) -> list[Any]:
         elif operation == ca.OP_CONST:
             work[target[0]] = ca.SX(function.instruction_constant(k)), ca.SX(0)
         else:
-            work[target[0]] = _result(operation, [work[place] for place in places])
+            values, bounds_of = zip(*(work[place] for place in places), strict=True)
+            inexact = tuple(not bound.is_zero() for bound in bounds_of)
+            work[target[0]] = _operation(operation, inexact).call([*values, *compress(bounds_of, inexact)])
     return errors
 
 
-def _result(operation: int, arguments: list[tuple[Any, Any]]) -> tuple[Any, Any]:
-    """Return the value of one operation and the bound of its error."""
-    x = [ca.SX.sym(f"x{i}") for i in range(len(arguments))]
-    apply = ca.SX.unary if len(x) == 1 else ca.SX.binary
-    values = ca.vertcat(*(value for value, _ in arguments))
-    slopes = ca.substitute(ca.gradient(apply(operation, *x), ca.vertcat(*x)), ca.vertcat(*x), values)
-    result = apply(operation, *(value for value, _ in arguments))
+@cache
+def _operation(operation: int, inexact: tuple[bool, ...]) -> Any:
+    """Return the function of the arguments of an operation, and of bounds of the errors of those that are inexact.
+
+    It gives the value and the bound of its error.
+    """
+    x, known = ([ca.SX.sym(f"x{i}") for i in range(n)] for n in (len(inexact), sum(inexact)))
+    result = (ca.SX.unary if len(x) == 1 else ca.SX.binary)(operation, *x)
     error = ca.SX(0) if operation in EXACT else EPS * ca.fabs(result)
-    for slope, (_, of_argument) in zip(ca.vertsplit(slopes), arguments, strict=True):
-        if not of_argument.is_zero():
-            error = error + ca.fabs(slope) * of_argument
-    return result, error
+    for argument, bound in zip(compress(x, inexact), known, strict=True):
+        error = error + ca.fabs(ca.gradient(result, argument)) * bound
+    return ca.Function("operation", [*x, *known], [result, error])
 
 
-def _call(called: Any, arguments: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
+def _call(called: Any, arguments: list[Sequence[Any]]) -> list[tuple[Any, Any]]:
     """Return the values of a function that is called, and the bounds of their errors.
 
     Such a function finds the nearest point of a curve, or looks up a table. It is taken to be as exact
