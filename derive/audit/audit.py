@@ -160,9 +160,10 @@ def advice_findings(scene: Scene) -> tuple[Finding, ...]:
 def audit_laws(scene: Scene) -> tuple[Finding, ...]:
     """One finding per expression of every law in the scene."""
     findings: list[Finding] = []
+    known: dict[Any, list[Finding]] = {}
     for effect in scene.effects:
         for bound in effect.laws:
-            findings.extend(_law_findings(scene, effect.name, bound, effect.unchecked))
+            findings.extend(_law_findings(scene, effect.name, bound, effect.unchecked, known))
     return tuple(findings)
 
 
@@ -235,18 +236,24 @@ def _definitions(law: Law) -> Iterable[tuple[str, sp.Expr, str]]:
     return ((f"definition of {s.name}", e, s.unit) for s, e in law.definitions)
 
 
-def _law_findings(scene: Scene, effect: str, bound: BoundLaw, unchecked: bool) -> Iterable[Finding]:
+def _law_findings(
+    scene: Scene, effect: str, bound: BoundLaw, unchecked: bool, known: dict[Any, list[Finding]]
+) -> Iterable[Finding]:
+    """Findings of a bound law; `known` are those of laws bound alike, as in contacts of a kind."""
     law = bound.law
     table = _law_table(scene, bound)
     exponents = {s: sp.sympify(value) for s, value in bound.binding.items() if s.unit == "1"}
     numbers = ", ".join(f"{s.name} = {value}" for s, value in exponents.items() if value.is_number)
     constants = [*scene.parameters.values(), *exponents, *_numbers(law)]
     force_is_wrong = False
-    for row in (*(row for row in _definitions(law) if "^n" not in row[2]), *law.expressions()):
-        finding = _law_finding(law, row, table, exponents, constants, {})
-        if force_is_wrong and row[0] == "stored energy":
+    key = (id(law), *exponents.items(), *(table[symbol] for symbol in law.symbols()))
+    if key not in known:
+        rows = (*(row for row in _definitions(law) if "^n" not in row[2]), *law.expressions())
+        known[key] = [_law_finding(law, row, table, exponents, constants, {}) for row in rows]
+    for finding in known[key]:
+        if force_is_wrong and finding.what == "stored energy":
             continue  # follows from the wrong force
-        force_is_wrong = force_is_wrong or (row[0] == "normal force" and finding.verdict != "consistent")
+        force_is_wrong = force_is_wrong or (finding.what == "normal force" and finding.verdict != "consistent")
         yield replace(
             finding,
             effect=effect,

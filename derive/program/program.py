@@ -73,6 +73,8 @@ class Tape:
     inputs: dict[sp.Symbol, str] = field(default_factory=dict)
     """Input symbol -> group."""
     assignments: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    _places: dict[sp.Symbol, int] = field(default_factory=dict)
+    """Place of each assignment in their order."""
     declared: dict[sp.Symbol, Dimension] = field(default_factory=dict)
     """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
     names: set[str] = field(default_factory=lambda: set(OWN))
@@ -155,6 +157,7 @@ class Tape:
         symbol = sp.Symbol(self._unique(name), real=True)
         if name == NUMBERED:
             self.numbered.append(symbol)
+        self._places[symbol] = len(self._places)
         self.assignments[symbol] = expression
         self._groups[symbol] = self._groups_of(expression)
         return symbol
@@ -272,7 +275,7 @@ class Tape:
                 continue
             needed.add(symbol)
             pending.extend(symbols_in(self.assignments[symbol]))
-        body = tuple((symbol, e) for symbol, e in self.assignments.items() if symbol in needed)
+        body = tuple((symbol, self.assignments[symbol]) for symbol in sorted(needed, key=self._places.__getitem__))
         function = Function(name, summary, arguments, body, results)
         foreign = [s for s in function.reads if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
         if foreign:

@@ -107,9 +107,9 @@ def _propagated(function: Any, given: list[Any], known: list[Any]) -> list[Any]:
 
 @cache
 def _operation(operation: int, inexact: tuple[bool, ...]) -> Any:
-    """Return the function of the arguments of an operation, and of bounds of the errors of those that are inexact.
+    """Return the function of an operation's arguments and errors -> its value and the bound of its error.
 
-    It gives the value and the bound of its error.
+    Errors are those of the inexact arguments alone.
     """
     x, known = ([ca.SX.sym(f"x{i}") for i in range(n)] for n in (len(inexact), sum(inexact)))
     result = (ca.SX.unary if len(x) == 1 else ca.SX.binary)(operation, *x)
