@@ -21,6 +21,7 @@ BESIDE = (
     10_000  # characters of a function up to which it stays in the file of those that call it, where it may be inlined
 )
 OFTEN, SELDOM = "-O3", "-O1"  # level by how often a function runs; of steps with events alone -O3 makes no run faster
+LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
 EXPORTED = ""  # stands for the functions that a library shows, which call the others
 
 _ARGUMENTS = "(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem)"
@@ -51,6 +52,7 @@ class CFile:
 
 def c_files(text: str) -> list[CFile]:
     """Return what CasADi generated as files, the first with what is exported."""
+    level = OFTEN if len(text) <= LARGE else SELDOM
     text = _PLAIN.sub(_straight, text)
     functions = {found["name"]: found for found in _FUNCTION.finditer(text)}
     calls = {name: set(_CALLED.findall(found["body"])) & functions.keys() for name, found in functions.items()}
@@ -62,10 +64,10 @@ def c_files(text: str) -> list[CFile]:
     often = _reached({EXPORTED}, calls, finishing)
     large = [name for name, found in functions.items() if len(found[0]) > BESIDE]
     moved = [
-        *((OFTEN, names) for names in _shares([name for name in large if name in often], functions)[1:]),
+        *((level, names) for names in _shares([name for name in large if name in often], functions)[1:]),
         *((SELDOM, names) for names in _shares([name for name in large if name not in often], functions)),
     ]
-    return _apart(text, functions, calls, moved)
+    return _apart(text, functions, calls, level, moved)
 
 
 def _reached(names: set[str], calls: dict[str, set[str]], last: set[str]) -> set[str]:
@@ -93,11 +95,12 @@ def _apart(
     text: str,
     functions: dict[str, re.Match[str]],
     calls: dict[str, set[str]],
+    first_level: str,
     moved: list[tuple[str, list[str]]],
 ) -> list[CFile]:
     """Return a text and, in files of their own, the functions moved out of it."""
     if not moved:
-        return [CFile(text, OFTEN)]
+        return [CFile(text, first_level)]
     home = {name: i for i, (_, names) in enumerate(moved, 1) for name in names}
     shared = {other for name in calls for other in calls[name] if home.get(other, 0) != home.get(name, 0)}
     heads = "".join(f"{functions[name]['head']};\n" for name in functions if name in shared)
@@ -109,7 +112,7 @@ def _apart(
 
     first_file = _FUNCTION.sub(lambda found: "" if found["name"] in home else own(found), text[first:])
     others = ("\n".join(own(functions[name]) for name in names) for _, names in moved)
-    levels = OFTEN, *(level for level, _ in moved)
+    levels = first_level, *(level for level, _ in moved)
     bodies = (first_file, *others)
     alone = _EXPORTED.sub("", common)
     before = (common, *[alone] * len(moved))

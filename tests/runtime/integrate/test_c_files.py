@@ -83,3 +83,8 @@ def test_a_variable_that_is_not_handed_on_is_noticed(small, monkeypatch):
     monkeypatch.setattr(c_files, "_parts", lossy)
     with pytest.raises(AssertionError):
         test_many_parts_in_many_files_give_the_same_bits(None, "dop853")
+
+
+def test_a_large_text_is_less_optimised(text, monkeypatch):
+    monkeypatch.setattr(c_files, "LARGE", len(text) - 1)
+    assert {file.level for file in c_files.c_files(text)} == {c_files.SELDOM}
