@@ -211,8 +211,8 @@ class _Extras:
         self.guarded(name, lambda: self._made(name, make))
 
     def _made(self, name: str, make: Callable[[Path], object]) -> None:
-        self.stop.stage(f"writing {name}")
         with self.stop.at_once(), scratch_folder(self.written.folder.parent) as at:
+            self.stop.stage(f"writing {name}")
             make(at)
             for file in sorted(at.iterdir()):
                 file.replace(self.written.folder / file.name)

@@ -19,7 +19,7 @@ def cores() -> int:
 
 
 def side_by_side(tasks: Sequence[Callable[[], Result]]) -> dict[int, Result]:
-    """Do tasks on all cores, begun in their order; return their results by position.
+    """Do tasks on all cores in their order, the first in this process; return results by position.
 
     Results must pickle. The result of a task whose process ended is missing. What a task raises in this process is raised; in another, it
     ends that one. Without processes that can be forked safely, all is done in this one.
@@ -28,12 +28,12 @@ def side_by_side(tasks: Sequence[Callable[[], Result]]) -> dict[int, Result]:
     if processes < 2:
         return {i: task() for i, task in enumerate(tasks)}
     queue, end = os.pipe()
-    os.write(end, b"".join(i.to_bytes(_WIDTH) for i in range(len(tasks))))
+    os.write(end, b"".join(i.to_bytes(_WIDTH) for i in range(1, len(tasks))))
     os.close(end)
     found: list[dict[int, Result]] = []
     others = [_forked(queue, tasks) for _ in range(processes - 1)]
     try:
-        done = _taken(queue, tasks)
+        done = {0: tasks[0](), **_taken(queue, tasks)}
     finally:
         os.close(queue)
         found += [_result(*other) for other in others]

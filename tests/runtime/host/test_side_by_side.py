@@ -58,3 +58,10 @@ def test_what_a_task_raises_is_raised_and_no_process_is_left(monkeypatch):
 
 def test_no_tasks_are_nothing():
     assert side_by_side([]) == {}
+
+
+def test_the_first_task_is_done_here(monkeypatch):
+    """Its stage is shown on the terminal, which other processes have not."""
+    monkeypatch.setattr(module, "cores", lambda: 3)
+    for _ in range(20):
+        assert side_by_side([os.getpid] * 3)[0] == os.getpid()
