@@ -291,3 +291,27 @@ def test_a_folder_that_cannot_be_written_is_refused_before_anything_is_computed(
     assert done.exit_code == 2, (done.output, done.exception)
     assert "--out" in done.output
     assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_a_stop_while_a_run_is_sampled_for_pictures_keeps_the_rest(tmp_path, monkeypatch):
+    from hertzwerk.runtime import load, simulate
+    from hertzwerk.runtime.pictures import plot
+
+    class Stop:
+        asked = False
+        stage = staticmethod(lambda name: None)
+        at_once = staticmethod(contextlib.nullcontext)
+
+    stop = Stop()
+
+    def stopped(run):
+        stop.asked = True
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(plot, "pages", stopped)
+    run = simulate(load("two_spheres"), duration="1 ms", tolerance=1e-6)
+    written = run_folder.write(run, tmp_path / "run", plots=True, stopping=stop)
+    assert written.files == ["states.npz", "run.json", "states.csv"]
+    assert written.missing == [
+        f"{name}.png is not there: it was stopped before" for name in ("overview", "mechanism", "spheres")
+    ]
