@@ -27,7 +27,7 @@ FEW = (
     2**11
 )  # rows of a block that may wait for those of other runs: more leave the cache, and their memory is given back
 BESIDE = np.array([-1, 0, 1])
-AT_ONCE = 8 * np.finfo(float).eps  # of the time: rows so near each other are one
+AT_ONCE = 1e-12  # of the time: rows so near each other are one
 BEYOND = 1.1  # gap rate over approach speed from which a contact has left its law; rounding and steps make an impact's no larger than 1.001
 
 Piece: TypeAlias = tuple["History", slice]

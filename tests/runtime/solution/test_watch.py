@@ -137,7 +137,7 @@ def test_a_step_of_rounding_at_a_peak_hides_no_crest(run):
         top = within[np.argmax(force[within])]
         doubled = run.history.of(np.insert(rows, [top + 1] * 2, rows[top], axis=0))
         for i in (1, 2):
-            doubled.part("t")[top + i, 0] += i * np.spacing(t[top])
+            doubled.part("t")[top + i, 0] += 30 * i * np.spacing(t[top])
             doubled.part("force")[top + i, 0] *= 1 + i * 1e-12
         found = next(each for each in watched(doubled).impacts() if each.t == impact.t)
         assert found.peak_force == pytest.approx(impact.peak_force, rel=1e-8)
