@@ -146,39 +146,27 @@ def _with_own_casadi(program: Program, lines: Iterable[str]) -> str:
 
 
 def curve_text(curve: Any) -> str:
-    """Text of the function of a curve, also of a vector of its parameter."""
-    name, _ = curve_names(curve)
+    """Text of the function of a curve, also of a vector of its parameter, or of the pieces of a chain."""
+    (name, _), given = curve_names(curve), curve.given
     if curve.searched:
-        return _chain_text(name, curve)
-    taken = {symbol.name for symbol in curve.given}
-    s = sp.Symbol(next(letter for letter in ("s", "along", "s_") if letter not in taken), real=True)
-    x, y = curve.x.xreplace({curve.s: s}), curve.y.xreplace({curve.s: s})
-    values = tuple(expression.diff(s, order) for order in (0, 1, 2) for expression in (x, y))
-    result = Result(name, ("",) * 6, ("",) * 6, values)
-    function = eliminate_common_subexpressions(Function(name, "", (), (), (result,)))
-    words = names_in_words(function.body, {}, taken | {s.name})
-    lines = [
-        f"def {name}({', '.join(symbol.name for symbol in (s, *curve.given))}):",
-        f"    \"\"\"Point of the curve {curve.name} at its parameter, and derivatives by it: x, y, x', y', x'', y''.\"\"\"",
-        *(f"    {symbol.name} = {expression_text(expression)}" for symbol, expression in function.body),
-        f"    return {', '.join(map(expression_text, function.results[0].expressions))}",
-    ]
-    return "\n".join([*lines[:2], *(_renamed(line, words) for line in lines[2:])])
-
-
-def _chain_text(name: str, chain: Any) -> str:
-    """Text of the function of a chain of arcs and lines."""
-    values = tuple(value for piece in chain.pieces for value in piece)
+        values = tuple(value for piece in curve.pieces for value in piece)
+        summary = f"Pieces of the chain {curve.name}: start x, y, end x, y, centre x, y of each."
+    else:
+        taken = {symbol.name for symbol in given}
+        s = sp.Symbol(next(letter for letter in ("s", "along", "s_") if letter not in taken), real=True)
+        x, y = curve.x.xreplace({curve.s: s}), curve.y.xreplace({curve.s: s})
+        values = tuple(expression.diff(s, order) for order in (0, 1, 2) for expression in (x, y))
+        given = (s, *given)
+        summary = f"Point of the curve {curve.name} at its parameter, and derivatives by it: x, y, x', y', x'', y''."
     result = Result(name, ("",) * len(values), ("",) * len(values), values)
     function = eliminate_common_subexpressions(Function(name, "", (), (), (result,)))
-    words = names_in_words(function.body, {}, {symbol.name for symbol in chain.given})
+    words = names_in_words(function.body, {}, {symbol.name for symbol in given})
     lines = [
-        f"def {name}({', '.join(symbol.name for symbol in chain.given)}):",
-        f'    """Pieces of the chain {chain.name}: start x, y, end x, y, centre x, y of each."""',
         *(f"    {symbol.name} = {expression_text(expression)}" for symbol, expression in function.body),
         f"    return {', '.join(map(expression_text, function.results[0].expressions))}",
     ]
-    return "\n".join([*lines[:2], *(_renamed(line, words) for line in lines[2:])])
+    head = f"def {name}({', '.join(symbol.name for symbol in given)}):"
+    return "\n".join([head, f'    """{summary}"""', *(_renamed(line, words) for line in lines)])
 
 
 def _names(program: Program, function: Function) -> dict[str, str]:
