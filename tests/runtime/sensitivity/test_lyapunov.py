@@ -32,7 +32,7 @@ from hertzwerk.derive import (
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws import power
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.accuracy.horizon import growth
+from hertzwerk.runtime.accuracy.horizon import Growth, growth
 from hertzwerk.runtime.sensitivity import lyapunov as lyapunovs
 from hertzwerk.runtime.solution import scales as scaling
 
@@ -199,3 +199,10 @@ def test_no_more_exponents_than_the_motion_has(count):
     run = simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=False)
     with pytest.raises(InputError, match="expected 1 to 2"):
         run.lyapunov(count)
+
+
+def test_the_spread_is_the_least_and_the_largest_rate_of_an_interval():
+    """Intervals of 2 s in which changes grow e^4 times and shrink e times; one without growth that is known."""
+    law = Growth("exponential", 1.0, 0.1, 1.0, (0.0, 2.0, 4.0, 6.0), (math.exp(4), math.exp(-1), math.nan))
+    found = lyapunovs.Lyapunov((), np.zeros((0, 0)), np.zeros(0), np.zeros(0), law, 1, 6.0, "")
+    assert found.spread == pytest.approx((-0.5, 2.0))

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from balls import MASS, STIFFNESS, ball, dry
 from handmade import point
 from scipy.linalg import eigh
 from scipy.special import jn_zeros
@@ -33,6 +34,7 @@ from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.insets import clearances
 from hertzwerk.runtime.pictures.draw.places import Places
 from hertzwerk.runtime.start.start_values import start_of
+from hertzwerk.runtime.statics.vibrations import Mode
 
 G = 9.81
 LINKS, LENGTH = 8, 2.0
@@ -210,3 +212,16 @@ def test_the_inset_shows_where_the_pin_is_in_a_bush_that_has_turned():
     pin, bush = (drawing.parts.at(mark, 0) for mark in inset.marks)
     assert np.linalg.norm(pin - bush) > 0
     assert inset.path[0] == pytest.approx((pin - bush) * (inset.exaggerated or 1.0), rel=1e-9)
+
+
+def test_what_sticks_at_rest_is_held_in_place():
+    """A particle on a slope under Coulomb's friction: it vibrates along the normal alone, with sqrt(K/m), and is nowhere free."""
+    (mode,) = modes(load(ball(dry(), turns=False)), parameters={"slope": "0.1 rad"})
+    assert mode.natural_frequency == pytest.approx(math.sqrt(STIFFNESS / MASS) / (2 * math.pi), rel=1e-6)
+
+
+def test_a_mode_says_how_fast_it_decays_or_grows():
+    assert str(Mode(-4 + 0j, {})) == "decays by e in 0.25 s"
+    assert Mode(2 + 0j, {}).title == "grows by e in 0.5 s"
+    assert str(Mode(-3 + 4j, {})) == f"{4 / (2 * math.pi):.9g} Hz, damping ratio 0.6"
+    assert str(Mode(0j, {})) == "free: nothing holds it"
