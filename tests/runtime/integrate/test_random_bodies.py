@@ -12,12 +12,7 @@ pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc: the
 
 QUICK = (0, 1, 3, 5, 7, 10)  # plane and space by turns, all three exponents, five laws, stick and slip
 MANY = 300
-NO_REASON = "accuracy_unreachable, which rounding does not explain"
-KNOWN = {  # what is known to fail: (body, accuracy) -> why
-    (2, 1e-8): NO_REASON,
-    (4, 1e-8): NO_REASON,
-    **{(23, accuracy): "tsuji: 4.3e-4 off at every accuracy" for accuracy in REQUESTS},
-}
+KNOWN: dict[tuple[int, float], str] = {}  # what is known to fail: (body, accuracy) -> why
 
 
 def request(i, accuracy):
