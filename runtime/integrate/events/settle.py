@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import (
+    LOCATED,
     NEAR,
     NO_EVENT,
     endings,
@@ -191,7 +192,8 @@ def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> A
 
     Arguments: state, controls, next, verdict, floors, and state and switched as decided, which it returns. A force that falls
     through zero and returns to it with the gap is seen at neither end of the step that opens the contact, but just
-    before that: there the step is cut, so that the next attempt sees the fall.
+    before that: there the step is cut, so that the next attempt sees the fall. A force within its tolerance at the
+    step's start has faded, as with strong damping: it may have either sign.
     """
     arguments, (old, _, end, _) = vectors.symbols("state controls next verdict", ca.MX)
     decided, switched = ca.MX.sym("decided", vectors.state.size), ca.MX.sym("switched")
@@ -217,8 +219,9 @@ def _just_before(model: Model, vectors: Layouts, right: Flow) -> Any:
     back = NEAR * old["h"]
     t, y = end["t"] - back, end["y"] - back * end["dy"]
     inside = {"t": t, "y": y, **right.at(t, y, old["mode"], old["m"], run["c"])}
-    tol, *_ = tolerances(model, run, inside)
-    found = any_of(pairs * (inside["force"] < most) * (inside["gap"] < -tol))
+    tol, _, small = tolerances(model, run, inside)
+    pressed = pairs * (old["force"] > small) * (old["retakes"] < LOCATED)
+    found = any_of(pressed * (inside["force"] < most) * (inside["gap"] < -tol))
     return ca.Function("just_before", [*arguments, pairs, most], [found])
 
 
@@ -234,9 +237,8 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     moved, finite = delta != 0, is_finite(end)
     aimed, retake = old["h"] * theta, theta < 1
     mode, m, floored, begun = old["mode"], old["m"], ca.DM(0), ca.DM(0)
+    tol, *_ = tolerance = tolerances(model, run, end, known)
     if model.k:  # moved, but too far: the step is retaken to the root as it appears from there
-        tolerance = tolerances(model, run, end, known)
-        tol = tolerance[0]
         g, *rates = signed_gaps(mode, end)
         beyond = ca.mmin(ca.if_else(g < -tol, time_to_root(g, *rates), 0))
         retake = ca.if_else(moved, beyond < 0, retake)
