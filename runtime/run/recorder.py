@@ -129,16 +129,16 @@ class Grid:
 class Sampled:
     """Observer that keeps the states at which a run is compared with others.
 
-    That is at its start and end, at `count` times between, and within and at the end of its own steps, which lie close
-    where much happens: of all, or of every second, fourth, ... where they are more than EVEN, and of as many in which
-    the rates change most, as where friction turns round.
+    That is at its start and end, at `count` times between, and within its own steps, which lie close where much
+    happens: of all, or of every second, fourth, ... where they are more than EVEN, and of as many in which the rates
+    change most, as where friction turns round. At the end of a step an event may change a state at once, and another run
+    may have it a little later: no time is as near to one as that, nor within a step that ends so soon.
     """
 
     EVEN = 60
-    WITHIN = (
-        0.4,
-        0.8,
-    )  # of a step: of its error little has grown before, but where rates change at once it goes up and down
+    # of a step: its error grows towards its end, and where rates change at once it goes up and down
+    WITHIN = 0.4, 0.8, 0.99
+    SHORT = 100  # tolerances, as shifts in time by length over speed: a step that is none to look into
 
     def __init__(self, begin: float, end: float, count: int) -> None:
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
@@ -147,13 +147,15 @@ class Sampled:
         self._grid = Grid(np.concatenate([[begin], between, [end]]))
         self._seen, self._stride = 0, 1
         self._numbers, self._bends = np.zeros(0, int), np.zeros(0)  # of the steps that are kept
-        self._rows: np.ndarray | None = None  # (steps, 3, ns): within and at the end of each
+        self._rows: np.ndarray | None = None  # (steps, 3, ns): within each
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
         self._grid.take(block, fresh)
         first = max(fresh - 1, 0)
-        begins = first + np.flatnonzero(np.diff(block.t[first:]) > 0)
+        controls, layout = block.controls, block.engine.layouts.controls
+        (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
+        begins = first + np.flatnonzero(np.diff(block.t[first:]) > self.SHORT * tolerance * length / speed)
         numbers, bends = self._seen + np.arange(len(begins)), _bends(block, begins)
         self._seen += len(begins)
         self._numbers, self._bends = np.append(self._numbers, numbers), np.append(self._bends, bends)
@@ -164,9 +166,7 @@ class Sampled:
         self._numbers, self._bends = self._numbers[kept], self._bends[kept]
         before, begins = np.split(kept, [len(kept) - len(begins)])[0], begins[kept[len(kept) - len(begins) :]]
         h = block.t[begins + 1] - block.t[begins]
-        rows = np.stack(
-            [*(block.between(begins, part * h).rows for part in self.WITHIN), block.rows[begins + 1]], axis=1
-        )
+        rows = np.stack([block.between(begins, part * h).rows for part in self.WITHIN], axis=1)
         self._rows = rows if self._rows is None else np.concatenate([self._rows[before], rows])
 
     @cached_property
