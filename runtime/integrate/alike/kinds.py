@@ -288,7 +288,7 @@ def _entries(columns: list[tuple[int, ...]], slots: Any) -> list[Any]:
     count, n = len(base), slots.numel()
     table = [x for row in zip(*base, strict=True) for x in row] + [-(2**30)] * count
     rows = ca.MX(ca.DM(table)).get_nz(False, ca.vec(ca.repmat(count * slots.T, count, 1) + ca.DM(range(count))))
-    entries = rows[[count * slot + i for i in of for slot in range(n)]]
+    entries = ca.vec(rows[[count * slot + i for i in of for slot in range(n)]])  # of one row CasADi makes a row
     return ca.vertsplit(entries + ca.DM([column[0] for column in columns for _ in range(n)]), n)
 
 

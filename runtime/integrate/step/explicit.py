@@ -278,12 +278,12 @@ def explicit_step(
     given = (start["mode"], start["m"], run["c"])
     rates, ends = right.under(start["mode"])
     t, y = start["t"], start["y"]
-    n = y.numel() - right.quadratures
-    slopes, moving, kept = [start["dy"]], [start["dy"][:n]], y[n:]
+    cuts = [0, y.numel() - right.quadratures, y.numel()]
+    slopes, (now, kept) = [start["dy"]], ca.vertsplit(y, cuts)
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
-        stage = ca.vertcat(_combined(y[:n], h, row, moving), kept)
+        moving = [ca.vertsplit(slope, cuts)[0] for slope in slopes]
+        stage = ca.vertcat(_combined(now, h, row, moving), kept)
         slopes.append(rates(t + node * h, stage, *given))
-        moving.append(slopes[-1][:n])
     t1 = t + h
     y1, is_closed = right.closed(t1, _combined(y, h, table.b, slopes), run)
     end = dict(zip(ENDS, ends(t1, y1, *given), strict=True))

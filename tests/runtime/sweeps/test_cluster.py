@@ -153,11 +153,11 @@ def test_versions_that_differ_are_refused_by_name(client, monkeypatch):
     assert all(fault.where.startswith("worker tcp://") for fault in error.value.faults)
     assert {fault.where.split(", ")[1] for fault in error.value.faults} == {"casadi", "code"}
     from hertzwerk.runtime.run.request import Settings
-    from hertzwerk.runtime.sweeps.row_job import Job
+    from hertzwerk.runtime.sweeps.row_job import Job, Tasks
 
     job = Job(load("bouncing_ball"), Settings("1 s", None, 1e-6), [])
     with pytest.raises(InputError, match=r"3\.0\.0"):  # of a worker that came after the first look
-        list(here.rows(job, [(0, {})]))
+        list(here.rows(job, Tasks([(0, {})])))
 
 
 @pytest.mark.slow
