@@ -154,7 +154,7 @@ def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
     (table,) = (table() for table in METHODS[method])
     for contacts in contact_classes(model):
         step = advance(model, layouts(model), table, contacts)
-        found = {step.instruction_id(i) for i in range(step.n_instructions())}
+        found = {f.instruction_id(i) for f in (step, *step.find_functions()) for i in range(f.n_instructions())}
         assert found & set(MARKS) == {MARKS[j] for j in (range(model.k) if contacts is BY_MODE else contacts)}
 
 
