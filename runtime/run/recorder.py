@@ -131,14 +131,14 @@ class Sampled:
 
     That is at its start and end, at `count` times between, and within its own steps, which lie close where much
     happens: of all, or of every second, fourth, ... where they are more than EVEN, and of as many in which the rates
-    change most, as where friction turns round. At the end of a step an event may change a state at once, and another run
-    may have it a little later: no time is as near to one as that, nor within a step that ends so soon.
+    change most, as where friction turns round. An event at the end of a step may change a state at once, and another run
+    may have that event slightly earlier or later: no sample lies so close to an end, and the shortest steps have none.
     """
 
     EVEN = 60
     # of a step: its error grows towards its end, and where rates change at once it goes up and down
     WITHIN = 0.4, 0.8, 0.99
-    SHORT = 100  # tolerances, as shifts in time by length over speed: a step that is none to look into
+    SHORT = 100  # tolerances, as a shift in time by length over speed: shorter steps are not sampled
 
     def __init__(self, begin: float, end: float, count: int) -> None:
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
