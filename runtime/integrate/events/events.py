@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.alike.selection import places_of
-from hertzwerk.runtime.integrate.events.jumps import falls
+from hertzwerk.runtime.integrate.events.jumps import LOCATED, falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, MANY, RELEASED, Layouts
 from hertzwerk.runtime.integrate.step.rounding import gap_rounding, time_rounding
 from hertzwerk.runtime.integrate.step.set_valued_friction import (
@@ -40,8 +40,6 @@ UNSEEN = 1e-10  # of the scene's length: what a step may leave open in any case
 PARTS = 8  # sub-intervals searched
 SOME = 4  # events of many pairs that are looked for by their places
 BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
-# retakes after which a margin counts as rootless: nearly redundant friction forces jump with a step's error
-LOCATED = 16
 AT_START = 1e-8  # of a step, from its start: a kink there is one of its start, where a landing has come as near as rounding lets it
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
@@ -274,7 +272,7 @@ def _slipping(
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
     falls = touching(model, start["mode"]) * (cubic[0] > -small / 2) * (lowest < -small)
-    falls *= start["retakes"] < LOCATED
+    falls *= start["retakes"] < LOCATED  # nearly redundant friction forces jump with a step's error: they have no root
     return falls, cubic, small
 
 

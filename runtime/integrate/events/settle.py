@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import (
-    LOCATED,
     NEAR,
     NO_EVENT,
     endings,
@@ -18,7 +17,7 @@ from hertzwerk.runtime.integrate.events.events import (
     signed_gaps,
     tolerances,
 )
-from hertzwerk.runtime.integrate.events.jumps import due, time_to_event
+from hertzwerk.runtime.integrate.events.jumps import LOCATED, due, time_to_event
 from hertzwerk.runtime.integrate.events.modes import FINITE, Parts, all_of, any_of, is_finite, latch, next_modes, switch
 from hertzwerk.runtime.integrate.step.classes import IDLE, IN_CONTACT, class_of
 from hertzwerk.runtime.integrate.step.closing import LOST

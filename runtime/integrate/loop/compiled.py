@@ -14,7 +14,6 @@ import shlex
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
@@ -27,6 +26,7 @@ import casadi as ca
 from hertzwerk.runtime.host import cache as disk
 from hertzwerk.runtime.host.interrupt import raise_interrupts
 from hertzwerk.runtime.host.scratch import scratch_folder
+from hertzwerk.runtime.host.side_by_side import cores
 from hertzwerk.runtime.integrate.loop.c_files import OFTEN, SELDOM, CFile, c_files
 
 FLAGS = (
@@ -145,11 +145,6 @@ def compile_files(
     if not target.is_file():
         raise BrokenCompilerError(f"{shlex.join(command)} makes no library")
     return target
-
-
-def cores() -> int:
-    """Return the number of processor cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if sys.platform.startswith("linux") else os.cpu_count() or 1
 
 
 def _run(commands: Sequence[Sequence[str]], poll: Callable[[], object]) -> None:
