@@ -22,6 +22,7 @@ from hertzwerk.runtime.host.interrupt import raise_interrupts
 from hertzwerk.runtime.host.side_by_side import cores
 from hertzwerk.runtime.integrate.loop.compiled import available
 from hertzwerk.runtime.integrate.tableaux.methods import SUNDIALS
+from hertzwerk.runtime.run.engine import compile_together
 from hertzwerk.runtime.run.request import Compiled
 from hertzwerk.runtime.simulation import simulate
 
@@ -90,7 +91,10 @@ def model_of(source: Source) -> Model:
 
 def result(case: HardCase, method: str, *, native: bool = True) -> Result:
     """Run a case with one method and measure it; `native` compares with C where there is a compiler."""
-    run = solve(case, method, compiled=False)
+    return _judged(case, method, solve(case, method, compiled=False), native=native)
+
+
+def _judged(case: HardCase, method: str, run: Solution, *, native: bool) -> Result:
     measured, compiled_wall_s = measure(case, method, run), None
     if native and method not in SUNDIALS and available():
         twin = solve(case, method, compiled=True)
@@ -118,25 +122,23 @@ def same(run: Solution, twin: Solution) -> Measured:
 
 # -- many --------------------------------------------------------------------------------------------------------------
 
-Work = tuple[str, tuple["HardCase", ...]]  # a method, and cases that share a model
+Work = Sequence[tuple["HardCase", str]]  # cases that share a model, and a method of each
 
 
 def results(jobs: Sequence[tuple[HardCase, Sequence[str]]], workers: int | None = None) -> Iterator[Result]:
     """Yield the results of cases, each with its methods, as completed, on all cores.
 
-    Cases that share a model and a method are run by one process.
+    Cases that share a model are run by one process, and as one C program: what methods share is compiled once.
     """
-    groups: dict[tuple[Source, str], list[HardCase]] = {}
+    groups: dict[Source, list[tuple[HardCase, str]]] = {}
     for case, methods in jobs:
-        for method in methods:
-            groups.setdefault((case.source, method), []).append(case)
-    work: list[Work] = [(method, tuple(cases)) for (_, method), cases in groups.items()]
+        groups.setdefault(case.source, []).extend((case, method) for method in methods)
     # a long one last would keep one core waiting
-    work.sort(key=lambda item: any(case.long for case in item[1]), reverse=True)
+    work: list[Work] = sorted(groups.values(), key=lambda runs: any(case.long for case, _ in runs), reverse=True)
     count = min(workers or (cores() if sys.platform.startswith("linux") else 1), len(work))
     if count <= 1:
-        for method, cases in work:
-            yield from (result(case, method) for case in cases)
+        for runs in work:
+            yield from _of_model(runs)
         return
     others = multiprocessing.active_children()
     executor = ProcessPoolExecutor(count, multiprocessing.get_context("fork"), _enter, (work,))
@@ -168,5 +170,13 @@ def _enter(work: list[Work]) -> None:
 
 
 def _results(i: int) -> list[Result]:
-    method, cases = _work[i]
-    return [result(case, method) for case in cases]
+    return list(_of_model(_work[i]))
+
+
+def _of_model(work: Work) -> Iterator[Result]:
+    """Yield the results of cases that share a model."""
+    runs = [(case, method, solve(case, method, compiled=False)) for case, method in work]
+    if available():
+        compile_together({(run.history.engine.model, method): None for _, method, run in runs})
+    for case, method, run in runs:
+        yield _judged(case, method, run, native=True)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import partial
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.integrate.loop.attempt import Integrator, integrator
-from hertzwerk.runtime.integrate.loop.automatic import Code, use_compiled
+from hertzwerk.runtime.integrate.loop.automatic import Code, compiled_together, use_compiled
 from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.model.caller import Callers
@@ -66,8 +66,20 @@ def _engine(model: Model, method: str) -> Engine:
         reference = sundials.reference(model, made.layouts, method)
         return Engine(made, Callers(made.begin), counters, None, partial(sundials.march, reference))
     with_choice = made.with_choice
-    chosen = None if with_choice is None else cache(lambda: Code(chunk(with_choice())))
-    return Engine(made, Callers(made.begin), counters, Code(chunk(made), chosen), march)
+    name = f"chunk_{method}"  # of which a program may have several
+    chosen = None if with_choice is None else (lambda: Code(chunk(with_choice(), called=f"{name}_choosing")))
+    return Engine(made, Callers(made.begin), counters, Code(chunk(made, called=name), chosen), march)
+
+
+def compile_together(models: Iterable[tuple[Model, str]]) -> None:
+    """Compile what runs of models by methods have built as one program, in which methods share functions.
+
+    A model is without redundant constraints, as the one of `History.engine`. What fails to compile stays as it is.
+    """
+    engines = (_engine(model, method) for model, method in models)
+    codes = [code for engine in engines if engine.code is not None for code in engine.code.built]
+    for code, native in zip(codes, compiled_together([code.function for code in codes]), strict=False):
+        code.native = Callers(native)
 
 
 def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0, needs: Needs = Needs.ENDS) -> bool:

@@ -83,14 +83,17 @@ def test_a_known_failure_says_why_and_is_no_failure(without_a_compiler):
     assert reason.split()[0] in done.stdout.split("known  ")[1]
 
 
-def test_both_paths_are_run_where_there_is_a_compiler():
-    code, record = printed("--case", "exponent_1", "--method", "dopri5", "--json")
-    (result,) = record["cases"][0]["results"]
+def test_both_paths_are_run_where_there_is_a_compiler_of_all_methods_at_once(monkeypatch, tmp_path):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
+    code, record = printed("--case", "exponent_1", "--method", "dopri5", "--method", "rodas", "--json")
     assert code == 0
-    assert result["measured"][-1] == {
-        "name": runner.SAME, "value": 0, "limit": 0, "unit": "1", "holds": True, "note": result["measured"][-1]["note"]
-    }  # fmt: skip
-    assert result["compiled_wall_s"] > 0
+    assert len(record["cases"][0]["results"]) == 2
+    for result in record["cases"][0]["results"]:
+        assert result["measured"][-1] == {
+            "name": runner.SAME, "value": 0, "limit": 0, "unit": "1", "holds": True, "note": result["measured"][-1]["note"]
+        }  # fmt: skip
+        assert result["compiled_wall_s"] > 0
+    assert len(list(tmp_path.glob("compiled-*"))) == 1
 
 
 def test_a_method_without_c_leaves_its_cell_empty():

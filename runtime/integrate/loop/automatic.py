@@ -6,7 +6,7 @@ The change is made once the estimated time saved exceeds the compilation; result
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -25,7 +25,7 @@ GAIN = 0.8  # part of the time left that C saves
 class Code:
     """Chunk function of one model and method, in CasADi's virtual machine and, on demand, as C.
 
-    with_choice: returns the code that chooses between methods; bitwise: whether C gives the machine's results to the bit.
+    with_choice: builds the code that chooses between methods; bitwise: whether C gives the machine's results to the bit.
     """
 
     function: Any
@@ -33,6 +33,7 @@ class Code:
     bitwise: bool = True
     machine: Callers = field(init=False)
     native: Callers | None = None
+    _chosen: Code | None = None
     _program: Program | None = None
     _impossible: bool = False
     compiler_failure: str = ""
@@ -40,6 +41,17 @@ class Code:
 
     def __post_init__(self) -> None:
         self.machine = Callers(self.function)
+
+    def choosing(self) -> Code | None:
+        """Return the code that chooses between methods, built on first use; None where there is none."""
+        if self._chosen is None and self.with_choice is not None:
+            self._chosen = self.with_choice()
+        return self._chosen
+
+    @property
+    def built(self) -> list[Code]:
+        """Return itself, and the code that chooses between methods if it is built."""
+        return [self] if self._chosen is None else [self, self._chosen]
 
     def compile(self, poll: Callable[[], object] = lambda: None) -> Callers:
         """Return callers of the C version, compiled now if need be.
@@ -98,10 +110,10 @@ class AutomaticCallers:
 
     def use_choice(self, poll: Callable[[], object]) -> None:
         """Change `callers` to those that choose between methods."""
-        if self._first.with_choice is not None:
-            began = time.perf_counter()
-            code = self._first.with_choice()
-            self.build_s += time.perf_counter() - began
+        began = time.perf_counter()
+        code = self._first.choosing()
+        self.build_s += time.perf_counter() - began
+        if code is not None:
             if self._compiled:
                 began = time.perf_counter()
                 try:
@@ -140,12 +152,18 @@ class AutomaticCallers:
         return True
 
 
-def use_compiled(tables: list[Rowwise]) -> None:
-    """Compile functions of tables; where that fails they stay slower, with the same results."""
+def compiled_together(functions: Sequence[Any]) -> list[Any]:
+    """Return functions compiled as one program; none where that fails."""
     from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError, Program
 
-    left = [table for table in tables if not table.compiled]
     with suppress(NoCompilerError):
-        native = iter(Program(*(function for table in left for function in table.functions)).load() if left else ())
-        for table in left:
-            table.use([next(native) for _ in table.functions])
+        return Program(*functions).load() if functions else []
+    return []
+
+
+def use_compiled(tables: list[Rowwise]) -> None:
+    """Compile functions of tables; where that fails they stay slower, with the same results."""
+    left = [table for table in tables if not table.compiled]
+    native = compiled_together([function for table in left for function in table.functions])
+    for table in left if native else ():
+        table.use([native.pop(0) for _ in table.functions])

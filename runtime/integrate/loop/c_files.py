@@ -21,7 +21,8 @@ BESIDE = (
     10_000  # characters of a function up to which it stays in the file of those that call it, where it may be inlined
 )
 OFTEN, SELDOM = "-O3", "-O1"  # level by how often a function runs; of steps with events alone -O3 makes no run faster
-LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
+# characters of what an exported function needs, up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
+LARGE = 1_500_000
 EXPORTED = ""  # stands for the functions that a library shows, which call the others
 
 _ARGUMENTS = "(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem)"
@@ -52,22 +53,24 @@ class CFile:
 
 def c_files(text: str) -> list[CFile]:
     """Return what CasADi generated as files, the first with what is exported."""
-    level = OFTEN if len(text) <= LARGE else SELDOM
     text = _PLAIN.sub(_straight, text)
     functions = {found["name"]: found for found in _FUNCTION.finditer(text)}
     calls = {name: set(_CALLED.findall(found["body"])) & functions.keys() for name, found in functions.items()}
     finishing = {name for name, found in functions.items() if found["said"] == FINISH}
     if not functions:
         return [CFile(text, OFTEN)]
-    exported = _FUNCTION.sub("", text[next(iter(functions.values())).start() :])
-    calls[EXPORTED] = set(_CALLED.findall(exported)) & functions.keys()
-    often = _reached({EXPORTED}, calls, finishing)
+    exported = [set(_CALLED.findall(found[0])) & functions.keys() for found in _EXPORTED.finditer(text)]
+    calls[EXPORTED] = set().union(*exported)
+    often: set[str] = set()
+    for entry in exported:
+        if sum(len(functions[name][0]) for name in _reached(entry, calls, set())) <= LARGE:
+            often |= _reached(entry, calls, finishing)
     large = [name for name, found in functions.items() if len(found[0]) > BESIDE]
     moved = [
-        *((level, names) for names in _shares([name for name in large if name in often], functions)[1:]),
+        *((OFTEN, names) for names in _shares([name for name in large if name in often], functions)[1:]),
         *((SELDOM, names) for names in _shares([name for name in large if name not in often], functions)),
     ]
-    return _apart(text, functions, calls, level, moved)
+    return _apart(text, functions, calls, OFTEN if often else SELDOM, moved)
 
 
 def _reached(names: set[str], calls: dict[str, set[str]], last: set[str]) -> set[str]:

@@ -44,7 +44,7 @@ def keep_to(deadline: float) -> None:
         raise TimeOverError
 
 
-def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
+def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE, *, called: str = "chunk") -> Any:
     """Build the function (state, controls, tally) -> states (ns, attempts), tally after all of them.
 
     A column after each attempt, as CasADi's mapaccum, but without a copy of the constant controls for each attempt.
@@ -63,7 +63,7 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
             found, counted = many.call([*([state[status] == RUNNING] if i else []), *inputs], i == 0, False)
             states.append(found)
             state = found[:, -1]
-        name = "chunk" if i + 1 == len(sizes) else f"attempts_{i}"
+        name = called if i + 1 == len(sizes) else f"attempts_{i}"
         many = ca.Function(name, given, [ca.horzcat(*states), counted], [*lengths], ["states", "counted"])
         if i + 1 < len(sizes):
             state, _, counted = given

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.integrate.loop import c_files
+from hertzwerk.runtime.integrate.loop import c_files, compiled
 from hertzwerk.runtime.integrate.loop.attempt import integrator
 from hertzwerk.runtime.integrate.loop.chunk import chunk
 from hertzwerk.runtime.integrate.loop.compiled import Program, c_text
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.run.engine import compile_together
 
 
 @pytest.fixture
@@ -23,10 +24,20 @@ def small(monkeypatch, tmp_path):
 
 
 @pytest.fixture(scope="module")
-def text():
+def loop():
+    """The function of a crank's attempts by a method."""
+    model = load("slider_crank_frictionless")
+
+    def made(method, called="chunk"):
+        return chunk(integrator(model, tuple(table() for table in METHODS[method])), called=called)
+
+    return made
+
+
+@pytest.fixture(scope="module")
+def text(loop):
     """The C of a crank by dop853."""
-    tables = tuple(table() for table in METHODS["dop853"])
-    return c_text([chunk(integrator(load("slider_crank_frictionless"), tables))])
+    return c_text([loop("dop853")])
 
 
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
@@ -86,5 +97,35 @@ def test_a_variable_that_is_not_handed_on_is_noticed(small, monkeypatch):
 
 
 def test_a_large_text_is_less_optimised(text, monkeypatch):
-    monkeypatch.setattr(c_files, "LARGE", len(text) - 1)
+    monkeypatch.setattr(c_files, "LARGE", len(text) // 2)
     assert {file.level for file in c_files.c_files(text)} == {c_files.SELDOM}
+
+
+def test_methods_share_a_program_and_each_is_as_optimised_as_alone(loop, text, monkeypatch):
+    """What the method of the short program needs is -O3, what only the long one needs -O1."""
+    implicit = c_text([loop("esdirk")])
+    both = c_text([loop("dop853", "explicit"), loop("esdirk", "implicit")])
+    assert len(both) < 0.9 * (len(text) + len(implicit))
+    monkeypatch.setattr(c_files, "LARGE", len(text))
+    assert {file.level for file in c_files.c_files(implicit)} == {c_files.SELDOM}
+    first, *others = c_files.c_files(both)
+    assert first.level == c_files.OFTEN
+    assert {"explicit", "implicit"} <= set(re.findall(r"^/\* (\w+):", first.text, re.MULTILINE))
+    steps = {file.level for file in others if "/* advance_in_contact:" in file.text}
+    assert "/* advance_in_contact:" in first.text  # of the explicit method
+    assert steps == {c_files.SELDOM}  # of the implicit one
+
+
+def test_what_is_compiled_together_gives_the_same_bits_and_is_not_compiled_again(monkeypatch, tmp_path):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    made, compile_files = [], compiled.compile_files
+    monkeypatch.setattr(compiled, "compile_files", lambda *given: made.append(1) or compile_files(*given))
+    model, settings = load("slider_crank_frictionless"), {"duration": "24 ms", "tolerance": 1e-7}
+    machine = {method: simulate(model, method=method, compiled=False, **settings) for method in ("dopri5", "dop853")}
+    compile_together([(model, method) for method in machine])
+    for method, run in machine.items():
+        native = simulate(model, method=method, compiled=True, **settings)
+        assert native.compiled
+        assert len(native.impacts) > 1
+        assert np.array_equal(run.history.rows.view(np.uint64), native.history.rows.view(np.uint64))
+    assert len(made) == 1
