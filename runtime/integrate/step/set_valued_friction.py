@@ -54,6 +54,8 @@ FAR = 10.0  # of that size: speed from which the slip follows the direction of s
 TURNED = 1e-3  # of that size: least that a slip turns by
 GROWTH = 10.0  # from rest, of the sliding speed beside that size: most in a step
 COURSE = 0.25  # of a margin: most that its rates may leave of its change in a step
+HELD = 0.5  # likewise of what sticks: forces d^1 to d^3 leave no more on the whole way to an opening
+SEEMS_LOOSE = -0.5  # margin that an error of a step may have made
 REDUNDANT = 1e-6  # relative shift of the diagonal that makes W regular: contacts of one body may share one force
 REFINEMENTS = 2  # iterations that remove the shift's effect where W is regular
 BREAKS = 0.25  # of the landing tolerance: excess of lambda over the holding force at which a pair breaks loose; landings aim at half
@@ -377,22 +379,45 @@ def directed(model: Model) -> list[list[int]]:
 def unresolved_grips(model: Model, run: Parts, start: Parts, end: Parts, h: Any) -> Any:
     """Return how badly a step of h [s] resolves margins; above 1 it has to be shorter.
 
-    One that sticks at both ends may not have let go between: its change is that of its rates. Sliding in two directions turns the
-    faster the slower it is. An implicit step from rest takes that rate for all of its course, and sees no error in a direction that
-    does not turn; an explicit one beyond its stability can repeat a state. The growth of the speed beside the size of the slip shows
-    the one, its change the other.
+    Sliding in two directions turns the faster the slower it is. An implicit step from rest takes that rate for all of its course, and
+    sees no error in a direction that does not turn; an explicit one beyond its stability can repeat a state. The growth of the speed
+    beside the size of the slip shows the one, its change the other.
     """
     slips, m0, m1 = start["m"][slips_in(model)], start["margin"], end["margin"]
     error = ca.fabs(m1 - m0 - h / 2 * (start["margin_rate"] + end["margin_rate"]))
-    held = sticking(model, start["m"]) * (m0 > 0) * (m1 > 0)
     least = time_rounding(end["t"], ca.fabs(start["margin_rate"]) + ca.fabs(end["margin_rate"]))
-    worst = ca.mmax(ca.if_else(held, error / (COURSE * ca.fmax(m0, m1) + least + run["tolerance"]), 0))
+    worst = ca.mmax(_unresolved_hold(model, run, start, end, h))
     for group in directed(model):
         i, size = group[0], ca.sqrt(ca.sumsqr(slips[group]))
         growth = (m1[i] + size) / (GROWTH * (ca.fmax(m0[i], 0) + size) + least[i])
         course = error[i] / (COURSE * (ca.fmax(ca.fabs(m0[i]), ca.fabs(m1[i])) + size) + least[i])
         worst = ca.fmax(worst, ca.if_else(size > 0, ca.fmax(growth, course), 0))
     return worst
+
+
+def _unresolved_hold(model: Model, run: Parts, start: Parts, end: Parts, h: Any) -> Any:
+    """Return the same for the margins (ns) of what sticks, 0 for all others.
+
+    What sticks has not let go in between where its change is that of its rates. A margin is a ratio, and falls the steeper the nearer a
+    contact is to its opening; with the size of its forces it is as smooth as they are. The holding force of a pair changes as its normal
+    force does, that of a joint is taken to stay. Where both forces are below their tolerance the ratio is one of rounding. At the end it
+    may seem to have let go, though not by as much as it holds.
+    """
+    of_pairs = at_slips(model, ca.DM.ones(model.k), 0)
+    small = [ca.repmat(LANDING * run["tolerance"] * run["scales"][i], model.k) for i in (1, 2)]
+    largest = positive(ca.fmax(start["grip_force"], end["grip_force"]))
+    values, rates, known = [], [], []
+    for side in (start, end):
+        margin, rate = side["margin"], side["margin_rate"]
+        fading = at_slips(model, side["force_rate"] / positive(side["force"]), 0)
+        share = ca.if_else(of_pairs, side["grip_force"] / largest, 1)
+        values.append(share * margin)
+        rates.append(share * ca.if_else(of_pairs, fading * margin + rate * (2 + margin) / (2 * (1 + margin)), rate))
+        known.append(margin_tolerances(model, run, start["m"], side, *small))
+    error = ca.fabs(values[1] - values[0] - h / 2 * (rates[0] + rates[1]))
+    least = HELD * ca.fmax(*map(ca.fabs, values)) + ca.fmin(*known)
+    held = sticking(model, start["m"]) * (start["margin"] > 0) * (end["margin"] > SEEMS_LOOSE) * (ca.fmax(*known) < 1)
+    return ca.if_else(held, error / (least + time_rounding(end["t"], ca.fabs(rates[0]) + ca.fabs(rates[1]))), 0)
 
 
 def margins_ahead(model: Model, mode: Any, m: Any, end: Parts, time: Any) -> Any:
