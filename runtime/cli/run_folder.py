@@ -261,7 +261,8 @@ class _Extras:
         makers: dict[str, Callable[[Path], object]] = {"overview": partial(page, "overview"), "mechanism": mechanism}
         makers |= {name: partial(page, name) for name in self.solution.model.pairs}
         with suppress(Exception, KeyboardInterrupt), self.stop.at_once():  # each page reports what is wrong with it
-            pages()
+            if not self.stop.asked:
+                pages()
         made = side_by_side([partial(self._apart, f"{name}.png", make) for name, make in makers.items()])
         for i, name in enumerate(makers):
             files, missing = made.get(i, ([], [f"{name}.png is not there: the process that made it ended"]))

@@ -13,7 +13,7 @@ from hertzwerk.derive.laws import coulomb, flores, hunt_crossley, power, smooth_
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import load
 
-SEED, COUNT, PROCESSOR_TIME = 20261122, 620, 6.0
+SEED, COUNT = 20261122, 620
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 DAMPING = {"hunt_crossley": hunt_crossley, "flores": flores}
 FRICTION = {

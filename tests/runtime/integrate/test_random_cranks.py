@@ -1,30 +1,19 @@
 """Random slider-cranks over wide ranges: each ends well, or says what does; none stalls, none loses its energy."""
 
-import time
 from collections import Counter
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from random_cranks import PROCESSOR_TIME, Crank, cranks, model
+from random_cranks import Crank, cranks, model
 
 from hertzwerk.runtime import Solution, simulate
 
+MANY = 200_000  # steps: two revolutions take hundreds to 72,561
 LEAKS = 100  # tolerances that a ledger may be open by
 SAMPLE = 5  # of those the normal tests run, one of each method
 STUCK = ("step_too_small", "too_many_steps", "event_limit", "not_finite", "constraint_lost", "outside_law_range")
-
-
-class Timer:
-    """Ends the run that it is the progress of after so many seconds of this process, whose children, the compilers, do not count."""
-
-    def __init__(self, seconds: float) -> None:
-        self._end = time.process_time() + seconds
-
-    def __call__(self, fraction: float) -> None:
-        if time.process_time() > self._end:
-            raise KeyboardInterrupt
 
 
 def run_of(crank: Crank, **limits: Any) -> Solution:
@@ -69,12 +58,11 @@ def test_a_ledger_as_open_as_that_of_a_rough_run_is_seen():
 
 @pytest.mark.exhaustive
 def test_of_620_random_cranks_few_do_not_end():
-    """Fewer than one in a hundred ends for its steps, and fewer than one in a hundred takes too long on the processor, whoever loads it."""
+    """Fewer than one in a hundred ends for its steps, of which no crank known takes half as many."""
     ended = Counter()
     for crank in cranks():
-        run = run_of(crank, progress=Timer(PROCESSOR_TIME))
+        run = run_of(crank, max_steps=MANY)
         check(run)
         ended[run.outcome.name] += 1
     print(dict(ended))
     assert sum(ended[name] for name in STUCK) < 0.01 * sum(ended.values()), ended
-    assert ended["interrupted"] < 0.01 * sum(ended.values()), ended

@@ -320,7 +320,6 @@ def test_ctrl_c_returns_the_rows_that_are_done(workers):
 
     killer = threading.Thread(target=interrupt)
     killer.start()
-    began = time.perf_counter()
     sweep = simulate_many(
         model,
         sets,
@@ -336,7 +335,6 @@ def test_ctrl_c_returns_the_rows_that_are_done(workers):
     assert sweep.interrupted
     assert [row.index for row in sweep] == [0, 1]
     assert "interrupted" in str(sweep)
-    assert time.perf_counter() - began < 20
 
 
 def test_sets_name_the_joints_states_in_absolute_coordinates_too():
