@@ -15,6 +15,7 @@ from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.model.binding import Declared, Port, Value, quantity_text, read_parameters
 from hertzwerk.runtime.model.caller import Callers
+from hertzwerk.runtime.model.direct_sx import direct
 from hertzwerk.runtime.model.generated_text import module_of, text_of
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.model.signal import WIDTH, Schedule, Signal
@@ -259,7 +260,7 @@ class Model:
 
     def expressions(self, name: str, *given: Any) -> list[Any]:
         """Return the results of one of the module's builders, columns in its arguments (SX)."""
-        results = getattr(self.module, name)(*given)
+        results = getattr(self.module, name)(*(direct(ca.SX(x)) for x in given))
         return [ca.vec(ca.SX(x)) for x in (results if isinstance(results, tuple) else (results,))]
 
     @per_model

@@ -16,12 +16,12 @@ from hertzwerk.runtime.accuracy.ladder import LEAST
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
 from hertzwerk.runtime.model.binding import Value, read_time
-from hertzwerk.runtime.model.drive_speed import drive_speed
 from hertzwerk.runtime.model.free_quantities import quantities
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.model.signal import digest_of
+from hertzwerk.runtime.run.drive_speed import drive_speed
 from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.scales import Scales

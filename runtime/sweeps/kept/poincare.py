@@ -21,7 +21,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError
 from hertzwerk.runtime.model.binding import read, read_state
-from hertzwerk.runtime.model.drive_speed import drive_angle, drive_rate
+from hertzwerk.runtime.run.drive_speed import drive_angle, drive_rate
 from hertzwerk.runtime.solution.history import units_of
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ import pytest
 from hertzwerk.derive import GROUND, Body, Harmonic, Mechanism, Parameter, Ramp, Revolute, Scales, Scene, Z
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.model.drive_speed import drive_speed
+from hertzwerk.runtime.run.drive_speed import drive_speed
 
 CRANKS = ("slider_crank", "four_bar_clearance", "spatial_slider_crank", "journal_in_bearing")
 
