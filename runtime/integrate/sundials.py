@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hertzwerk.runtime.host.interrupt import defer_interrupts
-from hertzwerk.runtime.integrate.events.events import ends_with_force
+from hertzwerk.runtime.integrate.events.events import ends_with_force, rubs_till_it_pulls
 from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
@@ -50,7 +50,7 @@ FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene
 WINDOWS = 20  # least number in a run
 SHORTEST = 1e-9  # of the first window: a shorter one means failure
 MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
-GRIP, EFFECT = 3.0, 4.0  # beside the modes of a pair, see _Event
+GRIP, EFFECT, KINK = 3.0, 4.0, 5.0  # beside the modes of a pair, see _Event
 DUE = 1e-9  # margin of an event of an effect, beside its size, up to which it has been reached
 BREAKS_LOOSE = -1e300  # N: holding force of a pair that breaks loose
 AT_REST = 1e-9  # m/s: largest sliding velocity that counts as rest at an event
@@ -136,7 +136,8 @@ class _Event:
     """Mode change of a pair, or event of an effect, that ends a window.
 
     It lies after grid point `index` (-1: the start) at the fraction theta of that interval. The mode GRIP stands for
-    a friction margin that reached zero: the pair begins to slip or to stick. EFFECT stands for an event of an effect.
+    a friction margin that reached zero: the pair begins to slip or to stick. EFFECT stands for an event of an effect, KINK for a force
+    that goes on through zero and takes friction with it, or brings it back.
     """
 
     index: int
@@ -164,6 +165,8 @@ class _Run:
         self.t, self.y, self.mode, self.m = float(parts["t"][0]), parts["y"], parts["mode"], parts["m"]
         self.status = int(parts["status"][0])
         self.ends_with_force = np.array(ends_with_force(self.model)).ravel() > 0
+        self.pushes = np.ones(self.model.k)  # -1 where a law pulls that ends with the gap
+        self.rubs_till_it_pulls = rubs_till_it_pulls(self.model)
         self.steps = self.events = 0
         self.floored = float(parts["floored"][0])
         self.unsettled = float(parts["unsettled"][0])
@@ -239,6 +242,8 @@ class _Run:
             found.append((j, FLIGHT, -gap, -rate))
             if mode == CONTACT and self.ends_with_force[j]:
                 found.append((j, RELEASED, float(end["force"][j]), float(end["force_rate"][j])))
+            elif mode == CONTACT and self.rubs_till_it_pulls[j]:
+                found.append((j, KINK, *(float(self.pushes[j] * end[name][j]) for name in ("force", "force_rate"))))
             elif mode == RELEASED:
                 found.append((j, CONTACT, rate, acceleration))
         for i, j in enumerate(pairs_of(self.model)):
@@ -305,9 +310,13 @@ class _Run:
         if event.mode == GRIP:
             self.resolve_slip(event.pair, ran_out=True)
             return
+        if event.mode == KINK:
+            self.pushes[event.pair] *= -1
+            return
         end, old, j = self.at(self.t, self.y), self.mode[event.pair], event.pair
         if old == FLIGHT:
             self.events += 1
+            self.pushes[j] = 1
             for i, (_, _, pair) in enumerate(self.model.module.LATCHES):
                 if pair == j:
                     self.m = self.m.copy()

@@ -29,7 +29,7 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
 )
 from hertzwerk.derive.laws import coulomb, exact, hunt_crossley, kelvin_voigt, lee_wang, power
-from hertzwerk.derive.scenes.hard.slips_at_lift_off import ball_beside_wall, ball_on_diagonal
+from hertzwerk.derive.scenes.hard.slips_at_lift_off import ball_beside_wall, ball_on_diagonal, ball_that_is_held_back
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.events.discs import settling
 
@@ -261,3 +261,10 @@ def test_friction_ends_where_a_law_begins_to_pull(method):
         )
         assert run["flight.y_speed"][-1] == pytest.approx(e, abs=10 * tolerance)
         assert run["flight.x_speed"][-1] == pytest.approx(3 - mu * pressed, abs=2 * tolerance)
+
+
+def test_references_end_friction_there_too():
+    """SUNDIALS ends a window where the law begins to pull."""
+    run = simulate(load(ball_that_is_held_back()), duration=0.01, method="cvodes", tolerance=1e-8)
+    force = run["floor.normal_force"][run["floor.mode"] == 1]
+    assert force.min() < -100 and np.abs(force).min() < 1e-9
