@@ -7,6 +7,7 @@ restitution; the damped oscillator for K d + c v.
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Callable
 
@@ -62,6 +63,14 @@ def oscillator(K: float, m: float, xi: float, *, pulls: bool) -> tuple[float, fl
     root = math.sqrt(1 - xi**2)
     phase = math.pi if pulls else math.pi - 2 * math.asin(xi)
     return math.exp(-xi * phase / root), phase / (root * math.sqrt(K / m))
+
+
+def peak_of_oscillator(K: float, m: float, c: float, v0: float, load: float) -> float:
+    """Return the largest force K d + c v of a contact that begins with speed v0 under a constant load."""
+    rate = complex(-c / 2 / m, math.sqrt(K / m - (c / 2 / m) ** 2))  # d = load/K + Re(size exp(rate t))
+    size = complex(-load / K, (-v0 - rate.real * load / K) / rate.imag)
+    t = (math.pi / 2 - cmath.phase(size * rate**3)) % math.pi / rate.imag  # the third derivative of d is zero
+    return load - m * (size * rate**2 * cmath.exp(rate * t)).real
 
 
 def _root(f: Callable[[float], float], low: float, high: float) -> float:

@@ -201,5 +201,7 @@ TRIES: dict[str, dict[str, int]] = {
     "bounces_with_resistances": {"dopri5": 981, "dop853": 407, "rodas": 772, "esdirk": 624, "auto": 276},
     "slips_before_lift_off_in_space": {"dopri5": 196, "dop853": 79, "rodas": 207, "esdirk": 179, "auto": 79},
     "slips_before_lift_off_beside_wall": {"dopri5": 174, "dop853": 83, "rodas": 206, "esdirk": 160, "auto": 83},
+    "peak_beside_a_landing": {"dopri5": 5002, "dop853": 1662, "rodas": 3976, "esdirk": 3975, "auto": 1662},
+    "slips_as_it_rolls_off_centre": {"dopri5": 1255, "dop853": 562, "rodas": 1526, "esdirk": 992, "auto": 562},
     "slides_until_its_law_pulls": {"dopri5": 139, "dop853": 91, "rodas": 109, "esdirk": 110, "auto": 91},
 }

@@ -46,6 +46,24 @@ def test_the_oscillator_ends_where_it_says(pulls):
     assert (e == pytest.approx(0.5, rel=1e-14)) is pulls
 
 
+@pytest.mark.parametrize("push", [0.0, 20.0])
+def test_the_peak_of_an_oscillator_under_a_load(push):
+    K, m, c, v0 = 1.2e7, 2.6, 530.0, 0.012
+    times = np.linspace(0, 1.7e-3, 20001)
+    found = solve_ivp(
+        lambda _, x: [x[1], (push - K * x[0] - c * x[1]) / m],
+        (0, times[-1]),
+        [0, v0],
+        "DOP853",
+        times,
+        rtol=1e-12,
+        atol=1e-18,
+    )
+    assert closed.peak_of_oscillator(K, m, c, v0, push) == pytest.approx(
+        np.max(K * found.y[0] + c * found.y[1]), rel=1e-7
+    )
+
+
 @pytest.mark.parametrize(("name", "friction", "time"), [("centred_start", False, 0.002), ("dead_centre", True, 0.006)])
 def test_slider_crank_states_are_those_of_the_quadruple_precision_program(name, friction, time):
     case, state = BY_NAME[name], reference(friction).states[time]

@@ -10,6 +10,7 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.hard_cases import runner
 from hertzwerk.runtime.hard_cases.invariants import measure
 from hertzwerk.runtime.hard_cases.table import BY_NAME
+from hertzwerk.runtime.solution import watch
 
 FAULTS = {
     "gear_beside_a_parallelogram": ({"pace": "10.00001 rad/s"}, {"final left.angle", "final right.angle"}),
@@ -17,6 +18,7 @@ FAULTS = {
     "gear_against_a_parallelogram": ({"torn": "0 rad/s"}, {"outcome", "time"}),  # it allows what the bars do
     "load_turns_on_the_cone": ({"share": 1.0001}, {"final x.travel", "final z.travel", "largest floor.slip"}),
     "load_turns_beyond_the_cone": ({"share": 1.05001}, {"final speed"}),
+    "slips_as_it_rolls_off_centre": ({"offset_x": "3.90889 mm"}, {"onset of slip", "final flight.x"}),
     "bounces_with_resistances": ({"rolling_arm": "1.00001 mm"}, {"angular speed"}),
 }
 
@@ -27,6 +29,13 @@ def test_a_fault_is_found(name):
     other = replace(case, parameters={**case.parameters, **parameters})
     run = runner.solve(other, "dop853", compiled=False)
     assert broken <= set(runner.broken(case, run.outcome.name, measure(case, "dop853", run)))
+
+
+def test_a_crest_beside_steps_of_rounding_is_not_found_at_the_steps(monkeypatch):
+    monkeypatch.setattr(watch, "AT_ONCE", 0.0)
+    case = BY_NAME["peak_beside_a_landing"]
+    run = runner.solve(case, "dop853", compiled=False)
+    assert runner.broken(case, run.outcome.name, measure(case, "dop853", run)) == ("error of peak forces",)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Hard scenes of balls that slip in an impact just before they lift off, or until their law pulls.
+"""Hard scenes of balls that slip in an impact just before they lift off, until their law pulls, at its peak, or as they roll.
 
 Derived when run, never committed.
 """
@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import sympy as sp
+
 from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.declare.scales import Scales
 from hertzwerk.derive.declare.scene import Scene
@@ -14,7 +16,7 @@ from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.gravity import Gravity
-from hertzwerk.derive.laws import coulomb, hunt_crossley, kelvin_voigt, power
+from hertzwerk.derive.laws import coulomb, gonthier, hunt_crossley, kelvin_voigt, power, ristow
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
 from hertzwerk.derive.mechanism.joints.free import Free
 from hertzwerk.derive.mechanism.joints.planar import Planar
@@ -100,6 +102,69 @@ def ball_that_is_held_back() -> Scene:
     )
 
 
+def ball_down_a_slope() -> Scene:
+    """A spinning ball in plane motion that bounces down an incline on a damped spring."""
+    p, radius, tilt = (
+        Parameter,
+        Parameter("radius", "m", 0.0784880898607521),
+        Parameter("tilt", "rad", -0.3376417015945289),
+    )
+    ball = Body("ball", mass=p("mass", "kg", 2.6263181767461665), inertia=p("inertia", "kg m^2", 0.00552853063401062))
+    friction = p("friction_coefficient", "1", 0.16269648291272948)
+    law = power(p("stiffness", "N/m", 12216043.017469913), 1), ristow(p("damping_rate", "1/s", 200.3531697372722))
+    normal = Direction((sp.sin(tilt), sp.cos(tilt), 0))
+    return Scene(
+        Mechanism(
+            "ball_down_a_slope",
+            (Planar("flight", GROUND, ball, normal=Z),),
+            (SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal),),
+        ),
+        effects=(
+            _GRAVITY,
+            Contact("floor", *law),
+            Friction("rub", "floor", coulomb(friction, friction)),
+            EnergyLedger(),
+        ),
+        start=Start(position={"flight.y": radius}),
+        scales=Scales(
+            length=p("depth", "m", 8.25982667326283e-05), speed=p("pace", "m/s", 0.17814044834465342), arm=radius
+        ),
+        summary="a ball that bounces down a slope, sticking and slipping in an impact",
+    )
+
+
+def ball_off_centre() -> Scene:
+    """A ball in space, its mass centre off its own, on a level plane."""
+    p, radius = Parameter, Parameter("radius", "m", 0.016334458026309572)
+    inertia = (7.493111234267321e-06, 4.628664286932459e-06, 4.151422020214849e-06)
+    offset = (0.003908890352220624, 0.000939709124307184, 0.003328536910237479)
+    ball = Body(
+        "ball",
+        mass=p("mass", "kg", 0.060292592621589154),
+        inertia=tuple(p(f"inertia_{axis}", "kg m^2", value) for axis, value in zip("xyz", inertia, strict=True)),
+    )
+    centre = ball.at(*(p(f"offset_{axis}", "m", value) for axis, value in zip("xyz", offset, strict=True)))
+    friction = p("friction_coefficient", "1", 0.25824217513416187)
+    law = power(p("stiffness", "N/m^1.5", 1010248.9234377254), 1.5), gonthier(p("restitution", "1", 0.7658307696002731))
+    return Scene(
+        Mechanism(
+            "ball_off_centre",
+            (Free("flight", GROUND, ball),),
+            (SphereOnPlane("floor", centre, radius, GROUND.at(0, 0, 0), Z),),
+        ),
+        effects=(
+            Gravity("gravity", p("gravity", "m/s^2", 9.81), direction=-Z),
+            Contact("floor", *law),
+            Friction("rub", "floor", coulomb(friction, friction)),
+            EnergyLedger(),
+        ),
+        start=Start(position={"flight.z": radius}),
+        scales=Scales(length=p("depth", "m", 0.00011735733225087817), speed=p("pace", "m/s", 0.05), arm=radius),
+        summary="a ball that rolls until its mass centre is thrown about",
+    )
+
+
 LATE_SLIPS: dict[str, Callable[[], Scene]] = {
-    scene.__name__: scene for scene in (ball_on_diagonal, ball_beside_wall, ball_that_is_held_back)
+    scene.__name__: scene
+    for scene in (ball_on_diagonal, ball_beside_wall, ball_that_is_held_back, ball_down_a_slope, ball_off_centre)
 }

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from hertzwerk.runtime.hard_cases.case import HardCase, Known, Source, final, impact, largest
-from hertzwerk.runtime.hard_cases.closed import damping_ratio, oscillator
+from hertzwerk.runtime.hard_cases.closed import damping_ratio, oscillator, peak_of_oscillator
 from hertzwerk.runtime.solution.solution import Solution
 
 MU, G, RATE, BEYOND = 0.5, 9.81, 20.0, 1.05
@@ -15,6 +15,7 @@ CIRCLE = MU * G * math.sqrt(BEYOND**2 - 1) / RATE  # m/s
 HELD = "friction holds all up to mu N, whichever way"
 STICKS = "normal motion alone, by SciPy to 1e-13: rolling needs m g sin(tilt) J/(J + m R^2), friction holds mu N"
 PULLING = "mu times what the force gives until it is zero: Schwager, Poeschel, Granular Matter 9 (2007) 465"
+ORACLE = "the oracle of a body on a plane, in quadruple precision"
 PRESSED = 0.2 * (1 + oscillator(1e6, 1.0, damping_ratio(0.5), pulls=False)[0])  # m/s
 INERTIA, DRILLING, ROLLING, SPIN, ROLL = 0.4 * 0.02**2, 2e-3, 1e-3, 40.0, 21.0  # per mass
 
@@ -34,8 +35,15 @@ def _first_slip_after_stick(run: Solution) -> float:
     return float(run.t[found[0] + 1]) if len(found) else float("nan")
 
 
-def _slips_at(expected: float, within: float) -> Known:
-    return Known("onset of slip", _first_slip_after_stick, expected, within, "s", STICKS)
+def _slips_at(expected: float, within: float, source: str = STICKS) -> Known:
+    return Known("onset of slip", _first_slip_after_stick, expected, within, "s", source)
+
+
+def _peaks_beside_their_speeds(run: Solution) -> float:
+    """Return how far peak forces are off those by their approach speeds, at most, as a part."""
+    K, m, rate, tilt, g = (run.parameters[name][0] for name in ("stiffness", "mass", "damping_rate", "tilt", "gravity"))
+    load = m * g * math.cos(tilt)
+    return max(abs(each.peak_force / peak_of_oscillator(K, m, rate * m, each.speed, load) - 1) for each in run.impacts)
 
 
 CASES = (
@@ -127,6 +135,59 @@ CASES = (
             final("flight.x_speed", 3 - PRESSED, 1e-10, PULLING, "m/s"),
             final("flight.angle_speed", -50 * PRESSED, 5e-9, PULLING, "rad/s"),
             final("flight.y_speed", 0.5, 1e-9, "restitution of a damped oscillator"),
+        ),
+    ),
+    HardCase(
+        name="peak_beside_a_landing",
+        theme="friction",
+        hard="slip ends in steps of rounding next to the crest of a normal force: the largest value at a step is not the peak",
+        source=Source("ball_down_a_slope", hard=True),
+        duration=0.45,
+        tolerance=5e-12,
+        initial={
+            "flight.x": (-0.02653598513519498, "m"),
+            "flight.y": (0.07558264452927654, "m"),
+            "flight.angle": (-2.3358889477510963, "rad"),
+            "flight.x_speed": (1.2004105223444346, "m/s"),
+            "flight.y_speed": (0.4214469601513484, "m/s"),
+            "flight.angle_speed": (5.158262567359465, "rad/s"),
+        },
+        known=(
+            Known(
+                "error of peak forces",
+                _peaks_beside_their_speeds,
+                0.0,
+                1e-9,
+                "1",
+                "a damped oscillator under a constant load",
+            ),
+        ),
+    ),
+    HardCase(
+        name="slips_as_it_rolls_off_centre",
+        theme="friction",
+        hard="a ball that rolls begins to slip in space: the direction of sliding turns without bound where its speed is none",
+        source=Source("ball_off_centre", hard=True),
+        duration=0.19,
+        tolerance=1e-9,
+        initial={
+            "flight.x": (0.003410755833124888, "m"),
+            "flight.y": (-0.0012228502829565325, "m"),
+            "flight.z": (0.012507743798069354, "m"),
+            "flight.q0": (0.16072528718880816, "1"),
+            "flight.q1": (-0.06850562223256233, "1"),
+            "flight.q2": (-0.4355627897800884, "1"),
+            "flight.q3": (-0.8830398733577047, "1"),
+            "flight.x_speed": (0.33712249964381724, "m/s"),
+            "flight.y_speed": (-0.13120484113195052, "m/s"),
+            "flight.z_speed": (-0.03943186895467998, "m/s"),
+            "flight.angular_speed_x": (-37.56976550773186, "rad/s"),
+            "flight.angular_speed_y": (17.99465719733164, "rad/s"),
+            "flight.angular_speed_z": (-39.34432363220953, "rad/s"),
+        },
+        known=(
+            _slips_at(0.14683035198444438, 1e-9, ORACLE),
+            final("flight.x", 0.060854060358704117, 1e-9, ORACLE, "m"),
         ),
     ),
 )
