@@ -243,7 +243,8 @@ class _Run:
             if mode == CONTACT and self.ends_with_force[j]:
                 found.append((j, RELEASED, float(end["force"][j]), float(end["force_rate"][j])))
             elif mode == CONTACT and self.rubs_till_it_pulls[j]:
-                found.append((j, KINK, *(float(self.pushes[j] * end[name][j]) for name in ("force", "force_rate"))))
+                force, force_rate = (float(self.pushes[j] * end[name][j]) for name in ("force", "force_rate"))
+                found.append((j, KINK, force, force_rate))
             elif mode == RELEASED:
                 found.append((j, CONTACT, rate, acceleration))
         for i, j in enumerate(pairs_of(self.model)):
