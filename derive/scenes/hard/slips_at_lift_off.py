@@ -1,4 +1,4 @@
-"""Hard scenes of balls that slip in an impact just before they lift off, until their law pulls, at its peak, or as they roll.
+"""Hard scenes of balls that stick and slip: before they lift off, where their law pulls, as they roll.
 
 Derived when run, never committed.
 """
@@ -134,7 +134,7 @@ def ball_down_a_slope() -> Scene:
 
 
 def ball_off_centre() -> Scene:
-    """A ball in space, its mass centre off its own, on a level plane."""
+    """Return a ball in space, its mass centre off its own, on a level plane."""
     p, radius = Parameter, Parameter("radius", "m", 0.016334458026309572)
     inertia = (7.493111234267321e-06, 4.628664286932459e-06, 4.151422020214849e-06)
     offset = (0.003908890352220624, 0.000939709124307184, 0.003328536910237479)
