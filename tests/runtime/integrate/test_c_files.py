@@ -1,6 +1,7 @@
 """C text as files that compile fast: the same bits whatever is parted, and what runs seldom apart."""
 
 import re
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
@@ -129,3 +130,13 @@ def test_what_is_compiled_together_gives_the_same_bits_and_is_not_compiled_again
         assert len(native.impacts) > 1
         assert np.array_equal(run.history.rows.view(np.uint64), native.history.rows.view(np.uint64))
     assert len(made) == 1
+
+
+def test_a_symbol_that_is_nowhere_is_an_error_of_the_linker(monkeypatch, tmp_path):
+    """Without it the library loads, and the first call of the symbol ends the process."""
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    x = ca.SX.sym("x")
+    program = Program(ca.Function("f", [x], [ca.sin(x)]))
+    program._files = [replace(file, text=file.text.replace("sin(", "sine(")) for file in program._files]
+    with pytest.raises(compiled.BrokenCompilerError, match="sine"):
+        program.load()
