@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from importlib import import_module
+from inspect import cleandoc
 from pathlib import Path
 
 import click
@@ -17,6 +18,8 @@ FILES = {  # of commands/, by the names of commands
     **{"list": "derive", "modes": "statics", "report": "reports", "study": "studies", "validate": "run"},
 }
 
+TARGET = "TARGET is a built-in scene (`hertzwerk list`), or a Python file that defines `scene`, which is executed."
+
 
 class _Commands(click.Group):
     """Commands by name, each imported once it is asked for: a run has no use for the others."""
@@ -27,7 +30,10 @@ class _Commands(click.Group):
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
         if name in FILES and name not in self.commands:
             there = vars(import_module(f"hertzwerk.runtime.cli.commands.{FILES[name]}")).values()
-            self.add_command(next(found for found in there if isinstance(found, click.Command) and found.name == name))
+            found = next(found for found in there if isinstance(found, click.Command) and found.name == name)
+            if any((each.metavar or str(each.name).upper()).strip("[].") == "TARGET" for each in found.params):
+                found.help = f"{cleandoc(str(found.help))}\n\n{TARGET}"
+            self.add_command(found)
         return super().get_command(context, name)
 
 
@@ -64,7 +70,8 @@ def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> 
 def main() -> None:
     """Derive, unit-check, generate, run and validate contact and impact in mechanisms.
 
-    TARGET is the name of a built-in scene (see `hertzwerk list`) or a Python file that defines `scene`; a named file is executed.
+    TARGET is a built-in scene, or a Python file that defines `scene`, which is executed. `hertzwerk COMMAND --help`
+    describes a command, with an example.
     """
     _open_streams()
     if os.environ.get("NO_COLOR"):  # https://no-color.org

@@ -26,31 +26,32 @@ SET = click.option(
     "settings",
     metavar="NAME=VALUE",
     multiple=True,
-    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
+    help='Set a parameter or an initial state, with its unit: --set clearance="0.2 mm" (default: the scene\'s values).',
 )
 INPUT = click.option(
     "--input",
     "inputs",
     metavar="NAME=VALUE",
     multiple=True,
-    help='Value of an input of the scene: --input "torque=0.5 N m", or a column of a file, --input torque=bench.csv:load, '
-    "joined by straight lines; bench.csv:load:held or :cubic.",
+    help='Set an input of the scene to a value, --input "torque=0.5 N m", or to a column of a file, --input torque=bench.csv:load. '
+    "Samples are joined by straight lines; bench.csv:load:held keeps each until the next, bench.csv:load:cubic takes a spline.",
 )
 WITHOUT = click.option(
-    "--without", metavar="EFFECT", multiple=True, help="Leave an effect out (derives the variation)."
+    "--without", metavar="EFFECT", multiple=True, help="Leave out an effect; the equations are derived anew."
 )
 LAW = click.option(
     "--law",
     "laws",
     metavar="EFFECT=LAW",
     multiple=True,
-    help='Another law for a contact or friction, with values where it needs new ones: --law "slider_pin=power(K=1e9 N/m^1.3, n=1.3)"; '
-    "FILE.toml:NAME of a file of laws (derives the variation).",
+    help='Replace the law of a contact or friction: --law "slider_pin=power(K=1e9 N/m^1.3, n=1.3)", with values where it needs new ones. '
+    "FILE.toml:NAME is a law of a file. The equations are derived anew.",
 )
 COORDINATES = click.option(
     "--coordinates",
     metavar="NAME",
-    help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations); derives the variation.",
+    help="Coordinates of the equations: tree (of the joints), absolute (of every body) or auto (the one with fewer operations); "
+    "the equations are derived anew (default: the scene's).",
 )
 
 
@@ -63,18 +64,30 @@ VARIATION = together(SET, INPUT, WITHOUT, LAW, COORDINATES)
 ACCURACY = click.option(
     "--accuracy",
     metavar="NUMBER",
-    help="Largest error of the whole run in the scene's scales, 1e-12..1e-1, or '1e-6 at the end' (default: the scenario's).",
+    help="Largest error of the whole run, in the scene's scales, 1e-12 to 1e-1; '1e-6 at the end' limits the error at the end alone "
+    "(default: the scenario's).",
 )
-MAX_STEPS = click.option("--max-steps", metavar="NUMBER", help="Stop each run after so many accepted steps.")
+TOLERANCE = click.option(
+    "--tolerance",
+    metavar="NUMBER",
+    help="Local tolerance of a single run, in place of --accuracy; its error is not estimated.",
+)
+MAX_STEPS = click.option(
+    "--max-steps", metavar="NUMBER", help="Stop each run after this number of accepted steps (default: none)."
+)
 WALL_TIME = click.option(
-    "--wall-time", metavar="TIME", help='Stop after so long on the clock, compiling included, such as "10 min".'
+    "--wall-time",
+    metavar="TIME",
+    help='Stop after this time by the clock, compilation included, such as "10 min" (default: none).',
 )
 GRID = click.option(
     "--grid",
     metavar="POINTS|TIME",
-    help='Keep so many equally spaced states (10000), or one each TIME ("0.1 ms"), in place of every accepted step.',
+    help='Keep this number of equally spaced states, such as 10000, or one per time, such as "0.1 ms" (default: every accepted step).',
 )
-DURATION = click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+DURATION = click.option(
+    "--duration", metavar="TIME", help='Time to simulate, such as "24 ms" (default: the scenario\'s).'
+)
 
 
 class _Methods(click.Option):
@@ -85,7 +98,7 @@ class _Methods(click.Option):
         from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 
         *others, last = METHODS
-        self.help = f"{', '.join(others)} or {last} (default: the scenario's)."
+        self.help = f"Integration method: {', '.join(others)} or {last} (default: the scenario's)."
         return super().get_help_record(ctx)
 
 
@@ -95,10 +108,10 @@ TABLE = click.option(
     "file",
     metavar="FILE",
     type=click.Path(path_type=Path),
-    help="Write a table, with units, to a new .csv, .parquet or .nc (netCDF; these two need hertzwerk[data]).",
+    help="Write a table with units to a new file: .csv, .parquet or .nc (netCDF); the last two need hertzwerk[data].",
 )
 JSON = click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
+    "--json", "as_json", is_flag=True, help="Print one JSON object; a folder is written only if it is named."
 )
 
 

@@ -78,6 +78,6 @@ FORMATS = (
         "--fmu", "FILE", "functional mock-up unit for co-simulation, NAME.fmu: sources and a binary.", _fmu, _new_fmu
     ),
     Format("--latex", "", "Print the equations as a LaTeX document.", _text("latex")),
-    Format("--mathml", "", "Print them as an HTML page of MathML.", _text("mathml")),
-    Format("--sympy", "", "Print them as a file of Python that makes them with SymPy.", _text("sympy")),
+    Format("--mathml", "", "Print the equations as an HTML page of MathML.", _text("mathml")),
+    Format("--sympy", "", "Print the equations as a Python file that builds them with SymPy.", _text("sympy")),
 )

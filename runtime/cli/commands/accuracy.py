@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.work_precision.study import Row, Study
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk accuracy bouncing_ball")
 @click.argument("target")
 @SET
 @INPUT
@@ -47,11 +47,12 @@ if TYPE_CHECKING:
 @JSON
 @reports_bad_input
 def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
-    """Measure what accuracy costs TARGET in time, with every method, in the virtual machine and as C.
+    """Measure run time against accuracy, of every method.
 
-    Each run requests an error of the whole run; the true one is measured against a reference of two independent methods. How errors grow along
-    the run says how long a trajectory stays the true one, and what ten times more accuracy buys. Rows are printed as they come, with the time of
-    one run; a table of medians follows.
+    In the virtual machine and as C. Each run requests an error of the whole run; the true error is measured against a
+    reference computed by two independent methods. The growth of errors along the run shows how long a trajectory is
+    valid, and what ten times more accuracy buys. Rows are printed as they are measured, with the time of one run; a
+    table of medians follows.
     """
     from hertzwerk.runtime.work_precision.reference import NoReferenceError
     from hertzwerk.runtime.work_precision.report import record

@@ -19,27 +19,27 @@ if TYPE_CHECKING:
 TOLERANCE = 1e-6  # local; finer than a picture shows
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk animate slider_crank --out crank.mp4")
 @click.argument("target")
 @VARIATION
 @DURATION
 @click.option(
     "--accuracy",
     metavar="NUMBER",
-    help="Largest error of the run, in the scene's scales (default: a local tolerance of 1e-6, finer than a picture shows).",
+    help="Largest error of the whole run, in the scene's scales (default: a local tolerance of 1e-6 instead).",
 )
 @BY_METHOD
 @GRID
-@click.option("--fps", metavar="NUMBER", default="25", help="Frames a second (default: 25).")
+@click.option("--fps", metavar="NUMBER", default="25", help="Frames per second (default: 25).")
 @click.option(
     "--slow",
     metavar="NUMBER",
-    help="Seconds of film for a second of motion: 100 is slower, 0.1 faster (default: what makes about 8 s).",
+    help="Seconds of film per second of motion: 100 is slow motion (default: a film of about 8 s).",
 )
 @click.option(
     "--out", type=click.Path(path_type=Path), help="File to write: .gif, .mp4 or .html (default: TARGET.gif)."
 )
-@click.option("--overwrite", is_flag=True, help="Write it in place of another.")
+@click.option("--overwrite", is_flag=True, help="Replace an existing file.")
 @reports_bad_input
 def animate(
     target: str,
@@ -49,11 +49,11 @@ def animate(
     overwrite: bool,
     **options: Any,
 ) -> int:
-    """Film the mechanism of TARGET in motion, with clearances enlarged and contact forces as arrows.
+    """Film the mechanism of TARGET as GIF, MP4 or HTML.
 
-    Paths of journals grow, the largest forces since the frame before are shown. A film of a run with --grid is one of
-    its steps, unless there are more than 100000.
-    Ctrl-C ends the film with the frames so far (exit code 1).
+    Clearances are enlarged. Contact forces are arrows, each the largest since the last frame; the paths of journals
+    grow. With --grid, up to 100000 steps are still kept for the film. Ctrl-C ends the film with the frames so far
+    (exit code 1).
     """
     from hertzwerk.runtime.host.interrupt import raise_interrupts
     from hertzwerk.runtime.pictures.motion.film import animate as film_of

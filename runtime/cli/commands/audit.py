@@ -15,21 +15,19 @@ if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
 
 
-@click.command()
+@click.command(epilog='Example: hertzwerk audit --expr "K*d**n" --unit K=N/m^1.5 --unit d=m --value n=1.1 --expect N')
 @click.argument("targets", metavar="[SCENE|FILE|FOLDER]...", nargs=-1)
-@click.option(
-    "--laws", is_flag=True, help="Audit the catalogue: exit code 0 when every verdict is the one the catalogue states."
-)
-@click.option("--expr", metavar="TEXT", help='One expression, in Python syntax: --expr "K*d**n".')
+@click.option("--laws", is_flag=True, help="Audit the catalogue of laws. Exit code 0: every verdict is the stated one.")
+@click.option("--expr", metavar="TEXT", help='Audit one expression in Python syntax: --expr "K*d**n".')
 @click.option("--unit", "units", metavar="NAME=UNIT", multiple=True, help="Unit of a name in --expr: --unit K=N/m^1.5.")
 @click.option(
     "--value",
     "values",
     metavar="NAME=NUMBER",
     multiple=True,
-    help="Value of a dimensionless name in --expr: --value n=1.1.",
+    help="Value of a dimensionless name in --expr: --value n=1.1 (default: it is a symbol).",
 )
-@click.option("--expect", metavar="UNIT", help="Unit that --expr must have.")
+@click.option("--expect", metavar="UNIT", help="Unit that --expr must have, such as N (default: any).")
 @click.option("--json", "as_json", is_flag=True, help='Print one JSON object, {"findings": [...]}.')
 @reports_bad_input
 def audit(
@@ -41,7 +39,11 @@ def audit(
     expect: str | None,
     as_json: bool,
 ) -> int:
-    """Check the unit of every expression: exit code 0 consistent, 1 inconsistent, 2 bad input."""
+    """Check the units of scenes, files, laws or one expression.
+
+    Exit code 0: consistent, 1: inconsistent, 2: bad input. SCENE is a built-in scene, FILE a Python or TOML file of
+    scenes or laws, FOLDER a folder of them.
+    """
     _must_name_one(targets, laws, expr, stray=bool(units or values or expect))
     if expr is not None:
         return _audit_expression(expr, units, values, expect, as_json)

@@ -43,23 +43,27 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk compare slider_crank --measured bench.csv --map acc=guide.acceleration")
 @click.argument("target")
 @click.option(
     "--measured",
     metavar="FILE",
     required=True,
-    help="CSV with headings `name [unit]`, a time column `t [s]`; empty or nan where a sample is missing.",
+    help="CSV file with headings `name [unit]` and a time column `t [s]`; a missing sample is empty or nan.",
 )
 @click.option(
     "--map",
     "columns",
     metavar="COLUMN=HISTORY",
     multiple=True,
-    help="Column and history that are compared: acceleration=guide.acceleration (default: equal names).",
+    help="Column and the history it is compared with: acceleration=guide.acceleration (default: the one of equal name).",
 )
-@click.option("--bandwidth", metavar="FREQUENCY", help='Cut-off of the instrument, "5 kHz": the run is filtered alike.')
-@click.option("--order", type=int, default=4, show_default=True, help="Order of that Butterworth low-pass.")
+@click.option(
+    "--bandwidth",
+    metavar="FREQUENCY",
+    help='Cut-off frequency of the instrument, by which the run is filtered too: "5 kHz" (default: none).',
+)
+@click.option("--order", type=int, default=4, show_default=True, help="Order of its Butterworth low-pass.")
 @click.option(
     "--zero-phase",
     is_flag=True,
@@ -69,14 +73,19 @@ if TYPE_CHECKING:
     "--offset",
     metavar="RANGE",
     default="0 s",
-    help='Run time less measured time: "-2..2 ms" is searched, "1 ms" given.',
+    help='Run time less measured time: a range to search, "-2..2 ms", or a value, "1 ms" (default: 0 s).',
 )
-@click.option("--drift", metavar="RANGE", default="0", help='Of the measured clock: "-1e-4..1e-4" is searched.')
+@click.option(
+    "--drift",
+    metavar="RANGE",
+    default="0",
+    help='Drift of the measured clock: a range to search, "-1e-4..1e-4", or a value (default: 0).',
+)
 @click.option(
     "--noise",
     metavar="COLUMN=SIZE",
     multiple=True,
-    help='Standard deviation of the measurement\'s noise, which residuals are judged by: acceleration="5 m/s^2".',
+    help='Standard deviation of the noise of a column, by which residuals are judged: acceleration="5 m/s^2" (default: not judged).',
 )
 @VARIATION
 @DURATION
@@ -87,15 +96,16 @@ if TYPE_CHECKING:
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-compare-NNN)."
 )
-@click.option("--no-plots", is_flag=True, help="Write the data only.")
+@click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
 @JSON
 @reports_bad_input
 def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
-    """Compare a run of TARGET with measured data: residuals, spectra, statistics, a picture.
+    """Compare a run of TARGET with measured data.
 
-    Without --duration the run is as long as the data. Trajectories are compared while the run's own numerical error
-    is within 0.1 % of its scales, statistics beyond it. The measurement in the paper of Wang and Liu (2020) is not to
-    be had: bring data of your own. Exit code 1: they differ by more than the stated noise explains.
+    By residuals, spectra, statistics and a picture. Without --duration the run is as long as the data. Trajectories
+    are compared as long as the numerical error of the run is within 0.1 % of its scales, statistics after that. The
+    measurement in the paper of Wang and Liu (2020) is not to be had; provide your own data. Exit code 1: run and data
+    differ by more than the stated noise.
     """
     from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.host.folder import new_folder

@@ -18,14 +18,17 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.regenerate import Derived
 
 
-@click.command("list")
+@click.command("list", epilog="Example: hertzwerk list slider_crank")
 @click.argument("target", required=False)
 @WITHOUT
 @LAW
 @COORDINATES
 @reports_bad_input
 def list_scenes(target: str | None, **options: Any) -> int:
-    """List the built-in scenes with their effects; of TARGET all histories with unit and meaning."""
+    """List the built-in scenes, or all histories of TARGET.
+
+    Scenes with their effects, histories with unit and meaning.
+    """
     if target is not None:
         return _list_histories(Variation.taken(target, options))
     from hertzwerk.runtime.model.regenerate import generated_names
@@ -54,10 +57,10 @@ def _list_histories(varied: Variation) -> int:
     return GOOD
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk derive my_ball.py --out modules")
 @click.argument("targets", metavar="TARGET...", nargs=-1)
 @click.option(
-    "--check", is_flag=True, help="Write nothing; compare with the modules in place (default: all built-in scenes)."
+    "--check", is_flag=True, help="Write nothing; compare with the existing modules (default: of all built-in scenes)."
 )
 @click.option(
     "--out", type=click.Path(path_type=Path), help="Folder to write to (default: generated/ of this repository)."
@@ -65,15 +68,18 @@ def _list_histories(varied: Variation) -> int:
 @click.option(
     "--coordinates",
     metavar="NAME",
-    help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations).",
+    help="Coordinates of the equations: tree (of the joints), absolute (of every body) or auto (default: the scene's).",
 )
-@click.option("--show", is_flag=True, help="Write nothing; print the equations, as Markdown with LaTeX.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object, with --show.")
+@click.option("--show", is_flag=True, help="Write nothing; print the equations as Markdown with LaTeX.")
+@click.option("--json", "as_json", is_flag=True, help="With --show, print one JSON object.")
 @reports_bad_input
 def derive(
     targets: tuple[str, ...], check: bool, out: Path | None, coordinates: str | None, show: bool, as_json: bool
 ) -> int:
-    """Derive the equations of TARGET, check every unit, and write the generated module."""
+    """Derive the equations of TARGET and write its module.
+
+    Every unit is checked. Exit code 1: with --check, a module differs.
+    """
     from hertzwerk.runtime.host.folder import unwritable
     from hertzwerk.runtime.model import regenerate
     from hertzwerk.runtime.model.build import built_in_scenes, require_targets

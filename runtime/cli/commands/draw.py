@@ -19,17 +19,21 @@ if TYPE_CHECKING:
 TOLERANCE = 1e-6  # local; finer than a picture shows
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk draw slider_crank --out crank.png")
 @click.argument("targets", metavar="[TARGET]...", nargs=-1)
 @SET
 @click.option(
-    "--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s; without one, the start alone).'
+    "--duration",
+    metavar="TIME",
+    help='Time to simulate, such as "24 ms" (default: the scenario\'s, or the start alone).',
 )
-@click.option("--start", is_flag=True, help="The start alone; nothing is simulated.")
+@click.option("--start", is_flag=True, help="Draw the start alone; nothing is simulated.")
 @click.option(
-    "--out", type=click.Path(path_type=Path), help="PNG to write (default: TARGET.png, of several mechanisms.png)."
+    "--out",
+    type=click.Path(path_type=Path),
+    help="PNG file to write (default: TARGET.png; of several, mechanisms.png).",
 )
-@click.option("--overwrite", is_flag=True, help="Write it in place of another.")
+@click.option("--overwrite", is_flag=True, help="Replace an existing file.")
 @reports_bad_input
 def draw(
     targets: tuple[str, ...],
@@ -39,9 +43,9 @@ def draw(
     out: Path | None,
     overwrite: bool,
 ) -> int:
-    """Draw the mechanism of TARGET at its start and later, with clearances enlarged.
+    """Draw the mechanism of TARGET at its start and later.
 
-    Several targets (default: all built-in scenes) are drawn on one sheet.
+    Clearances are enlarged. Several targets are drawn on one sheet (default: all built-in scenes).
     """
     from hertzwerk.runtime.host.folder import new_file_faults
     from hertzwerk.runtime.model.build import built_in_scenes

@@ -38,18 +38,18 @@ if TYPE_CHECKING:
 DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk effects slider_crank --within 2%")
 @click.argument("target")
 @click.option(
-    "--within", metavar="PERCENT", help='Find the smallest scene whose outputs change by no more, such as "2%".'
+    "--within", metavar="PERCENT", help="Find the smallest scene whose outputs change by at most this, such as 2%."
 )
 @click.option(
     "--output",
     "outputs",
     metavar="NAME",
     multiple=True,
-    help="Quantities compared: peak_force, peak_acceleration, impact_rate, mean_peak_force, journal_path; max., min., mean. or amplitude. before "
-    "the name of a history; an average, such as slider_pin.impact_rate (default: as the scene has them).",
+    help="Output to compare: peak_force, peak_acceleration, impact_rate, mean_peak_force, journal_path; a history after max., min., mean. or "
+    "amplitude.; an average, such as slider_pin.impact_rate (default: those that the scene has).",
 )
 @SET
 @INPUT
@@ -59,20 +59,23 @@ DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
 @click.option(
     "--tolerance",
     metavar="NUMBER",
-    help="Local tolerance of the coarsest runs; down to a 30th of it shows the error (default: the scenario's).",
+    help="Local tolerance of the coarsest runs; runs at down to a 30th of it show their error (default: the scenario's).",
 )
 @BY_METHOD
-@click.option("--compiled", is_flag=True, help="Time compiled runs (default: in CasADi's virtual machine).")
+@click.option(
+    "--compiled", is_flag=True, help="Measure the time of compiled runs (default: of CasADi's virtual machine)."
+)
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-effects-NNN)."
 )
-@click.option("--no-plots", is_flag=True, help="Write the data only.")
+@click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
 @JSON
 @reports_bad_input
 def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
-    """Leave out each effect of TARGET in turn: what it costs, and what it changes.
+    """Show what each effect of TARGET costs and changes.
 
-    A change is of the scene without the effect, relative to the whole scene; one below the error of both is marked so.
+    Each is left out in turn. A change is that of the scene without the effect, relative to the whole scene; one below
+    the error of both is marked.
     """
     wanted = out is not None or not as_json
     study = _study(target, out, quiet=as_json, wanted=wanted, **options)

@@ -31,17 +31,17 @@ def _option(each: Format) -> Callable[[Any], Any]:
     )
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk export slider_crank --fmu crank.fmu")
 @click.argument("target")
 @together(*map(_option, FORMATS), VARIATION, DURATION, ACCURACY)
-@click.option("--tolerance", metavar="NUMBER", help="Local tolerance, in place of the one that an accuracy takes.")
+@click.option("--tolerance", metavar="NUMBER", help="Local tolerance of the steps, in place of --accuracy.")
 @BY_METHOD
 @click.option(
     "--output",
     "outputs",
     metavar="NAME",
     multiple=True,
-    help="This history is an output too: floor.normal_force, rod.x (`hertzwerk list TARGET` has all).",
+    help="Add this history to the outputs: floor.normal_force, rod.x (`hertzwerk list TARGET` lists all).",
 )
 @click.option("--fmi", type=click.Choice(["2", "3"]), default="3", help="Version of FMI (default: 3).")
 @reports_bad_input
@@ -55,7 +55,11 @@ def export(
     fmi: str,
     **places: Any,
 ) -> int:
-    """Export TARGET for other programs, with its parameters, start and method."""
+    """Export TARGET as a C library, an FMU or equations.
+
+    Its parameters, start and method are part of it. At least one of --c, --fmu, --latex, --mathml and --sympy is
+    required.
+    """
     from hertzwerk.runtime.export.export_request import Asked, with_zero_inputs
     from hertzwerk.runtime.run.request import METHOD, Settings, check
     from hertzwerk.runtime.solution.history import unknown_histories

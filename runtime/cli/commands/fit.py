@@ -33,111 +33,119 @@ if TYPE_CHECKING:
 OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics that are computed
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk fit bouncing_ball --measured drop.csv --free restitution=0.3..1")
 @click.argument("target")
 @click.option(
     "--measured",
     metavar="FILE",
     multiple=True,
-    help="CSV with headings `name [unit]`: over time, with a column `t [s]`, or of impacts, with a column `impact [1]`. "
-    "Given again, several runs are fitted at once.",
+    help="CSV file with headings `name [unit]`: histories with a column `t [s]`, or impacts with a column `impact [1]`. "
+    "Several files are fitted at once.",
 )
 @click.option(
     "--map",
     "columns",
     metavar="COLUMN=HISTORY",
     multiple=True,
-    help="Column and what it is compared with: height=vertical.travel; of impacts t=impacts.t, v=floor.impacts.speed, "
-    "rise=impacts.rebound.vertical.travel (default: equal names).",
+    help="Column and the history it is compared with: height=vertical.travel; of impacts t=impacts.t, v=floor.impacts.speed, "
+    "rise=impacts.rebound.vertical.travel (default: the one of equal name).",
 )
 @click.option(
     "--free",
     metavar="NAME=RANGE",
     multiple=True,
     required=True,
-    help='What is fitted: restitution=0.3..1, stiffness="1e6..1e9 N/m log", clearance=log; NAME alone takes the range of its law.',
+    help='Parameter or initial state to fit, and its range: restitution=0.3..1, stiffness="1e6..1e9 N/m log", clearance=log; NAME alone takes the '
+    "range of its law.",
 )
 @click.option(
     "--noise",
     metavar="COLUMN=SIZE",
     multiple=True,
-    help='Standard deviation of the measurement\'s noise: height="0.1 mm" (default: taken from the residuals; nothing is judged).',
+    help='Standard deviation of the noise of a column: height="0.1 mm" (default: estimated from the residuals, and the fit is not judged).',
 )
 @click.option(
     "--at",
     "made_at",
     metavar="FILE:NAME=VALUE",
     multiple=True,
-    help='Value that one measured run was made at: --at second.csv:drop_height="0.5 m".',
+    help='Value at which one measured run was made: --at second.csv:drop_height="0.5 m".',
 )
 @click.option(
-    "--offset", metavar="RANGE", default="0 s", help='Run time less measured time: "-2..2 ms" is fitted for each run.'
+    "--offset",
+    metavar="RANGE",
+    default="0 s",
+    help='Run time less measured time: a range to fit for each run, "-2..2 ms", or a value (default: 0 s).',
 )
 @click.option(
-    "--gain", metavar="COLUMN=RANGE", multiple=True, help="Gain of a sensor that is fitted: height=0.95..1.05."
+    "--gain",
+    metavar="COLUMN=RANGE",
+    multiple=True,
+    help="Gain of the sensor of a column, to be fitted: height=0.95..1.05 (default: 1).",
 )
 @click.option(
     "--laws",
     "among",
     metavar="EFFECT=LAW,LAW",
     multiple=True,
-    help="Fit with each of these laws, and rank them: floor=flores,hunt_crossley.",
+    help="Fit with each of several laws, and rank them: floor=flores,hunt_crossley.",
 )
 @click.option(
     "--moment",
     "moments",
     metavar="NAME[=VALUE +- SIZE]",
     multiple=True,
-    help="Statistics of a run beyond its horizon, with their standard deviations: "
-    'slider_pin.impact_rate="412 +- 5 1/s", names as of `hertzwerk sweep --output`. Without a value it is computed from '
+    help="Statistic of a run beyond its horizon, with its standard deviation: "
+    'slider_pin.impact_rate="412 +- 5 1/s", named as in `hertzwerk sweep --output`. Without a value it is computed from '
     "a column of --measured: acceleration.rms; also .mean, .norm8, .norm32, .largest, .excursions, and of impacts .rate.",
 )
 @click.option(
     "--bandwidth",
     metavar="FREQUENCY",
-    help='Of the instrument that --moment is computed behind, "5 kHz".',
+    help='Cut-off frequency of the instrument of --moment: "5 kHz" (default: none).',
 )
-@click.option("--order", type=int, help="Order of that Butterworth low-pass (default: 4).")
+@click.option("--order", type=int, help="Order of its Butterworth low-pass (default: 4).")
 @click.option(
     "--zero-phase",
     is_flag=True,
     help="Filter forwards and backwards, 6 dB down at the cut-off (default: causal, 3 dB down).",
 )
 @click.option(
-    "--skip", metavar="TIME", help="Transient that --moment leaves out of series and runs (default: a tenth of each)."
+    "--skip", metavar="TIME", help="Transient that --moment leaves out of data and runs (default: a tenth of each)."
 )
 @VARIATION
 @DURATION
-@click.option("--tolerance", metavar="NUMBER", help="Local, of the runs (default: 1e-9).")
+@click.option("--tolerance", metavar="NUMBER", help="Local tolerance of the runs (default: 1e-9).")
 @BY_METHOD
 @click.option(
-    "--starts", type=int, help="Points of a Latin hypercube to start from, beside the model's values (default: 16)."
+    "--starts", type=int, help="Number of starts, points of a Latin hypercube, beside the model's values (default: 16)."
 )
-@click.option("--seed", type=int, help="Of the hypercube (default: 0).")
+@click.option("--seed", type=int, help="Seed of the hypercube (default: 0).")
 @click.option(
     "--profile",
     type=click.Choice(["auto", "all", "none"]),
     default="auto",
     show_default=True,
-    help="Whose intervals are by profile likelihood; auto: of what the data determine badly.",
+    help="Quantities whose intervals come from the profile likelihood; auto: those that the data determine badly.",
 )
 @click.option(
     "--shooting",
     metavar="TIME|auto",
-    help='Length of segments, "2 ms": multiple shooting, for data beyond the horizon (default: one run each).',
+    help='Length of the segments of multiple shooting, for data beyond the horizon: "2 ms" (default: single runs).',
 )
 @click.option(
     "--into", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-fit-NNN)."
 )
-@click.option("--no-plots", is_flag=True, help="Write the data only.")
+@click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
 @JSON
 @reports_bad_input
 def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
-    """Fit parameters of TARGET to measured data, with exact derivatives through impacts.
+    """Fit parameters of TARGET to measured data.
 
-    Reported are values with intervals and how each was obtained, unidentifiable combinations, goodness of fit.
-    With --laws each law is fitted, and they are ranked by AICc and by measured runs held out. Exit code 1: the model is rejected
-    at 5 %, there is such a combination, or the data do not discriminate between the laws.
+    The search takes exact derivatives, through impacts too. It reports values with intervals and how each was
+    obtained, combinations that the data do not determine, and the goodness of fit. With --laws every law is fitted,
+    and they are ranked by AICc and by measured runs held out. Exit code 1: the model is rejected at 5 %, a
+    combination is not determined, or the data do not discriminate between the laws.
     """
     wanted = into is not None or not as_json
     faults = [replace(fault, where="--into", remedy="name another: --into FOLDER") if fault.where == "--out" else fault

@@ -19,19 +19,27 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.hard_cases.runner import Result
 
 
-@click.command()
-@click.option("--case", "names", metavar="NAME", multiple=True, help="Only this case; may be repeated.")
-@click.option("--method", "methods", metavar="NAME", multiple=True, help="Only this method; may be repeated.")
-@click.option("--all", "everything", is_flag=True, help="The long cases too.")
-@click.option("--list", "listing", is_flag=True, help="Only list the cases and what is hard about them.")
+@click.command(epilog="Example: hertzwerk hardcases --case drop_to_rest --method dop853")
+@click.option(
+    "--case",
+    "names",
+    metavar="NAME",
+    multiple=True,
+    help="Run only this case; may be repeated (default: all but the long ones).",
+)
+@click.option(
+    "--method", "methods", metavar="NAME", multiple=True, help="Run only this method; may be repeated (default: all)."
+)
+@click.option("--all", "everything", is_flag=True, help="Run the long cases too.")
+@click.option("--list", "listing", is_flag=True, help="Run nothing; list the cases and what is hard about each.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @reports_bad_input
 def hardcases(names: tuple[str, ...], methods: tuple[str, ...], everything: bool, listing: bool, as_json: bool) -> int:
     """Run the table of hard cases and measure their invariants.
 
-    Exit code 1 for any failure but the known ones. Each case is run with every method that claims it, in CasADi's
-    virtual machine and, where there is a compiler, as C. A cell is the measured value; its limit stands before it, or
-    behind the slash.
+    Each case is run with every method that claims it, in CasADi's virtual machine and, where there is a compiler, as
+    C. A cell shows the measured value, with its limit before it or after the slash. Exit code 1: a failure that is
+    not a known one.
     """
     from hertzwerk.runtime.hard_cases import runner
 

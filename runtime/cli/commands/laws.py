@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import unwritable_faults
+from hertzwerk.runtime.cli.target import JSON, unwritable_faults
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
     OTHER_OUTCOME,
@@ -31,35 +31,33 @@ SHOWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # restitutions in the table; the files contai
 SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk laws flores")
 @click.argument("names", metavar="[NAME]...", nargs=-1)
 @click.option(
     "--form",
     type=click.Choice(["point", "line", "surface"]),
-    help="List only consistent laws made for this form of contact: a pin in a bush touches along a line.",
+    help="List only the consistent laws for this form of contact: a pin in a bush touches along a line.",
 )
-@click.option("--markdown", is_flag=True, help="Print the catalogue as Markdown: derive/laws/README.md.")
-@click.option("--stub", is_flag=True, help="Print the catalogue for type checkers: derive/laws/__init__.pyi.")
+@click.option("--markdown", is_flag=True, help="Print the catalogue as Markdown, derive/laws/README.md.")
+@click.option("--stub", is_flag=True, help="Print the catalogue for type checkers, derive/laws/__init__.pyi.")
 @click.option(
     "--restitution",
     is_flag=True,
-    help="Compare the restitution that every damping law returns with the one it is given.",
+    help="Compare the restitution that each damping law yields with the one it is given.",
 )
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
-    help="New folder for the picture and data of --restitution (default: the next runs/restitution-NNN).",
+    help="New folder for picture and data of --restitution (default: the next runs/restitution-NNN).",
 )
-@click.option("--no-plots", is_flag=True, help="Write the data only, with --restitution.")
+@click.option("--no-plots", is_flag=True, help="With --restitution, write the data without pictures.")
 @click.option(
     "--picture",
     type=click.Path(path_type=Path),
     metavar="FILE.png",
-    help="Draw the band of candidates of one reconstruction (grade R).",
+    help="Draw the candidates for one reconstructed law (grade R) into a new file.",
 )
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
-)
+@JSON
 @reports_bad_input
 def laws(
     names: tuple[str, ...],
@@ -74,7 +72,7 @@ def laws(
 ) -> int:
     """List the contact laws, or print the sheet of each NAME.
 
-    A sheet has formula, units, ranges, source, behaviour and cost. --restitution: exit code 1 where a simulation and
+    A sheet has formula, units, ranges, source, behaviour and cost. Exit code 1: with --restitution, a simulation and
     its closed form differ by more than 1e-9.
     """
     from hertzwerk.runtime.model import build

@@ -11,48 +11,70 @@ import click
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.designing import definition, keep, named
-from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, unwritable_faults
+from hertzwerk.runtime.cli.target import (
+    ACCURACY,
+    BY_METHOD,
+    DURATION,
+    JSON,
+    TOLERANCE,
+    VARIATION,
+    assignments,
+    unwritable_faults,
+)
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, print_prose, report_missing, reports_bad_input
 
 
-@click.command()
+@click.command(
+    epilog='Example: hertzwerk minimise slider_crank --objective slider_pin.peak_force --over clearance="0.1..0.5 mm"'
+)
 @click.argument("target")
 @click.option(
     "--objective",
     metavar="FORMULA",
-    help='Output or formula: "main_bearing.reaction_x.rms**2 + main_bearing.reaction_y.rms**2".',
+    help='Output to minimise, or a formula of outputs: "main_bearing.reaction_x.rms**2 + main_bearing.reaction_y.rms**2".',
 )
 @click.option(
     "--over",
     metavar="NAME=RANGE",
     multiple=True,
-    help='What is varied: clearance="0.05..0.5 mm", stiffness="1e6..1e9 N/m log".',
+    help='Parameter to vary and its range: clearance="0.05..0.5 mm", stiffness="1e6..1e9 N/m log".',
 )
 @click.option(
     "--constraint",
     "constraints",
     metavar="BOUND",
     multiple=True,
-    help='Such as "slider_pin.peak_force <= 5 kN", or with >= or =.',
+    help='Constraint on an output, by <=, >= or =: "slider_pin.peak_force <= 5 kN".',
 )
-@click.option("--start", metavar="NAME=VALUE", multiple=True, help="Values to begin with (default: the model's).")
-@click.option("--starts", metavar="NUMBER", type=int, help="Further starts, of a Latin hypercube (default: 0).")
-@click.option("--seed", metavar="NUMBER", type=int, help="Of the hypercube (default: 0).")
-@click.option("--max-runs", metavar="NUMBER", type=int, help="Where to stop, from each start (default: 200).")
+@click.option(
+    "--start",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help="Value of a parameter at which the search starts (default: the model's).",
+)
+@click.option(
+    "--starts", metavar="NUMBER", type=int, help="Number of further starts, points of a Latin hypercube (default: 0)."
+)
+@click.option("--seed", metavar="NUMBER", type=int, help="Seed of the hypercube (default: 0).")
+@click.option("--max-runs", metavar="NUMBER", type=int, help="Most runs from each start (default: 200).")
 @VARIATION
 @DURATION
 @ACCURACY
-@click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
+@TOLERANCE
 @BY_METHOD
 @click.option(
-    "--into", metavar="DIR", type=click.Path(path_type=Path), help="New folder for a record, and a picture of all runs."
+    "--into",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="New folder of a record and a picture of all runs (default: none).",
 )
 @JSON
 @reports_bad_input
 def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> int:
-    """Find the parameters of TARGET for which a number of its run is least, by exact derivatives.
+    """Minimise an output of TARGET over its parameters.
 
-    TARGET may be a TOML file with the keys of `minimise`. Exit code 1: no minimum was found.
+    The search takes exact derivatives. A TOML file with the keys of `minimise` may take the place of TARGET and
+    options. Exit code 1: no minimum was found.
     """
     from hertzwerk.runtime.design import minimisation
 

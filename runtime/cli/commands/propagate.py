@@ -11,7 +11,7 @@ import click
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.cli.designing import definition, keep
-from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments, number
+from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, TOLERANCE, VARIATION, assignments, number
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
     OTHER_OUTCOME,
@@ -23,57 +23,58 @@ from hertzwerk.runtime.cli.terminal import (
 )
 
 
-@click.command()
+@click.command(epilog='Example: hertzwerk propagate bouncing_ball --uncertain "restitution=Uniform(0.7, 0.9)"')
 @click.argument("target")
 @click.option(
     "--uncertain",
     metavar="NAME=DISTRIBUTION",
     multiple=True,
-    help='clearance="Normal(0.5 mm, 0.02 mm)", restitution="TruncatedNormal(0.9, 0.05, 0, 1)"; Uniform(low, high), '
-    "Triangular(low, mode, high), LogNormal(median, factor).",
+    help='Distribution of a parameter or initial state: clearance="Normal(0.5 mm, 0.02 mm)", '
+    'restitution="TruncatedNormal(0.9, 0.05, 0, 1)"; or Uniform(low, high), Triangular(low, mode, high), LogNormal(median, factor).',
 )
 @click.option(
     "--correlation",
     metavar="NAME,NAME=NUMBER",
     multiple=True,
-    help='Of two that are not independent, by normal scores: "clearance, restitution=-0.8".',
+    help='Correlation of two of them, by normal scores: "clearance, restitution=-0.8" (default: 0).',
 )
 @click.option(
     "--fitted",
     metavar="FOLDER",
     type=click.Path(path_type=Path),
-    help="In place of both the distribution of a fit, as `hertzwerk fit` wrote it there.",
+    help="Take distribution and correlation from this folder, which `hertzwerk fit` wrote.",
 )
 @click.option(
     "--output",
     "outputs",
     metavar="NAME",
     multiple=True,
-    help="As of sweep: slider_pin.peak_force (default: final states).",
+    help="Output, named as in `hertzwerk sweep`: slider_pin.peak_force (default: final states).",
 )
-@click.option("--sample", metavar="NUMBER", type=int, help="Samples, a power of two (default: 256).")
+@click.option("--sample", metavar="NUMBER", type=int, help="Number of samples, a power of two (default: 256).")
 @click.option("--seed", metavar="NUMBER", type=int, help="Seed of the samples (default: 0).")
-@click.option("--no-indices", is_flag=True, help="Without Sobol indices: as many runs as samples.")
+@click.option("--no-indices", is_flag=True, help="Compute no Sobol indices: one run per sample.")
 @VARIATION
 @DURATION
 @ACCURACY
-@click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
+@TOLERANCE
 @BY_METHOD
 @click.option(
     "--into",
     metavar="DIR",
     type=click.Path(path_type=Path),
-    help="Folder to store the runs in, and to go on from, with a record and a picture for `hertzwerk report`.",
+    help="Folder of the runs, a record and a picture, new or of the same command, which it continues (default: none).",
 )
 @click.option(
-    "--csv", "file", metavar="FILE", type=click.Path(path_type=Path), help="Write a line for each output to a new file."
+    "--csv", "file", metavar="FILE", type=click.Path(path_type=Path), help="Write one line per output to a new file."
 )
 @JSON
 @reports_bad_input
 def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, **options: Any) -> int:
-    """Propagate uncertainty through TARGET by derivatives and by samples, with Sobol indices.
+    """Propagate uncertain parameters through TARGET.
 
-    TARGET may be a TOML file with the keys of `propagate`. Exit code 1: runs are missing.
+    By derivatives and by samples, with Sobol indices. A TOML file with the keys of `propagate` may take the place of
+    TARGET and options. Exit code 1: runs are missing.
     """
     from hertzwerk.derive.faults import InputError
     from hertzwerk.runtime.design import propagation

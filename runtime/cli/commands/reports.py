@@ -10,18 +10,22 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk report runs/slider_crank-001")
 @click.argument("target", metavar="FOLDER|FILE|TARGET")
 @click.option(
-    "--out", type=click.Path(path_type=Path), help="HTML to write (default: report.html in a folder, else beside)."
+    "--out",
+    type=click.Path(path_type=Path),
+    help="HTML file to write (default: report.html in FOLDER, or beside FILE).",
 )
-@click.option("--scene", metavar="FILE", help="Python file of a run's scene, which is executed, for its equations.")
-@click.option("--overwrite", is_flag=True, help="Write it in place of another.")
+@click.option("--scene", metavar="FILE", help="Python file of the run's scene, which is executed, for its equations.")
+@click.option("--overwrite", is_flag=True, help="Replace an existing file.")
 @reports_bad_input
 def report(target: str, out: Path | None, scene: str | None, overwrite: bool) -> int:
-    """Write one HTML page that holds all it shows: numbers, warnings, pictures, equations, origin.
+    """Write an HTML page of a run, sweep, study or scene.
 
-    Of a folder that `hertzwerk run`, `sweep`, `study`, `fit`, `propagate` or `minimise` wrote, of a file of Solution.save, or of a scene.
+    The page holds numbers, warnings, pictures, equations and origin, and needs no other file. FOLDER is one that
+    `hertzwerk run`, `sweep`, `study`, `fit`, `propagate` or `minimise` wrote, FILE one of `Solution.save`, TARGET a
+    built-in scene or a Python file that defines `scene`, which is executed.
     """
     from hertzwerk.runtime.cli.reported import page_of
     from hertzwerk.runtime.host.folder import new_file_faults

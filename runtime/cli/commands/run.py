@@ -52,7 +52,7 @@ STOPPED = (
 )  # by something else than the motion
 
 
-@click.command()
+@click.command(epilog='Example: hertzwerk run slider_crank --set clearance="0.2 mm"')
 @click.argument("target", required=False)
 @VARIATION
 @DURATION
@@ -60,7 +60,9 @@ STOPPED = (
 @BY_METHOD
 @GRID
 @click.option(
-    "--averages", is_flag=True, help="Also averages with 95 % confidence: impact rates, mean and peak forces, powers."
+    "--averages",
+    is_flag=True,
+    help="Print averages with their 95 % intervals too: impact rates, mean and peak forces, powers.",
 )
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
@@ -68,21 +70,21 @@ STOPPED = (
 @click.option(
     "--start",
     type=click.Choice(["equilibrium"]),
-    help="Start at rest where `hertzwerk statics` finds it, from the scene's start and --set.",
+    help="Start from the position of rest that `hertzwerk statics` finds (default: the scene's start).",
 )
 @click.option(
     "--history",
     "histories",
     metavar="NAME",
     multiple=True,
-    help="Write this one too, derived from the scene: rod.x, crank_pin.reaction_x (`hertzwerk list TARGET` has all).",
+    help="Write this history too: rod.x, crank_pin.reaction_x (`hertzwerk list TARGET` lists all).",
 )
 @click.option(
     "--sensitivity",
     "sensitivities",
     metavar="NAME",
     multiple=True,
-    help="Write derivatives by this parameter or initial state too, through impacts, into sensitivities.csv.",
+    help="Write the derivatives of all histories by this parameter or initial state into sensitivities.csv.",
 )
 @MAX_STEPS
 @WALL_TIME
@@ -91,11 +93,11 @@ STOPPED = (
     "folder",
     metavar="FOLDER",
     type=click.Path(path_type=Path),
-    help="Go on from the end of the run there, as if it had not ended; with --duration, of the whole, until then.",
+    help="Continue the run of this folder from its end, up to --duration, which counts from the start of the whole.",
 )
-@click.option("--csv", is_flag=True, help="Write states.csv however large it is (default: up to 50 MB).")
+@click.option("--csv", is_flag=True, help="Write states.csv at any size (default: up to 50 MB).")
 @TABLE
-@click.option("--no-plots", is_flag=True, help="Write the data only.")
+@click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
 @JSON
 @reports_bad_input
 def run(
@@ -109,9 +111,10 @@ def run(
     averages: bool,
     **options: Any,
 ) -> int:
-    """Simulate TARGET, or go on with a run, and write data and plots into one new folder.
+    """Simulate TARGET and write data and pictures into a new folder.
 
-    Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); afterwards it ends the computing, and results so far are written.
+    Ctrl-C or SIGTERM before the first step ends the command (exit code 130); after it, the run stops and its results
+    are written. Exit code 1: the run has another outcome than `finished`.
     """
     from hertzwerk.runtime.cli import run_folder
 
@@ -161,11 +164,14 @@ def run(
     return code if solution.outcome.finished else OTHER_OUTCOME
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk validate bouncing_ball")
 @click.argument("targets", metavar="[SCENARIO]...", nargs=-1)
 @reports_bad_input
 def validate(targets: tuple[str, ...]) -> int:
-    """Run scenarios (built-in names or TOML files; default: all built-in) and check what must come out."""
+    """Run scenarios and compare results with published ones.
+
+    SCENARIO is the name of a built-in one, or a TOML file (default: all built-in ones). Exit code 1: a check fails.
+    """
     from hertzwerk.runtime.validate import scenarios
     from hertzwerk.runtime.validate.scenario import load_scenario
     from hertzwerk.runtime.validate.validate import run_scenario

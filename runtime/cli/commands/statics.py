@@ -25,20 +25,29 @@ MOVED = 1e-6  # part of a shape below which a coordinate is not printed
 EQUILIBRIUM = together(
     click.argument("target"),
     VARIATION,
-    click.option("--at", metavar="TIME", default="0", help='Time at which drives and loads are held, such as "2 ms".'),
     click.option(
-        "--nearest", is_flag=True, help="The equilibrium nearest to the start, stable or not (Newton's method)."
+        "--at",
+        metavar="TIME",
+        default="0",
+        help='Time at which drives and loads are held, such as "2 ms" (default: 0).',
     ),
-    click.option("--out", metavar="FILE", type=click.Path(path_type=Path), help="New PNG to draw it into."),
+    click.option(
+        "--nearest", is_flag=True, help="Find the equilibrium nearest to the start, stable or not, by Newton's method."
+    ),
+    click.option("--out", metavar="FILE", type=click.Path(path_type=Path), help="Draw into a new PNG file."),
     JSON,
 )
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk statics woodpecker")
 @EQUILIBRIUM
 @reports_bad_input
 def statics(out: Path | None, as_json: bool, **options: Any) -> int:
-    """Find where TARGET comes to rest, its drives held: position, contact and drive forces, stability."""
+    """Find where TARGET comes to rest.
+
+    Drives are held. It prints position, contact and drive forces, and stability. Exit code 1: there is no position of
+    rest.
+    """
     rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
@@ -66,11 +75,14 @@ def statics(out: Path | None, as_json: bool, **options: Any) -> int:
     return GOOD if rest.found else OTHER_OUTCOME
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk modes double_pendulum")
 @EQUILIBRIUM
 @reports_bad_input
 def modes(out: Path | None, as_json: bool, **options: Any) -> int:
-    """Print frequencies, damping and shapes of the small vibrations of TARGET about its equilibrium."""
+    """Compute the small vibrations of TARGET about its rest.
+
+    Drives are held. It prints frequencies, damping ratios and shapes. Exit code 1: there is no position of rest.
+    """
     from hertzwerk.runtime.statics.vibrations import modes as modes_of
 
     rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.studies.page import Page
 
 
-@click.command()
+@click.command(epilog="Example: hertzwerk study bouncing --quick")
 @click.argument("name", required=False)
-@click.option("--quick", is_flag=True, help="Fewer cases and shorter runs: seconds instead of minutes.")
+@click.option("--quick", is_flag=True, help="Run fewer cases for a shorter time: seconds instead of minutes.")
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/NAME-study-NNN)."
 )
@@ -36,24 +36,25 @@ if TYPE_CHECKING:
     "--measured",
     type=click.Path(path_type=Path),
     metavar="FILE.csv",
-    help="Lay measured signals over the figures: columns named as histories, t [s],guide.acceleration [m/s^2].",
+    help="CSV file of signals to draw over the figures, its columns named as histories: t [s], guide.acceleration [m/s^2].",
 )
 @click.option(
     "--resume",
     metavar="DIR",
     type=click.Path(path_type=Path),
-    help="Go on with a study that was stopped: the rows that are there are not computed again.",
+    help="Continue a study that was stopped; rows in this folder are not computed again.",
 )
 @JSON
 @reports_bad_input
 def study(
     name: str | None, quick: bool, out: Path | None, measured: Path | None, resume: Path | None, as_json: bool
 ) -> int:
-    """Make the study NAME, or that of a Python file that defines `study`: figures, tables, verdicts.
+    """Run the study NAME and write figures, tables and verdicts.
 
-    Without NAME, list the built-in studies. Rows of its sweeps are stored in the folder as they are done: --resume goes
-    on, whatever ended it. Ctrl-C between other cases ends the study with a page of those that are done. Exit code 1 where
-    it was stopped, or where a number differs from the independent one it is compared with.
+    NAME is a built-in study, or a Python file that defines `study`, which is executed; without it the built-in
+    studies are listed. The rows of its sweeps are stored in the folder as they are computed; --resume continues,
+    whatever ended it. Ctrl-C between other cases ends the study with a page of those computed so far. Exit code 1: it
+    was stopped, or a number differs from its independent reference.
     """
     from hertzwerk.runtime.cli import page_folder
     from hertzwerk.runtime.measured.measurement import read_measurement

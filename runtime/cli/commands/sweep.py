@@ -18,6 +18,7 @@ from hertzwerk.runtime.cli.target import (
     DURATION,
     JSON,
     TABLE,
+    TOLERANCE,
     VARIATION,
     assignments,
     number,
@@ -45,64 +46,87 @@ _OPTIONS = {
 }  # where they are not called as their arguments
 
 
-@click.command()
+@click.command(epilog='Example: hertzwerk sweep slider_crank --over clearance="0.05..0.5 mm:10"')
 @click.argument("target", required=False)
 @click.option(
     "--over",
     metavar="NAME=VALUES",
     multiple=True,
-    help='What is varied: clearance="0.05..0.5 mm:10", stiffness="1e6..1e9 N/m:7 log", restitution=0.5,0.7,0.9; '
-    "of an input files too, torque=calm.csv,gusty.csv:load, or a factor, torque.scale=0.5..1.5:5.",
+    help='Vary a parameter or an initial state: clearance="0.05..0.5 mm:10", stiffness="1e6..1e9 N/m:7 log", restitution=0.5,0.7,0.9. '
+    "An input takes files, torque=calm.csv,gusty.csv:load, or a factor, torque.scale=0.5..1.5:5.",
 )
-@click.option("--zip", is_flag=True, help="Take the first values together, then the second, and so on.")
-@click.option("--sample", metavar="NUMBER", help='So many points spread over ranges: clearance="0.05..0.5 mm".')
-@click.option("--sampler", metavar="NAME", help="latin (hypercube, the default) or sobol (a power of two).")
+@click.option(
+    "--zip", is_flag=True, help="Combine the first values of all, then the second, and so on (default: each with each)."
+)
+@click.option(
+    "--sample", metavar="NUMBER", help='Number of points spread over ranges such as clearance="0.05..0.5 mm".'
+)
+@click.option(
+    "--sampler",
+    metavar="NAME",
+    help="How points are spread: latin, a hypercube, or sobol, a power of two of them (default: latin).",
+)
 @click.option("--seed", metavar="NUMBER", help="Seed of the samples (default: 0).")
 @click.option(
     "--output",
     "outputs",
     metavar="NAME",
     multiple=True,
-    help="A column: final.guide.travel, slider_pin.peak_force, slider_pin.impact_rate, guide.travel.max (default: final states).",
+    help="Output of each row: final.guide.travel, slider_pin.peak_force, slider_pin.impact_rate, guide.travel.max (default: final states).",
 )
 @click.option(
     "--section",
     metavar="PLACE",
-    help='Keep points there: "main_bearing.angle = 0" (every return), "phase = 90 deg", "floor.gap = 0 m falling".',
+    help='Keep the states at which a condition holds: "main_bearing.angle = 0" (every return), "phase = 90 deg", "floor.gap = 0 m falling".',
 )
-@click.option("--grid", metavar="SPACING", help='Keep histories at so many points, or at a spacing such as "0.1 ms".')
-@click.option("--after", metavar="TIME", help='Transient that both leave out, such as "100 rev".')
 @click.option(
-    "--history", "histories", metavar="NAME", multiple=True, help="What both keep (default: coordinates and speeds)."
+    "--grid", metavar="SPACING", help='Keep histories at this number of points, or at a spacing such as "0.1 ms".'
+)
+@click.option(
+    "--after", metavar="TIME", help='Transient that --section and --grid leave out, such as "100 rev" (default: none).'
+)
+@click.option(
+    "--history",
+    "histories",
+    metavar="NAME",
+    multiple=True,
+    help="History that --section and --grid keep (default: coordinates and speeds).",
 )
 @click.option(
     "--continue",
     "continued",
     metavar="up|down",
-    help="Follow the first parameter: each value starts from the final state of the one before.",
+    help="Increase or decrease the first parameter, each run starting from the final state of the one before.",
 )
 @VARIATION
 @DURATION
 @ACCURACY
-@click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
+@TOLERANCE
 @BY_METHOD
-@click.option("--max-steps", metavar="NUMBER", help="Stop a row after so many accepted steps (default: 1000000).")
-@click.option("--wall-time", metavar="TIME", help='Stop a row after so long on the clock, such as "10 min".')
+@click.option(
+    "--max-steps", metavar="NUMBER", help="Stop a row after this number of accepted steps (default: 1000000)."
+)
+@click.option(
+    "--wall-time", metavar="TIME", help='Stop a row after this time by the clock, such as "10 min" (default: none).'
+)
 @click.option(
     "--into",
     metavar="DIR",
     type=click.Path(path_type=Path),
-    help="Folder to store rows in, new or of this sweep (default: the next runs/SCENE-sweep-NNN).",
+    help="Folder of the rows, new or of the same sweep (default: the next runs/SCENE-sweep-NNN).",
 )
 @click.option(
-    "--resume", metavar="DIR", type=click.Path(path_type=Path), help="Compute the rows that are missing in a folder."
+    "--resume",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Compute the rows that are missing in this folder of a sweep.",
 )
 @click.option(
-    "--widen", is_flag=True, help="Change what the folder is to hold; rows that are the same are kept, not computed."
+    "--widen", is_flag=True, help="Change the definition of the folder's sweep; rows that both have are kept."
 )
-@click.option("--plot", is_flag=True, help="Draw it too: curves, maps, or the bifurcation diagram of a section.")
-@click.option("--workers", metavar="NUMBER", help="Processes (default: one for each core).")
-@click.option("--cluster", metavar="ADDRESS", help="In their place the workers of a Dask scheduler: tcp://host:8786.")
+@click.option("--plot", is_flag=True, help="Draw curves, maps, or the bifurcation diagram of a section.")
+@click.option("--workers", metavar="NUMBER", help="Number of processes (default: one per core).")
+@click.option("--cluster", metavar="ADDRESS", help="Dask scheduler whose workers compute the rows: tcp://host:8786.")
 @TABLE
 @JSON
 @reports_bad_input
@@ -118,9 +142,11 @@ def sweep(
     as_json: bool,
     **options: Any,
 ) -> int:
-    """Run TARGET at every point of a design, on all cores, and store each row as it is done.
+    """Simulate TARGET at every point of a design, on all cores.
 
-    TARGET may be a TOML file with the same keys. Whatever ends it, Ctrl-C, a kill, a full disk, --resume DIR goes on.
+    Each row is stored as soon as it is computed; --resume continues a sweep, whatever ended it. A TOML file with the
+    same keys may take the place of TARGET and options. Exit code 1: a row has another outcome than `finished`, or is
+    missing.
     """
     from hertzwerk.runtime.host.folder import failures_of, made_folder, remove_if_empty
     from hertzwerk.runtime.host.interrupt import raise_interrupts
