@@ -103,7 +103,8 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
         [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, m, after, tolerance)],
     )
     y, m, busy = (vectors.kind.sym(name, size) for name, size in (("y", y.numel()), ("m", model.nm), ("busy", 1)))
-    end = right.at(after["t"], y, after["mode"], m, run["c"])
+    end = right.symbols(vectors.kind)
+    inputs = [*arguments[1:], m, y, busy, *end.values()]
     in_range = end.pop("in_range")
     finite = is_finite(end)
     status = ca.if_else(finite, after["status"], NOT_FINITE)
@@ -115,10 +116,12 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     new["unsettled"] = after["unsettled"] + busy
     if model.ne:
         new["h"] = ca.fmin(after["h"], time_to_event(run, end, after["t"]))
-    resumed = ca.Function("resumed", [*arguments[1:], m, y, busy], [vectors.state.join(new)])
-    given = booked.mx_in()
-    slips = resolve_slips(model).call(booked.call(given))
-    return ca.Function("switch", given, [resumed(*given[1:], *slips)], ["before", "after", "controls"], ["next"])
+    resumed = ca.Function("resumed", inputs, [vectors.state.join(new)])
+    given, (_, after, run) = vectors.symbols("before after controls", ca.MX)
+    m, y, _ = slips = resolve_slips(model).call(booked.call(given))
+    found = right.ends(after["t"], y, after["mode"], m, run["c"])  # called: it runs seldom
+    state = resumed(*given[1:], *slips, *found)
+    return ca.Function("switch", given, [state], ["before", "after", "controls"], ["next"])
 
 
 def enter(model: Model, vectors: Layouts, right: Flow) -> Any:

@@ -31,7 +31,6 @@ from hertzwerk.runtime.integrate.step.control import (
     time_to_root,
 )
 from hertzwerk.runtime.integrate.step.explicit import Flow, short_step
-from hertzwerk.runtime.integrate.step.implicit import uses_calls
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     CONTACT,
@@ -176,14 +175,13 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
 
     (state, controls, next, verdict, delta, floors) -> (next, verdict, floors).
     """
-    kind = ca.MX if uses_calls(model) else vectors.kind
-    arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict", kind)
-    delta = kind.sym("delta")
+    arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict", ca.MX)
+    delta = ca.MX.sym("delta")
     moved = short_step(right, old, end, run, delta)
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
     outputs.append(floors(model, moved, run["c"]))
-    return ca.Function("moved", [*arguments, delta, kind.sym("floors", 2 * model.k)], outputs)
+    return ca.Function("moved", [*arguments, delta, ca.MX.sym("floors", 2 * model.k)], outputs)
 
 
 def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> Any:

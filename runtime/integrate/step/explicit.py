@@ -89,6 +89,10 @@ class Flow:
         """Return the error norm of a step; LOST if its end does not close the loops."""
         return error if self.closing is None else ca.if_else(is_closed, error, LOST)
 
+    def symbols(self, kind: Any) -> dict[str, Any]:
+        """Return symbols of the results of `ends` by name."""
+        return {name: kind.sym(name, self.ends.size1_out(i)) for i, name in enumerate(ENDS)}
+
     def at(self, t: Any, y: Any, mode: Any, m: Any, c: Any) -> dict[str, Any]:
         """Return the results of `ends` by name."""
         return dict(zip(ENDS, self.ends(t, y, mode, m, c), strict=True))

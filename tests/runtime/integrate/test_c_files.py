@@ -80,8 +80,16 @@ def test_what_completes_a_step_with_an_event_is_apart_and_less_optimised(text):
     assert [file.level for file in others] == [c_files.SELDOM]
     said = [set(re.findall(r"^/\* (\w+):", file.text, re.MULTILINE)) for file in (often, *others)]
     assert {"advance_in_contact", "advance_in_flight", "attempts_0", "chunk"} <= said[0]
-    assert {"moved", "decide", "locate"} <= said[1]
+    assert {"decide", "locate"} <= said[1]  # `moved` is short: it calls
     assert not said[0] & said[1]
+
+
+def test_what_handles_events_calls_the_right_hand_side(text):
+    """It runs seldom: the ends of a step are one function of every move and change of modes, not written into each."""
+    functions = {found["name"]: found for found in c_files._FUNCTION.finditer(text)}
+    (ends,) = (name for name, found in functions.items() if found["said"] == "ends")
+    callers = [found["said"] for found in functions.values() if f"{ends}(" in found["body"]]
+    assert {"moved", "switch", "just_before"} <= set(callers)
 
 
 def test_a_variable_that_is_not_handed_on_is_noticed(small, monkeypatch):
