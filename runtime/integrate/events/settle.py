@@ -63,6 +63,7 @@ if TYPE_CHECKING:
 
 NUDGE_EVALUATIONS = 4
 MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
+JUST_BEHIND = 1e4  # roundings of the time: shorter than any first step of a contact whose force does not jump
 MOVED = ("t", "y", "dy", *END_PARTS)  # the parts of a state that a step moves
 
 
@@ -118,8 +119,11 @@ def reject(vectors: Layouts, table: Table) -> Any:
     stuck = (h < 4 * EPS * ca.fabs(old["t"])) + (old["t"] + h <= old["t"]) > 0
     why = ca.if_else(finite, ca.if_else(error >= LOST, CONSTRAINT_LOST, STEP_TOO_SMALL), NOT_FINITE)
     status = ca.if_else(stuck, why, RUNNING)
+    # a force that jumps at its onset is still nothing where a contact was landed on; what holds is just behind
+    behind = in_contact * old["fresh_contact"] * finite * (old["h"] < JUST_BEHIND * EPS * ca.fabs(old["t"]))
     new = {
         **old,
+        "dy": ca.if_else(behind, end["dy"], old["dy"]),
         "h": h,
         "h_flight": ca.if_else(in_contact, old["h_flight"], kept),
         "h_contact": ca.if_else(in_contact, kept, old["h_contact"]),

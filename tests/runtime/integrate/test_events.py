@@ -277,3 +277,18 @@ def test_a_force_that_falls_through_zero_and_returns_to_it_with_the_gap_ends_its
         (impact,) = run.impacts
         assert impact.duration == pytest.approx(true.t[-1], abs=3e-8 + 3e-5 * tolerance)
         assert run["path.speed"][-1] == pytest.approx(-true.y[1][-1], abs=10 * tolerance)
+
+
+@pytest.mark.parametrize("method", IN_GRAPH)
+def test_a_force_that_jumps_at_its_onset_needs_no_landing_beyond_the_surface(method):
+    """Kelvin-Voigt begins at 2 z w v, but where rounding ends a landing on the surface or above it there is none yet."""
+    w, z, v = 3e3, 0.3, 0.1
+    model = point(lambda d, s, v0: w * w * d + 2 * z * w * s, scales=(v / w, v, v * w, 1.0))
+    root = math.sqrt(1 - z * z)
+    duration = (math.pi - math.atan2(2 * z * root, 1 - 2 * z * z)) / (w * root)
+    for height in (10, 14, 15):  # mm, at which one of the methods lands so
+        start = {"x0": f"{height} mm", "v0": f"{-v} m/s"}
+        run = simulate(model, duration=0.2, tolerance=1e-13, method=method, compiled=False, parameters=start)
+        assert run.outcome.finished
+        (impact,) = run.impacts
+        assert impact.duration == pytest.approx(duration, rel=1e-9)
