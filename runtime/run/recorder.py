@@ -130,15 +130,16 @@ class Sampled:
     """Observer that keeps the states at which a run is compared with others.
 
     That is at its start and end, at `count` times between, and within its own steps, which lie close where much
-    happens: of all, or of every second, fourth, ... where they are more than EVEN, and of as many in which the rates
-    change most, as where friction turns round. An event at the end of a step may change a state at once, and another run
-    may have that event slightly earlier or later: no sample lies so close to an end, and the shortest steps have none.
+    happens: of all, or of every second, fourth, ... where they are more than EVEN, and of the BENT in which the rates
+    change most, as where friction turns round. Where effects have events, one at the end of a step may change a state at
+    once, and another run may have that event slightly earlier or later: no sample lies so close to an end, and the
+    shortest steps have none.
     """
 
-    EVEN = 60
-    # of a step: its error grows towards its end, and where rates change at once it goes up and down
-    WITHIN = 0.4, 0.8, 0.99
-    SHORT = 100  # tolerances, as a shift in time by length over speed: shorter steps are not sampled
+    EVEN, BENT = 15, 40
+    # of a step: its error grows towards its end, and where rates change at once it goes up and down several times
+    WITHIN = 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 0.99
+    SHORT = 100  # tolerances, as a shift in time by length over speed: shorter steps may be those between such events
 
     def __init__(self, begin: float, end: float, count: int) -> None:
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
@@ -147,7 +148,7 @@ class Sampled:
         self._grid = Grid(np.concatenate([[begin], between, [end]]))
         self._seen, self._stride = 0, 1
         self._numbers, self._bends = np.zeros(0, int), np.zeros(0)  # of the steps that are kept
-        self._rows: np.ndarray | None = None  # (steps, 3, ns): within each
+        self._rows: np.ndarray | None = None  # (steps, len(WITHIN), ns): within each
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
@@ -155,13 +156,14 @@ class Sampled:
         first = max(fresh - 1, 0)
         controls, layout = block.controls, block.engine.layouts.controls
         (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
-        begins = first + np.flatnonzero(np.diff(block.t[first:]) > self.SHORT * tolerance * length / speed)
+        short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
+        begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
         numbers, bends = self._seen + np.arange(len(begins)), _bends(block, begins)
         self._seen += len(begins)
         self._numbers, self._bends = np.append(self._numbers, numbers), np.append(self._bends, bends)
         while np.count_nonzero(self._numbers % self._stride == 0) > self.EVEN:
             self._stride *= 2
-        least = np.sort(self._bends)[-self.EVEN :][0] if len(self._bends) else 0.0
+        least = np.sort(self._bends)[-self.BENT :][0] if len(self._bends) else 0.0
         kept = (self._numbers % self._stride == 0) | (self._bends >= least)
         self._numbers, self._bends = self._numbers[kept], self._bends[kept]
         before, begins = np.split(kept, [len(kept) - len(begins)])[0], begins[kept[len(kept) - len(begins) :]]
