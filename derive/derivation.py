@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from hertzwerk.derive.alike.declarations import Alike, alike
+from hertzwerk.derive.alike.representatives import program_of_kinds
 from hertzwerk.derive.audit.audit import Findings, advice_findings, audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.declare.scene import Scene
@@ -27,7 +29,8 @@ def generate(scene: Scene, source: str = "") -> str:
 
     Raises InputError as `derive` does.
     """
-    program = derive(scene)  # 1 to 4
+    found = alike(scene)
+    program = (found and _derive_alike(found)) or derive(scene)  # 1 to 4
     return emit(program, source)  # 5. text
 
 
@@ -45,6 +48,18 @@ def derive(scene: Scene) -> Program:
     # 4. audited program: units of every assignment and output
     units, findings = audit_program(program)
     refuse_inconsistent(scene, findings)
+    return replace(program, units=units)
+
+
+def _derive_alike(found: Alike) -> Program | None:
+    """Program of a scene of kinds, each derived and audited once; None where one depends on others."""
+    refuse_inconsistent(found.sample, audit_laws(found.sample))
+    refuse_misbehaving(found.sample)
+    program = program_of_kinds(found)
+    if program is None:
+        return None
+    units, findings = audit_program(program)
+    refuse_inconsistent(found.sample, findings)
     return replace(program, units=units)
 
 

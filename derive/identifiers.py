@@ -5,6 +5,7 @@ from __future__ import annotations
 import keyword
 import re
 import unicodedata
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -43,10 +44,7 @@ def text_faults(where: str, text: Any) -> Iterator[Fault]:
 
 def repeated(kind: str, names: Iterable[str]) -> Iterator[Fault]:
     """Faults of names that are invalid or not unique."""
-    names = list(names)
-    for name in dict.fromkeys(names):
+    for name, count in Counter(names).items():
         yield from name_faults(kind, name)
-        if names.count(name) > 1:
-            yield Fault(
-                f"{kind} {name}", f"{names.count(name)} of this name", "names that are unique", "Rename one of them."
-            )
+        if count > 1:
+            yield Fault(f"{kind} {name}", f"{count} of this name", "names that are unique", "Rename one of them.")

@@ -429,8 +429,7 @@ def start(p):
     x6 = -ball_diameter_squared*inverse_pitch_diameter_squared
     x7 = 1 + x6
     x8 = -x7*pitch_diameter*speed/(2*ball_diameter)
-    return (ca.vertcat(0, -clearance/2, 0, x3, 0, x3, 0, x3, 0, x3, 0, x3, 0, x3, 0),
-        ca.vertcat(0, 0, (1 - ball_diameter/pitch_diameter)*speed/2, 0, x8, 0, x8, 0, x8, 0, x8, 0, x8, 0, x8))
+    return ca.vertcat(0, -clearance/2, *[0, x3]*6, 0), ca.vertcat(0, 0, (1 - ball_diameter/pitch_diameter)*speed/2, *[0, x8]*6)
 
 
 def scales(p):
@@ -449,11 +448,7 @@ def scales(p):
     force_scale = energy_scale/clearance
     clearance_over_pitch_diameter = clearance/pitch_diameter
     pace_over_pitch_diameter = pace/pitch_diameter
-    return (ca.vertcat(clearance, clearance, clearance_over_pitch_diameter, clearance, clearance_over_pitch_diameter, clearance,
-            clearance_over_pitch_diameter, clearance, clearance_over_pitch_diameter, clearance, clearance_over_pitch_diameter, clearance,
-            clearance_over_pitch_diameter, clearance, clearance_over_pitch_diameter),
-        ca.vertcat(pace, pace, pace_over_pitch_diameter, pace, pace_over_pitch_diameter, pace, pace_over_pitch_diameter, pace,
-            pace_over_pitch_diameter, pace, pace_over_pitch_diameter, pace, pace_over_pitch_diameter, pace, pace_over_pitch_diameter),
+    return (ca.vertcat(clearance, *[clearance, clearance_over_pitch_diameter]*7), ca.vertcat(pace, *[pace, pace_over_pitch_diameter]*7),
         ca.vertcat(*[energy_scale]*28), ca.vertcat(clearance, pace, force_scale, energy_scale))
 
 
@@ -1460,10 +1455,7 @@ def landmarks(p):
         ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, -1, 0, 0),
         ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, -1/2, minus_half_sqrt_3, 0),
         ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, 1/2, minus_half_sqrt_3, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x8),
-        ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x10), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x8), ca.vertcat(0, 0, 0, x4),
-        ca.vertcat(0, 0, 0, x10), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x8), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x10),
-        ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x8), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x10), ca.vertcat(0, 0, 0, x4),
-        ca.vertcat(0, 0, 0, x8), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x10), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x8),
-        ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x10), ca.vertcat(*[0]*5, 1), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0, 0, -load, 0),
-        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0, 0, 1, 0), *[ca.vertcat(0, 0, 0)]*9)
+        ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(*[0]*5, 1), ca.vertcat(*[0]*5, 1),
+        *[ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x8), ca.vertcat(0, 0, 0, x4), ca.vertcat(0, 0, 0, x10)]*6, ca.vertcat(*[0]*5, 1),
+        ca.vertcat(0, 0, 0), ca.vertcat(0, 0, 0, 0, -load, 0), ca.vertcat(0, 0, 0, 1, 0, 0), ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0), *[ca.vertcat(0, 0, 0)]*9)

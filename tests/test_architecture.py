@@ -30,10 +30,11 @@ ROOMS = {
     "derive": {
         ".": "algebra audit contact declare derivation effects exported faults files imported laws mechanism",
         "algebra": "faults identifiers units",
+        "alike": "contact declare effects mechanism module program",
         "audit": "algebra declare dimension faults html laws mechanism program units",
         "contact": "algebra dimension effects faults identifiers laws mechanism motion units",
         "declare": "algebra dimension effects faults html identifiers laws mechanism units",
-        "derivation": "audit declare emit faults module motion program readings",
+        "derivation": "alike audit declare emit faults module motion program readings",
         "dimension": "algebra faults units",
         "effects": "algebra dimension faults identifiers laws mechanism program units",
         "emit": "audit faults program",

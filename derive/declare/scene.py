@@ -221,12 +221,12 @@ class Scene:
         """Effects of one class, in declared order."""
         return [effect for effect in self.effects if isinstance(effect, kind)]
 
-    @property
+    @cached_property
     def ledger(self) -> EnergyLedger | None:
         """Whether the scene has an energy ledger."""
         return next(iter(self.all(EnergyLedger)), None)
 
-    @property
+    @cached_property
     def driven(self) -> dict[str, AnyDrive]:
         """Drives by the key of the freedom they drive."""
         return {effect.joint: effect for effect in self.all(AnyDrive)}
@@ -271,7 +271,7 @@ class Scene:
         """Effects on joints that exist; others are a fault reported by the scene."""
         return (effect for effect in self.effects if all(key in self.scalars for key in effect.joints))
 
-    @property
+    @cached_property
     def free(self) -> tuple[Freedom, ...]:
         """Freedoms that are not driven."""
         return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
@@ -302,7 +302,7 @@ class Scene:
     @cached_property
     def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:
         """Pairs with a contact, in the order of the mechanism's pairs, with their effects."""
-        contacts = {effect.pair: effect for effect in self.all(Contact)}
+        contacts = self._contact_at
         frictions = {effect.pair: effect for effect in self.all(Friction)}
         return [
             (pair, contacts[pair.name], frictions.get(pair.name))
@@ -310,14 +310,26 @@ class Scene:
             if pair.name in contacts
         ]
 
+    @cached_property
+    def _contact_at(self) -> dict[str, Contact]:
+        """Contacts by pair; of two at one, which is a fault, the last."""
+        return {effect.pair: effect for effect in self.all(Contact)}
+
     def resistances(self, pair_name: str) -> list[PairResistance]:
         """Resistances to rolling and drilling at a pair, in declared order."""
-        return [effect for effect in self.all(PairResistance) if effect.pair == pair_name]
+        return self._resistances.get(pair_name, [])
+
+    @cached_property
+    def _resistances(self) -> dict[str, list[PairResistance]]:
+        found: dict[str, list[PairResistance]] = {}
+        for effect in self.all(PairResistance):
+            found.setdefault(effect.pair, []).append(effect)
+        return found
 
     def geometry(self, pair_name: str) -> dict[str, Any]:
         """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""
         if pair_name not in self._geometries:
-            pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
+            pair = self.mechanism.pair_named.get(pair_name)
             self._geometries[pair_name] = {} if pair is None else self._geometry(pair)
         return self._geometries[pair_name]
 
@@ -330,7 +342,7 @@ class Scene:
         given = [*pair.slots(), *(slot for body in bodies for slot in body.slots())]
         if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
             return {}  # a fault reported by the scene
-        own = next((e.effective_mass for e in self.all(Contact) if e.pair == pair.name), None)
+        own = self._contact_at[pair.name].effective_mass if pair.name in self._contact_at else None
         masses = [body.mass for body in bodies]
         both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None
         mass = both if own is None else own

@@ -102,7 +102,7 @@ class Contact(PairEffect):
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the change of a gap that drives alone move, by which a step notices how it moves."""
-        pair = next((pair for pair in scene.mechanism.pairs if pair.name == self.pair), None)
+        pair = scene.mechanism.pair_named.get(self.pair)
         if pair is not None and all(scene.follows_drives(place.body) for place in pair.places):
             yield State(GAP_CHANGE, "m")
 

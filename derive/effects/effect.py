@@ -446,7 +446,7 @@ class PairEffect(Effect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair that is missing, or not the kind a law was made for."""
-        pairs = {pair.name: pair for pair in scene.mechanism.pairs}
+        pairs = scene.mechanism.pair_named
         if self.pair not in pairs:
             yield Fault(self.where, f"pair {self.pair!r}", one_of(pairs, "a pair of the mechanism, which has none"))
             return

@@ -10,6 +10,7 @@ from typing import Any
 from hertzwerk.derive.audit.audit import count_checked
 from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.emit.helpers import HELPERS, helpers_in
+from hertzwerk.derive.emit.loops import kind_tables, loops, table
 from hertzwerk.derive.emit.printer import WIDTH, Draft, builder_text, curve_text, draft, prose, prose_lines, shared_text
 from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.expression_text import curve_names
@@ -28,7 +29,7 @@ def emit(program: Program, source: str) -> str:
         draft(program, function, whole=kinds[function.arguments, *(r.name for r in function.results)] > 1)
         for function in program.functions
     ]
-    counts = {drafted.function.name: operations(builder_text(program, drafted)) for drafted in drafts}
+    counts = _counts(program, {drafted.function.name: operations(builder_text(program, drafted)) for drafted in drafts})
     shared = share([drafted.block for drafted in drafts], program.parts, _names_in(program, drafts))
     before = _equally_returning(program.functions)
     units = {program.names.get(symbol.name, symbol.name): unit for symbol, unit in program.units.items()}
@@ -45,14 +46,34 @@ def emit(program: Program, source: str) -> str:
         "import casadi as ca" + (f"\nimport casadi as {casadi}" if casadi != "ca" else ""),
         "\n".join(f"{name} = {_literal(text)}" for name, text in
                   (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
-        *(_table(name, rows) for name, rows in tables.items()),
+        *_kind_tables(program),
+        *(_table(name, rows, program) for name, rows in tables.items()),
     ]  # fmt: skip
     texts = [
         *map(curve_text, curves),
         *(shared_text(program, each, units) for each in shared),
         *(builder_text(program, each, before[each.function.name]) for each in drafts),
+        *([loops(program)[1]] if program.pairs else []),
     ]
     return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers_in(texts), *texts)) + "\n"
+
+
+def _kind_tables(program: Program) -> list[str]:
+    """Tables of kinds, and what they call."""
+    if not program.pairs:
+        return []
+    return [f"\n{loops(program)[0]}\n", *(f"{name} = {text}" for name, text in kind_tables(program, _literal))]
+
+
+def _counts(program: Program, counts: dict[str, int]) -> dict[str, int]:
+    """Operations by function; of one that calls those of trees and pairs, the sum."""
+    for kind in (*program.trees, *program.pairs):
+        for name in [name for name in counts if name.endswith(f"_of_{kind.name}")]:
+            whole = name.removesuffix(f"_of_{kind.name}")
+            times = len(kind.members) * counts.pop(name)
+            whole = name if whole == "contact" else {"stored_energy": "energy"}.get(whole, whole)
+            counts[whole] = counts.get(whole, 0) + times
+    return counts
 
 
 def _equally_returning(functions: Iterable[Function]) -> dict[str, Function | None]:
@@ -98,7 +119,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
             *(
                 line
                 for text, names in effects.items()
-                for line in prose_lines(f"{', '.join(names)}: {text}", "    ", " " * 8)
+                for line in prose_lines(f"{_listed(names, program)}: {text}", "    ", " " * 8)
             ),
             f"Units: {verdict}",
             *([f"Coordinates: {prose(program.note)}"] if program.note else []),
@@ -108,11 +129,16 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
     )
 
 
-def _table(name: str, rows: tuple[Any, ...]) -> str:
+def _listed(names: list[str], program: Program) -> str:
+    """Names, of many alike the first and the last."""
+    return ", ".join(names) if not program.pairs or len(names) < 4 else f"{names[0]} to {names[-1]}, {len(names)}"
+
+
+def _table(name: str, rows: tuple[Any, ...], program: Program) -> str:
     """Table with as many rows on a line as it holds; with one where they hold prose, or numbers alone."""
     if not rows:
         return f"{name} = ()"
-    texts = [_literal(row) for row in rows]
+    texts = table(program, rows, _literal) if program.pairs else [_literal(row) for row in rows]
     if name in _PROSE or (isinstance(rows[0], tuple) and not isinstance(rows[0][0], str)):
         return "\n".join([f"{name} = (", *(f"    {text}," for text in texts), ")"])
     whole = f"{name} = ({', '.join(texts)}{',' * (len(texts) == 1)})"

@@ -19,7 +19,8 @@ from hertzwerk.derive.program.program import Function, Program, Result, eliminat
 from hertzwerk.derive.program.repetition import Block, Shared, Step, step_of
 
 WIDTH = 140  # columns of the text, but for assignments, of which each is a line
-_RUN = 4  # equal entries after one another that are written out
+_RUN = 4  # equal entries, or groups of them, after one another that are written out
+_GROUP = 16  # most entries of such a group
 _NAME = re.compile(r"[^\W\d]\w*")
 _CASADI = re.compile(r"\bca\.")
 
@@ -43,6 +44,16 @@ _ARGUMENTS = {
     "joints": "joints: JOINT_COORDINATES",
     "joint_speeds": "joint_speeds: JOINT_SPEEDS",
 }
+
+_OF_PARTS = {
+    "q": "q: own entries of COORDINATES",
+    "u": "u: own entries of SPEEDS",
+    "a": "a: rates of these",
+    "z": "z: own entries of MEMORY",
+    "m": "m: own entries of LATCHES",
+    "f": "f: own generalised forces",
+}
+"""Arguments of a function of one tree or pair."""
 
 
 @dataclass(frozen=True)
@@ -224,9 +235,16 @@ def _docstring(program: Program, function: Function, like: Function | None) -> l
         summary = function.summary.partition(". ")[0].removesuffix(".")
         lines = prose_lines(f"{summary}; arguments and returns as of {like.name}.", '    """', " " * 4)
         return [*lines[:-1], f'{lines[-1]}"""']
-    arguments = "; ".join(own(name) + _ARGUMENTS[name].removeprefix(name) for name in function.arguments)
+    table = _ARGUMENTS if function.places is None else _ARGUMENTS | _OF_PARTS
+    arguments = "; ".join(own(name) + table[name].removeprefix(name) for name in function.arguments)
     lines = prose_lines(function.summary, '    """', " " * 4)
     lines += ["", f"    Arguments: {arguments}.", "    Returns, each a column vector:"]
+    if program.pairs and function.name == "landmarks":  # more than a reader reads
+        return [
+            *lines[:-1],
+            "    Returns a column vector for each row: the point, then its directions and sizes.",
+            '    """',
+        ]
     for (labels, units), results in groupby(function.results, lambda result: (result.labels, result.units)):
         names = [result.name for result in results]
         named = ", ".join(names) if len(names) <= _RUN else f"{names[0]} to {names[-1]}"
@@ -273,6 +291,7 @@ def _places(program: Program, function: Function) -> dict[str, str]:
         if group not in ("p", "t", "c"):
             positions[symbol] = f"{own(group)}[{count.get(group, 0)}]"
             count[group] = count.get(group, 0) + 1
+    positions.update(function.places or {})
     wanted = set(function.reads)
     return {
         program.names.get(symbol.name, symbol.name): place for symbol, place in positions.items() if symbol in wanted
@@ -285,13 +304,26 @@ def _column(texts: Sequence[str]) -> str:
 
 
 def _runs(texts: Sequence[str]) -> list[str]:
-    """Texts, of which a long run of equal ones is written once, with its number."""
-    runs = ((text, len(list(run))) for text, run in groupby(texts))
-    return [
-        part
-        for text, count in runs
-        for part in ([f"*[{text}]*{count}"] if count > _RUN and "[" not in text else [text] * count)
-    ]
+    """Texts, of which a long run of equal ones, or of equal groups, is written once, with its number."""
+    parts: list[str] = []
+    begin = 0
+    while begin < len(texts):
+        size, count = next(
+            ((size, count) for size in range(1, _GROUP + 1) if (count := _repeats(texts, begin, size)) > _RUN), (1, 1)
+        )
+        group = ", ".join(texts[begin : begin + size])
+        plain = count == 1 or "[" in group
+        parts += texts[begin : begin + size * count] if plain else [f"*[{group}]*{count}"]
+        begin += size * count
+    return parts
+
+
+def _repeats(texts: Sequence[str], begin: int, size: int) -> int:
+    """How often a group of texts follows itself."""
+    end = begin + size
+    while end < len(texts) and texts[end] == texts[end - size]:
+        end += 1
+    return (end - begin) // size
 
 
 def prose(text: str) -> str:

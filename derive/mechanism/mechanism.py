@@ -42,11 +42,16 @@ class Mechanism:
     @cached_property
     def parts(self) -> dict[str, tuple[str, ...]]:
         """Names of the pairs that are parts of one, by its name."""
-        found: dict[str, tuple[str, ...]] = {}
+        found: dict[str, list[str]] = {}
         for pair in self.pairs if isinstance(self.pairs, tuple) else ():
             if isinstance(pair, Pair) and pair.part_of:
-                found[pair.part_of] = (*found.get(pair.part_of, ()), pair.name)
-        return found
+                found.setdefault(pair.part_of, []).append(pair.name)
+        return {name: tuple(parts) for name, parts in found.items()}
+
+    @cached_property
+    def pair_named(self) -> dict[str, Pair]:
+        """Pairs by their names."""
+        return {pair.name: pair for pair in self.pairs}
 
     @property
     def bodies(self) -> tuple[Body, ...]:

@@ -6,6 +6,7 @@ import math
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -120,8 +121,13 @@ def parameters_of(expression: Any) -> list[Parameter]:
     """
     if not isinstance(expression, sp.Basic):
         return []  # numbers, and text, which SymPy would execute
+    return list(_parameters_of(expression))
+
+
+@lru_cache(maxsize=4096)
+def _parameters_of(expression: sp.Basic) -> tuple[Parameter, ...]:
     found = (node for node in sp.preorder_traversal(expression) if isinstance(node, Parameter))
-    return list(dict.fromkeys(found))
+    return tuple(dict.fromkeys(found))
 
 
 def dimensions_of(parameters: Mapping[str, Parameter]) -> dict[sp.Symbol, Dimension]:
@@ -132,6 +138,10 @@ def dimensions_of(parameters: Mapping[str, Parameter]) -> dict[sp.Symbol, Dimens
 
 def default_value(expression: Any) -> float:
     """Value of an expression at its parameters' defaults, SI; NaN where it is not real."""
-    expression = sp.sympify(expression)
+    return _default_value(sp.sympify(expression))
+
+
+@lru_cache(maxsize=4096)
+def _default_value(expression: sp.Basic) -> float:
     value = expression.xreplace({p: sp.Float(p.si, 17) for p in parameters_of(expression)})
     return float(value) if value.is_number and value.is_real else math.nan

@@ -45,11 +45,16 @@ def program_of(system: System) -> Program:
         *([scales.period(system)] if system.periodic is not None else []),
         outputs.landmarks(system),
     ]
+    refuse_idle(system)
+    note = "" if system.joints is None else "absolute"
+    return with_constants(system, functions, tables(system), note)
+
+
+def refuse_idle(system: System) -> None:
+    """Raise InputError if an effect changes no motion, once all functions are made."""
     idle = [effect.name for effect in system.scene.effects if effect.name not in system.entered]
     if idle:
         raise InputError(f"scene {system.scene.name}", (_idle_fault(system, name) for name in idle))
-    note = "" if system.joints is None else "absolute"
-    return with_constants(system, functions, tables(system), note)
 
 
 def with_constants(

@@ -33,10 +33,12 @@ from hertzwerk.derive.program.program import Function, Result, Tape
 class System:
     """One scene on one tape, from which the functions of a module are made."""
 
-    def __init__(self, scene: Scene, kinematics: type[Surroundings] = Surroundings) -> None:
+    def __init__(self, scene: Scene, kinematics: type[Surroundings] = Surroundings, whole: Scene | None = None) -> None:
         self.scene = scene
         self.tape = Tape()
-        for parameter, dimension in scene.dimensions.items():
+        for parameter, dimension in (
+            whole or scene
+        ).dimensions.items():  # of the scene that it is a part of, if it is one
             self.tape.input(parameter.name, "p", dimension, symbol=parameter)
         self.kin = kinematics(self.tape, scene)
         self.equations = equations_of(self.kin, scene)

@@ -27,8 +27,8 @@ NO_PAIR = -1
 def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
     """Name of a table -> its rows, in the order of the module's text."""
     scene = system.scene
-    pairs = [pair.pair.name for pair, _, _ in system.contacts]
-    entries = [name for name, _ in system.memory]
+    pairs = {pair.pair.name: i for i, (pair, _, _) in enumerate(system.contacts)}
+    entries = {name: i for i, (name, _) in enumerate(system.memory)}
     meanings = meanings_of(scene)
     quaternions = _quaternions(system.coordinates)
     return {
@@ -45,14 +45,14 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
         **({"QUATERNIONS": quaternions} if quaternions else {}),
         "SPEEDS": tuple((name, unit) for name, unit in system.speeds),
         "MEMORY": tuple(system.memory),
-        "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in system.latches),
+        "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs[name]) for name in system.latches),
         "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in system.contacts),
         **_events(system),
         **_loads(system),
         **_guides(system),
         **_slips(system),
         "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in system.contacts),
-        "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
+        "DISSIPATED": tuple(entries[f"{name}.dissipated"] for name in pairs) if scene.ledger else (),
         **_loop_tables(system),
         **({"BRISTLES": tuple(_bristle_rows(system))} if system.bristles else {}),
         "OUTPUTS": tuple((name, unit) for name, unit, _ in output_rows(system)),
@@ -145,10 +145,10 @@ def _directions(name: str, unit: str, pair: int, count: int) -> list[tuple[str, 
 
 def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
     """Entry of z and pair of every bristle."""
-    entries = [name for name, _ in system.memory]
+    entries = {name: i for i, (name, _) in enumerate(system.memory)}
     for j, (_, _, friction) in enumerate(system.contacts):
         if friction is not None and friction.name in system.bristles:
-            yield from ((entries.index(name), j) for name in system.bristles[friction.name])
+            yield from ((entries[name], j) for name in system.bristles[friction.name])
 
 
 def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:

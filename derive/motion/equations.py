@@ -6,7 +6,7 @@ joint's unit speed, projected on the joints below it (Featherstone, Rigid Body D
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, cached_property
 from typing import Any
 
@@ -15,6 +15,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, scale
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.gravity import Gravity
+from hertzwerk.derive.mechanism.bodies import Body
 from hertzwerk.derive.motion.articulated import Articulated
 from hertzwerk.derive.motion.constrained import Loops
 from hertzwerk.derive.motion.constraints import constraints_of, driving_rows
@@ -235,9 +236,13 @@ class Equations:
 
     def kinetic(self) -> Any:
         """Kinetic energy [J]."""
+        return self.kinetic_of(self.links)
+
+    def kinetic_of(self, links: Iterable[Link]) -> Any:
+        """Kinetic energy of some links [J]."""
         half, parts, tape = sp.Rational(1, 2), self.recursion, self.tape
         total: list[Any] = []
-        for link in self.links:
+        for link in links:
             mass, moment, inertia = parts.resolved(link)
             v, w = parts.velocity(link), parts.spin(link).w
             total += half * mass * dot(v, v), dot(v, cross(w, moment)), half * dot(w, inertia.apply(w))
@@ -245,8 +250,11 @@ class Equations:
 
     def potential(self) -> Any:
         """Potential energy of gravity that does not vary, zero at the ground's origin [J]."""
+        return self.potential_of(self.scene.mechanism.bodies)
+
+    def potential_of(self, bodies: Iterable[Body]) -> Any:
+        """Potential energy of some bodies, as of all [J]."""
         pull = gravity_vector(self.kin, [effect for effect in self.scene.all(Gravity) if not effect.varies])
-        bodies = self.scene.mechanism.bodies
         total = [-sp.sympify(body.mass) * dot(self.kin.centre(body), pull) for body in bodies]
         return self.tape.let(sp.Add(*total), "potential")
 

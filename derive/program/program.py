@@ -57,6 +57,8 @@ class Function:
     results: tuple[Result, ...]
     shared: Mapping[sp.Symbol, sp.Symbol | None] = field(default_factory=dict)
     """Numbered symbol of a shared subexpression -> the assignment whose whole value it is, if there is one."""
+    places: Mapping[sp.Symbol, str] | None = None
+    """Inputs of a function of one tree or pair, `q[3]` of its own coordinates; None of one of the whole vectors."""
 
     @cached_property
     def reads(self) -> tuple[sp.Symbol, ...]:
@@ -387,6 +389,20 @@ def _compound_parts(expression: Any) -> Iterator[Any]:
 
 
 @dataclass(frozen=True)
+class Repeated:
+    """Trees, or pairs between them, that are alike: the program has the functions of one.
+
+    name     by which its functions end, `gaps_of_balls`
+    members  name of each, and the places of its trees
+    rows     of its own vectors, by their letter: for each entry those of the members in the whole one
+    """
+
+    name: str
+    members: tuple[tuple[Any, ...], ...]
+    rows: Mapping[str, tuple[tuple[int, ...], ...]]
+
+
+@dataclass(frozen=True)
 class Program:
     """Result of the derivation: the tape, the functions of the module, constants and tables."""
 
@@ -402,6 +418,9 @@ class Program:
     """Numbered constant -> its name in words, in the text of the module."""
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """Unit of every input and assignment, once the audit has passed."""
+    trees: tuple[Repeated, ...] = ()
+    pairs: tuple[Repeated, ...] = ()
+    """Kinds of trees and pairs of which one is derived for all; none where each is derived."""
 
     @cached_property
     def parts(self) -> Mapping[str, str]:

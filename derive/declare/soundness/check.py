@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+import sympy as sp
+
 from hertzwerk.derive.declare.soundness.actions import effect_faults, start_faults
 from hertzwerk.derive.declare.soundness.directions import length_faults
 from hertzwerk.derive.declare.soundness.inertia import inertia_faults
@@ -20,6 +22,7 @@ from hertzwerk.derive.declare.soundness.types import scene_type_faults
 from hertzwerk.derive.effects.state_expression import Varying, expression_faults, input_faults, table_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults, text_faults
+from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.curve import curve_faults
 from hertzwerk.derive.mechanism.parameter import dimensions_of, parameters_of
 from hertzwerk.derive.mechanism.pose import Posed
@@ -45,7 +48,12 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     found.extend(broken)
     sound = sound_of(parameters, broken)
     table = dimensions_of(sound)
+    settled: set[tuple[Any, ...]] = set()  # sound quantities, each checked once: many pairs share theirs
     for slot in scene.declarations():
+        key = slot.value, slot.unit, slot.limit
+        if type(slot) is Slot and isinstance(slot.value, sp.Basic) and key in settled:
+            continue
+        before = len(found)
         if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
             continue
         if isinstance(slot, Posed):
@@ -55,6 +63,8 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         else:
             found.extend(quantity_faults(slot, table))
         found.extend(rate_faults(slot))
+        if len(found) == before and type(slot) is Slot and isinstance(slot.value, sp.Basic):
+            settled.add(key)
     found.extend(curve_faults(_curves(scene), parameters))
     found.extend(inertia_faults(scene.mechanism, sound))
     found.extend(table_faults(_expressions(scene)))
