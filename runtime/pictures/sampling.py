@@ -93,10 +93,8 @@ class _Steps:
                 values = self._run[name]
                 np.maximum(off, np.abs(values - np.interp(self._t, self._t[kept], values[kept])) / size, out=off)
             off[kept] = 0
-            parts = np.split(off, kept[1:-1])
-            more = [
-                begin + int(np.argmax(part)) for begin, part in zip(kept, parts, strict=False) if part.max() > level
-            ]
+            wide = np.maximum.reduceat(off, kept[:-1]) > level
+            more = [i + int(np.argmax(off[i:j])) for i, j in zip(kept[:-1][wide], kept[1:][wide], strict=True)]
             if not more and level <= 1:
                 break
             level = level if more else level / 2

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.integrate.step.explicit import unit_quaternions
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import dop853
+from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.start.assembly import journals
 
 if TYPE_CHECKING:
@@ -110,8 +111,8 @@ class _Position:
 class _Closure:
     """Closure equations e(t, q) = 0 of the ideal mechanism and a Newton step of them, as CasADi functions."""
 
-    jacobian: Any  # (t, q, c) -> de/dt by the speeds
-    step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, the corrections in columns, the last with the error of what drives integrate
+    jacobian: Callers  # (t, q, c) -> de/dt by the speeds
+    step: Callers  # (t, q, u, dt, c) -> q, u, a at t + dt, the corrections in columns, the last with the error of what drives integrate
     nu: int
 
     @classmethod
@@ -143,8 +144,8 @@ class _Closure:
         velocity = speeds(t + dt, there, c)
         results = [there, velocity, accelerations(t + dt, there, velocity, c), ca.horzcat(*corrections)]
         return cls(
-            ca.Function("jacobian", [t, q, c], [jacobian]),
-            ca.Function("step", [t, q, u, dt, c], ca.cse(results)),
+            Callers(ca.Function("jacobian", [t, q, c], [ca.densify(jacobian)])),
+            Callers(ca.Function("step", [t, q, u, dt, c], ca.cse([*map(ca.densify, results)]))),
             model.nu,
         )
 
@@ -153,7 +154,7 @@ class _Closure:
         still = np.zeros(self.nu)
         for _ in range(10):
             here, corrections = self._step(_Position(t, q, still, still), t, c)
-            if not np.all(np.isfinite(here.a)) or np.linalg.cond(np.array(self.jacobian(t, here.q, c))) > 1 / _SINGULAR:
+            if not np.all(np.isfinite(here.a)) or np.linalg.cond(self._jacobian(t, here.q, c)) > 1 / _SINGULAR:
                 return None
             if _negligible(corrections[:, -1], here.q):
                 return here
@@ -175,9 +176,13 @@ class _Closure:
                 return None
         return here
 
+    def _jacobian(self, t: float, q: Array, c: Array) -> Array:
+        (found,) = self.jacobian(t, q, c)
+        return found.reshape(self.nu, self.nu)  # of one freedom it is a vector
+
     def _step(self, here: _Position, t: float, c: Array) -> tuple[_Position, Array]:
-        q, u, a, corrections = (np.array(result) for result in self.step(here.t, here.q, here.u, t - here.t, c))
-        return _Position(t, q.ravel(), u.ravel(), a.ravel()), corrections
+        q, u, a, corrections = self.step(here.t, here.q, here.u, t - here.t, c)
+        return _Position(t, q, u, a), corrections
 
 
 def _integrated(rate: Any, t: Any, q: Any, driven: list[int], dt: Any, c: Any) -> tuple[Any, Any]:

@@ -41,7 +41,7 @@ class Label:
 
 def place(paper: Paper, labels: Sequence[Label], frame: Frame, point: float) -> None:
     """Write the names; `point` is a point of their size in the units of the axis."""
-    ink = np.concatenate([np.zeros((0, 2)), *paper.ink]), np.concatenate([np.zeros((0, 2)), *paper.light])
+    ink = [_by_x(np.concatenate([np.zeros((0, 2)), *points])) for points in (paper.ink, paper.light)]
     taken = np.zeros((0, 2, 2))
     for label in labels:
         half = point * _half(label)
@@ -76,11 +76,17 @@ def _candidates(anchors: Array, half: Array, point: float) -> tuple[Array, Array
     return centres.reshape(-1, 2), np.array(np.broadcast_to(price, centres.shape[:-1])).ravel()
 
 
+def _by_x(points: Array) -> Array:
+    """Return points (n, 2) in the order of x, as columns (2, n)."""
+    return points[np.argsort(points[:, 0])].T
+
+
 def _inside(points: Array, low: Array, high: Array) -> Array:
-    """Count the points (n, 2) in each of the boxes (k, 2)."""
-    x, y = points[np.all((points > np.min(low, axis=0)) & (points < np.max(high, axis=0)), axis=1)].T
-    within = (x > low[:, :1]) & (x < high[:, :1]) & (y > low[:, 1:]) & (y < high[:, 1:])
-    return np.asarray(np.sum(within, axis=1), dtype=float)
+    """Count the points (2, n), in the order of x, in each of the boxes (k, 2)."""
+    x, y = points
+    begins, ends = np.searchsorted(x, low[:, 0], side="right"), np.searchsorted(x, high[:, 0])
+    boxes = zip(begins, ends, low[:, 1], high[:, 1], strict=True)
+    return np.array([np.count_nonzero((y[i:j] > bottom) & (y[i:j] < top)) for i, j, bottom, top in boxes], dtype=float)
 
 
 def _lead(paper: Paper, centre: Array, anchor: Array, half: Array) -> None:
