@@ -471,7 +471,7 @@ static int functions(const Body *B, const real *y, real *g, int *to) {
     real N = normal_force(B, &P);
     if (B->law == SECANT) {
         real F = sqrtl(most(B->K * powered(P.d, B->p - 1), 0)); /* of F/d^((p+1)/2), which does not vanish with d; p = 1: F */
-        real sign = P.d > 0 ? F * powered(P.d, 1) + B->c * sqrtl(B->m) * P.v : B->mode == PULL ? -1 : 1;
+        real sign = F * P.d + B->c * sqrtl(B->m) * P.v; /* goes on beyond the opening: a step may end there */
         g[n] = B->mode == PULL ? -sign : sign, to[n++] = B->mode == PULL ? SLIP : PULL;
     } else if (B->law == SECANT_APPROACHING)
         g[n] = B->approaching ? P.v : -P.v, to[n++] = STICK; /* a kink of the force, no change of mode */
@@ -493,7 +493,7 @@ static void decide(Body *B, real *y, int breaks) {
     real b[3], f[3];
     place(B, y, &P);
     real N = normal_force(B, &P), speed = size(P.s);
-    if (B->law == SECANT && N < 0) { B->mode = PULL; return; }
+    if (B->law == SECANT && N < 0 && B->mode != PULL) { B->mode = PULL; return; } /* what ceases to pull does, but for rounding */
     N = most(N, 0);
     int was = B->mode;
     B->mode = SLIP;
@@ -518,7 +518,7 @@ static void onset(Body *B, real *y, int latch) {
     place(B, y, &P);
     if (latch) B->speed = P.v, B->v0 = most(P.v, B->floor);
     B->approaching = P.v >= 0;
-    B->mode = FLIGHT;
+    if (B->mode != PULL) B->mode = FLIGHT;
     decide(B, y, 0);
 }
 

@@ -141,6 +141,14 @@ def test_laws_that_end_with_the_gap_give_their_restitution(law, exponent):
     assert motion.state[8] == pytest.approx(0.55, rel=1e-12)
 
 
+@pytest.mark.parametrize("law", ["kelvin_voigt", "tsuji"])
+def test_every_linear_contact_that_is_damped_pulls_before_it_opens(law):
+    """However near that is to the opening: a step that ended beyond both passed over the pull."""
+    bodies = [replace(BALL, damping=law, exponent=1, known={"restitution": e}, duration=2.0) for e in (0.7, 0.74, 0.82)]
+    for motion in motions(bodies):
+        assert len(happened(motion, "pulls")) == len(happened(motion, "opens")) > 0
+
+
 def test_restitution_of_jankowski_and_of_ristow():
     """Print of the former (e = .7: .6977); the latter ends where a damped oscillation pulls: closed form."""
     ratio = 0.2
