@@ -393,7 +393,7 @@ class Solution(plain_solution.Solution):
     def _from_its_start(self, what: str) -> tuple[History, Bound, Mapping[str, Value]]:
         """Return steps, parameters and given initial states of a run from its start; raises InputError."""
         run, kept = self.with_steps(), self.checkpoint
-        faults = steps_faults(what, self.method)
+        faults = steps_faults(what, self.method, self.model)
         if not faults and (not run.history.steps or kept is None or self.t_start > 0):
             expected = f"a run from its start, with its steps; of at most {REPEATABLE:,} where it is to be made again"
             faults.append(Fault(what, "a run without its steps or start", expected, 'simulate(..., output="steps")'))

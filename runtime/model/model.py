@@ -134,7 +134,9 @@ class Model:
         """Unit and meaning of the inputs by name; the last `npieces` entries of c are their pieces, see `Signal`."""
         self.smooth: dict[str, tuple[int, str]] = {row[0]: row[1:] for row in getattr(module, "SMOOTH_INPUTS", ())}
         """Continuous derivatives that inputs must have, and for what, of those that must."""
-        self.npieces = WIDTH * len(self.inputs)
+        self.lists: tuple[int, ...] = getattr(module, "LISTS", ())
+        """Sizes of the parts of a list of near pairs, which is among the constants as pieces of inputs are; empty without one."""
+        self.npieces = WIDTH * len(self.inputs) + sum(self.lists)
         self.has_ledger = hasattr(module, "ledger")
         self.on_speeds = np.array([float(row[1] == "m/s") for row in getattr(module, "CONSTRAINTS", ())])
         self.rolling: tuple[tuple[str, bool], ...] = getattr(module, "ROLLING", ())

@@ -11,6 +11,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.integrate.loop.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.loop.automatic import Code, compiled_together, use_compiled
 from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
+from hertzwerk.runtime.integrate.loop.near_list import listing
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Model
@@ -57,7 +58,9 @@ def engine_for(model: Model, method: str, compiled: Compiled, poll: Callable[[],
 
 @per_model
 def _engine(model: Model, method: str) -> Engine:
-    made = integrator(model, tuple(table() for table in METHODS[method]))
+    tables = tuple(table() for table in METHODS[method])
+    near = listing(model, tables)
+    made = integrator(model, tables) if near is None else integrator(near, tables[:1])
     rows = made.layouts.state
     counters = {name: rows[name].start for name in COUNTERS}
     if method in SUNDIALS:  # never in the graph

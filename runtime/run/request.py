@@ -14,6 +14,7 @@ from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime.accuracy.ladder import LEAST
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.integrate.loop.near_list import listing
 from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
 from hertzwerk.runtime.model.binding import Value, read_time
 from hertzwerk.runtime.model.free_quantities import quantities
@@ -108,7 +109,7 @@ class Settings:
             for name in asked
             if not isinstance(name, str) or name not in known
         ]
-        return [*faults, *steps_faults("sensitivities", self.method)] if asked else faults
+        return [*faults, *steps_faults("sensitivities", self.method, model)] if asked else faults
 
     def faults(self) -> list[Fault]:
         """Return the faults of everything but the duration and the output, which depends on it."""
@@ -153,10 +154,13 @@ def read_accuracy(value: object) -> Request | None:
     return Request(float(value)) if _real(value) else None  # type: ignore[arg-type]  # a real number
 
 
-def steps_faults(what: str, method: str) -> list[Fault]:
-    """Return the fault of what follows a run's own steps by a method that has none of ours."""
+def steps_faults(what: str, method: str, model: Model) -> list[Fault]:
+    """Return the fault of what follows a run's own steps by a method that has none of ours, or knows near pairs alone."""
     if method not in SUNDIALS:
-        return []
+        if method not in METHODS or listing(model, tuple(table() for table in METHODS[method])) is None:
+            return []
+        found = f"a run by {method} of {model.k} pairs, which lists the near ones"
+        return [Fault(what, found, "a model of fewer pairs, or a method without a list", 'method="esdirk"')]
     expected = f"a method of {', '.join(IN_GRAPH)}, whose steps are followed"
     return [Fault(what, f"a run by {method}", expected, f'method="{METHOD}"')]
 

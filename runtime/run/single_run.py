@@ -14,8 +14,10 @@ import numpy as np
 from hertzwerk.runtime.accuracy.ladder import LOOSEST, POINTS
 from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume, TimeOverError, keep_to
+from hertzwerk.runtime.integrate.loop.near_list import Departures, constants_of, latches_of, scale_of
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
+from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
@@ -204,6 +206,10 @@ class SingleRun:
             "max_events": self.limits.max_events + self.initial_count("events"),
             "max_steps": self.limits.max_steps + self.initial_count("steps"),
         }
+        near, departures = integrator.model, Departures()
+        if isinstance(near, NearModel):
+            numbers["c"] = constants_of(near, self.given.bound.c, self.given.begin, self.given.q)
+            numbers["scale"] = scale_of(near, scales.state)
         for name, value in numbers.items():
             controls[layout[name]] = value
         state = self._initial_state(controls) if self.start is None else self.start.state.copy()
@@ -214,11 +220,13 @@ class SingleRun:
             loop = partial(loop, with_choice=self.start.with_choice)
         if self.model.inputs:
             loop = partial(loop, schedule=self.model.schedule())
+        if isinstance(near, NearModel):
+            loop = partial(loop, departures=departures)
         p = self.given.bound.p
         accepted = integrator.layouts.state["accepted"].start
 
         def view(rows: np.ndarray) -> History:
-            return History(self.model, rows, controls, integrator, p=p)
+            return History(self.model, rows, controls, integrator, p=p, departures=departures)
 
         recorder = Recorder(view, observers, block or None)
 
@@ -231,15 +239,19 @@ class SingleRun:
             recorder.keep(np.stack([state, ending.last]))
         with suppress(Exception):  # told by the recorder
             recorder.flush()
+        if isinstance(near, NearModel):  # what pairs had summed that left the list is not in the state
+            ending = replace(ending, resume=None)
         if recorder.error is None:
             return ending
         return replace(ending, status=EXCEPTION, error=ending.error or recorder.error, resume=None)
 
     def _initial_state(self, controls: np.ndarray) -> np.ndarray:
         """Return the state of the engine at the start of the motion."""
-        begin = self.engine.begin.take()
+        begin, latches, integrator = self.engine.begin.take(), self.given.latches, self.engine.integrator
+        if isinstance(integrator.model, NearModel):
+            latches = latches_of(integrator.model, latches, controls[integrator.layouts.controls["c"]])
         for place, values in zip(
-            begin.inputs, (self.given.begin, self.given.q, self.given.u, self.given.latches, controls), strict=True
+            begin.inputs, (self.given.begin, self.given.q, self.given.u, latches, controls), strict=True
         ):
             place[:] = values
         state: np.ndarray = begin()[0][0].copy()

@@ -12,13 +12,16 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
+from hertzwerk.runtime.integrate.loop.near_list import Departures
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
+from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of, turns
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.model.readings import Units, evaluate
+from hertzwerk.runtime.solution.near_rows import NearRows, places
 
 _HELD_BY = {  # ending of a constraint's name -> that of the force which holds it
     **{"apart": "force", "off": "force", "turned": "moment", "gap": "normal_force"},
@@ -32,7 +35,8 @@ class History:
 
     rows: states of the engine, shape (rows, ns), as `layout` names them. steps: whether each row is one accepted step
     after the row before, so that the steps between can be interpolated. p: the parameters in SI, which readings need.
-    beside: readings that are listed among the names, and written with them.
+    beside: readings that are listed among the names, and written with them. departures: what pairs had that left a list of
+    near ones.
     """
 
     def __init__(
@@ -45,11 +49,13 @@ class History:
         steps: bool = True,
         p: np.ndarray | None = None,
         beside: tuple[str, ...] = (),
+        departures: Departures | None = None,
     ) -> None:
         self.model = model
         self.rows, self.controls, self.integrator = rows, controls, integrator
         self.steps = steps and integrator is not None
         self.p, self.beside = p, beside
+        self.departures: Departures = {} if departures is None else departures
         self.rates: dict[str, np.ndarray] = {}  # of a saved run, by which it is known between its steps
         self._found: dict[str, np.ndarray] = {}
 
@@ -94,9 +100,53 @@ class History:
         return self._found[name]
 
     def part(self, name: str) -> np.ndarray:
-        """Columns of a part of the rows, shape (rows, size)."""
+        """Columns of a part of the rows, shape (rows, size); of pairs those of all."""
+        if self.near is not None:
+            return self.near.part(name)
         part: np.ndarray = self.rows[:, self.columns(name)]
         return part
+
+    @cached_property
+    def near(self) -> NearRows | None:
+        """The rows by pair, where they have a list of near ones."""
+        model = None if self.integrator is None else self.integrator.model
+        if not isinstance(model, NearModel):
+            return None
+        return NearRows(model, self.engine.layouts.state, self.rows, self.departures)
+
+    def of_pair(self, name: str, pair: int) -> np.ndarray:
+        """Return the column of a pair in a part that has one for each, shape (rows,)."""
+        if self.near is not None:
+            return self.near.column(name, pair)
+        column: np.ndarray = self.rows[:, self.columns(name).start + pair]
+        return column
+
+    def memory(self, row: int) -> np.ndarray:
+        """Return a row of memory, shape (rows,)."""
+        if self.near is not None:
+            return self.near.memory(row)
+        column: np.ndarray = self.rows[:, self.columns("y").start + self.model.nq + self.model.nu + row]
+        return column
+
+    def latch(self, row: int, pair: int) -> np.ndarray:
+        """Return a row of what is latched, that is of a pair, shape (rows,)."""
+        if self.near is not None:
+            return self.near.latch(row, pair)
+        column: np.ndarray = self.rows[:, self.columns("m").start + row]
+        return column
+
+    def places(self, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+        """Return the places of pairs (n,) in the parts of these rows (n, ns) of the engine."""
+        if not isinstance(self.engine.model, NearModel):
+            return pairs
+        return places(self.engine.model, rows[:, self.columns("pieces")], pairs)
+
+    def busy(self) -> list[int]:
+        """Return the pairs that are not in flight at some row."""
+        if self.near is not None:
+            return self.near.busy()
+        found: list[int] = np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
+        return found
 
     def columns(self, name: str) -> slice:
         """Return the columns of a part in a row."""
@@ -117,12 +167,17 @@ class History:
         ny = [*model.coordinates, *model.speeds, *model.memory]
         if name == "t":
             return {name: self.part("t")[:, 0]}
+        if name in ny and self.near is not None:
+            i = ny.index(name)
+            moving = model.nq + model.nu
+            return {name: self.rows[:, self.columns("y").start + i] if i < moving else self.near.memory(i - moving)}
         if name in ny:
             return dict(zip(ny, self.part("y").T, strict=True))
         if name in model.outputs:
             return dict(zip(model.outputs, self.map("outputs", "t q u")[0].T, strict=True))
         if name in model.latches:
-            return {name: self.part("m")[:, model.latches.index(name)]}
+            row = model.latches.index(name)
+            return {name: self.latch(row, model.module.LATCHES[row][2])}
         for i, (slip, *_) in enumerate(model.slips):
             if name == slip:
                 return {name: self.part("m")[:, len(model.latches) + i]}
@@ -154,17 +209,24 @@ class History:
         return np.hstack([self.part(name) for name in ENERGY_PARTS]).T
 
     def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
-        mode = self.part("mode")[:, j]
+        mode = self.of_pair("mode", j)
         if part == "gap":
-            return self._gap(pair, self.part("gap")[:, j])
+            return self._gap(pair, self._event_function(j)[0] if self.near else self.of_pair("gap", j))
+        if part == "gap_rate" and self.near:
+            return self._event_function(j)[1]
         if part == "penetration":
             return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
         if part == "sliding_velocity":
             velocity = self.map(f"contact_{pair}", "t q u z m")[3]
             along = velocity[:, 0] if velocity.shape[1] == 1 else np.hypot(*velocity.T)
             return np.where(mode == CONTACT, along, 0)  # apart, the direction of contact may not exist
-        columns: np.ndarray = self.part({"normal_force": "force"}.get(part, part))[:, j]
-        return columns
+        return self.of_pair({"normal_force": "force"}.get(part, part), j)
+
+    def _event_function(self, j: int) -> list[np.ndarray]:
+        """Return the gap of a pair and its rate, listed or not."""
+        y, nq, nu = self.rows[:, self.columns("y")], self.model.nq, self.model.nu
+        tables = (self.rows[:, self.columns("t")], y[:, :nq], y[:, nq : nq + nu])
+        return [x[:, 0] for x in _gap_of(self.model, j)(self.controls[: self.model.nc], *tables)]
 
     def _gap(self, pair: str, event: np.ndarray) -> np.ndarray:
         """Return the distance [m] of the surfaces from the event function G.
@@ -212,7 +274,7 @@ class History:
 
     def touches(self, pair: int) -> np.ndarray:
         """Return whether the surfaces of a pair touch, shape (rows,)."""
-        found: np.ndarray = self.part("mode")[:, pair] == CONTACT
+        found: np.ndarray = self.of_pair("mode", pair) == CONTACT
         return found
 
     def held(self) -> np.ndarray:
@@ -307,7 +369,16 @@ class History:
 
     def of(self, rows: np.ndarray) -> History:
         """Return histories over other rows (n, ns) of the same run."""
-        return History(self.model, rows, self.controls, self.integrator, steps=False, p=self.p, beside=self.beside)
+        return History(
+            self.model,
+            rows,
+            self.controls,
+            self.integrator,
+            steps=False,
+            p=self.p,
+            beside=self.beside,
+            departures=self.departures,
+        )
 
     def with_names(self, names: Iterable[str]) -> History:
         """Return the same histories with readings listed among them; raises KeyError for an unknown name."""
@@ -317,7 +388,16 @@ class History:
         if not asked:
             return self
         beside = (*self.beside, *asked)
-        return History(self.model, self.rows, self.controls, self.integrator, steps=self.steps, p=self.p, beside=beside)
+        return History(
+            self.model,
+            self.rows,
+            self.controls,
+            self.integrator,
+            steps=self.steps,
+            p=self.p,
+            beside=beside,
+            departures=self.departures,
+        )
 
 
 @per_model
@@ -352,6 +432,13 @@ def unknown_histories(model: Model, names: Iterable[str]) -> list[Fault]:
 def rowwise(model: Model, function: str, constant: int) -> Rowwise:
     """Return a model's function of a state and, as the last argument, c; that one is constant."""
     return Rowwise(model.with_pieces(model.function(function), constant), constant=constant)
+
+
+@per_model
+def _gap_of(model: Model, j: int) -> Rowwise:
+    given = model.symbols("t q u c")
+    found = [x[j] for x in model.function("gaps").call(given)]
+    return Rowwise(ca.Function("gap_of", given, found), constant=3)
 
 
 @per_model

@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.integrate.step.layout import FLIGHT
+from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -45,9 +46,10 @@ def peaks(history: History, controls: np.ndarray, pairs: np.ndarray, tops: np.nd
     tops    by KINDS the row of the largest value, between its neighbours (n, kinds, 3, ns)
     """
     count, kinds, _, ns = tops.shape
-    asked = np.zeros((count, kinds, 2, kinds * history.model.k))
+    k = history.engine.model.k
+    asked = np.zeros((count, kinds, 2, kinds * k))
     for kind, (_, _, sign) in enumerate(KINDS):
-        asked[np.arange(count), kind, :, pairs + kind * history.model.k] = sign
+        asked[np.arange(count), kind, :, history.places(tops[:, kind, 1], pairs) + kind * k] = sign
     sides = (tops[:, :, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3)))
     found = history.by_method(
         crest, *sides, asked.reshape(-1, asked.shape[-1]), controls=np.repeat(controls, kinds * 2, axis=0)
@@ -68,12 +70,13 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
     safe (Chandrupatla, Adv. Eng. Softw. 28 (1997) 145). It is flat: where the next root is within PEAK of the step,
     the value there follows from value and rate here.
     """
-    vectors = integrator.layouts
+    vectors, model = integrator.layouts, integrator.model
     sizes = {"controls": vectors.controls.size, "state": vectors.state.size, "asked": len(KINDS) * model.k}
-    controls, state, asked = (ca.SX.sym(name, size) for name, size in sizes.items())
-    trial, upper = vectors.trial.symbol("trial"), vectors.state.symbol("upper")
+    kind: Any = ca.MX if isinstance(model, NearModel) else ca.SX
+    controls, state, asked = (kind.sym(name, size) for name, size in sizes.items())
+    trial, upper = vectors.trial.symbol("trial", kind), vectors.state.symbol("upper", kind)
     old, new, end = vectors.state.split(state), vectors.state.split(upper), vectors.trial.split(trial)
-    c = vectors.controls.split(controls)["c"]
+    c = vectors.within(vectors.controls.split(controls), old)["c"]
 
     def rate(parts: dict[str, Any]) -> Any:
         of_each = ca.vertcat(*(parts[name] for _, name, _ in KINDS))
@@ -165,6 +168,8 @@ def distances(model: Model, at: dict[str, Any], c: Any) -> Any:
     The event function G of round surfaces is their gap to first order only: that of two spheres is an output, that of
     a pin in a bush follows from its eccentricity; see `History`.
     """
+    if isinstance(model, NearModel):
+        return model.of_places("distances")(at["t"], *model.parts(at["y"])[:2], c)
     gaps = ca.vertsplit(at["gap"])
     outputs = model.function("outputs")(at["t"], at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu], c)
     for j, pair in enumerate(model.pairs):

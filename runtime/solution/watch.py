@@ -124,25 +124,24 @@ class LastingContacts:
     """
 
     def __init__(self, model: Model) -> None:
-        latched = [(pair, row) for row, (*_, pair) in enumerate(model.module.LATCHES)]
-        self._model, self._pairs, self._rows = model, [pair for pair, _ in latched], [row for _, row in latched]
-        self._booked = [model.nq + model.nu + row for row in model.module.DISSIPATED] if model.has_ledger else []
+        self._model, self._latched = model, [(pair, row) for row, (*_, pair) in enumerate(model.module.LATCHES)]
+        self._booked = list(model.module.DISSIPATED) if model.has_ledger else []
         self._open: dict[int, np.ndarray] = {}  # contacts that are not over, by pair, with what was booked at the onset
         self._ended: list[tuple[int, np.ndarray]] = []  # pairs and their contacts (n, 4)
         self._now: dict[int, float] = {}  # booked for pairs by now [J]
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
-        if not self._pairs:
-            return
-        modes, speeds = block.part("mode")[fresh:, self._pairs], block.part("m")[fresh:, self._rows]
-        ratios = np.where(modes == CONTACT, np.abs(block.part("gap_rate")[fresh:, self._pairs]) / speeds, 0.0)
-        beyond: np.ndarray = np.any(ratios > BEYOND, axis=0)
-        for i, j in enumerate(self._pairs):
-            if beyond[i] or j in self._open or modes[-1, i] != FLIGHT:
-                booked = block.part("y")[fresh:, self._booked[j]] if self._booked else np.full(len(modes), math.nan)
+        busy, t = {*block.busy(), *self._open}, block.t[fresh:]
+        for j, latch in self._latched:
+            if j not in busy:
+                continue
+            modes, speeds = block.of_pair("mode", j)[fresh:], block.latch(latch, j)[fresh:]
+            ratios = np.where(modes == CONTACT, np.abs(block.of_pair("gap_rate", j)[fresh:]) / speeds, 0.0)
+            if np.any(ratios > BEYOND) or j in self._open or modes[-1] != FLIGHT:
+                booked = block.memory(self._booked[j])[fresh:] if self._booked else np.full(len(modes), math.nan)
                 self._now[j] = float(booked[-1])
-                self._follow(j, modes[:, i], np.stack([block.t[fresh:], speeds[:, i], ratios[:, i], booked], axis=1))
+                self._follow(j, modes, np.stack([t, speeds, ratios, booked], axis=1))
 
     def _follow(self, j: int, modes: np.ndarray, rows: np.ndarray) -> None:
         """Follow the contacts of a pair through rows, each as a contact would be that begins and ends with it."""
@@ -186,7 +185,8 @@ def follow(watches: Sequence[Watch]) -> None:
     """Follow the contacts of runs of a model through the blocks that wait."""
     while left := [watch for watch in watches if watch.waiting]:
         pieces = [watch.waiting.pop(0) for watch in left]
-        for j in range(left[0].model.k):
+        open_or_new = {j for watch in left for j in watch.open} | {j for block, _ in pieces for j in block.busy()}
+        for j in sorted(open_or_new):
             _follow(left, pieces, j)
         many = [(watch, watch.ended) for watch in left if sum(len(some.t) for some in watch.ended) >= TOGETHER]
         for (watch, _), found in zip(many, _with_peaks(many), strict=True):
@@ -221,7 +221,7 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     begun = [watch.open.pop(j, None) for watch in watches]
     stops = np.cumsum([rows.stop - rows.start for _, rows in pieces])
     starts = np.append(0, stops[:-1])
-    modes, t = _joined(pieces, "mode", j), _joined(pieces, "t", 0)
+    modes, t = _joined(pieces, "mode", j), np.concatenate([block.t[rows] for block, rows in pieces])
     touching, is_open = modes == CONTACT, goes_on(modes, [each is not None for each in begun], starts)
     touched = _before(touching, starts, [each is not None and math.isnan(each.left[0]) for each in begun])
     for watch, contact, start in zip(watches, begun, starts.tolist(), strict=True):
@@ -281,9 +281,9 @@ def _before(values: np.ndarray, starts: np.ndarray, first: bool | Sequence[bool]
     return found
 
 
-def _joined(pieces: Sequence[Piece], part: str, column: int) -> np.ndarray:
-    """Return a column of a part of all pieces (n,)."""
-    return np.concatenate([block.part(part)[rows, column] for block, rows in pieces])
+def _joined(pieces: Sequence[Piece], part: str, pair: int) -> np.ndarray:
+    """Return the column of a pair in a part of all pieces (n,)."""
+    return np.concatenate([block.of_pair(part, pair)[rows] for block, rows in pieces])
 
 
 def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

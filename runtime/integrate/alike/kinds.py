@@ -8,7 +8,7 @@ that of one, or block by block where most of them are not wanted.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -51,19 +51,22 @@ class Kind:
         gathered = [known[of[0]] if len(set(of)) == 1 else known[list(of)] for of in columns]
         return self._over(gathered, len(self.items))
 
-    def results_at(self, known: Any, slots: Any, places: list[tuple[int, ...]]) -> tuple[list[Any], list[Any]]:
+    def results_at(
+        self, known: Any, slots: Any, places: list[tuple[int, ...]], own: Mapping[int, Any] | None = None
+    ) -> tuple[list[Any], list[Any]]:
         """Return each result of the items in `slots` alone, and their entries in columns of places.
 
         slots    their places among `items` (MX)
         places    columns with an entry for each item. A slot that no item has, the number of items, has results that mean
                   nothing, and negative places
+        own    columns, with an entry for each slot, that stand for some of the known values
         """
-        n = slots.numel()
+        n, own = slots.numel(), own or {}
         columns = list(zip(*self.leaves, strict=True))
         varying = [i for i, of in enumerate(columns) if len(set(of)) > 1]
-        found = _entries([columns[i] for i in varying] + places, slots)
+        found = entries([columns[i] for i in varying] + places, slots)
         leaves = known.get_nz(False, ca.vertcat(ca.MX(0, 1), *found[: len(varying)]))
-        gathered = [known[of[0]] for of in columns]
+        gathered = [own[of[0]] if of[0] in own else known[of[0]] for of in columns]
         for i, column in zip(varying, ca.vertsplit(leaves, n) if varying else [], strict=True):
             gathered[i] = column
         if n > 1:
@@ -276,7 +279,7 @@ def _form(nodes: list[Node], roots: list[int], is_shared: list[bool]) -> tuple[t
     return (*lines, ("results", *(number[root] for root in roots))), leaves
 
 
-def _entries(columns: list[tuple[int, ...]], slots: Any) -> list[Any]:
+def entries(columns: list[tuple[int, ...]], slots: Any) -> list[Any]:
     """Return the entries of columns of numbers at places (MX); a negative number where there are none.
 
     Columns that differ by a number are looked up once.

@@ -221,7 +221,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
         "status": status,
         "accepted": ca.DM(1),
         "fresh_contact": in_contact,
-        "pieces": run["c"][model.nc - model.npieces :] if model.inputs else ca.DM(0, 1),  # of one constant 1 x 0
+        "pieces": run["c"][model.nc - model.npieces :] if model.npieces else ca.DM(0, 1),  # of one constant 1 x 0
         "stop": run["t_end"] if model.inputs else ca.DM(0, 1),
         "evaluations": ca.DM(3 if model.k else 1),
         "floored": floored,

@@ -18,6 +18,7 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.step.control import factor, limited_by_surfaces, roughness, step_to_continue
 from hertzwerk.runtime.integrate.step.implicit import linearised, uses_calls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN, REJECTED, RELEASED, SPECIAL, Layouts
+from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.set_valued_friction import margins_positive, may_slip
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.step.stepper import stages_inlined, stepper
@@ -129,6 +130,9 @@ def _judged(
     error, in_range = end.pop("error"), end.pop("in_range")
     if model.k:
         unseen = unresolved(run, mode, old, end)
+        if isinstance(model, NearModel):
+            used = model.used(run, old, end)
+            unseen = ca.fmax(unseen, ca.if_else(used > 1, used, 0))  # no error that a shorter step has less of
         error = ca.if_else(unseen > error, unseen, error)  # one that is not finite stays
     remaining = run["t_end"] - end["t"]
     passed = (error <= 1) * is_finite(end)

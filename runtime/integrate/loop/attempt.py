@@ -13,10 +13,12 @@ from hertzwerk.runtime.integrate.events.modes import begin, enter
 from hertzwerk.runtime.integrate.events.settle import reject, settle
 from hertzwerk.runtime.integrate.loop.advance import advance, lean, no_event_of_any_pair
 from hertzwerk.runtime.integrate.loop.choose import Choosing
+from hertzwerk.runtime.integrate.loop.near_list import keeps_to_list
 from hertzwerk.runtime.integrate.loop.turning import implicit_near_rest, passes_by_implicit_steps
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import REJECTED, RUNNING, Layouts, layouts
+from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.singular import explicit_near
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dopri5
@@ -97,6 +99,8 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     taking = state[vectors.state["class"]] * (state[vectors.state["status"]] >= RUNNING)
     end, verdict = advanced(_case(taking, method, len(classes)), state, controls)
     done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
+    if isinstance(model, NearModel):
+        done = keeps_to_list(model, vectors)(done, controls)
     if passes_by_implicit_steps(model, tables):
         done = implicit_near_rest(model, tables, taken, alone=choosing is Choosing.NONE)(done, controls)
     if model.nl and not all(isinstance(table, RungeKutta) for table in taken):

@@ -13,9 +13,11 @@ import numpy as np
 from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, PATIENCE
+from hertzwerk.runtime.integrate.loop.near_list import Departures, renewed
 from hertzwerk.runtime.integrate.loop.pieces import Pieces
 from hertzwerk.runtime.integrate.loop.tally import tally
-from hertzwerk.runtime.integrate.step.layout import CALM, FINISHED, RUNNING, SUSPECT, TOO_MANY_STEPS
+from hertzwerk.runtime.integrate.step.layout import CALM, FINISHED, RUNNING, STALE, SUSPECT, TOO_MANY_STEPS
+from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.signal import Schedule
@@ -135,6 +137,7 @@ def march(
     progress: Callable[[float], object] | None = None,
     with_choice: bool = False,
     schedule: Schedule | None = None,
+    departures: Departures | None = None,
 ) -> Ending:
     """Call a chunk until the run is over; an exception ends it with the states so far.
 
@@ -145,9 +148,10 @@ def march(
     deadline   of `time.perf_counter` [s]: where it ends, after one call at least; a compiler is stopped
     with_choice   begin with steps that choose between methods
     schedule   of the inputs: where a piece ends a step does, and a row before it and one after it are kept
+    departures   receives what pairs had that left a list of near ones
     """
     pieces = None if schedule is None else Pieces(integrator, schedule, controls)
-    run = _March(provider, integrator, Resume(state, with_choice), controls, pieces)
+    run = _March(provider, integrator, Resume(state, with_choice), controls, pieces, departures)
     error: Exception | None = None
 
     def poll() -> None:
@@ -188,6 +192,7 @@ class _March:
         start: Resume,
         controls: np.ndarray,
         pieces: Pieces | None,
+        departures: Departures | None = None,
     ) -> None:
         if pieces is not None:
             start = Resume(pieces.given(start.state), start.with_choice)
@@ -204,7 +209,11 @@ class _March:
         self._stall = self._tried, self._t_start  # attempts and time from which progress is watched
         (self._tally,) = tally(integrator.model).first(state, controls)
         self._free = True  # of where the run is to end
-        self._with_choice = False
+        self._with_choice, self._near, self._departures = (
+            False,
+            integrator.model,
+            {} if departures is None else departures,
+        )
         self._began = time.perf_counter()
         # s of the processor on attempts alone, and on the clock: neither what else it does nor what is built tells the pace
         self._spent = self._clocked = 0.0
@@ -242,6 +251,9 @@ class _March:
             self.status = states[-1, status] = RUNNING
             # the next step that is stiff indeed decides
             states[-1, self._at["pressure"]] = PATIENCE - 1 if chooses else 0.0
+        stale = self.status == STALE
+        if stale:
+            self.status = states[-1, status] = RUNNING
         if self._pieces is not None and self.status == FINISHED and self._pieces.ended(states[-1]):
             states[-1, status] = RUNNING
             states = np.vstack([states, self._pieces.given(states[-1])])
@@ -251,6 +263,8 @@ class _March:
                 states[-1, self._at[name]] = value
             chooses = True
         self._state, self._tally = states[-1].copy(), tallied.copy()
+        if stale and isinstance(self._near, NearModel):
+            self._state = renewed(self._near, self._state, self._controls, self._departures)
         return states, chooses
 
     def _fails(self, states: np.ndarray) -> bool:

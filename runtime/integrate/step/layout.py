@@ -104,7 +104,8 @@ class Layouts:
         if not pieces:
             return run
         kept = self.controls.sizes["c"] - pieces
-        return {**run, "c": ca.vertcat(run["c"][:kept], state["pieces"]), "t_end": state["stop"]}
+        stop = state["stop"] if self.state.sizes["stop"] else run["t_end"]
+        return {**run, "c": ca.vertcat(run["c"][:kept], state["pieces"]), "t_end": stop}
 
 
 # Pairs beyond which what handles a step is in operations on vectors (MX): loops in C, not an operation for each pair.
@@ -113,6 +114,7 @@ FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
 # status
 RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE = range(4)
 CONSTRAINT_LOST, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(4, 8)
+STALE = -3.0  # status where far pairs may come near before the next step ends: the list of near ones is made anew
 CALM = -2.0  # status of steps that choose where nothing is stiff: the run goes on with explicit steps alone
 SUSPECT = -1.0  # status of explicit steps that look stiff, of implicit ones near a singular position: the run goes on with steps that choose
 # kind of a step: nothing speaks against it; a pair that was not asked may be near; something may happen in it; it failed
@@ -169,5 +171,5 @@ def layouts(model: Model) -> Layouts:
         ),
         trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": model.nr, "error": 1}),
         verdict=Layout({"kind": 1, "error": 1, "in_range": model.nr}),
-        kind=ca.MX if k > MANY and not model.ns else ca.SX,
+        kind=ca.MX if model.lists or (k > MANY and not model.ns) else ca.SX,
     )

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.alike.kinds import Alike, alike, over_items
+from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike, entries, over_items
 from hertzwerk.runtime.integrate.alike.selection import added, running_sum
 from hertzwerk.runtime.integrate.step.layout import CONTACT
+from hertzwerk.runtime.integrate.step.near_pairs import NONE, OWN, NearModel, contact_items
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -27,12 +28,16 @@ SPARSE = 16  # times a rung: pairs of a kind from which it is one: each adds 40 
 @per_model
 def of_pairs(model: Model, name: str) -> Any:
     """Return a function of the module with results for each pair, by operations on vectors (MX)."""
+    if isinstance(model, NearModel):
+        return model.of_places(name)
     return over_items(model.function(name))
 
 
 @per_model
 def stored_energies(model: Model) -> Any:
     """Return the function (t, q, u, c) -> elastic energies (k) [J] of the pairs (MX)."""
+    if isinstance(model, NearModel):
+        return model.of_places("stored")
     given = model.symbols("t q u c")
     return over_items(ca.Function("stored", given, [model.function("energy")(*given)[2]]))
 
@@ -67,6 +72,8 @@ class ContactForces:
 @per_model
 def contact_forces(model: Model) -> ContactForces | None:
     """Build the functions of the contacts of many pairs; None where pairs are not alike."""
+    if isinstance(model, NearModel):
+        return _OfPlaces(model).functions()
     t, y, m, c = given = model.symbols("t y m c")
     q, u, z = model.parts(y)
     nf = model.function("applied").numel_out(0)
@@ -81,6 +88,10 @@ def contact_forces(model: Model) -> ContactForces | None:
     return None if found is None else _Evaluation(model, found, rows).functions()
 
 
+_Placed: TypeAlias = tuple[Kind, list[int], Any]
+_Values: TypeAlias = tuple[list[Any], list[Any], Any]
+
+
 class _Evaluation:
     """Contacts of a model by kind.
 
@@ -90,18 +101,20 @@ class _Evaluation:
     def __init__(self, model: Model, found: Alike, rows: list[tuple[int, ...]]) -> None:
         self._model, self._found, self._rows = model, found, rows
         self._nf = model.function("applied").numel_out(0)
-        sizes = [len(kind.items) for kind in found.kinds]
-        self._ladder = [rung for rung in LADDER if SPARSE * rung <= max(sizes)]
-        self._most = [max((rung for rung in self._ladder if SPARSE * rung <= size), default=0) for size in sizes]
+        self._places = [places for _, places, _ in self._kinds(found)]
+        self._ladder = [rung for rung in LADDER if SPARSE * rung <= max(map(len, self._places))]
+        self._most = [
+            max((rung for rung in self._ladder if SPARSE * rung <= len(of)), default=0) for of in self._places
+        ]
 
     def functions(self) -> ContactForces:
         """Build all functions."""
         t, y, mode, m, c = self._model.symbols("t y mode m c", ca.MX)
         touching, dy = ca.MX.sym("touching", 1 + sum(self._most)), ca.MX.sym("dy", y.numel())
-        given, forces = [t, y, mode, m, c, touching], [len(self._rows[kind.items[0]]) for kind in self._found.kinds]
+        given, forces = [t, y, mode, m, c, touching], [self._forces(kind.items[0]) for kind in self._found.kinds]
         pushes = self._found.with_results([[*range(n)] for n in forces])
         rates = self._found.rates(forces, 2)
-        at, moving = [t, y, m, c], [t, y, m, c, ca.MX(1), dy]
+        at, moving = self._inputs(t, y, m, c, dy)
         return ContactForces(
             touching=ca.Function("touching", [mode], [self._touching(mode)]),
             pushes=self._by_rung("pushes", given, pushes, at, []),
@@ -110,6 +123,18 @@ class _Evaluation:
             depends=self._depends(pushes),
             reads_memory=any(place >= self._model.nq + self._model.nu for place in pushes.taken[1]),
         )
+
+    def _forces(self, item: int) -> int:
+        """Return how many entries of generalised force and dz a pair has."""
+        return len(self._rows[item])
+
+    def _inputs(self, t: Any, y: Any, m: Any, c: Any, dy: Any) -> tuple[list[Any], list[Any]]:
+        """Return the inputs of the items, and those of their rates."""
+        return [t, y, m, c], [t, y, m, c, ca.MX(1), dy]
+
+    def _kinds(self, found: Alike) -> list[_Placed]:
+        """Return each kind, the pairs of its places, and what else says which item is in which place."""
+        return [(kind, kind.items, None) for kind in found.kinds]
 
     def _depends(self, pushes: Alike) -> Any:
         """Return the pattern (DM) of generalised force and dz by y."""
@@ -121,20 +146,21 @@ class _Evaluation:
             for item, leaves in zip(kind.items, kind.leaves, strict=True):
                 for row, column in pattern:
                     part, entry = known[leaves[column]]
-                    if part == 1:
+                    if part == 1 and row < len(self._rows[item]):
                         at.append(self._rows[item][row])
                         by.append(entry)
-        return ca.DM(ca.Sparsity.triplet(self._nf + self._model.nz, pushes.shared.numel_in(1), at, by), 1)
+        ny = self._model.nq + self._model.nu + self._model.nz
+        return ca.DM(ca.Sparsity.triplet(self._nf + self._model.nz, ny, at, by), 1)
 
     def _touching(self, mode: Any) -> Any:
         """Return the rung, and of each kind the places of as many touching pairs as its highest rung has."""
-        kinds = [(kind, most) for kind, most in zip(self._found.kinds, self._most, strict=True) if most]
+        kinds = [(places, most) for places, most in zip(self._places, self._most, strict=True) if most]
         if not kinds:
             return ca.MX(0)
-        sizes, slots = [len(kind.items) for kind, _ in kinds], [most for _, most in kinds]
+        sizes, slots = [len(places) for places, _ in kinds], [most for _, most in kinds]
         ends, first = [*accumulate(sizes, initial=0)], [*accumulate(slots, initial=0)]
         of = [i for i, size in enumerate(sizes) for _ in range(size)]
-        active = mode[[item for kind, _ in kinds for item in kind.items]] == CONTACT
+        active = mode[[place for places, _ in kinds for place in places]] == CONTACT
         rank = ca.vertcat(0, running_sum(active))
         before = rank[ends]
         counts, place = before[1:] - before[:-1], rank[1:] - before[of]
@@ -165,24 +191,88 @@ class _Evaluation:
         at: list[Any] = [ca.MX(0, 1)]
         pushes: list[Any] = [ca.MX(0, 1)]
         of_pairs = [ca.MX(ca.DM([value] * k)) for value in otherwise]
-        for kind, most in zip(found.kinds, self._most, strict=True):
-            forces = kind.one.numel_out(0) - len(otherwise)
-            places = [*zip(*(self._rows[item][:forces] for item in kind.items), strict=True), tuple(kind.items)]
+        for kind, most in zip(self._kinds(found), self._most, strict=True):
+            forces = kind[0].one.numel_out(0) - len(otherwise)
             if rung is not None and rung <= most:
-                columns, (*rows, items) = kind.results_at(known, touching[start : start + rung], places)
+                columns, rows, places = self._at(found, kind, known, given, touching[start : start + rung], forces)
             else:
-                active = mode[kind.items] == CONTACT
+                active = mode[kind[1]] == CONTACT
                 idle = [*[0.0] * forces, *otherwise]
-                columns = [ca.if_else(active, x, value) for x, value in zip(kind.results(known), idle, strict=True)]
-                *rows, items = [list(of) for of in places]
+                values, rows, places = self._of_all(found, kind, known, given, forces)
+                columns = [ca.if_else(active, x, value) for x, value in zip(values, idle, strict=True)]
             start += most
             at += [row if isinstance(row, ca.MX) else ca.MX(ca.DM(row)) for row in rows]
             pushes += columns[:forces]
             of_pairs = [
-                added(column, items, values - value)
+                added(column, places, values - value)
                 for column, values, value in zip(of_pairs, columns[forces:], otherwise, strict=True)
             ]
         if len(pushes) == 1:
             return of_pairs
         total = added(ca.MX(self._nf + self._model.nz, 1), ca.vertcat(*at), ca.vertcat(*pushes))
         return [total[: self._nf], total[self._nf :], *of_pairs]
+
+    def _at(self, found: Alike, kind: _Placed, known: Any, given: list[Any], slots: Any, forces: int) -> _Values:
+        """Return the results of a kind in some of its places (MX), the rows of its forces and the pairs."""
+        of, items, _ = kind
+        columns, (*rows, pairs) = of.results_at(known, slots, [*self._columns(items, forces), tuple(items)])
+        return columns, rows, pairs
+
+    def _of_all(self, found: Alike, kind: _Placed, known: Any, given: list[Any], forces: int) -> _Values:
+        """Return the results of a kind in all of its places, the rows of its forces and the pairs."""
+        of, items, _ = kind
+        return of.results(known), self._columns(items, forces), items
+
+    def _columns(self, items: list[int], forces: int) -> list[tuple[int, ...]]:
+        """Return columns of rows with an entry for each item."""
+        return [*zip(*(self._rows[item][:forces] for item in items), strict=True)]
+
+
+class _OfPlaces(_Evaluation):
+    """Contacts in the places of a list of near pairs: each place's number among the constants says which pair it has."""
+
+    _model: NearModel
+
+    def __init__(self, model: NearModel) -> None:
+        found, forces, memory = contact_items(model.whole)
+        if found is None:
+            raise ValueError("contacts that are not alike have no places")
+        self._memory = [len(rows) for rows in memory]
+        super().__init__(model, found, [tuple(rows) for rows in forces])
+
+    def _forces(self, item: int) -> int:
+        return len(self._rows[item]) + self._memory[item]
+
+    def _inputs(self, t: Any, y: Any, m: Any, c: Any, dy: Any) -> tuple[list[Any], list[Any]]:
+        whole, x = self._model.whole, slice(self._model.nq + self._model.nu)
+        at = [t, y[x], ca.DM.ones(self._found.shared.numel_in(OWN)), c[: whole.nc], ca.DM(whole.nz, 1)]
+        return at, [*at, ca.MX(1), dy[x]]
+
+    def _kinds(self, found: Alike) -> list[_Placed]:
+        return self._model.by_places(found)
+
+    def _at(self, found: Alike, kind: _Placed, known: Any, given: list[Any], slots: Any, forces: int) -> _Values:
+        of, places, shift = kind
+        _, _, _, m, c, *_ = given
+        near, *_ = self._model.lists_of(c)
+
+        def chosen(column: Any, otherwise: float) -> Any:
+            return column if slots is None else ca.vertcat(column, otherwise).get_nz(False, slots)
+
+        number = near[places]
+        item = chosen(ca.if_else(number > NONE, number - shift, len(of.items)), len(of.items))
+        inputs = [(part, entry) for part, entries in enumerate(found.taken) for entry in entries]
+        latches = {
+            i: chosen(m[[entry * self._model.k + place for place in places]], 1)
+            for i, (part, entry) in enumerate(inputs)
+            if part == OWN
+        }
+        pushed = min(forces, len(self._rows[of.items[0]]))
+        columns, rows = of.results_at(known, item, self._columns(of.items, pushed), latches)
+        of_place = [tuple(self._nf + self._model.rows[j][i] for j in places) for i in range(forces - pushed)]
+        (*memory, pairs) = [*of_place, tuple(places)] if slots is None else entries([*of_place, tuple(places)], slots)
+        return columns, [*rows, *memory], pairs
+
+    def _of_all(self, found: Alike, kind: _Placed, known: Any, given: list[Any], forces: int) -> _Values:
+        columns, rows, pairs = self._at(found, kind, known, given, None, forces)
+        return columns, rows, list(pairs)

@@ -43,11 +43,11 @@ def gap_rounding(model: Model) -> Any:
         found = alike(given, [ca.vertcat(*parts) for parts in items])
         if found is not None:
             symbols = gaps.mx_in()
-            return ca.Function("rounding", symbols, _of_kinds(found, STATE).results(symbols))
+            return ca.Function("rounding", symbols, of_kinds(found, STATE).results(symbols))
     return bounds(gaps, STATE)
 
 
-def _of_kinds(found: Alike, rounded: tuple[int, ...]) -> Alike:
+def of_kinds(found: Alike, rounded: tuple[int, ...]) -> Alike:
     """Return the items with rounding error bounds of their results: of a kind, not of each."""
     given = found.shared.sx_in()
     values = found.shared(*given)
