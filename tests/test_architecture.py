@@ -74,10 +74,10 @@ ROOMS = {
         "host": "derive/faults",
         "inputs": "derive/faults derive/units measured model run",
         "integrate": "host integrate/events integrate/loop integrate/step model",
-        "integrate/alike": "",
+        "integrate/alike": "model",
         "integrate/events": "integrate/alike integrate/friction integrate/step integrate/tableaux model",
         "integrate/friction": "",
-        "integrate/loop": "host integrate/events integrate/step integrate/tableaux model",
+        "integrate/loop": "host integrate/alike integrate/events integrate/step integrate/tableaux model",
         "integrate/step": "host integrate/alike integrate/friction integrate/tableaux model",
         "integrate/tableaux": "host",
         "loading": "derive/declare derive/faults integrate/loop integrate/step integrate/tableaux model pictures/draw tables",
@@ -93,12 +93,12 @@ ROOMS = {
         "pictures/studies": "accuracy derive/sheets effects fitting integrate/tableaux measured pictures studies validate "
         "work_precision",
         "report": "accuracy derive/html derive/readable host model pictures pictures/draw run solution",
-        "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
+        "run": "accuracy derive/faults derive/units host integrate integrate/alike integrate/loop integrate/step integrate/tableaux model solution "
         "start",
         "sensitivity": "accuracy derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults host inputs integrate/step loading model pictures pictures/draw "
         "pictures/motion report run sensitivity solution tables",
-        "solution": "accuracy derive/faults derive/units host integrate/loop integrate/step integrate/tableaux model",
+        "solution": "accuracy derive/faults derive/units host integrate/alike integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "statics": "derive/faults derive/html host inputs integrate/friction integrate/step loading model pictures/draw run solution start",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "

@@ -155,7 +155,7 @@ def read_accuracy(value: object) -> Request | None:
 
 
 def steps_faults(what: str, method: str, model: Model) -> list[Fault]:
-    """Return the fault of what follows a run's own steps by a method that has none of ours, or knows near pairs alone."""
+    """Return the fault of what follows the steps of a run that has none of ours, or lists near pairs."""
     if method not in SUNDIALS:
         if method not in METHODS or listing(model, tuple(table() for table in METHODS[method])) is None:
             return []

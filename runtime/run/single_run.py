@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import LOOSEST, POINTS
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume, TimeOverError, keep_to
 from hertzwerk.runtime.integrate.loop.near_list import Departures, constants_of, latches_of, scale_of
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
-from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for

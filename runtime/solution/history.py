@@ -11,17 +11,17 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.near_list import Departures
+from hertzwerk.runtime.integrate.loop.near_rows import NearRows, places
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
-from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips_of, groups_of, turns
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.model.readings import Units, evaluate
-from hertzwerk.runtime.solution.near_rows import NearRows, places
 
 _HELD_BY = {  # ending of a constraint's name -> that of the force which holds it
     **{"apart": "force", "off": "force", "turned": "moment", "gap": "normal_force"},

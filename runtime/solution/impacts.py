@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.layout import FLIGHT
-from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 

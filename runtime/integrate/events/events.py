@@ -17,7 +17,6 @@ import casadi as ca
 from hertzwerk.runtime.integrate.alike.selection import places_of
 from hertzwerk.runtime.integrate.events.jumps import LOCATED, falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, MANY, RELEASED, Layouts
-from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.rounding import gap_rounding, time_rounding
 from hertzwerk.runtime.integrate.step.set_valued_friction import (
     LANDING,
@@ -51,8 +50,7 @@ def floors(model: Model, at: Mapping[str, Any], c: Any) -> Any:
     if not model.k:
         return ca.DM(0, 1)
     q, u = at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu]
-    bounds = model.of_places("rounding") if isinstance(model, NearModel) else gap_rounding(model)
-    return ca.vertcat(*bounds(at["t"], q, u, c))
+    return ca.vertcat(*gap_rounding(model)(at["t"], q, u, c))
 
 
 def tolerances(model: Model, run: Mapping[str, Any], at: Mapping[str, Any], known: Any = None) -> tuple[Any, Any, Any]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.host.interrupt import poll
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.events.events import far_apart, no_event_possible, unresolved
 from hertzwerk.runtime.integrate.events.jumps import none_possible, time_to_event
 from hertzwerk.runtime.integrate.events.modes import all_of, is_finite
@@ -18,7 +19,6 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.step.control import factor, limited_by_surfaces, roughness, step_to_continue
 from hertzwerk.runtime.integrate.step.implicit import linearised, uses_calls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN, REJECTED, RELEASED, SPECIAL, Layouts
-from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.set_valued_friction import margins_positive, may_slip
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.step.stepper import stages_inlined, stepper

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.events.modes import begin, enter
 from hertzwerk.runtime.integrate.events.settle import reject, settle
 from hertzwerk.runtime.integrate.loop.advance import advance, lean, no_event_of_any_pair
@@ -18,7 +19,6 @@ from hertzwerk.runtime.integrate.loop.turning import implicit_near_rest, passes_
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import REJECTED, RUNNING, Layouts, layouts
-from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.singular import explicit_near
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dopri5

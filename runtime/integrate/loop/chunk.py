@@ -11,13 +11,13 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.host.interrupt import defer_interrupts
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, PATIENCE
 from hertzwerk.runtime.integrate.loop.near_list import Departures, renewed
 from hertzwerk.runtime.integrate.loop.pieces import Pieces
 from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import CALM, FINISHED, RUNNING, STALE, SUSPECT, TOO_MANY_STEPS
-from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.signal import Schedule

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.integrate.alike.near_pairs import APART, NONE, NearModel, distances, near_model
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import FLIGHT, RUNNING, STALE, Layouts, layouts
-from hertzwerk.runtime.integrate.step.near_pairs import APART, NONE, NearModel, distances, near_model
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 
 
 def listing(model: Model, tables: tuple[Table, ...]) -> NearModel | None:
-    """Return the model by which runs of a method list near pairs, by explicit steps alone; None where they list none."""
+    """Return the model by which runs of a method list near pairs; None where they list none.
+
+    Implicit steps need derivatives of all pairs.
+    """
     return near_model(model) if isinstance(tables[0], RungeKutta) else None
 
 
@@ -94,7 +97,10 @@ def latches_of(model: NearModel, latches: np.ndarray, c: np.ndarray) -> np.ndarr
 
 
 class Departure(NamedTuple):
-    """What a pair that left the list at t [s] had: its rows of memory [J], summed since it was listed, and its latches."""
+    """Rows of memory [J] and latches of a pair that left the list at t [s].
+
+    Memory is summed since it was listed.
+    """
 
     t: float
     memory: np.ndarray
@@ -106,9 +112,9 @@ Departures: TypeAlias = dict[int, list[Departure]]
 
 
 def renewed(model: NearModel, state: np.ndarray, controls: np.ndarray, departures: Departures) -> np.ndarray:
-    """Return a state with a list made anew of the pairs that are near now, and note what those that left had.
+    """Return a state with a list made anew of the pairs that are near now.
 
-    Pairs that stay keep their places. Latches of one that comes back are those that it left with.
+    What those had that left is noted in `departures`. Pairs that stay keep their places. Latches of one that comes back are those that it left with.
     """
     vectors = layouts(model)
     at: Mapping[str, np.ndarray] = {name: state[vectors.state[name]].copy() for name in vectors.state.sizes}

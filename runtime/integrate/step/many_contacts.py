@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import casadi as ca
 
 from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike, entries, over_items
+from hertzwerk.runtime.integrate.alike.near_pairs import NONE, OWN, NearModel, contact_items
 from hertzwerk.runtime.integrate.alike.selection import added, running_sum
 from hertzwerk.runtime.integrate.step.layout import CONTACT
-from hertzwerk.runtime.integrate.step.near_pairs import NONE, OWN, NearModel, contact_items
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -229,7 +229,10 @@ class _Evaluation:
 
 
 class _OfPlaces(_Evaluation):
-    """Contacts in the places of a list of near pairs: each place's number among the constants says which pair it has."""
+    """Contacts in the places of a list of near pairs.
+
+    The number of each place among the constants says which pair it has.
+    """
 
     _model: NearModel
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -36,6 +37,8 @@ def time_rounding(t: Any, rate: Any) -> Any:
 @per_model
 def gap_rounding(model: Model) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
+    if isinstance(model, NearModel):
+        return model.at_places("rounding", _of_kinds(model.gaps, STATE), (0, 0))
     gaps = model.function("gaps")
     if layouts(model).kind is ca.MX:
         given = gaps.sx_in()
@@ -43,11 +46,11 @@ def gap_rounding(model: Model) -> Any:
         found = alike(given, [ca.vertcat(*parts) for parts in items])
         if found is not None:
             symbols = gaps.mx_in()
-            return ca.Function("rounding", symbols, of_kinds(found, STATE).results(symbols))
+            return ca.Function("rounding", symbols, _of_kinds(found, STATE).results(symbols))
     return bounds(gaps, STATE)
 
 
-def of_kinds(found: Alike, rounded: tuple[int, ...]) -> Alike:
+def _of_kinds(found: Alike, rounded: tuple[int, ...]) -> Alike:
     """Return the items with rounding error bounds of their results: of a kind, not of each."""
     given = found.shared.sx_in()
     values = found.shared(*given)

@@ -1,4 +1,4 @@
-"""Models of many bodies in which far pairs cost nothing: places for those that are near, a neighbour list.
+"""Neighbour lists: models of many bodies in which far pairs cost nothing.
 
 A list holds the pairs that are evaluated. Between bodies whose centres have moved no further than half its skin since it
 was made, no other pair can touch (Verlet, Phys. Rev. 159 (1967) 98): the distance of two spheres, or of a sphere and a plane at
@@ -16,8 +16,6 @@ from typing import Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike
-from hertzwerk.runtime.integrate.step.layout import MANY
-from hertzwerk.runtime.integrate.step.rounding import STATE, of_kinds
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -47,10 +45,13 @@ class Family:
 
 
 class NearModel(Model):
-    """Model whose pairs are places for those of a whole model: `near` among its constants are their numbers."""
+    """Model whose pairs are places for the near ones of a whole model.
 
-    def __init__(self, whole: Model, families: Sequence[Family]) -> None:
-        self.whole, self.families = whole, families
+    The numbers of the pairs in its places are among its constants.
+    """
+
+    def __init__(self, whole: Model, families: Sequence[Family], gaps: Alike) -> None:
+        self.whole, self.families, self.gaps = whole, families, gaps
         self.numbers = [pair for family in families for pair in family.pairs]
         """Pairs of the whole model by their number in a list."""
         places = [family for family in families for _ in range(family.count)]
@@ -112,14 +113,20 @@ class NearModel(Model):
         return ca.vertcat(found[self.others], ca.SX.zeros(self.nz - len(self.others)))
 
     def lists_of(self, c: Any) -> list[Any]:
-        """Return the parts of the list among the constants: numbers of pairs by place, centres (3 n) when it was made, skin."""
+        """Return the list among the constants: numbers of pairs by place, centres (3 n) when made, skin [m]."""
         ends = [self.whole.nc, *accumulate(self.lists, initial=self.whole.nc)][1:]
         return [c[first:last] for first, last in pairwise(ends)]
 
     @per_model
     def of_places(self, name: str) -> Any:
         """Return a function of the module with results for each pair, for the places of the list (MX)."""
-        found, otherwise = _ITEMS[name](self.whole)
+        return self.at_places(name, *_ITEMS[name](self.whole))
+
+    def at_places(self, name: str, found: Alike, otherwise: tuple[float, ...]) -> Any:
+        """Return a function with the results of all pairs for the places of the list.
+
+        otherwise    results in a place without a pair
+        """
         arguments = "t q u a c" if name == "gap_accelerations" else "t q u c"
         symbols = self.symbols(arguments, ca.MX)
         known = found.known([*symbols[:-1], symbols[-1][: self.whole.nc]])
@@ -137,7 +144,7 @@ class NearModel(Model):
         return ca.Function(name, symbols, [ca.vertcat(*column)[back] for column in columns])
 
     def by_places(self, found: Alike) -> list[tuple[Kind, list[int], Any]]:
-        """Return each kind with its items in the order of their numbers, its places, and number less place of an item."""
+        """Return each kind with items in the order of their numbers, its places, and numbers less items there."""
         by_kind: list[tuple[Kind, list[int], Any]] = []
         for kind in found.kinds:
             leaves = dict(zip(kind.items, kind.leaves, strict=True))
@@ -155,7 +162,7 @@ class NearModel(Model):
 
     @per_model
     def centres(self) -> Any:
-        """Return the function (t, y, dy, c) -> positions, velocities and accelerations (3 n) of the watched centres."""
+        """Return the function (t, y, dy, c) -> positions, velocities, accelerations (3 n) of watched centres."""
         whole = self.whole
         t, q, u, c = whole.symbols("t q u c")
         y, dy = (ca.SX.sym(name, self.nq + self.nu + self.nz) for name in ("y", "dy"))
@@ -185,7 +192,7 @@ class NearModel(Model):
         return 2 * ca.mmax(way + beyond) / skin
 
     def time_left(self, run: Mapping[str, Any], at: Mapping[str, Any]) -> tuple[Any, Any]:
-        """Return the longest step [s] that surely keeps to the list, and whether the bodies have moved since it was made."""
+        """Return the longest step [s] that keeps to the list, and whether bodies have moved since it was made."""
         _, made, skin = self.lists_of(run["c"])
         r, v, a = self.centres()(at["t"], at["y"], at["dy"], run["c"])
         way, speed, rate = self.lengths(r - made), self.lengths(v), self.lengths(a)
@@ -248,14 +255,9 @@ def _memory_rows(model: Model) -> list[list[int]]:
 
 @per_model
 def _gap_items(model: Model) -> Alike | None:
+    """Return gaps and their rates of all pairs by kind; None where pairs are not alike."""
     given = model.symbols("t q u c")
     return alike(given, [ca.vertcat(*x) for x in zip(*map(ca.vertsplit, model.function("gaps")(*given)), strict=True)])
-
-
-@per_model
-def _rounding_items(model: Model) -> Alike | None:
-    found = _gap_items(model)
-    return None if found is None else of_kinds(found, STATE)
 
 
 @per_model
@@ -282,7 +284,6 @@ def _distance_items(model: Model) -> Alike | None:
 
 _ITEMS: dict[str, Any] = {
     "gaps": lambda model: (_gap_items(model), (APART, 0)),
-    "rounding": lambda model: (_rounding_items(model), (0, 0)),
     "gap_accelerations": lambda model: (_acceleration_items(model), (0,)),
     "stored": lambda model: (_energy_items(model), (0,)),
     "distances": lambda model: (_distance_items(model), (APART,)),
@@ -302,16 +303,15 @@ def distances(model: Model) -> Any:
 @per_model
 def near_model(model: Model) -> NearModel | None:
     """Return the model with places for near pairs; None where it would not pay, or is not possible."""
-    if model.k <= MANY:
-        return None
     bodies = _bodies(model)
     most = PLACES * len({body for of in bodies if of for body in of if body >= 0})
     if model.k < WORTH * (bodies.count(None) + most):
         return None
     if not _possible(model):
         return None
-    functions = [_gap_items, _acceleration_items, _distance_items, *([_energy_items] if model.has_ledger else [])]
-    items = [contact_items(model)[0], *(of(model) for of in functions)]
+    gaps = _gap_items(model)
+    functions = [_acceleration_items, _distance_items, *([_energy_items] if model.has_ledger else [])]
+    items = [contact_items(model)[0], gaps, *(of(model) for of in functions)]
     keys: list[list[Any]] = [[] for _ in model.pairs]
     for found in items:
         if found is None:
@@ -333,7 +333,7 @@ def near_model(model: Model) -> NearModel | None:
         count = min(len(pairs), most) if watched else len(pairs)
         families.append(Family(pairs, watched, place, number, count))
         place, number = place + count, number + len(pairs)
-    return NearModel(model, families) if model.k >= WORTH * place else None
+    return NearModel(model, families, gaps) if gaps is not None and model.k >= WORTH * place else None
 
 
 def _possible(model: Model) -> bool:
@@ -357,7 +357,10 @@ def _possible(model: Model) -> bool:
 
 
 def _bodies(model: Model) -> list[tuple[int, int] | None]:
-    """Return the two bodies of each pair, -1 for the ground, whose centres alone bound its distance; else None."""
+    """Return the two bodies of each pair whose centres bound its distance.
+
+    -1 stands for the ground; None where the motion of centres is no bound.
+    """
     place = {name: i for i, name in enumerate(getattr(model.module, "BODIES", ()))} | {"ground": -1}
     (p,) = model.symbols("p")
     rows: dict[str, list[tuple[str, str, str, bool]]] = {}

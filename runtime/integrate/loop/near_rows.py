@@ -1,4 +1,4 @@
-"""Rows of a run with a list of near pairs, read pair by pair: which place each had, and what it had summed before."""
+"""Rows of a run with a list of near pairs, read pair by pair."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 from hertzwerk.runtime.integrate.step.layout import FLIGHT, PAIR_PARTS
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
     from hertzwerk.runtime.integrate.loop.near_list import Departures
     from hertzwerk.runtime.integrate.step.layout import Layout
-    from hertzwerk.runtime.integrate.step.near_pairs import NearModel
 
 OF_PAIRS = ("mode", *PAIR_PARTS)
 APART = dict.fromkeys(OF_PAIRS, 0.0) | {"mode": FLIGHT, "gap": np.inf}  # of a pair that is not listed
