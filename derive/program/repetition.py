@@ -12,6 +12,7 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from enum import Enum, auto
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -22,6 +23,9 @@ _SUM = re.compile(rf"(?:^|\(|, )({HOLE}) \+ ({HOLE})(?=$|\)|,| [-+] )")
 _TERMS = re.compile(rf"([\d{HOLE}*/]+) \+ ([\d{HOLE}*/]+)(?= [-+] |$)")
 _FRAME = 6  # lines of a function beside its assignments
 _CALL = 8  # names in a call that are as much to read as an assignment
+_OF_PARTS = (
+    20  # least lines saved by a function of what is connected by the name of a part alone: it is the harder to read
+)
 _TRIED = 8  # functions with which a sub-program is compared
 _RANKS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
@@ -170,6 +174,18 @@ class _Site:
         return _Site(self.block, tuple(self.steps[pair[side]] for pair in steps), names)
 
 
+class _Cut(Enum):
+    """Where a group ends beside other owners and calls.
+
+    NOWHERE; where others READ a step; at a step named for another PART, as the links of a chain, which serve the same
+    results.
+    """
+
+    NOWHERE = auto()
+    READ = auto()
+    PART = auto()
+
+
 @dataclass(frozen=True)
 class _Group:
     """Assignments for which calls may stand: shape and operands of each, and those that others read."""
@@ -216,17 +232,19 @@ def share(blocks: Sequence[Block], kinds: Mapping[str, str], taken: set[str]) ->
     """
     parts = _Parts(kinds)
     found: list[Shared] = []
-    for cut in (False, True):  # whole groups first: fewer functions, with more in each
+    for cut in _Cut:  # whole groups first: fewer functions, with more in each
         groups = {block.name: list(_groups(block, parts, cut)) for block in blocks}
-        while changed := _share_once([group for of in groups.values() for group in of], found):
+        known, least = (found, 1) if cut is not _Cut.PART else ([], _OF_PARTS)
+        while changed := _share_once([group for of in groups.values() for group in of], known, least):
             groups |= {block.name: list(_groups(block, parts, cut)) for block in changed}
+        found += known if known is not found else []
     for shared in found:
         _name(shared, parts, taken)
     return found
 
 
-def _share_once(groups: Iterable[_Group], found: list[Shared]) -> list[Block]:
-    """Replace repeated sub-programs by calls; return the blocks that this changed."""
+def _share_once(groups: Iterable[_Group], found: list[Shared], least: int) -> list[Block]:
+    """Replace repeated sub-programs by calls that save at least so many lines; return the changed blocks."""
     alike: dict[_Form, list[_Site]] = {}
     joined: list[tuple[Shared, _Site]] = []
     for group in groups:
@@ -240,7 +258,7 @@ def _share_once(groups: Iterable[_Group], found: list[Shared]) -> list[Block]:
     kinds: dict[tuple[str, ...], list[Shared]] = defaultdict(list)
     for form, sites in sorted(alike.items(), key=lambda item: -len(item[1]) * len(item[0].shapes)):
         _join(form, sites, kinds[form.key])
-    new = [shared for kind in kinds.values() for shared in kind if shared.form.saves(len(shared.sites)) > 0]
+    new = [shared for kind in kinds.values() for shared in kind if shared.form.saves(len(shared.sites)) >= least]
     found += new
     joined += [(shared, site) for shared in new for site in shared.sites]
     calls: dict[int, list[Step]] = defaultdict(list)
@@ -345,11 +363,11 @@ def _clashing(
     return {pair for pair in steps if count[pair[side]] > 1 or pair[side] in outer}
 
 
-def _groups(block: Block, parts: _Parts, cut: bool) -> Iterable[_Group]:
+def _groups(block: Block, parts: _Parts, cut: _Cut) -> Iterable[_Group]:
     """Yield groups of assignments of the same owners, connected or named for the same part.
 
-    What lies between two steps of a group serves the same owners, and is on the same level, for which a call and, with
-    `cut`, a step that others read as well end one: it is in the group, and a call may stand for it.
+    What lies between two steps of a group serves the same owners, and is on the same level, for which a call and
+    a `cut` end one: it is in the group, and a call may stand for it.
     """
     steps = block.steps
     maker = {target: i for i, step in enumerate(steps) for target in step.targets}
@@ -367,12 +385,16 @@ def _groups(block: Block, parts: _Parts, cut: bool) -> Iterable[_Group]:
             serves[j] = [a | b for a, b in zip(serves[j], serves[i], strict=True)]
     owners = [(ours or -others) for ours, others in serves]
     outer = roots.union(j for i, of in enumerate(operands) for j in of if owners[i] != owners[j] or steps[i].callee)
+    named = [tuple(parts.split(step.targets[0])[1]) for step in steps]
+    part = named if cut is _Cut.PART else [()] * len(steps)
     level = [0] * len(steps)
     for i, step in enumerate(steps):
         ends = step.callee is not None
         same = [j for j in operands[i] if owners[j] == owners[i]]
-        level[i] = max((level[j] + (ends or (cut and j in outer)) for j in same), default=0)
-    whose = list(zip(owners, level, strict=True))
+        level[i] = max(
+            (level[j] + (ends or part[j] != part[i] or (cut is _Cut.READ and j in outer)) for j in same), default=0
+        )
+    whose = list(zip(owners, level, part, strict=True))
     group = list(range(len(steps)))
 
     def head(i: int) -> int:
@@ -389,8 +411,8 @@ def _groups(block: Block, parts: _Parts, cut: bool) -> Iterable[_Group]:
     beside: dict[tuple[Any, ...], int] = {}
     members: dict[int, list[int]] = defaultdict(list)
     for i, step in enumerate(steps):
-        if not step.callee and (named := parts.split(step.targets[0])[1]):
-            group[head(i)] = head(beside.setdefault((whose[i], *named), i))
+        if not step.callee and named[i]:
+            group[head(i)] = head(beside.setdefault((whose[i], *named[i]), i))
     for i, step in enumerate(steps):
         if not step.callee:
             members[head(i)].append(i)
