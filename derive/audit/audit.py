@@ -147,10 +147,13 @@ def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
 def advice_findings(scene: Scene) -> tuple[Finding, ...]:
     """Objections to the scene's laws other than their units, and frequencies taken as angular speeds."""
     said = [("form of contact", text) for text in advice(scene)]
+    doubts: dict[Any, list[str]] = {}  # of many slots that share a value
     for slot in scene.slots():
-        value = sp.sympify(slot.value)
-        units = {symbol: symbol.unit for symbol in value.free_symbols if hasattr(symbol, "unit")}
-        said += [("frequency", f"{slot.where}: {text}") for text in _doubts(value, units)]
+        if slot.value not in doubts:
+            value = sp.sympify(slot.value)
+            units = {symbol: symbol.unit for symbol in value.free_symbols if hasattr(symbol, "unit")}
+            doubts[slot.value] = list(_doubts(value, units))
+        said += [("frequency", f"{slot.where}: {text}") for text in doubts[slot.value]]
     return tuple(
         Finding(scene.name, kind, "", "", "", "advice", "", reason=text, kind=kind)
         for kind, text in dict.fromkeys(said)

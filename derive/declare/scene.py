@@ -29,7 +29,7 @@ from hertzwerk.derive.identifiers import repeated
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.laws.law_call import bound_law, split_call, split_laws
-from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame, Slot
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.outline import Outline
@@ -278,6 +278,8 @@ class Scene:
 
     def follows_drives(self, body: Frame) -> bool:
         """Whether drives alone move a body, which then has a motion given by time; true of the ground."""
+        if not self.driven:
+            return body == GROUND
         seen: list[Frame] = []
         while (joint := self.mechanism.joint_of(body)) is not None and body not in seen:
             if any(freedom.key not in self.driven for freedom in joint.freedoms):

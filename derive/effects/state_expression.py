@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Protocol
 
 import sympy as sp
@@ -208,9 +209,18 @@ def _choice(piecewise: Any) -> Any:
 
 def states_in(expression: Any) -> list[StateSymbol]:
     """List time, coordinates and speeds in an expression in order of appearance (never in hash order)."""
-    if not isinstance(expression, sp.Basic):
-        return []
-    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, StateSymbol)))
+    return [node for node in _own_symbols(expression) if isinstance(node, StateSymbol)]
+
+
+def _own_symbols(expression: Any) -> tuple[Any, ...]:
+    """Time, coordinates, speeds and tables in an expression; none in what is no expression."""
+    return _symbols_of(expression) if isinstance(expression, sp.Basic) else ()
+
+
+@lru_cache(maxsize=4096)
+def _symbols_of(expression: sp.Basic) -> tuple[Any, ...]:
+    found = (node for node in sp.preorder_traversal(expression) if isinstance(node, StateSymbol | Table))
+    return tuple(dict.fromkeys(found))
 
 
 def inputs_in(expression: Any) -> list[Input]:
@@ -220,9 +230,7 @@ def inputs_in(expression: Any) -> list[Input]:
 
 def tables_in(expression: Any) -> list[Table]:
     """List the tables in an expression in order of appearance."""
-    if not isinstance(expression, sp.Basic):
-        return []
-    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, Table)))
+    return [node for node in _own_symbols(expression) if isinstance(node, Table)]
 
 
 def state_dimension(symbol: StateSymbol, scene: Scope) -> Dimension:

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from inspect import Parameter as Argument
 from inspect import Signature
 from typing import Any, ClassVar
@@ -184,6 +185,10 @@ class Law:
 
     def quantities(self) -> tuple[Quantity, ...]:
         """List every symbol of the law's expressions and definitions, in order of appearance."""
+        return self._quantities
+
+    @cached_property
+    def _quantities(self) -> tuple[Quantity, ...]:
         texts = [*(e for _, e in self.definitions), *(e for _, e, _ in self.expressions())]
         found = (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, Quantity))
         return tuple(dict.fromkeys(found))
@@ -194,6 +199,10 @@ class Law:
 
     def geometry(self) -> tuple[Quantity, ...]:
         """List the geometric quantities the law reads from its pair."""
+        return self._geometry
+
+    @cached_property
+    def _geometry(self) -> tuple[Quantity, ...]:
         own = {*self.parameters, *(symbol for symbol, _ in self.definitions)}
         asked = {*self.quantities(), *(row.quantity for row in self.ranges)} - own
         return tuple(quantity for quantity in GEOMETRY if quantity in asked)

@@ -79,7 +79,11 @@ class Mechanism:
 
     def joint_of(self, body: Frame) -> Joint | None:
         """Joint that carries `body`; None for the ground."""
-        return next((joint for joint in self.tree if joint.child.body == body), None)
+        return self._carriers.get(body)
+
+    @cached_property
+    def _carriers(self) -> dict[Frame, Joint]:
+        return {joint.child.body: joint for joint in self.tree}
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:

@@ -75,7 +75,7 @@ def landmarks_of(scene: Scene) -> Iterator[Landmark]:
     mechanism = scene.mechanism
     for joint in mechanism.joints:
         yield from (Landmark(joint.name, joint.symbol, *mark) for mark in joint.landmarks())
-    touching = [*scene.pressed, *(rolling.pair for rolling in scene.all(RollingWithoutSlip))]
+    touching = {*scene.pressed, *(rolling.pair for rolling in scene.all(RollingWithoutSlip))}
     for pair in (pair for pair in mechanism.pairs if pair.name in touching):
         yield from (Landmark(pair.name, pair.kind, *mark) for mark in pair.landmarks())
     for effect in scene.effects:

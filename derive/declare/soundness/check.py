@@ -91,9 +91,11 @@ def _parts(scene: Scene) -> Iterator[tuple[str, tuple[Any, ...]]]:
 def _wording_faults(scene: Scene) -> Iterator[Fault]:
     """Faults of texts that cannot be printed, and of names in laws."""
     yield from text_faults("scene, summary", scene.summary)
+    seen: set[int] = set()
     for effect in scene.effects:
         yield from text_faults(f"effect {effect.name}, text", effect.text)
-        for law in (bound.law for bound in effect.laws):
+        for law in (bound.law for bound in effect.laws if id(bound.law) not in seen):
+            seen.add(id(law))
             where = f"law {law.name}"
             yield from name_faults("law", law.name)
             for what in ("title", "source", "note", "repair", "fitted_in"):
