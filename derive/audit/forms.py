@@ -34,12 +34,8 @@ def laws_of_form(form: str) -> Iterator[Law]:
     yield from (law for law in laws if form in law.forms and law.forms != FORMS)
 
 
-def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> tuple[str, ...]:
-    """Names of consistent laws of a kind that fit a pair's form and geometry, in catalogue order."""
-    return tuple(_fitting(kind, pair, offered))
-
-
-def _fitting(kind: str, pair: Pair, offered: Mapping[str, Any]) -> Iterator[str]:
+def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the names of consistent laws that fit a pair's form and geometry, in catalogue order."""
     for law in laws_of_form(form_of(pair)):
         fits = not law.pairs or pair.kind in law.pairs
         if law.kind == kind and fits and all(quantity.name in offered for quantity in law.geometry()):
@@ -71,6 +67,6 @@ def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]
     offered = scene.geometry(pair.name) | ({} if long else {"L": None})
     given = "" if long or form != "line" else ", once the pair has a length"
     listed = f"`hertzwerk laws --form {form}` lists others{given}"
-    way = listed if any(_fitting(law.kind, pair, offered)) else "the catalogue has no other"
+    way = listed if any(fitting_laws(law.kind, pair, offered)) else "the catalogue has no other"
     touches = f"a {kind.replace('_', ' ')} touches {_TOUCHES[form]}"
     return f"{', '.join(effects)}: {touches}, and {name} is a law of {own} contact; {way}"

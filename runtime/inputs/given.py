@@ -15,7 +15,6 @@ import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
@@ -88,19 +87,6 @@ def given_inputs(
     seconds = read_duration(model, parameters, duration, [])
     signals = signals_of(model, inputs, seconds, faults)
     return model.with_signals({**model.signals, **signals}), faults
-
-
-def with_inputs(
-    model: AnyModel,
-    inputs: Mapping[str, Input] | None,
-    duration: Duration,
-    parameters: Mapping[str, Value] = MappingProxyType({}),
-) -> AnyModel:
-    """Return a model with its inputs for runs of a duration; raises InputError with every fault."""
-    model, faults = given_inputs(model, inputs, duration, parameters)
-    if faults:
-        raise InputError(model.name, faults)
-    return model
 
 
 def signal_of(name: str, value: Input, unit: str, seconds: float, faults: list[Fault]) -> Signal | None:

@@ -18,11 +18,12 @@ from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, Settings, read_duration
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
+from hertzwerk.runtime.sweeps.kept.row import TEXTS, Row
 from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError, RowEngine
 from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task, Tasks
 from hertzwerk.runtime.sweeps.row_outputs import Output, finals, of_every_run, own
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep, columns_of
 
 if TYPE_CHECKING:
     from distributed import Client

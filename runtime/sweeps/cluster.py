@@ -27,10 +27,10 @@ from distributed.comm import get_address_host_port
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.points.definition import LIBRARIES, versions
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError, every_row
 from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task, Tasks
-from hertzwerk.runtime.sweeps.sweep_table import Row
 
 AHEAD = 4  # tasks submitted per thread of a worker: keeps it busy, and a scheduler is not flooded
 LOOK = 1.0  # s between two looks at who is there

@@ -22,10 +22,9 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.si_values import latch_units, si_of
 from hertzwerk.runtime.sweeps.batch import Batch
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.kept_arrays import END
+from hertzwerk.runtime.sweeps.kept.row import Packed, Row
 from hertzwerk.runtime.sweeps.points.design import Design
-from hertzwerk.runtime.sweeps.sweep_table import Row
 
 DIRECTIONS = ("up", "down")
 TOGETHER = 1000  # chains side by side

@@ -45,6 +45,7 @@ from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.sweeps.following import Chains, InMemory, read_chains, state_units
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
+from hertzwerk.runtime.sweeps.kept.row import TEXTS
 from hertzwerk.runtime.sweeps.points.definition import Keys, as_text, axes_of, target_of, versions
 from hertzwerk.runtime.sweeps.points.design import Design, Varied, read_design
 from hertzwerk.runtime.sweeps.points.own_functions import digest
@@ -52,7 +53,7 @@ from hertzwerk.runtime.sweeps.row_engine import EngineLostError
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, derived_by, finals, own, text_behind
 from hertzwerk.runtime.sweeps.store import TABLE, Store, opened
 from hertzwerk.runtime.sweeps.stored_rows import HELD, ROWS, DamagedError, StoredRows
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Sweep, columns_of
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep, columns_of
 from hertzwerk.runtime.sweeps.to_do import ToDo
 
 if TYPE_CHECKING:

@@ -27,9 +27,9 @@ from typing import Any
 
 from hertzwerk.runtime.host.heap import keep_freed
 from hertzwerk.runtime.host.side_by_side import cores
+from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.row_engine import every_row
 from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task, Tasks
-from hertzwerk.runtime.sweeps.sweep_table import Row
 
 # One pool at a time: a process forked while another pool is used would share its pipes, and outlive it.
 _pool = threading.Lock()

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator
 from typing import Protocol
 
+from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.row_job import Job, Task, Tasks
-from hertzwerk.runtime.sweeps.sweep_table import Row
 
 
 class EngineLostError(Exception):

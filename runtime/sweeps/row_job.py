@@ -23,10 +23,9 @@ from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError
 from hertzwerk.runtime.simulation import Solution, solving
 from hertzwerk.runtime.solution.findings import Findings, Needs
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, Times
+from hertzwerk.runtime.sweeps.kept.row import LOST, Packed, Row
 from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, derived_by, named
-from hertzwerk.runtime.sweeps.sweep_table import LOST, Row
 
 # outcomes of rows without a run or some of its numbers
 BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED = "bad_input", "bad_output", "output_no_number", "failed"

@@ -5,38 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from statistics import median
-from typing import Protocol
+
+from hertzwerk.runtime.sweeps.kept.row import Row
 
 SPREAD = 10_000  # rows whose numbers are kept for the median, at least, where there are so many
-
-
-class SummarisedRow(Protocol):
-    """Row of a sweep."""
-
-    @property
-    def index(self) -> int:
-        """Number of the row."""
-
-    @property
-    def outcome(self) -> str:
-        """Name of its outcome."""
-
-    @property
-    def message(self) -> str:
-        """Reason of that."""
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Warnings of the run."""
-
-    @property
-    def outputs(self) -> Mapping[str, float]:
-        """Outputs by column."""
-
-    def __getitem__(self, name: str) -> float | str: ...
 
 
 @dataclass
@@ -102,7 +77,7 @@ class Summary:
     ran    whether any row has outputs
     """
 
-    def __init__(self, rows: Iterable[SummarisedRow], names: Sequence[str]) -> None:
+    def __init__(self, rows: Iterable[Row], names: Sequence[str]) -> None:
         self.counts: Counter[str] = Counter()
         self.messages: dict[str, str] = {}
         self.spreads = {name: Spread() for name in names}

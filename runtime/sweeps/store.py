@@ -33,9 +33,9 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.folder import unwritable
 from hertzwerk.runtime.host.scratch import UNFINISHED, scratch_folder, write_atomically
 from hertzwerk.runtime.host.sealed import sealed
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.entries import point_entry
 from hertzwerk.runtime.sweeps.kept.kept_arrays import END
+from hertzwerk.runtime.sweeps.kept.row import LOST, Packed, Row
 from hertzwerk.runtime.sweeps.points.definition import DEFINITION, differences, read_definition
 from hertzwerk.runtime.sweeps.stored_rows import (
     ASIDE,
@@ -53,7 +53,6 @@ from hertzwerk.runtime.sweeps.stored_rows import (
     row_entry,
     transaction,
 )
-from hertzwerk.runtime.sweeps.sweep_table import LOST, Row
 
 MODEL, TABLE, LOCK = "model.py", "table.csv", "lock"
 PICTURE = "sweep.png"

@@ -22,13 +22,13 @@ from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.entries import POINT, ROW, TABLES, Entry, digest_of, is_whole
 from hertzwerk.runtime.sweeps.kept.kept_arrays import place_of
 from hertzwerk.runtime.sweeps.kept.page_scan import PAGE, scanned
+from hertzwerk.runtime.sweeps.kept.row import LOST, Packed, Row
 from hertzwerk.runtime.sweeps.points.definition import DEFINITION, design_of, read_definition
 from hertzwerk.runtime.sweeps.points.design import Design
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, LOST, Row, Sweep
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep
 
 ROWS = "rows.sqlite"
 ASIDE = re.compile(r"rows\.damaged-(\d+)\.sqlite(-wal|-shm)?")

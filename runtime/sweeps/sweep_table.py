@@ -28,7 +28,8 @@ from hertzwerk.runtime.model.si_values import ratio
 from hertzwerk.runtime.sensitivity.regression import Slope, slope_of
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
-from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
+from hertzwerk.runtime.sweeps.kept.array_table import Arrays
+from hertzwerk.runtime.sweeps.kept.row import TEXTS, Row
 from hertzwerk.runtime.sweeps.points.design import Design
 from hertzwerk.runtime.sweeps.row_summary import Summary
 from hertzwerk.runtime.tables.column_meanings import meaning_of
@@ -43,48 +44,8 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 COMPLETE = Outcome("finished", "every row is there", "")
-TEXTS = ("outcome", "message", "warnings")
-LOST = "lost"  # outcome of a row whose process died
 SHOWN = 10  # rows in a notebook
 TOGETHER, PART = 1000, 20_000  # lines of a file, rows of a table, that are made before they are written
-
-
-@dataclass(frozen=True)
-class Row:
-    """One run: `given` values as given, `values` in SI, `outputs` by column; wall_s: integration [s].
-
-    arrays    points as (points, names) by what they are of: "section", "histories"
-
-    Where there is no run, `outcome` is "bad_input", "failed" (by an error of ours) or "lost" (its process died), with
-    the reason in `message`.
-    """
-
-    index: int
-    given: Mapping[str, Value]
-    outcome: str
-    message: str = ""
-    values: Mapping[str, float] = field(default_factory=dict)
-    outputs: Mapping[str, float] = field(default_factory=dict)
-    warnings: tuple[str, ...] = ()
-    wall_s: float = math.nan
-    arrays: Mapping[str, Packed] = field(default_factory=dict)
-
-    def __getitem__(self, name: str) -> float | str:
-        """Return the entry of a column."""
-        if name in TEXTS:
-            return "; ".join(self.warnings) if name == "warnings" else str(getattr(self, name))
-        if name == "wall_s":
-            return self.wall_s
-        found = self.outputs.get(name, self.values.get(name))
-        if found is None:
-            label = self.given.get(name)
-            return label if isinstance(label, str) else math.nan
-        return found
-
-    @property
-    def final(self) -> dict[str, float]:
-        """States at the end, of those that are columns."""
-        return {name[6:]: value for name, value in self.outputs.items() if name.startswith("final.")}
 
 
 @dataclass(frozen=True)

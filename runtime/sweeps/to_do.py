@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from hertzwerk.runtime.sweeps.following import key_after
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
+from hertzwerk.runtime.sweeps.kept.row import Packed, Row
 from hertzwerk.runtime.sweeps.points.definition import Keys
 from hertzwerk.runtime.sweeps.points.design import Design
 from hertzwerk.runtime.sweeps.store import Store
-from hertzwerk.runtime.sweeps.sweep_table import Row
 
 BATCH = 256  # points whose keys are made together
 

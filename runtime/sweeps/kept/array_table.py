@@ -1,58 +1,18 @@
-"""Arrays of rows: compressed in memory and in a store, by row and name, as CSV and JSON."""
+"""Arrays of rows by row and name, as CSV and JSON."""
 
 from __future__ import annotations
 
 import csv
 import io
 import json
-import zlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from hertzwerk.runtime.solution.solution import write
-
-FORMAT = "<f8"
-
-
-@dataclass(frozen=True)
-class Packed:
-    """Array of float64, compressed by zlib: equal where the arrays are, bit by bit."""
-
-    shape: tuple[int, ...]
-    data: bytes
-
-    @classmethod
-    def of(cls, array: np.ndarray) -> Packed:
-        """Compress an array."""
-        content = np.ascontiguousarray(array, dtype=FORMAT).tobytes()
-        return cls(tuple(array.shape), zlib.compress(content))
-
-    @property
-    def array(self) -> np.ndarray:
-        """The array."""
-        return np.frombuffer(zlib.decompress(self.data), dtype=FORMAT).reshape(self.shape)
-
-
-class KeepsArrays(Protocol):
-    """Row of a sweep."""
-
-    @property
-    def index(self) -> int:
-        """Number of the row."""
-
-    @property
-    def outcome(self) -> str:
-        """Name of its outcome."""
-
-    @property
-    def arrays(self) -> Mapping[str, Packed]:
-        """Points as (points, names)."""
-
-    def __getitem__(self, name: str) -> float | str: ...
+from hertzwerk.runtime.sweeps.kept.row import Row
 
 
 class Arrays:
@@ -64,7 +24,7 @@ class Arrays:
     """
 
     def __init__(
-        self, name: str, scene: str, units: Mapping[str, str], varied: Mapping[str, str], rows: Sequence[KeepsArrays]
+        self, name: str, scene: str, units: Mapping[str, str], varied: Mapping[str, str], rows: Sequence[Row]
     ) -> None:
         self.name, self.scene, self.units, self.varied = name, scene, units, varied
         self._rows = rows
@@ -89,11 +49,11 @@ class Arrays:
         column = list(self.units).index(name)
         return [self._table(row)[:, column] for row in self._rows]
 
-    def of(self, row: KeepsArrays) -> dict[str, np.ndarray]:
+    def of(self, row: Row) -> dict[str, np.ndarray]:
         """Return the arrays (points,) of a row by name; of a row without a run they are empty."""
         return dict(zip(self.units, self._table(row).T, strict=True))
 
-    def _table(self, row: KeepsArrays) -> np.ndarray:
+    def _table(self, row: Row) -> np.ndarray:
         """Return the points of a row as (points, names)."""
         packed = row.arrays.get(self.name)
         return np.zeros((0, len(self.units))) if packed is None else packed.array

@@ -15,8 +15,8 @@ from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.history import History, units_of
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.poincare import Section, read_section
+from hertzwerk.runtime.sweeps.kept.row import Packed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value

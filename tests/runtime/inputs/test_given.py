@@ -8,7 +8,7 @@ from shaken import shaken
 
 from hertzwerk.derive import InputError, Table
 from hertzwerk.runtime import Samples, simulate
-from hertzwerk.runtime.inputs.given import signals_of, with_inputs
+from hertzwerk.runtime.inputs.given import given_inputs, signals_of
 from hertzwerk.runtime.inputs.sampled import sampled
 from hertzwerk.runtime.model.signal import Schedule
 
@@ -149,7 +149,8 @@ def test_pieces_of_several_inputs_change_at_the_breakpoints_of_all():
 
 
 def test_inputs_are_kept_by_the_model_that_has_them():
-    model = with_inputs(shaken(), {"push": "3 N"}, "1 s")
+    model, faults = given_inputs(shaken(), {"push": "3 N"}, "1 s", {})
+    assert not faults
     assert model.known is shaken().known  # what is built is shared
     assert simulate(model, duration="1 ms")["push"][-1] == 3
     assert simulate(model, duration="1 ms", inputs={"push": "4 N"})["push"][-1] == 4

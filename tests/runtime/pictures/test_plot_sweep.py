@@ -10,9 +10,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.pictures.sweeps import plot_sweep
 from hertzwerk.runtime.pictures.sweeps.plot_sweep import figure
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
+from hertzwerk.runtime.sweeps.kept.row import Packed, Row
 from hertzwerk.runtime.sweeps.points.design import Design
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep, columns_of
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep, columns_of
 
 SPEEDS = np.linspace(1000, 5000, 9)
 HEIGHTS = np.array([0.1, 0.2, 0.4])

@@ -8,7 +8,8 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, sweep
 from hertzwerk.runtime.sensitivity.regression import slope_of
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.sweeps.sweep_table import Row, Sweep
+from hertzwerk.runtime.sweeps.kept.row import Row
+from hertzwerk.runtime.sweeps.sweep_table import Sweep
 
 PEAK, HOW = "slider_pin.peak_force", {"duration": "1 ms", "tolerance": 1e-10, "compiled": False, "workers": 1}
 BY = f"d({PEAK})/d(restitution)"

@@ -15,9 +15,9 @@ from benchmarks import rows
 from hertzwerk.runtime import Sweep, load, sweep
 from hertzwerk.runtime.inputs.choices import NO_CHOICES
 from hertzwerk.runtime.sweeps import parameter_sweep, store, stored_rows, to_do
+from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.points.definition import Keys, as_text, axes_of, design_of, read_definition
 from hertzwerk.runtime.sweeps.points.design import Design, read_design
-from hertzwerk.runtime.sweeps.sweep_table import Row
 
 MILLION = {"drop_height": "0.5..1.5 m:1000", "restitution": "0.5..0.9:1000"}
 BALL = {"duration": "0.1 s", "tolerance": 1e-6, "compiled": False}

@@ -21,9 +21,9 @@ from hertzwerk.derive.readings import readings
 from hertzwerk.derive.scenes import pendulum
 from hertzwerk.runtime import Sweep, load, sweep
 from hertzwerk.runtime.sweeps import processes, store
+from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.points.design import Design
 from hertzwerk.runtime.sweeps.stored_rows import StoredRows
-from hertzwerk.runtime.sweeps.sweep_table import Row
 
 BALL = {"duration": "2 s", "tolerance": 1e-8, "compiled": False, "workers": 1}
 OVER = {"drop_height": "0.5..1.5 m:5"}

@@ -9,7 +9,8 @@ import sympy as sp
 from hertzwerk.derive import LAWS, Parameter, audit_catalogue, audit_scene, laws
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.model.build import scene_from
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep
+from hertzwerk.runtime.sweeps.kept.row import Row
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep
 
 
 class Cells(HTMLParser):
