@@ -305,9 +305,7 @@ def near_model(model: Model) -> NearModel | None:
     """Return the model with places for near pairs; None where it would not pay, or is not possible."""
     bodies = _bodies(model)
     most = PLACES * len({body for of in bodies if of for body in of if body >= 0})
-    if model.k < WORTH * (bodies.count(None) + most):
-        return None
-    if not _possible(model):
+    if model.k < max(WORTH * (bodies.count(None) + most), 1) or not _possible(model):
         return None
     gaps = _gap_items(model)
     functions = [_acceleration_items, _distance_items, *([_energy_items] if model.has_ledger else [])]
