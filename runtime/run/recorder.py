@@ -130,15 +130,15 @@ class Sampled:
     """Observer that keeps the states at which a run is compared with others.
 
     That is at its start and end, at `count` times between, and within its own steps, which lie close where much
-    happens: of all, or of every second, fourth, ... where they are more than EVEN, and of the BENT in which the rates
-    change most, as where friction turns round. Where effects have events, one at the end of a step may change a state at
-    once, and another run may have that event slightly earlier or later: no sample lies so close to an end, and the
-    shortest steps have none.
+    happens: towards the end of all, or of every second, fourth, ... where they are many, and throughout those in which
+    the rates change most, as where friction turns round. Where effects have events, one at the end of a step may change a
+    state at once, and another run may have that event slightly earlier or later: no sample lies so close to an end, and
+    the shortest steps have none.
     """
 
-    EVEN, BENT = 15, 40
-    # of a step: its error grows towards its end, and where rates change at once it goes up and down several times
-    WITHIN = 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 0.99
+    EVEN, BENT = 100, 60  # the former are between so many and twice as many
+    LATE = 0.99  # of a step: its error grows towards its end
+    THROUGHOUT = 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, LATE  # where rates change at once it goes up and down several times
     SHORT = 100  # tolerances, as a shift in time by length over speed: shorter steps may be those between such events
 
     def __init__(self, begin: float, end: float, count: int) -> None:
@@ -146,9 +146,8 @@ class Sampled:
             end - begin
         )  # no event of a period meets them
         self._grid = Grid(np.concatenate([[begin], between, [end]]))
-        self._seen, self._stride = 0, 1
-        self._numbers, self._bends = np.zeros(0, int), np.zeros(0)  # of the steps that are kept
-        self._rows: np.ndarray | None = None  # (steps, len(WITHIN), ns): within each
+        self._seen = 0
+        self._even, self._bent = _Within((self.LATE,), self.EVEN), _Within(self.THROUGHOUT, self.BENT)
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
@@ -158,27 +157,38 @@ class Sampled:
         (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
         short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
         begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
-        numbers, bends = self._seen + np.arange(len(begins)), _bends(block, begins)
+        numbers = self._seen + 1 + np.arange(len(begins))
         self._seen += len(begins)
-        self._numbers, self._bends = np.append(self._numbers, numbers), np.append(self._bends, bends)
-        while np.count_nonzero(self._numbers % self._stride == 0) > self.EVEN:
-            self._stride *= 2
-        least = np.sort(self._bends)[-self.BENT :][0] if len(self._bends) else 0.0
-        kept = (self._numbers % self._stride == 0) | (self._bends >= least)
-        self._numbers, self._bends = self._numbers[kept], self._bends[kept]
-        before, begins = np.split(kept, [len(kept) - len(begins)])[0], begins[kept[len(kept) - len(begins) :]]
-        h = block.t[begins + 1] - block.t[begins]
-        rows = np.stack([block.between(begins, part * h).rows for part in self.WITHIN], axis=1)
-        self._rows = rows if self._rows is None else np.concatenate([self._rows[before], rows])
+        self._even.take(block, begins, numbers & -numbers)  # the power of 2 that a number has as a factor
+        self._bent.take(block, begins, _bends(block, begins))
 
     @cached_property
     def history(self) -> History:
         """Histories at the times that the run reached, once it has ended."""
         grid = self._grid.history
-        own = grid.rows[:0] if self._rows is None else self._rows.reshape(-1, grid.rows.shape[1])
-        rows = np.concatenate([own, grid.rows])
+        own = (rows.reshape(-1, grid.rows.shape[1]) for within in (self._even, self._bent) for rows in within.rows)
+        rows = np.concatenate([*own, grid.rows])
         column = grid.columns("t").start
         return grid.of(rows[np.unique(rows[:, column], return_index=True)[1]])
+
+
+class _Within:
+    """States at parts of those steps of a run whose scores are largest."""
+
+    def __init__(self, parts: tuple[float, ...], most: int) -> None:
+        self._parts, self._most = parts, most
+        self._scores = np.zeros(0)
+        self.rows: list[np.ndarray] = []  # (steps, parts, ns), in one piece
+
+    def take(self, block: History, begins: np.ndarray, scores: np.ndarray) -> None:
+        """Take the steps that begin at rows (n,), with their scores (n,), and drop those that are no longer among the largest."""
+        known, scores = len(self._scores), np.append(self._scores, scores)
+        kept = (scores >= np.sort(scores)[-self._most :][:1]) & (scores > 0)
+        self._scores, (before, fresh) = scores[kept], np.split(kept, [known])
+        begins = begins[fresh]
+        h = block.t[begins + 1] - block.t[begins]
+        rows = np.stack([block.between(begins, part * h).rows for part in self._parts], axis=1)
+        self.rows = [np.concatenate([*(piece[before] for piece in self.rows), rows])]
 
 
 def _bends(block: History, begins: np.ndarray) -> np.ndarray:

@@ -197,3 +197,11 @@ def test_a_step_over_a_turn_is_compared_as_often_as_its_dense_output_may_bend():
     assert run.outcome.finished
     assert true <= asked
     assert true <= 3 * run.error.worst
+
+
+def test_an_error_that_goes_up_and_down_along_the_run_is_looked_for_in_a_hundred_steps_of_it():
+    """As in an impact, where it oscillated with 80 of 3,183 steps: 1.3 times the estimate from 60 of them."""
+    run = simulate(load("slider_crank"), duration="12 ms", accuracy=1e-5, method="dopri5", compiled=False)
+    steps = np.unique(np.searchsorted(run.t, run.error.times))
+    assert len(run.t) > 1000
+    assert np.diff(steps).max() < len(run.t) / 100 + 2
