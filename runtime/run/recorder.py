@@ -181,7 +181,7 @@ class _Within:
         self.rows: list[np.ndarray] = []  # (steps, parts, ns), in one piece
 
     def take(self, block: History, begins: np.ndarray, scores: np.ndarray) -> None:
-        """Take the steps that begin at rows (n,), with their scores (n,), and drop those that are no longer among the largest."""
+        """Take the steps that begin at rows (n,), with scores (n,); drop those no longer among the largest."""
         known, scores = len(self._scores), np.append(self._scores, scores)
         kept = (scores >= np.sort(scores)[-self._most :][:1]) & (scores > 0)
         self._scores, (before, fresh) = scores[kept], np.split(kept, [known])
