@@ -53,7 +53,7 @@ from hertzwerk.runtime.sweeps.row_engine import EngineLostError
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, derived_by, finals, own, text_behind
 from hertzwerk.runtime.sweeps.store import TABLE, Store, opened
 from hertzwerk.runtime.sweeps.stored_rows import HELD, ROWS, DamagedError, StoredRows
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep, columns_of
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Sweep, columns_of, memory_faults
 from hertzwerk.runtime.sweeps.to_do import ToDo
 
 if TYPE_CHECKING:
@@ -125,7 +125,7 @@ def sweep(
     workers    processes, by default as many as there are cores
     client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
     into    folder in which every row is stored once it is done; where it holds rows of the same sweep, those that are
-            missing are computed. A folder of another definition is refused, unless it is to be taken in its place
+            missing are computed; needed beyond 100,000 rows. A folder of another definition is refused, unless it is to be taken in its place
             (widen): rows that are the same stay, the others are computed
     progress    called now and then with the fraction of rows done
 
@@ -148,6 +148,7 @@ def sweep(
     if isinstance(over, Mapping):
         over, choices = read_choices(model, over, read_duration(model, {}, duration, []), faults)
     design = read_design(over, **spread, faults=faults)
+    faults += memory_faults(len(design)) if into is None else []
     fixed = {
         name: _read(value) for name, value in named_values("values", {} if values is None else values, faults).items()
     }

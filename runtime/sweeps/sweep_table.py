@@ -45,6 +45,7 @@ if TYPE_CHECKING:
 
 COMPLETE = Outcome("finished", "every row is there", "")
 SHOWN = 10  # rows in a notebook
+IN_MEMORY = 100_000  # rows of a table in memory, at most
 TOGETHER, PART = 1000, 20_000  # lines of a file, rows of a table, that are made before they are written
 
 
@@ -245,7 +246,10 @@ class Sweep:
         return write(Path(path), self._csv(), overwrite=overwrite)
 
     def to_pandas(self) -> DataFrame:
-        """Return a pandas data frame, a line per row; units are in `attrs`; raises InputError without [data]."""
+        """Return a pandas data frame, a line per row; units are in `attrs`.
+
+        Raises InputError without the extra [data], and beyond 100,000 rows.
+        """
         return data_frame(self._labelled())
 
     def to_xarray(self) -> Dataset:
@@ -253,14 +257,15 @@ class Sweep:
 
         Its dimensions are the varied names where the rows are all combinations, else `row`, with them as coordinates.
         Points of a section are `section.guide.travel` over `section.point`, those of shorter rows followed by nan.
-        Raises InputError without the extra [data].
+        Raises InputError without the extra [data], and beyond 100,000 rows.
         """
         return dataset(self._labelled())
 
     def to_file(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the table as .csv, .parquet or .nc, by the ending; raises InputError.
 
-        Sections and histories are in the last two; `section.to_csv` writes them to a file of their own.
+        Sections and histories are in the last two; `section.to_csv` writes them to a file of their own. A netCDF file has
+        at most 100,000 rows.
         """
         return write_table(Path(path), self._labelled, self._csv, self._parts, overwrite=overwrite)
 
@@ -273,6 +278,8 @@ class Sweep:
                 return
 
     def _labelled(self) -> LabelledTable:
+        if faults := memory_faults(len(self)):
+            raise InputError(f"table of {self.scene}", faults)
         index = Column(np.array([row.index for row in self.rows], dtype=int), "", "place in the design")
         columns = {
             name: Column(
@@ -311,6 +318,14 @@ class Sweep:
         if self.workers:
             text += f", in {self.wall_s:.3g} s on {self.workers} cores"
         return text if self.outcome.finished else f"{text}; {self.outcome.name}"
+
+
+def memory_faults(count: int) -> list[Fault]:
+    """Return the fault of a table of too many rows to be in memory."""
+    if count <= IN_MEMORY:
+        return []
+    way_out = "into=FOLDER, or --into, stores each row as it is done; .csv and .parquet are written as rows are read"
+    return [Fault("rows", f"{count:,} in memory", f"at most {IN_MEMORY:,}", way_out)]
 
 
 def columns_of(varied: Mapping[str, str], results: Mapping[str, str]) -> dict[str, str]:

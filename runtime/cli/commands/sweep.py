@@ -298,7 +298,13 @@ def _draw(found: Sweep, file: Path) -> None:
 
 
 def _record(found: Sweep) -> dict[str, Any]:
-    """Return the table and how the sweep ended as plain data."""
+    """Return the table and how the sweep ended as plain data, without a table too large for memory."""
+    from hertzwerk.runtime.sweeps.sweep_table import memory_faults
+
+    table, arrays = {}, {}
+    if not memory_faults(len(found)):
+        table = {name: column.tolist() for name, column in found.read(*found.names).items()}
+        arrays = {name: found.arrays_of(name).record() for name in found.arrays}
     return {
         "scene": found.scene,
         "outcome": found.outcome.name,
@@ -308,8 +314,8 @@ def _record(found: Sweep) -> dict[str, Any]:
         "rows": len(found),
         "outcomes": found.counts(),
         "units": dict(found.columns),
-        "table": {name: found[name].tolist() for name in found.names},
-        "arrays": {name: found.arrays_of(name).record() for name in found.arrays},
+        "table": table,
+        "arrays": arrays,
         "wall_s": found.wall_s,
         "workers": found.workers,
     }

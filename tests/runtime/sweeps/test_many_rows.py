@@ -11,10 +11,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from benchmarks import rows
+from click.testing import CliRunner
 
+from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Sweep, load, sweep
+from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.inputs.choices import NO_CHOICES
-from hertzwerk.runtime.sweeps import parameter_sweep, store, stored_rows, to_do
+from hertzwerk.runtime.sweeps import parameter_sweep, store, stored_rows, sweep_table, to_do
 from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.points.definition import Keys, as_text, axes_of, design_of, read_definition
 from hertzwerk.runtime.sweeps.points.design import Design, read_design
@@ -190,6 +193,21 @@ def test_a_damaged_row_among_many_is_computed_again_and_reported(ball, tmp_path,
     assert (len(again), again.outcome.finished) == (300, True)
     assert again.rows[77].outputs != again.rows[76].outputs
     assert Sweep.load(tmp_path / "a").outcome.finished
+
+
+def test_more_rows_than_memory_holds_are_refused_without_a_folder_and_as_one_object(ball, tmp_path, monkeypatch):
+    for name in ("IN_MEMORY", "PART"):
+        monkeypatch.setattr(sweep_table, name, 2)
+    over, folder = {"drop_height": "0.5..1.5 m:3"}, tmp_path / "a"
+    with pytest.raises(InputError, match="3 in memory"):
+        sweep(ball, over, workers=1, **BALL)
+    table = sweep("bouncing_ball", over, into=folder, workers=1, **BALL)
+    for make in (table.to_pandas, table.to_xarray, lambda: table.to_file(tmp_path / "a.nc")):
+        with pytest.raises(InputError, match="3 in memory"):
+            make()
+    assert table.to_file(tmp_path / "a.parquet").stat().st_size > 0
+    told = json.loads(CliRunner().invoke(main, ["sweep", "--resume", str(folder), "--json"]).stdout)
+    assert (told["rows"], told["outcomes"], told["table"]) == (3, {"finished": 3}, {})
 
 
 @pytest.mark.exhaustive
