@@ -28,6 +28,7 @@ CHECK = 5.0  # tolerance of a run over that of the run that checks it
 LEAST, LOOSEST = 1e-13, 1e-4  # tolerances of a run that is kept; looser ones chatter at contact
 POINTS = 50  # equally spaced, at which runs are compared, beside steps of their own
 VALID = 0.01  # of the scales: largest error of a valid trajectory
+UNROUNDED = 3e-10  # tolerance down to which errors at a horizon fall with it; rounding, amplified alike, may count from there on
 CARRIED = (10.0, 1000.0)  # limits of the ratio of end error to tolerance assumed for the first run
 MARGIN = 6.0  # ratio of the request to the error the next run aims at: errors scatter, 90 % of such runs meet it
 DOUBTED = 2.5  # ratio of the request to the error below which a third run confirms it
@@ -144,6 +145,14 @@ def beyond_horizon(error: ErrorEstimate) -> str:
         f"the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
         f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are, run.averages()"
     )
+
+
+def reach(error: ErrorEstimate, tolerance: float, asked: float) -> float | None:
+    """Return the time [s] up to which a smaller tolerance than that of a run is expected to meet a request.
+
+    Errors are as tolerances, down to where rounding may count.
+    """
+    return horizon(error.times, error.values, min(asked * max(tolerance / UNROUNDED, 1.0), VALID))
 
 
 class End(Enum):

@@ -28,7 +28,7 @@ from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value, named_values, read_state, whole_faults
 from hertzwerk.runtime.model.free_quantities import Free, Freed, read_free, read_quantity
 from hertzwerk.runtime.model.ranges import starts_in
-from hertzwerk.runtime.model.si_values import si_of, si_units
+from hertzwerk.runtime.model.si_values import si_of, si_units, unit_at
 from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.simulation import simulate
@@ -394,7 +394,7 @@ class _Search:
         return Minimum(
             scene=problem.model.name,
             objective_text=problem.goal.text,
-            values={name: (value, units[name]) for name, value in values.items()},
+            values={name: (value, unit_at(units[name], best.run.parameters)) for name, value in values.items()},
             objective=float(best.value[0]),
             begun=self.trials[0].objective,
             unit=problem.goal.unit,

@@ -13,6 +13,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.html.markup import joined, tag
 from hertzwerk.derive.html.plain_table import heading, table
+from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.design.correlated import Correlated
 from hertzwerk.runtime.design.distributions import Distribution, LogNormal, Normal, TruncatedNormal
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
@@ -42,15 +43,16 @@ class FittedValue(Free):
     interval: Interval
 
     @classmethod
-    def of(cls, free: Free, value: float, interval: Interval) -> FittedValue:
+    def of(cls, free: Free, value: float, interval: Interval, unit: str | None = None) -> FittedValue:
         """Return what was free, fitted."""
-        return cls(**{**vars(free), "value": value}, interval=interval)
+        return cls(**{**vars(free), "value": value, "unit": unit or free.unit}, interval=interval)
 
     def __str__(self) -> str:
         unit = "" if self.unit == "1" else f" {self.unit}"
         digits = _digits(self.value, self.interval)
         low, high = _ends(self.interval, digits)
-        return f"{self.value:.{digits}g}{unit} ({low} to {high})"
+        other = " and ".join(parse_unit(self.unit).free_names)
+        return f"{self.value:.{digits}g}{unit} ({low} to {high}){f', its unit depends on {other}' if other else ''}"
 
 
 @dataclass(frozen=True)

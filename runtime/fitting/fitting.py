@@ -29,6 +29,7 @@ from hertzwerk.runtime.measured.asked import Between, read_between
 from hertzwerk.runtime.measured.residuals import residual_of
 from hertzwerk.runtime.model.binding import whole_faults
 from hertzwerk.runtime.model.free_quantities import Free, read_free
+from hertzwerk.runtime.model.si_values import unit_at
 from hertzwerk.runtime.run.request import Settings, read_duration
 
 if TYPE_CHECKING:
@@ -222,12 +223,14 @@ def concluded(asked: Asked, search: Search, found: Found, linear: str = LINEAR) 
     forward = search.forward
     known = identified(found.jacobian, forward.searched)
     ends, warnings = intervals(search, found, known, asked.profile, linear)
+    count, point = len(asked.free), forward.at(found.x)
+    made = [run.parameters for run in point.runs if run is not None]
+    units = {free.name: {unit_at(free.unit, parameters) for parameters in made} for free in forward.searched}
     values = [
-        FittedValue.of(free, free.outer(float(x)), interval)
+        FittedValue.of(free, free.outer(float(x)), interval, *(units[free.name] if len(units[free.name]) == 1 else ()))
         for free, x, interval in zip(forward.searched, found.x, ends, strict=True)
     ]
-    count = len(asked.free)
-    signals, point = tuple(_signals(search, found)), forward.at(found.x)
+    signals = tuple(_signals(search, found))
     exact = "exact, from the variational equations through every impact"
     reasons = "; ".join(sorted(forward.without_exact)[:3])
     return Fitted(

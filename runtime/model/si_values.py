@@ -57,6 +57,12 @@ def si_text(unit: str) -> str:
     return "" if text == "1" else text
 
 
+def unit_at(unit: str, parameters: Mapping[str, tuple[float, str]]) -> str:
+    """Return a unit text with the values of parameters in its exponents: N/m^exponent -> N/m^1.5."""
+    read = parse_unit(unit)
+    return str(read.at({name: parameters[name][0] for name in read.free_names})) if read.free_names else unit
+
+
 def ratio(above: str, below: str) -> str:
     """Return the unit text of a derivative, of the units above and below, such as "N/(m/s)"."""
     if not below:

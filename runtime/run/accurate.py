@@ -92,7 +92,7 @@ def verdict_of(
         result = Outcome(other.name, message, other.remedy)
     elif result.finished and error is not None and verdict is not Verdict.MET:
         if verdict is Verdict.BEYOND:
-            return too_long(asked.error, error), ()
+            return too_long(asked.error, error, ladder_result.run.tolerance), ()
         if error.floor is not None:
             end = None if asked.at_end else error.end
             foreseen = ladder_result.foreseen

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.accuracy.ladder import ErrorEstimate, beyond_horizon, brief, horizon
+from hertzwerk.runtime.accuracy.ladder import ErrorEstimate, beyond_horizon, brief, reach
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, STALLED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
@@ -146,14 +146,14 @@ def unknown(asked: float, tighter: Outcome) -> Outcome:
     )
 
 
-def too_long(asked: float, error: ErrorEstimate) -> Outcome:
-    """Return the outcome of a complete run that is longer than its horizon of prediction."""
-    known = horizon(error.times, error.values, asked)
+def too_long(asked: float, error: ErrorEstimate, tolerance: float) -> Outcome:
+    """Return the outcome of a complete run, at a tolerance, that is longer than its horizon of prediction."""
+    known = reach(error, tolerance, asked)
     return Outcome(
         "beyond_horizon",
         f"an error of {brief(asked, 3)}{' at the end' if error.at_end else ''} is out of reach: {beyond_horizon(error)}",
-        f"simulate no longer than {known:.4g} s, up to which this run is so accurate; for statistics take this run, or tolerance= in place of "
-        "accuracy=",
+        f"simulate {known:.4g} s, up to which a smaller tolerance is expected to be so accurate, perhaps longer; for statistics take this run, "
+        "or tolerance= in place of accuracy=",
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.host.versions import versions
+from hertzwerk.runtime.model.si_values import unit_at
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable
 from hertzwerk.runtime.tables.meanings import meaning_of
@@ -30,5 +31,5 @@ def _parameter(run: Solution, name: str) -> str:
     value, unit = run.parameters[name]
     read = parse_unit(unit)
     if read.free_names:  # N/m^exponent, of a law whose exponent is a parameter
-        value, unit = read.to_si(value), str(read.at({of: run.parameters[of][0] for of in read.free_names}))
+        value, unit = read.to_si(value), unit_at(unit, run.parameters)
     return repr(value) if unit == "1" else f"{value!r} {unit}"

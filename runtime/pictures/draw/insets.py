@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.patches import ConnectionPatch, Polygon
 
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper
 from hertzwerk.runtime.pictures.draw.parts import INSIDE, Parts
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 WIDTH, HEIGHT = 1.75, 2.2  # inches of an inset, and between two
 MOST = 3
+FARTHEST = 1e12  # times half of its size: farther from the origin the rounding of places would be seen
 UNSEEN = 10.0  # points: smaller details are enlarged
 PART = 0.26  # of the radius: size of a clearance as shown, if to scale it were less than...
 LEGIBLE = 0.1  # ... this
@@ -178,7 +180,7 @@ class Inset:
 def clearances(parts: Parts, point: float) -> Iterator[Inset]:
     """Yield insets for details smaller than a few points; for gaps of one kind the smallest.
 
-    point: 1/72 inch in the unit of the picture.
+    point: 1/72 inch in the unit of the picture. Raises InputError where numbers do not resolve a detail so far from the origin.
     """
     found: list[Inset] = []
     for (name, kind), marks in parts.of.items():
@@ -201,7 +203,16 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
         width, name, middle, (first, second) = min(several, key=lambda entry: entry[0])
         alike = sum(other[0] < 1.01 * width for other in several)
         found.append(Inset(name, (first, second), parts, parts.flat(middle), 5 * width, alike=alike))
-    yield from found[:MOST]
+    for inset in found[:MOST]:
+        far = float(np.max(np.abs(inset.centre)))
+        if not far <= FARTHEST * inset.half:
+            size, away = (x * parts.unit.factor for x in (2 * inset.half, far))
+            text = f"{inset.name}, {size:.3g} m large and {away:.3g} m from the origin"
+            expected = f"at most {FARTHEST / 2:g} times as far as it is large, so that numbers resolve it"
+            raise InputError(
+                parts.places.model.name, [Fault("drawing", text, expected, "look for a length with the wrong unit")]
+            )
+        yield inset
 
 
 def _gap(parts: Parts, marks: list[Landmark], i: int = 0) -> tuple[float, Array] | None:

@@ -1,5 +1,7 @@
 """Fits of balls: published rebounds, a regression in closed form, what data cannot tell, and bad input."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -45,6 +47,15 @@ def test_public_rebounds_give_their_restitution(walls, e):
     assert found.known.singular_values[0] > 5e3 and found.solutions[0].impacts[2].speed == pytest.approx(
         speeds[1], rel=1e-3
     )
+
+
+def test_a_stiffness_has_the_exponent_of_its_law_in_its_unit(ball):
+    data = MeasuredImpacts([1], {"peak_force": [9e4]}, {"peak_force": "N"})
+    noise, free = {"peak_force": "100 N"}, {"stiffness": "2e10..3e10 N/m^1.5 log"}
+    found = fit(ball, data, free=free, noise=noise, duration="0.5 s", starts=1, profile=False)["stiffness"]
+    assert found.unit == "N/m^1.5"
+    assert "N/m^1.5 (" in str(found)
+    assert str(replace(found, unit="N/m^exponent")).endswith("its unit depends on exponent")
 
 
 def test_free_fall_is_a_regression(ball):

@@ -291,6 +291,13 @@ def test_draw_writes_one_picture_and_never_over_another(tmp_path, monkeypatch):
     assert "NAME=VALUE" in bad.output
 
 
+@pytest.mark.parametrize("length", ["1e13 m", "1e90 m"])
+def test_a_detail_too_far_away_to_be_resolved_is_refused(length):
+    """Matplotlib warned of identical limits."""
+    with pytest.raises(InputError, match=r"(?s)slider_pin, 0\.028 m large .*wrong unit"):
+        load("slider_crank").draw(parameters={"rod_length": length})
+
+
 @pytest.mark.parametrize(("height", "drawn"), [("1.7e308 m", False), ("1e200 m", False), ("9e99 m", True)])
 def test_a_mechanism_too_large_to_be_drawn_is_refused(height, drawn):
     """Matplotlib raised a bare ValueError."""
