@@ -13,11 +13,11 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.html.markup import joined, tag
 from hertzwerk.derive.html.plain_table import heading, table
-from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.design.correlated import Correlated
 from hertzwerk.runtime.design.distributions import Distribution, LogNormal, Normal, TruncatedNormal
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.model.free_quantities import Free
+from hertzwerk.runtime.model.si_values import open_exponents
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -51,7 +51,7 @@ class FittedValue(Free):
         unit = "" if self.unit == "1" else f" {self.unit}"
         digits = _digits(self.value, self.interval)
         low, high = _ends(self.interval, digits)
-        other = " and ".join(parse_unit(self.unit).free_names)
+        other = " and ".join(open_exponents(self.unit))
         return f"{self.value:.{digits}g}{unit} ({low} to {high}){f', its unit depends on {other}' if other else ''}"
 
 
