@@ -148,7 +148,7 @@ def beyond_horizon(error: ErrorEstimate) -> str:
 
 
 def reach(error: ErrorEstimate, tolerance: float, asked: float) -> float | None:
-    """Return the time [s] up to which a smaller tolerance than that of a run is expected to meet a request.
+    """Return the time [s] up to which a smaller tolerance is expected to meet a request.
 
     Errors are as tolerances, down to where rounding may count.
     """
