@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
-import pickle
 import sys
 import warnings
 from collections.abc import Callable, Sequence
-from typing import TypeVar
+from contextlib import suppress
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+    from multiprocessing.process import BaseProcess
 
 Result = TypeVar("Result")
-_WIDTH = 2  # bytes of a task's number
 
 
 def cores() -> int:
@@ -27,51 +31,31 @@ def side_by_side(tasks: Sequence[Callable[[], Result]]) -> dict[int, Result]:
     processes = min(cores() if sys.platform.startswith("linux") else 1, len(tasks))
     if processes < 2:
         return {i: task() for i, task in enumerate(tasks)}
-    queue, end = os.pipe()
-    os.write(end, b"".join(i.to_bytes(_WIDTH) for i in range(1, len(tasks))))
-    os.close(end)
-    found: list[dict[int, Result]] = []
-    others = [_forked(queue, tasks) for _ in range(processes - 1)]
+    fork = multiprocessing.get_context("fork")
+    queue = fork.SimpleQueue()
+    for i in (*range(1, len(tasks)), *[None] * processes):
+        queue.put(i)
+
+    def taken() -> dict[int, Result]:
+        return {i: tasks[i]() for i in iter(queue.get, None)}
+
+    def begun() -> tuple[BaseProcess, Connection]:
+        results, end = fork.Pipe(duplex=False)
+        with (
+            end,
+            warnings.catch_warnings(),
+        ):  # Python 3.12 and later warn of threads when forking: NumPy's see to themselves
+            warnings.simplefilter("ignore", DeprecationWarning)
+            process = fork.Process(target=lambda: end.send(taken()))
+            process.start()
+        return process, results
+
+    others, done = [begun() for _ in range(processes - 1)], {}
     try:
-        done = {0: tasks[0](), **_taken(queue, tasks)}
+        done = {0: tasks[0](), **taken()}
     finally:
-        os.close(queue)
-        found += [_result(*other) for other in others]
-    return {i: result for results in (done, *found) for i, result in results.items()}
-
-
-def _taken(queue: int, tasks: Sequence[Callable[[], Result]]) -> dict[int, Result]:
-    """Do tasks from the queue until it is empty."""
-    done: dict[int, Result] = {}
-    while number := os.read(queue, _WIDTH):
-        i = int.from_bytes(number)
-        done[i] = tasks[i]()
+        for process, results in others:
+            with results, suppress(EOFError, OSError):  # of one that ended before
+                done |= results.recv()
+            process.join()
     return done
-
-
-def _forked(queue: int, tasks: Sequence[Callable[[], Result]]) -> tuple[int, int]:
-    """Begin a process that does tasks; return its number and a pipe for its results."""
-    results, end = os.pipe()
-    with warnings.catch_warnings():  # Python 3.12 and later warn of threads when forking: NumPy's see to themselves
-        warnings.simplefilter("ignore", DeprecationWarning)
-        child = os.fork()
-    if child:
-        os.close(end)
-        return child, results
-    try:
-        with os.fdopen(end, "wb") as stream:
-            pickle.dump(_taken(queue, tasks), stream)
-    finally:
-        os._exit(0)  # without the exit of the process that was forked: what it would flush is not ours
-
-
-def _result(child: int, results: int) -> dict[int, Result]:
-    """Wait for a process; return its results, none if it ended before."""
-    with os.fdopen(results, "rb") as stream:
-        content = stream.read()
-    os.waitpid(child, 0)
-    try:
-        found: dict[int, Result] = pickle.loads(content)
-    except (EOFError, pickle.UnpicklingError):
-        return {}
-    return found
