@@ -135,7 +135,11 @@ def no_event_possible(
     soon = b[5] + NEAR * h * after[1]
     clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
     # cut to where a force runs out, but a little short of it: `next_modes` decides
-    faded = (start["retakes"] > 0) * (end["force"] <= LANDING * run["tolerance"] * run["scales"][2]) * (end["force_rate"] < 0)
+    faded = (
+        (start["retakes"] > 0)
+        * (end["force"] <= LANDING * run["tolerance"] * run["scales"][2])
+        * (end["force_rate"] < 0)
+    )
     clear *= 1 - (ends_with_force(model) * faded)[pairs]
     if any(rubs_till_it_pulls(model)):
         clear *= 1 - (ca.DM(rubs_till_it_pulls(model)) * (start["force"] * end["force"] < 0))[pairs]
