@@ -243,10 +243,9 @@ def _of_pairs(name, t, q, c, *of_speeds):
 
 def _spread(x, rows, count):
     """Vector of zeros but for some rows."""
-    entries = [0]*count
-    for k, row in enumerate(rows):
-        entries[row] = x[k]
-    return ca.vertcat(*entries)
+    whole = type(x)(count, 1)
+    whole[rows] = x
+    return whole
 
 
 def _contact(family, of_q, of_u, of_z, of_m):

@@ -80,9 +80,12 @@ def balls(n: int) -> Scene:
     )
 
 
-def spheres_in_box(n: int) -> Scene:
-    """n equal rubber spheres above the floor of a box, four to a layer that is pushed aside, without friction; a last one in its middle."""
-    R, W = Parameter("radius", "m", 0.02), Parameter("width", "m", 0.1)
+def spheres_in_box(n: int, across: int = 2) -> Scene:
+    """n equal rubber spheres above the floor of a box, without friction.
+
+    They are in layers of `across` by `across` that are pushed aside; one that is alone in its layer is in the middle.
+    """
+    R, W = Parameter("radius", "m", 0.02), Parameter("width", "m", 0.05 * across)
     g, K = Parameter("gravity", "m/s^2", 9.81), Parameter("stiffness", "N/m^1.5", 1e5)
     balls = [Body.sphere(f"ball_{i}", R, density=Parameter("density", "kg/m^3", 1100)) for i in range(1, n + 1)]
     planes = {
@@ -96,10 +99,11 @@ def spheres_in_box(n: int) -> Scene:
     )
     position = {}
     for i in range(n):
-        layer, k = divmod(i, 4)
+        layer, k = divmod(i, across**2)
         alone = k == 0 and i == n - 1
-        x, z = (0, 0) if alone else (2 * (k % 2) - 1, 2 * (k // 2) - 1)
-        aside = (layer * sp.Rational((3 * i) % 5 - 2, 20), layer * sp.Rational((5 * i) % 7 - 3, 30))
+        x, z = (0, 0) if alone else (2 * (k % across) - across + 1, 2 * (k // across) - across + 1)
+        far = sp.Rational(2 * layer, across)
+        aside = (far * sp.Rational((3 * i) % 5 - 2, 20), far * sp.Rational((5 * i) % 7 - 3, 30))
         for axis, off in (("x", x * sp.Rational(23, 20) + (0 if alone else aside[0])),
                           ("y", sp.Rational(21, 20) + sp.Rational(5, 2) * layer),
                           ("z", z * sp.Rational(23, 20) + (0 if alone else aside[1]))):  # fmt: skip
