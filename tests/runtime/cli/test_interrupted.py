@@ -265,9 +265,9 @@ def test_impacts_that_cannot_be_found_lose_no_data(run, monkeypatch):
 
 
 def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run, monkeypatch, tmp_path):
-    """A real one: the system refuses to write more than 20 kB into a file, as it does on a full disk, in the middle of it."""
+    """A real one: the system refuses to write more than 40 kB into a file, as it does on a full disk, in the middle of it."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, before[1]))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, before[1]))
     try:
         done = CliRunner().invoke(main, ["run", "two_spheres"], catch_exceptions=False)
     finally:

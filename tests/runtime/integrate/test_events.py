@@ -264,7 +264,7 @@ def test_a_force_is_not_located_within_what_one_rounding_moves_it():
 
 @pytest.mark.parametrize("method", IN_GRAPH)
 def test_a_force_that_falls_through_zero_and_returns_to_it_with_the_gap_ends_its_contact(method):
-    """K d^1.5 + c d d' pulls where it opens, in the last step alone. On the old code the contact ended 3.4 us late below 1e-7."""
+    """K d^1.5 + c d d' pulls where it opens, in the last step alone. Ended 3.4 us late where a step of its own had landed short of that too."""
     stiffness, damping, speed = 2e8, 2.3e5, 2.8
     spent = lambda t, s: stiffness * math.sqrt(s[0]) + damping * s[1]  # noqa: E731
     spent.terminal, spent.direction = True, -1
@@ -272,7 +272,7 @@ def test_a_force_that_falls_through_zero_and_returns_to_it_with_the_gap_ends_its
     true = solve_ivp(rates, (0, 1), [1e-12, speed], "DOP853", rtol=1e-12, atol=1e-16, events=spent, max_step=1e-5)
     model = point(lambda d, v, v0: stiffness * d**1.5 + damping * d * v, scales=(1e-3, 3, 1e3, 1))
     start = {"x0": "1 mm", "v0": f"{-speed} m/s"}
-    for tolerance in (1e-2, 1e-4, 1e-6):
+    for tolerance in (1e-2, 1e-4, 10**-4.5, 1e-6):
         run = simulate(model, duration="4 ms", parameters=start, tolerance=tolerance, method=method, compiled=False)
         (impact,) = run.impacts
         assert impact.duration == pytest.approx(true.t[-1], abs=3e-8 + 3e-5 * tolerance)
