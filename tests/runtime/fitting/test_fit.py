@@ -8,6 +8,7 @@ import pytest
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit, load, read_impacts, simulate
 from hertzwerk.runtime.fitting.fitting import read_fit
+from hertzwerk.runtime.fitting.impact_numbers import of_impacts
 
 TRAVEL = "vertical.travel"
 # 1.6 kg, 1e6 N/m, 10 m/s, Hunt and Crossley: published rebound speeds [m/s], whose integration is right to 1.2e-4 of the third
@@ -56,6 +57,14 @@ def test_a_stiffness_has_the_exponent_of_its_law_in_its_unit(ball):
     assert found.unit == "N/m^1.5"
     assert "N/m^1.5 (" in str(found)
     assert str(replace(found, unit="N/m^exponent")).endswith("its unit depends on exponent")
+
+
+def test_a_rebound_is_as_high_as_the_next_impact_is_fast(ball):
+    """v^2/(2 g) above the height at which it touches the floor."""
+    run = simulate(ball, duration="2.5 s", tolerance=1e-10)
+    rises, speeds = of_impacts(run, f"impacts.rebound.{TRAVEL}"), [impact.speed for impact in run.impacts[1:]]
+    floor = run.at([run.impacts[0].t])[TRAVEL][0]
+    assert len(speeds) > 1 and rises[:-1] == pytest.approx(floor + np.square(speeds) / (2 * 9.81), rel=1e-7)
 
 
 def test_free_fall_is_a_regression(ball):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit_laws, load, simulate
@@ -83,6 +84,21 @@ def test_weights_are_akaikes(ball):
     assert weights["held"] == pytest.approx(1 / (1 + np.exp(-apart / 2)), abs=1e-6)
     assert weights["free"] == pytest.approx(1 / (1 + np.exp(apart / 2)), abs=1e-6)
     assert [law.name for law in found.laws] == ["held", "free"]
+
+
+def test_runs_held_out_are_judged_by_the_fit_of_the_others(ball):
+    """Two falls h = s - g t^2/2 with s free: each has the density of normal noise about the mean of the other."""
+    t, sigma = np.linspace(0.02, 0.4, 30), 1e-3
+    falls = [1.1 - 9.81 * t**2 / 2 + sigma * np.sin(factor * np.arange(30)) for factor in (37, 11)]
+    given = {
+        "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
+        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "profile": False, "parameters": None,
+    }  # fmt: skip
+    data = [Measurement(t, {"height": fall}, {"height": "m"}) for fall in falls]
+    found = ranked({"one": read_fit(ball, data, {"vertical.travel": "1..1.2 m"}, **given)}).best.held_out
+    raised = [fall + 9.81 * t**2 / 2 for fall in falls]
+    expected = [norm.logpdf(one, np.mean(other), sigma).sum() for one, other in (raised, raised[::-1])]
+    assert found == pytest.approx(expected, rel=1e-6)
 
 
 def test_bad_laws_are_one_error(ball):

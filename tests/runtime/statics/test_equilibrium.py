@@ -35,6 +35,7 @@ from hertzwerk.derive import (  # fmt: skip
     X,
     Y,
     Z,
+    coordinate_of,
 )
 from hertzwerk.derive.laws import coulomb, lugre, power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
@@ -217,6 +218,65 @@ def test_set_valued_friction_holds_up_to_its_limit_and_no_further():
     assert gone.outcome.name == "no_equilibrium" and "along.speed" in gone.outcome.message
 
 
+def test_friction_in_two_directions_holds_up_to_its_size():
+    """0.3 x 10 N hold a push along the diagonal of the tangents of 2.97 N, not of 3.03 N, of which each part is 2.14 N."""
+    ball, r = Body("ball", Parameter("m", "kg", 1)), Parameter("r", "mm", 10)
+    one, two = (Body(f"slide_{i}", Parameter(f"m_{i}", "kg", 1e-3)) for i in (1, 2))
+    joints = Prismatic("px", GROUND, one, axis=X), Prismatic("py", one, two, axis=Y), Prismatic("pz", two, ball, axis=Z)
+    push = Parameter("push", "N", 1)
+    scene = Scene(
+        Mechanism("pushed", joints, (SphereOnPlane("floor", ball.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Z),)),
+        (
+            Gravity("gravity", Parameter("g", "m/s^2", 10), direction=-Z),
+            Contact("floor", power(Parameter("K", "N/m", 1e5), 1)),
+            Friction("rub", "floor", coulomb(Parameter("mu", "1", 0.3), Parameter("mu_s", "1", 0.3))),
+            JointForce("along", "px", push / math.sqrt(2)),
+            JointForce("across", "py", push / math.sqrt(2)),
+        ),
+        Scales(r, Parameter("pace", "m/s", 1)),
+        Start(position={"pz": r}),
+    )
+    model = load(scene)
+    held = equilibrium(model, parameters={"push": "2.97 N"})
+    assert held.found
+    assert held.sticking["floor"] == pytest.approx(2.97, rel=1e-9)
+    assert equilibrium(model, parameters={"push": "3.03 N"}).outcome.name == "no_equilibrium"
+
+
+def test_a_drive_carries_what_friction_holds_on_it():
+    """A block of 2 kg sticks to the side of a carriage of 3 kg, whose lift takes the weight of both."""
+    carriage, block, r = (
+        Body("carriage", Parameter("M", "kg", 3)),
+        Body("block", Parameter("m", "kg", 2)),
+        Parameter("r", "mm", 10),
+    )
+    slide = Body("slide", Parameter("m_0", "kg", 0.1))
+    scene = Scene(
+        Mechanism(
+            "lift",
+            (
+                Prismatic("lift", GROUND, carriage, axis=Y),
+                Prismatic("up", GROUND, slide, axis=Y),
+                Prismatic("aside", slide, block, axis=X),
+            ),
+            (SphereOnPlane("side", block.at(0, 0, 0), r, carriage.at(0, 0, 0), normal=X),),
+        ),
+        (
+            Gravity("gravity", Parameter("g", "m/s^2", G), direction=-Y),
+            Contact("side", power(Parameter("K", "N/m", 1e6), 1)),
+            Friction("rub", "side", coulomb(Parameter("mu", "1", 0.5), Parameter("mu_s", "1", 0.5))),
+            JointForce("press", "aside", -Parameter("pressing", "N", 100)),
+            Drive("hoist", "lift", position=Parameter("high", "mm", 0)),
+        ),
+        Scales(r, Parameter("pace", "m/s", 1)),
+        Start(position={"aside": r}),
+    )
+    rest = equilibrium(load(scene))
+    assert rest.found
+    assert abs(rest.sticking["side"]) == pytest.approx(2.1 * G, rel=1e-9)
+    assert rest.drives["hoist"] == pytest.approx(5.1 * G, rel=1e-9)
+
+
 def test_a_leaning_tower_that_just_touches_carries_the_weights_above():
     """Three rectangles by 5 mm beside each other, held by friction: a corner of each carries by its lever about the other's."""
     w, h, r, K = (
@@ -353,6 +413,17 @@ def test_a_motor_s_current_comes_to_rest_where_its_winding_takes_the_voltage():
         assert rest["motor.current"][0] == pytest.approx(4) and rest["main.angle"][0] == pytest.approx(0.5)
     run = simulate(meter, duration="0.2 s", tolerance=1e-9, initial=rest)
     assert np.ptp(run["main.angle"]) < 1e-9
+
+
+def test_a_motor_holds_a_load_by_a_voltage_that_follows_its_angle():
+    """u = -c q makes of the motor a spring of k c/R = 0.1 x 20/0.5 = 4 N m/rad, against which 2 N m turn it by 0.5 rad."""
+    held = motor(
+        -Parameter("c", "V/rad", 20) * coordinate_of("main"), JointForce("load", "main", Parameter("load", "N m", 2))
+    )
+    for nearest in (False, True):
+        rest = equilibrium(held, nearest=nearest)
+        assert rest.outcome.name == "found" and rest.stable
+        assert rest["main.angle"][0] == pytest.approx(0.5, rel=1e-9)
 
 
 def test_what_keeps_a_speed_has_no_rest():
