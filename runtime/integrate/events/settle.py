@@ -157,8 +157,10 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
         return ca.Function("aim", asked, [ca.fmin(theta, force), ca.DM(0)])
     tol, _, _ = tolerances(model, run, end, known)
     times = time_to_root(*signed_gaps(old["mode"], end))
-    # its fifth power, the nudge's error, is below the tolerance
-    near = ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
+    # its fifth power, the nudge's error, is below the tolerance; its square where it crosses a jump
+    jumps = _jumps(model, old["mode"])
+    order = 0.2 if jumps is None else ca.if_else(jumps, 0.5, 0.2)
+    near = ca.fmin(NEAR, run["tolerance"] ** order) * old["h"]
     # Whoever is on its surface already would be led past it by a move on to another's close by, and back by the retake: the step ends there.
     away = ca.if_else(ca.fabs(end["gap"]) > tol, times, 0)
     delta = ca.mmin(ca.if_else(ca.fabs(times) <= near, away, 2 * near))
@@ -173,6 +175,12 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     return ca.Function("aim", asked, ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)]))
 
 
+def _jumps(model: Model, mode: Any) -> Any:
+    """Return 1 where a contact may end with its gap, at a force other than zero; None without such laws."""
+    ends = 1 - ends_with_force(model)
+    return any_of(ends * (mode == CONTACT)) if ca.mmax(ends) else None
+
+
 @per_model
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function that moves the end of a step by delta [s].
@@ -181,7 +189,7 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """
     arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict", ca.MX)
     delta = ca.MX.sym("delta")
-    moved = short_step(right, old, end, run, delta)
+    moved = short_step(right, old, end, run, delta, _jumps(model, old["mode"]))
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
     outputs.append(floors(model, moved, run["c"]))

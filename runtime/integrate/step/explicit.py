@@ -301,11 +301,12 @@ def explicit_step(
 
 
 def short_step(
-    right: Flow, start: Mapping[str, Any], end: Mapping[str, Any], run: Mapping[str, Any], delta: Any
+    right: Flow, start: Mapping[str, Any], end: Mapping[str, Any], run: Mapping[str, Any], delta: Any, jumps: Any = None
 ) -> dict[str, Any]:
     """Continue from a step's end by a short delta [s] with the classical Runge-Kutta method of order 4.
 
-    Return the parts of a trial without its error: delta is too short for one that counts.
+    Return the parts of a trial without its error: delta is too short for one that counts. jumps: 1 where a force ends with a jump at the
+    surface that the step is led to, so that rates are those of a place before it, as far from it as the middle of the move.
     """
     given = (start["mode"], start["m"], run["c"])
     rates, ends = right.under(start["mode"])
@@ -313,7 +314,11 @@ def short_step(
     k2 = rates(t + delta / 2, y + delta / 2 * k1, *given)
     k3 = rates(t + delta / 2, y + delta / 2 * k2, *given)
     k4 = rates(t + delta, y + delta * k3, *given)
-    y1, _ = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), run)
+    moved = y + delta / 6 * (k1 + 2 * (k2 + k3) + k4)
+    if jumps is not None:
+        before = delta - ca.fabs(delta) / 2
+        moved = ca.if_else(jumps, y + delta * rates(t + before, y + before * k1, *given), moved)
+    y1, _ = right.closed(t + delta, moved, run)
     return {"t": t + delta, "y": y1, **dict(zip(ENDS, ends(t + delta, y1, *given), strict=True))}
 
 

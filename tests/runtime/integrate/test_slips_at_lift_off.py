@@ -263,6 +263,21 @@ def test_friction_ends_where_a_law_begins_to_pull(method):
         assert run["flight.x_speed"][-1] == pytest.approx(3 - mu * pressed, abs=2 * tolerance)
 
 
+@pytest.mark.parametrize("method", ["dop853", "dopri5"])
+def test_a_move_to_the_opening_does_not_take_the_force_beyond_it(method):
+    """A law may end with the gap at a force that is not zero: the end of a step was moved back to it without that force.
+
+    On the old code speeds were off by up to 9e4 tolerances, unseen by any estimate.
+    """
+    data = {"mass": 1, "inertia": 1e3, "radius": 0.05, "stiffness": 1e6, "n": 1, "damping": (kelvin_voigt, 0.5)}
+    start = {"position": {"y": 0.0505}, "speed": {"x_speed": 3, "y_speed": -1}}
+    model = load(body(**data, **start, friction=(0.2, 0.2), normal=Y, up=Y))
+    for speed in np.arange(1, 1.2, 0.01):
+        given = {"parameters": {"g": "0 m/s^2"}, "initial": {"flight.y_speed": (-speed, "m/s")}, "compiled": False}
+        run = simulate(model, duration=0.01, method=method, tolerance=1e-11, **given)
+        assert run["flight.y_speed"][-1] == pytest.approx(speed / 2, abs=1e-10)
+
+
 def test_references_end_friction_there_too():
     """SUNDIALS ends a window where the law begins to pull."""
     run = simulate(load(ball_that_is_held_back()), duration=0.01, method="cvodes", tolerance=1e-8)
