@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.averages import Average
     from hertzwerk.runtime.solution.solution import Solution
 
+PICTURED = 24  # pairs up to which each gets a picture
 CSV_LIMIT = 50e6  # bytes: larger files are written only on request
 
 
@@ -259,7 +260,7 @@ class _Extras:
             pages()[name](at / f"{name}.png")
 
         makers: dict[str, Callable[[Path], object]] = {"overview": partial(page, "overview"), "mechanism": mechanism}
-        makers |= {name: partial(page, name) for name in self.solution.model.pairs}
+        makers |= {name: partial(page, name) for name in self._pictured()}
         with suppress(Exception, KeyboardInterrupt), self.stop.at_once():  # each page reports what is wrong with it
             if not self.stop.asked:
                 pages()
@@ -268,6 +269,22 @@ class _Extras:
             files, missing = made.get(i, ([], [f"{name}.png is not there: the process that made it ended"]))
             self.written.files += files
             self.written.missing += missing
+
+    def _pictured(self) -> list[str]:
+        """Return the pairs that get a picture: of many those with the largest forces."""
+        pairs = self.solution.model.pairs
+        if len(pairs) <= PICTURED:
+            return [*pairs]
+        peaks: dict[str, float] = {}
+        with suppress(Exception):  # of impacts that cannot be found the run's record tells
+            for impact in self.solution.impacts:
+                peaks[impact.contact] = max(impact.peak_force, peaks.get(impact.contact, 0.0))
+        shown = sorted(peaks, key=lambda pair: peaks[pair])[-PICTURED:]
+        self.written.left_out.append(
+            f"{len(pairs) - len(shown)} of {len(pairs)} pairs have no picture: of many only the {PICTURED} with the largest forces do; "
+            "Solution.plot(PAIR) draws any other"
+        )
+        return [pair for pair in pairs if pair in shown]
 
     def _apart(self, name: str, make: Callable[[Path], object]) -> tuple[list[str], list[str]]:
         """Make one file; return the files that are there, and what is missing."""

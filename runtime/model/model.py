@@ -278,6 +278,18 @@ class Model:
         columns = [*map(ca.densify, self.expressions(name, *given.values()))]
         return ca.Function(name, symbols, ca.cse(columns), inputs.split(), [f"o{i}" for i in range(len(columns))])
 
+    def landmarks(self, p: np.ndarray) -> list[np.ndarray]:
+        """Return what `landmarks` returns: a row of LANDMARKS each, of which many spheres have thousands."""
+        function, ends = self._landmarks()
+        return np.split(np.array(function(p)).ravel(), ends)
+
+    @per_model
+    def _landmarks(self) -> tuple[Any, np.ndarray]:
+        symbols = self.symbols("p")
+        columns = self.expressions("landmarks", *symbols)
+        whole = ca.Function("landmarks", symbols, [ca.densify(ca.vertcat(*columns))])
+        return whole, np.cumsum([column.numel() for column in columns])[:-1]
+
     def with_pieces(self, function: Any, constant: int) -> Any:
         """Return a function whose argument c, in a place, has the pieces of the inputs from one more argument.
 

@@ -171,11 +171,7 @@ class Places:
 
 def landmarks_of(model: Model, p: Array) -> tuple[Landmark, ...]:
     """Return the landmarks of a model with its parameters p (np,), SI."""
-    results: Any = model.function("landmarks")(p)
-    columns = results if isinstance(results, tuple) else (results,)
-    return tuple(
-        _landmark(row, np.array(column).ravel()) for row, column in zip(model.module.LANDMARKS, columns, strict=True)
-    )
+    return tuple(map(_landmark, model.module.LANDMARKS, model.landmarks(p)))
 
 
 def _without_functions(model: Model) -> InputError:

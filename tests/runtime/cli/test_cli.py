@@ -183,6 +183,19 @@ def test_a_run_is_one_new_folder_with_everything_in_it(hertzwerk):
     assert [path.name for path in Path("runs").iterdir()] == ["two_spheres-001"]
 
 
+def test_of_many_pairs_those_with_the_largest_forces_have_a_picture(hertzwerk, monkeypatch):
+    monkeypatch.setattr("hertzwerk.runtime.cli.run_folder.PICTURED", 1)
+    done = hertzwerk("run", "ball_between_walls")
+    assert done.exit_code == 0
+    (folder,) = Path("runs").iterdir()
+    impacts = json.loads((folder / "run.json").read_text())["impacts"]
+    largest = max(impacts, key=lambda impact: impact["peak_force"])["contact"]
+    assert len({impact["contact"] for impact in impacts}) == 2
+    pictures = {path.stem for path in folder.glob("*.png")} - {"overview", "mechanism"}
+    assert pictures == {largest}
+    assert "1 of 2 pairs have no picture" in " ".join(done.output.split())
+
+
 def test_every_run_gets_the_next_folder(hertzwerk):
     for _ in range(3):
         assert hertzwerk("run", "two_spheres", "--no-plots").exit_code == 0
