@@ -409,10 +409,11 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
     units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
     for name in (*(slip for slip, *_ in model.slips), *_in_two_directions(model)):
         units |= {friction_force(name): "N m" if turns(name) else "N", name: units.get(name, "1")}
+    first = {row[0]: rows[0][0] for _, rows in getattr(model.module, "FAMILIES", ()) for row in rows}  # of its kind
     for pair in model.pairs:
         units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
         slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
-        if model.function(f"contact_{pair}").size1_out(3) if stored is None else slides in stored:
+        if model.function(f"contact_{first.get(pair, pair)}").size1_out(3) if stored is None else slides in stored:
             units[slides] = "m/s"
     if model.has_ledger:
         units["energy"] = "J"

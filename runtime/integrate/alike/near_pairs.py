@@ -7,7 +7,7 @@ rest, changes by no more than their centres move. Kinds of pairs without that bo
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from types import SimpleNamespace
@@ -15,7 +15,7 @@ from typing import Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike
+from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -23,25 +23,31 @@ from hertzwerk.runtime.model.per_model import per_model
 PLACES = 8
 WORTH = 2.0  # pairs over places from which a list pays
 NONE = -1.0  # number of no pair
-OWN = 2  # place of a pair's latches among the inputs of `contact_items`
+LATCHES = 3  # place of a pair's latches among the inputs of `contacts_by_kind`
 APART = 1e30  # m, gap in a place without a pair
 WITHIN = 2 / 5, 1 / 20  # of h |v| and h^2 |a| at the ends of a step: how far a quintic goes beyond both ends
 
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """Pairs whose functions all have equal operations, and their places.
+    """Pairs of one kind, and their places.
 
-    pairs   their numbers in the whole model
-    bodies  of each the two whose centres it depends on, -1 for the ground; none where all are always near
-    first   the first of its places; the numbers of its pairs in the list begin there as well, `count` places
+    name, rows   as in the module's FAMILIES
+    number  of its first pair in the model; first: of its first place, of which there are `count`
+    bodies  of each the two whose centres it depends on, -1 for the ground; empty where all are always near
     """
 
-    pairs: list[int]
-    bodies: list[tuple[int, int]]
-    first: int
+    name: str
+    rows: tuple[tuple[Any, ...], ...]
     number: int
+    first: int
     count: int
+    bodies: list[tuple[int, int]]
+
+    @property
+    def pairs(self) -> range:
+        """Numbers of its pairs in the model."""
+        return range(self.number, self.number + len(self.rows))
 
 
 class NearModel(Model):
@@ -50,12 +56,10 @@ class NearModel(Model):
     The numbers of the pairs in its places are among its constants.
     """
 
-    def __init__(self, whole: Model, families: Sequence[Family], gaps: Alike) -> None:
-        self.whole, self.families, self.gaps = whole, families, gaps
-        self.numbers = [pair for family in families for pair in family.pairs]
-        """Pairs of the whole model by their number in a list."""
+    def __init__(self, whole: Model, families: Sequence[Family]) -> None:
+        self.whole, self.families = whole, families
         places = [family for family in families for _ in range(family.count)]
-        module, rows = whole.module, _memory_rows(whole)
+        module, (_, _, rows) = whole.module, contacts_by_kind(whole)
         self.memory_rows = rows
         """Rows of the whole model's memory that are of each pair."""
         self.others = sorted({*range(whole.nz)} - {row for of in rows for row in of})
@@ -86,9 +90,7 @@ class NearModel(Model):
                     *((f"near_{i}.{name}", "J") for i, name in enumerate(names)),
                     *((f"departed.{name}", "J") for name in self.departed),
                 ),
-                LATCHES=tuple(
-                    (f"near_{i}.{name}", "", i) for name in latches[self.numbers[0]] for i in range(len(places))
-                ),
+                LATCHES=tuple((f"near_{i}.{name}", "", i) for name in latches[0] for i in range(len(places))),
                 PAIRS=tuple((f"near_{i}", "") for i in range(len(places))),
                 OUTPUTS=(),
                 CONSTANTS=(*module.CONSTANTS, *[("near", "1")] * sum(lists)),
@@ -120,45 +122,32 @@ class NearModel(Model):
     @per_model
     def of_places(self, name: str) -> Any:
         """Return a function of the module with results for each pair, for the places of the list (MX)."""
-        return self.at_places(name, *_ITEMS[name](self.whole))
+        made, otherwise = _FUNCTIONS[name]
+        return self.at_places(name, made(self.whole), otherwise)
 
     def at_places(self, name: str, found: Alike, otherwise: tuple[float, ...]) -> Any:
         """Return a function with the results of all pairs for the places of the list.
 
         otherwise    results in a place without a pair
         """
-        arguments = "t q u a c" if name == "gap_accelerations" else "t q u c"
-        symbols = self.symbols(arguments, ca.MX)
+        symbols = self.symbols("t q u a c" if name == "gap_accelerations" else "t q u c", ca.MX)
         known = found.known([*symbols[:-1], symbols[-1][: self.whole.nc]])
         near, *_ = self.lists_of(symbols[-1])
         columns: list[list[Any]] = [[] for _ in otherwise]
-        order: list[int] = []
-        for kind, places, shift in self.by_places(found):
+        for kind, places, number in self.by_places(found):
             own = near[places]
             there = own > NONE
-            results, _ = kind.results_at(known, ca.if_else(there, own - shift, 0), [])
-            order += places
+            results, _ = kind.results_at(known, ca.if_else(there, own - number, 0), [])
             for column, value, without in zip(columns, results, otherwise, strict=True):
                 column.append(ca.if_else(there, value, without))
-        back = sorted(range(len(order)), key=order.__getitem__)
-        return ca.Function(name, symbols, [ca.vertcat(*column)[back] for column in columns])
+        return ca.Function(name, symbols, [ca.vertcat(*column) for column in columns])
 
-    def by_places(self, found: Alike) -> list[tuple[Kind, list[int], Any]]:
-        """Return each kind with items in the order of their numbers, its places, and numbers less items there."""
-        by_kind: list[tuple[Kind, list[int], Any]] = []
-        for kind in found.kinds:
-            leaves = dict(zip(kind.items, kind.leaves, strict=True))
-            families = [family for family in self.families if family.pairs[0] in leaves]
-            items = [pair for family in families for pair in family.pairs]
-            places = [family.first + i for family in families for i in range(family.count)]
-            starts = accumulate((len(family.pairs) for family in families), initial=0)
-            shift = [
-                family.number - start
-                for family, start in zip(families, starts, strict=False)
-                for _ in range(family.count)
-            ]
-            by_kind.append((Kind(items, [leaves[item] for item in items], kind.one), places, ca.DM(shift)))
-        return by_kind
+    def by_places(self, found: Alike) -> list[tuple[Kind, list[int], int]]:
+        """Return each kind with its places and the number of its first pair."""
+        return [
+            (kind, [*range(family.first, family.first + family.count)], family.number)
+            for kind, family in zip(found.kinds, self.families, strict=True)
+        ]
 
     @per_model
     def centres(self) -> Any:
@@ -227,66 +216,93 @@ def latch_rows(model: Model) -> list[list[int]]:
     return found
 
 
+def _by_kind(model: Model, inputs: str, results: Callable[..., Any]) -> Alike:
+    """Return results of all pairs by the kinds of the module's FAMILIES.
+
+    results    (family, own entries of the inputs, as SX) -> results of a pair
+    """
+    sizes = {"t": 1, "q": model.nq, "u": model.nu, "a": model.nu, "latches": len(_latches(model)[0]), "c": model.nc}
+    parts = inputs.split()
+    starts = dict(zip(parts, accumulate((sizes[part] for part in parts), initial=0), strict=False))
+    kinds, number = [], 0
+    for family, members in model.module.FAMILIES:
+        own = {"q": [row[1] for row in members], "u": [row[2] for row in members], "a": [row[2] for row in members]}
+        own |= {part: [[*range(sizes[part])]] * len(members) for part in ("t", "latches", "c")}
+        symbols = [ca.SX.sym(part, len(own[part][0])) for part in parts]
+        leaves = [[starts[part] + i for part in parts for i in own[part][k]] for k in range(len(members))]
+        found = ca.cse([ca.densify(results(family, *symbols))])
+        one = ca.Function("one", [ca.vertcat(*symbols)], found)
+        kinds.append(Kind([*range(number, number + len(members))], leaves, one))
+        number += len(members)
+    given = [ca.SX.sym(part, sizes[part]) for part in parts]
+    alike = Alike([[*range(part.numel())] for part in given], ca.Function("shared", given, [ca.SX(0, 1)]), kinds)
+    return alike.with_results([[*range(kind.one.numel_out(0))] for kind in kinds])
+
+
+def _of(model: Model, function: str, family: str) -> Any:
+    return getattr(model.module, f"{function}_of_{family}")
+
+
 @per_model
-def contact_items(model: Model) -> tuple[Alike | None, list[list[int]], list[list[int]]]:
+def contacts_by_kind(model: Model) -> tuple[Alike, list[list[int]], list[list[int]]]:
     """Return the contacts of all pairs by kind; of each the rows of its forces and of its memory.
 
-    An item's results are its forces, rates of memory, normal force and range; inputs t, (q, u), own latches, c, z.
+    A pair's results are its forces, rates of memory, normal force and range; inputs t, q, u, own latches, c.
     """
-    t, q, u, z, c = model.symbols("t q u z c")
-    latches = latch_rows(model)
-    own = ca.SX.sym("own", max(map(len, latches)))
-    m = ca.SX.zeros(model.nm)
-    for rows in latches:
-        m[rows] = own[: len(rows)]
-    items, forces, memory = [], [], []
-    for pair in model.pairs:
-        f, dz, normal, _, valid, *_ = model.expressions(f"contact_{pair}", t, q, u, z, m, c)
-        f, dz = ca.sparsify(f), ca.sparsify(dz)
-        forces.append(list(f.sparsity().row()))
-        memory.append(list(dz.sparsity().row()))
-        items.append(ca.vertcat(ca.SX(0, 1), *f.nonzeros(), *dz.nonzeros(), normal, valid))
-    return alike([t, ca.vertcat(q, u), own, c, z], items, share=False), forces, memory
+    patterns: dict[str, tuple[list[int], list[int]]] = {}
 
+    def contact(family: str, t: Any, q: Any, u: Any, latches: Any, c: Any) -> Any:
+        z = ca.SX.zeros(len(members[family][0][3]))
+        f, dz, normal, _, valid, *_ = _of(model, "contact", family)(t, q, u, z, latches, c)
+        f, dz = ca.sparsify(ca.SX(f)), ca.sparsify(ca.SX(dz))
+        patterns[family] = f.sparsity().row(), dz.sparsity().row()
+        return ca.vertcat(*f.nonzeros(), *dz.nonzeros(), normal, valid)
 
-def _memory_rows(model: Model) -> list[list[int]]:
-    return contact_items(model)[2]
+    members = dict(model.module.FAMILIES)
+    found = _by_kind(model, "t q u latches c", contact)
+    pairs = [(family, row) for family, rows in model.module.FAMILIES for row in rows]
+    forces = [[row[2][i] for i in patterns[family][0]] for family, row in pairs]
+    memory = [[row[3][i] for i in patterns[family][1]] for family, row in pairs]
+    return found, forces, memory
 
 
 @per_model
-def _gap_items(model: Model) -> Alike | None:
-    """Return gaps and their rates of all pairs by kind; None where pairs are not alike."""
-    given = model.symbols("t q u c")
-    return alike(given, [ca.vertcat(*x) for x in zip(*map(ca.vertsplit, model.function("gaps")(*given)), strict=True)])
+def gaps_by_kind(model: Model) -> Alike:
+    """Return gaps and their rates of all pairs by kind."""
+    return _by_kind(
+        model, "t q u c", lambda family, *given: ca.vertcat(*map(ca.SX, _of(model, "gaps", family)(*given)))
+    )
 
 
 @per_model
-def _acceleration_items(model: Model) -> Alike | None:
-    given = model.symbols("t q u a c")
-    return alike(given, ca.vertsplit(model.function("gap_accelerations")(*given)))
+def _accelerations(model: Model) -> Alike:
+    return _by_kind(model, "t q u a c", lambda family, *given: ca.SX(_of(model, "gap_accelerations", family)(*given)))
 
 
 @per_model
-def _energy_items(model: Model) -> Alike | None:
-    given = model.symbols("t q u c")
-    return alike(given, ca.vertsplit(model.function("energy").call(given)[2]))
+def _energies(model: Model) -> Alike:
+    return _by_kind(model, "t q u c", lambda family, *given: ca.SX(_of(model, "stored_energy", family)(*given)))
 
 
 @per_model
-def _distance_items(model: Model) -> Alike | None:
-    """Return the distances of the surfaces: outputs, or gaps where there is none."""
-    given = model.symbols("t q u c")
-    outputs, gaps = model.function("outputs")(*given), model.function("gaps").call(given)[0]
-    place = {name: i for i, name in enumerate(model.outputs)}
-    names = [f"{pair}.gap" for pair in model.pairs]
-    return alike(given, [outputs[place[name]] if name in place else gaps[j] for j, name in enumerate(names)])
+def distances_by_kind(model: Model) -> Alike:
+    """Return the distances of the surfaces of all pairs by kind: outputs, or gaps where there is none."""
+    first = {family: members[0][0] for family, members in model.module.FAMILIES}
+
+    def distance(family: str, *given: Any) -> Any:
+        own = [name for name in model.outputs if name.startswith(f"{first[family]}.")]
+        if f"{first[family]}.gap" in own:
+            return ca.SX(_of(model, "outputs", family)(*given))[own.index(f"{first[family]}.gap")]
+        return ca.SX(_of(model, "gaps", family)(*given)[0])
+
+    return _by_kind(model, "t q u c", distance)
 
 
-_ITEMS: dict[str, Any] = {
-    "gaps": lambda model: (_gap_items(model), (APART, 0)),
-    "gap_accelerations": lambda model: (_acceleration_items(model), (0,)),
-    "stored": lambda model: (_energy_items(model), (0,)),
-    "distances": lambda model: (_distance_items(model), (APART,)),
+_FUNCTIONS: dict[str, tuple[Callable[[Model], Alike], tuple[float, ...]]] = {
+    "gaps": (gaps_by_kind, (APART, 0)),
+    "gap_accelerations": (_accelerations, (0,)),
+    "stored": (_energies, (0,)),
+    "distances": (distances_by_kind, (APART,)),
 }
 
 
@@ -294,64 +310,45 @@ _ITEMS: dict[str, Any] = {
 def distances(model: Model) -> Any:
     """Return the function (t, q, u, c) -> distances (k) of the surfaces of all pairs (MX)."""
     given = model.symbols("t q u c", ca.MX)
-    found = _distance_items(model)
-    if found is None:
-        raise ValueError("distances that are not alike")
-    return ca.Function("distances", given, found.results(given))
+    return ca.Function("distances", given, distances_by_kind(model).results(given))
 
 
 @per_model
 def near_model(model: Model) -> NearModel | None:
     """Return the model with places for near pairs; None where it would not pay, or is not possible."""
+    if not _possible(model):
+        return None
     bodies = _bodies(model)
     most = PLACES * len({body for of in bodies if of for body in of if body >= 0})
-    if model.k < max(WORTH * (bodies.count(None) + most), 1) or not _possible(model):
-        return None
-    gaps = _gap_items(model)
-    functions = [_acceleration_items, _distance_items, *([_energy_items] if model.has_ledger else [])]
-    items = [contact_items(model)[0], gaps, *(of(model) for of in functions)]
-    keys: list[list[Any]] = [[] for _ in model.pairs]
-    for found in items:
-        if found is None:
-            return None
-        for number, kind in enumerate(found.kinds):
-            for item in kind.items:
-                keys[item].append(number)
-    (_, _, memory), latches = contact_items(model), _latches(model)
-    for j, key in enumerate(keys):
-        booked = memory[j].index(model.module.DISSIPATED[j]) if model.has_ledger else None
-        key += [_release(model, j), len(memory[j]), booked, tuple(latches[j]), bodies[j] is None]
-    groups: dict[tuple[Any, ...], list[int]] = {}
-    for j, key in enumerate(keys):
-        groups.setdefault(tuple(key), []).append(j)
     families: list[Family] = []
     place = number = 0
-    for pairs in groups.values():
-        watched = [of for of in (bodies[j] for j in pairs) if of is not None]
-        count = min(len(pairs), most) if watched else len(pairs)
-        families.append(Family(pairs, watched, place, number, count))
-        place, number = place + count, number + len(pairs)
-    return NearModel(model, families, gaps) if gaps is not None and model.k >= WORTH * place else None
+    for name, rows in model.module.FAMILIES:
+        watched = [of for of in bodies[number : number + len(rows)] if of is not None]
+        watched = watched if len(watched) == len(rows) else []
+        count = min(len(rows), most) if watched else len(rows)
+        families.append(Family(name, rows, number, place, count, watched))
+        place, number = place + count, number + len(rows)
+    return NearModel(model, families) if model.k >= WORTH * place else None
 
 
 def _possible(model: Model) -> bool:
     """Return whether the model has nothing of which no more than places for pairs are known."""
     others = (
-        model.ns,
-        model.ne,
-        model.nl,
-        model.loads,
-        model.inputs,
-        model.journals,
-        model.speed_limited,
-        model.dependent,
+        *(
+            model.ns,
+            model.ne,
+            model.nl,
+            model.loads,
+            model.inputs,
+            model.journals,
+            model.speed_limited,
+            model.dependent,
+        ),
+        getattr(model.module, "BRISTLES", None),
     )
-    if any(map(bool, (*others, getattr(model.module, "BRISTLES", None)))):
+    if any(map(bool, others)) or not getattr(model.module, "FAMILIES", ()):
         return False
-    reads = contact_items(model)[0]
-    if reads is None or len({tuple(of) for of in _latches(model)}) > 1:
-        return False
-    return not reads.taken[-1]  # no contact reads memory
+    return len({tuple(of) for of in _latches(model)}) == 1
 
 
 def _bodies(model: Model) -> list[tuple[int, int] | None]:

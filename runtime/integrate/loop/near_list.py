@@ -91,7 +91,7 @@ def scale_of(model: NearModel, scale: np.ndarray) -> np.ndarray:
 def latches_of(model: NearModel, latches: np.ndarray, c: np.ndarray) -> np.ndarray:
     """Return the latches of a run's places from those of all pairs; 0 for none."""
     near = c[model.whole.nc :][: model.k].astype(int)
-    pairs = np.array(model.numbers)[near]
+    pairs = near
     rows = np.array(model.whole_latches)[pairs]  # (k, latches of a pair)
     return np.where(near >= 0, latches[rows].T, 0.0).ravel()
 
@@ -127,12 +127,12 @@ def renewed(model: NearModel, state: np.ndarray, controls: np.ndarray, departure
         left, come = (int(numbers[place]) for numbers in (before, new[0]))
         if left >= 0 and (np.any(at["y"][rows]) or np.any(at["m"][latches] != 1.0)):
             found = Departure(float(at["t"][0]), at["y"][rows], at["m"][latches].copy())
-            departures.setdefault(model.numbers[left], []).append(found)
+            departures.setdefault(left, []).append(found)
         for row, name in zip(rows, model.summed[place], strict=True):
             at["y"][moving + model.departed[name]] += at["y"][row]
             at["y"][row] = 0.0
         at["mode"][place] = FLIGHT
-        known = departures.get(model.numbers[come]) if come >= 0 else None
+        known = departures.get(come) if come >= 0 else None
         at["m"][latches] = known[-1].latches if known else 1.0
     (found_state,) = _renewed(model)(np.concatenate([at[name] for name in vectors.state.sizes]), controls)
     return found_state
@@ -149,7 +149,7 @@ def _list(
     near, skin = before.copy(), APART
     for family in model.families:
         places = slice(family.first, family.first + family.count)
-        own = apart[family.pairs]
+        own = apart[family.number : family.number + len(family.rows)]
         listed = near[places]
         busy = listed[mode[places] != FLIGHT].astype(int) - family.number
         own[busy] = -np.inf

@@ -28,7 +28,7 @@ class NearRows:
         for first, last in zip([0, *ends], ends, strict=False):
             if last > first:
                 listed = np.flatnonzero(near[first] >= 0)
-                pairs = np.array(model.numbers)[near[first, listed].astype(int)]
+                pairs = near[first, listed].astype(int)
                 self._lists.append((slice(first, last), listed, pairs))
         self._places = [dict(zip(pairs.tolist(), listed.tolist(), strict=True)) for _, listed, pairs in self._lists]
 
@@ -108,6 +108,5 @@ class NearRows:
 
 def places(model: NearModel, lists: np.ndarray, pairs: np.ndarray) -> np.ndarray:
     """Return the places of pairs (n,) in lists (n, size)."""
-    numbers = np.argsort(model.numbers)[pairs]
-    found: np.ndarray = np.argmax(lists[:, : model.k] == numbers[:, None], axis=1)
+    found: np.ndarray = np.argmax(lists[:, : model.k] == pairs[:, None], axis=1)
     return found

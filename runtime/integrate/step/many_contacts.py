@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import casadi as ca
 
 from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike, entries, over_items
-from hertzwerk.runtime.integrate.alike.near_pairs import NONE, OWN, NearModel, contact_items
+from hertzwerk.runtime.integrate.alike.near_pairs import LATCHES, NONE, NearModel, contacts_by_kind
 from hertzwerk.runtime.integrate.alike.selection import added, running_sum
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model.per_model import per_model
@@ -113,7 +113,7 @@ class _Evaluation:
         touching, dy = ca.MX.sym("touching", 1 + sum(self._most)), ca.MX.sym("dy", y.numel())
         given, forces = [t, y, mode, m, c, touching], [self._forces(kind.items[0]) for kind in self._found.kinds]
         pushes = self._found.with_results([[*range(n)] for n in forces])
-        rates = self._found.rates(forces, 2)
+        rates = self._found.rates(forces, 1 + len(self._states()))
         at, moving = self._inputs(t, y, m, c, dy)
         return ContactForces(
             touching=ca.Function("touching", [mode], [self._touching(mode)]),
@@ -128,6 +128,10 @@ class _Evaluation:
         """Return how many entries of generalised force and dz a pair has."""
         return len(self._rows[item])
 
+    def _states(self) -> list[int]:
+        """Return the first row in y of the inputs that are states, which follow t."""
+        return [0]
+
     def _inputs(self, t: Any, y: Any, m: Any, c: Any, dy: Any) -> tuple[list[Any], list[Any]]:
         """Return the inputs of the items, and those of their rates."""
         return [t, y, m, c], [t, y, m, c, ca.MX(1), dy]
@@ -139,6 +143,7 @@ class _Evaluation:
     def _depends(self, pushes: Alike) -> Any:
         """Return the pattern (DM) of generalised force and dz by y."""
         known = [(part, entry) for part, entries in enumerate(pushes.taken) for entry in entries]
+        starts = self._states()
         at: list[int] = []
         by: list[int] = []
         for kind in pushes.kinds:
@@ -146,9 +151,9 @@ class _Evaluation:
             for item, leaves in zip(kind.items, kind.leaves, strict=True):
                 for row, column in pattern:
                     part, entry = known[leaves[column]]
-                    if part == 1 and row < len(self._rows[item]):
+                    if 1 <= part <= len(starts) and row < len(self._rows[item]):
                         at.append(self._rows[item][row])
-                        by.append(entry)
+                        by.append(starts[part - 1] + entry)
         ny = self._model.nq + self._model.nu + self._model.nz
         return ca.DM(ca.Sparsity.triplet(self._nf + self._model.nz, ny, at, by), 1)
 
@@ -237,25 +242,27 @@ class _OfPlaces(_Evaluation):
     _model: NearModel
 
     def __init__(self, model: NearModel) -> None:
-        found, forces, memory = contact_items(model.whole)
-        if found is None:
-            raise ValueError("contacts that are not alike have no places")
+        found, forces, memory = contacts_by_kind(model.whole)
         self._memory = [len(rows) for rows in memory]
         super().__init__(model, found, [tuple(rows) for rows in forces])
 
     def _forces(self, item: int) -> int:
         return len(self._rows[item]) + self._memory[item]
 
+    def _states(self) -> list[int]:
+        return [0, self._model.nq]
+
     def _inputs(self, t: Any, y: Any, m: Any, c: Any, dy: Any) -> tuple[list[Any], list[Any]]:
-        whole, x = self._model.whole, slice(self._model.nq + self._model.nu)
-        at = [t, y[x], ca.DM.ones(self._found.shared.numel_in(OWN)), c[: whole.nc], ca.DM(whole.nz, 1)]
-        return at, [*at, ca.MX(1), dy[x]]
+        whole = self._model.whole
+        (q, u, _), (dq, du, _) = map(self._model.parts, (y, dy))
+        at = [t, q, u, ca.DM.ones(self._found.shared.numel_in(LATCHES)), c[: whole.nc]]
+        return at, [*at, ca.MX(1), dq, du]
 
     def _kinds(self, found: Alike) -> list[_Placed]:
         return self._model.by_places(found)
 
     def _at(self, found: Alike, kind: _Placed, known: Any, given: list[Any], slots: Any, forces: int) -> _Values:
-        of, places, shift = kind
+        of, places, first = kind
         _, _, _, m, c, *_ = given
         near, *_ = self._model.lists_of(c)
 
@@ -263,12 +270,12 @@ class _OfPlaces(_Evaluation):
             return column if slots is None else ca.vertcat(column, otherwise).get_nz(False, slots)
 
         number = near[places]
-        item = chosen(ca.if_else(number > NONE, number - shift, len(of.items)), len(of.items))
+        item = chosen(ca.if_else(number > NONE, number - first, len(of.items)), len(of.items))
         inputs = [(part, entry) for part, entries in enumerate(found.taken) for entry in entries]
         latches = {
             i: chosen(m[[entry * self._model.k + place for place in places]], 1)
             for i, (part, entry) in enumerate(inputs)
-            if part == OWN
+            if part == LATCHES
         }
         pushed = min(forces, len(self._rows[of.items[0]]))
         columns, rows = of.results_at(known, item, self._columns(of.items, pushed), latches)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.alike.kinds import Alike, Kind, alike
-from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
+from hertzwerk.runtime.integrate.alike.near_pairs import NearModel, gaps_by_kind
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -38,7 +38,7 @@ def time_rounding(t: Any, rate: Any) -> Any:
 def gap_rounding(model: Model) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
     if isinstance(model, NearModel):
-        return model.at_places("rounding", _of_kinds(model.gaps, STATE), (0, 0))
+        return model.at_places("rounding", _of_kinds(gaps_by_kind(model.whole), STATE), (0, 0))
     gaps = model.function("gaps")
     if layouts(model).kind is ca.MX:
         given = gaps.sx_in()
