@@ -116,11 +116,12 @@ class Model:
         """Set-valued frictions of joints: places of coefficient and holding force among the forces, of the former among the reactions."""
         self.nr = self.k + bool(self.loads or self.rubbing)
         """Number of ranges that a run must not leave: of each pair's law, and of loads by reactions."""
-        rows = {
-            pair: tuple(i for i, name in enumerate(self.outputs) if name.startswith(f"{pair}.eccentricity_"))
-            for pair in self.pairs
-        }
-        self.journals: dict[str, tuple[int, ...]] = {pair: found for pair, found in rows.items() if found}
+        rows: dict[str, list[int]] = {}
+        for i, name in enumerate(self.outputs):
+            pair, _, part = name.rpartition(".")
+            if part.startswith("eccentricity_"):
+                rows.setdefault(pair, []).append(i)
+        self.journals: dict[str, tuple[int, ...]] = {pair: tuple(rows[pair]) for pair in self.pairs if pair in rows}
         """Rows of the outputs that are the eccentricity of a pair, by the name of a pair that is a joint with clearance."""
         self.guides: tuple[str, ...] = getattr(module, "GUIDES", ())
         """Names of pairs that guide a body with clearance, together in place of a joint."""

@@ -269,9 +269,12 @@ def contacts_by_kind(model: Model) -> tuple[Alike, list[list[int]], list[list[in
 @per_model
 def gaps_by_kind(model: Model) -> Alike:
     """Return gaps and their rates of all pairs by kind."""
-    return _by_kind(
-        model, "t q u c", lambda family, *given: ca.vertcat(*map(ca.SX, _of(model, "gaps", family)(*given)))
-    )
+
+    def both(family: str, *given: Any) -> Any:
+        gap, rate = _of(model, "gaps", family)(*given)
+        return ca.vertcat(ca.SX(gap), ca.SX(rate))
+
+    return _by_kind(model, "t q u c", both)
 
 
 @per_model
