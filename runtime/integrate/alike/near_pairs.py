@@ -256,7 +256,8 @@ def contacts_by_kind(model: Model) -> tuple[Alike, list[list[int]], list[list[in
         f, dz, normal, _, valid, *_ = _of(model, "contact", family)(t, q, u, z, latches, c)
         f, dz = ca.sparsify(ca.SX(f)), ca.sparsify(ca.SX(dz))
         patterns[family] = f.sparsity().row(), dz.sparsity().row()
-        return ca.vertcat(*f.nonzeros(), *dz.nonzeros(), normal, valid)
+        entries: list[Any] = [*f.nonzeros(), *dz.nonzeros(), normal, valid]
+        return ca.vertcat(*entries)
 
     members = dict(model.module.FAMILIES)
     found = _by_kind(model, "t q u latches c", contact)
