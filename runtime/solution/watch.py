@@ -28,6 +28,7 @@ FEW = (
 )  # rows of a block that may wait for those of other runs: more leave the cache, and their memory is given back
 BESIDE = np.array([-1, 0, 1])
 AT_ONCE = 1e-12  # of the time: rows so near each other are one
+CREST = 1.2  # times the larger end of a step: most that is believed of the cubic in it
 BEYOND = 1.1  # gap rate over approach speed from which a contact has left its law; rounding and steps make an impact's no larger than 1.001
 
 Piece: TypeAlias = tuple["History", slice]
@@ -287,19 +288,38 @@ def _joined(pieces: Sequence[Piece], part: str, pair: int) -> np.ndarray:
 
 
 def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest values in n contacts of pair j, and the rows where they are, each (n, kinds).
+    """Return the largest values in n contacts of pair j, and the rows at or before which they are, each (n, kinds).
+
+    Those of the rows and, of a contact that goes up and down, those between them as cubics have them.
 
     within    rows in contact, of one contact after another, so many each
     """
     starts = np.cumsum(lengths) - lengths
     largest, places = np.empty((len(starts), len(KINDS))), np.empty((len(starts), len(KINDS)), dtype=int)
-    for kind, (part, _, sign) in enumerate(KINDS):
-        values = sign * _joined(pieces, part, j)[within]
+    for kind, (part, rate, sign) in enumerate(KINDS):
+        crests = [_crests(block, rows, sign, block.of_pair(part, j), block.of_pair(rate, j)) for block, rows in pieces]
+        values = np.maximum(sign * _joined(pieces, part, j), np.concatenate(crests))[within]
         values[np.isnan(values)] = math.inf  # what is no number counts as the largest
         largest[:, kind] = np.maximum.reduceat(values, starts)
         hits = np.flatnonzero(values == np.repeat(largest[:, kind], lengths))
         places[:, kind] = within[hits[np.searchsorted(hits, starts)]]
     return largest, places
+
+
+def _crests(block: History, rows: slice, sign: int, values: np.ndarray, rates: np.ndarray) -> np.ndarray:
+    """Return the crests (n,) of the cubics of a value in the steps that end at rows, -inf where there is none.
+
+    One far above both ends is none: in hard contacts rates may be wild.
+    """
+    steps = slice(max(rows.start - 1, 0), rows.stop)
+    h, value, rate = np.diff(block.t[steps]), sign * values[steps], sign * rates[steps]
+    start, end, rising, falling = value[:-1], value[1:], h * rate[:-1], h * rate[1:]
+    square, cube = 3 * (end - start) - 2 * rising - falling, 2 * (start - end) + rising + falling
+    with np.errstate(all="ignore"):
+        place = rising / (np.sqrt(square * square - 3 * cube * rising) - square)
+        crest = start + place * (rising + place * (square + place * cube))
+        found = (rising > 0) & (falling < 0) & (crest < CREST * np.maximum(start, end))
+    return np.append(np.full(rows.stop - rows.start - len(h), -math.inf), np.where(found, crest, -math.inf))
 
 
 def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets: np.ndarray) -> np.ndarray:

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from random_mechanisms import mechanisms
 
-from hertzwerk.runtime import load
+from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.loop.compiled import available
 from hertzwerk.runtime.run.engine import engine_for, prepare
 from hertzwerk.runtime.run.recorder import OVERLAP
@@ -141,3 +142,15 @@ def test_a_step_of_rounding_at_a_peak_hides_no_crest(run):
             doubled.part("force")[top + i, 0] *= 1 + i * 1e-12
         found = next(each for each in watched(doubled).impacts() if each.t == impact.t)
         assert found.peak_force == pytest.approx(impact.peak_force, rel=1e-8)
+
+
+def test_of_two_crests_the_higher_is_found_though_a_row_beside_the_other_is_the_largest():
+    """A pin that stays in its bush, of which crest and rows differ by .5 %: 22.9 N of 5,470 N were missing at four of ten tolerances."""
+    drawn = next(mechanisms("crank", 1, 2, 7009))
+    draw = drawn.draws[1]
+    for tolerance in (1e-8, 1e-10):
+        given = {"parameters": draw.parameters, "tolerance": tolerance, "compiled": False}
+        run = simulate(drawn.model(), duration=draw.duration, method="dop853", **given)
+        assert run.impacts[-1].duration is None
+        forces = run.at(np.linspace(run.impacts[-1].t, run.t_end, 4001))["slider_pin.normal_force"]
+        assert forces.max() * (1 - 1e-9) <= run.impacts[-1].peak_force <= forces.max() * (1 + 1e-2)
