@@ -288,9 +288,9 @@ def _joined(pieces: Sequence[Piece], part: str, pair: int) -> np.ndarray:
 
 
 def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest values in n contacts of pair j, and the rows at or before which they are, each (n, kinds).
+    """Return the largest values in n contacts of pair j, and the rows at which they are, each (n, kinds).
 
-    Those of the rows and, of a contact that goes up and down, those between them as cubics have them.
+    Those of the rows and, as a contact may go up and down, crests in the steps that end there.
 
     within    rows in contact, of one contact after another, so many each
     """
@@ -307,9 +307,9 @@ def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.nd
 
 
 def _crests(block: History, rows: slice, sign: int, values: np.ndarray, rates: np.ndarray) -> np.ndarray:
-    """Return the crests (n,) of the cubics of a value in the steps that end at rows, -inf where there is none.
+    """Return the crests (n,) of a value in the steps that end at rows, -inf where there is none.
 
-    One far above both ends is none: in hard contacts rates may be wild.
+    They are those of cubics. One far above both ends is none: in hard contacts rates may be wild.
     """
     steps = slice(max(rows.start - 1, 0), rows.stop)
     h, value, rate = np.diff(block.t[steps]), sign * values[steps], sign * rates[steps]
