@@ -200,7 +200,7 @@ class Body:
         centre = scale(1 / mass, add(*(scale(sign * part.mass, part.centre) for sign, part in signed)))
         inertia = combine(
             *(
-                scaled(sign, combine(part.tensor, scaled(part.mass, _steiner(sub(part.centre, centre)))))
+                scaled(sign, combine(part.tensor, scaled(part.mass, steiner(sub(part.centre, centre)))))
                 for sign, part in signed
             )
         )
@@ -276,8 +276,8 @@ class Body:
             yield from (Slot(f"body {self.name}, {what}", value, "m", POSITIVE) for what, value in shape.slots())
 
 
-def _steiner(shift: Vector) -> Matrix:
-    """Inertia of a unit mass at `shift`, r.r 1 - r r^T [m^2]."""
+def steiner(shift: Vector) -> Matrix:
+    """Inertia of a unit mass at `shift`, by the parallel-axis theorem: r.r 1 - r r^T [m^2]."""
     return combine(scaled(dot(shift, shift), IDENTITY), scaled(sp.S.NegativeOne, outer(shift, shift)))
 
 

@@ -29,7 +29,6 @@ from hertzwerk.derive.algebra.vectors import (
     apply,
     combine,
     cross,
-    dot,
     is_zero,
     less,
     multiply,
@@ -40,7 +39,7 @@ from hertzwerk.derive.algebra.vectors import (
     total,
     transpose,
 )
-from hertzwerk.derive.mechanism.bodies import Body
+from hertzwerk.derive.mechanism.bodies import Body, steiner
 from hertzwerk.derive.motion.axes import Symmetric, added, of_matrix
 from hertzwerk.derive.motion.links import UNIT, Link, Tree, sympified
 
@@ -303,11 +302,6 @@ class Recursion:
         before = add(self.velocity(link.parent), cross(self.spin(link.parent).w, self.arm(link)))
         slide = scale(link.rows[0].speed, self.axis(link)) if link.kind == "slide" else ZERO
         return self.tape.vector(add(link.change.back(before), slide), f"{link.name}_velocity")
-
-
-def steiner(shift: Vector) -> Matrix:
-    """Parallel-axis matrix |r|^2 1 - r r^T."""
-    return combine(scaled(dot(shift, shift), IDENTITY), scaled(sp.S.NegativeOne, outer(shift, shift)))
 
 
 def _shifted(arm: Vector, moment: Vector) -> Symmetric:

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
 from itertools import chain
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.extras import required
@@ -19,6 +19,7 @@ from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, Settings, 
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.kept.row import TEXTS, Row
+from hertzwerk.runtime.sweeps.points.design import Design
 from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError, RowEngine
 from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task, Tasks
@@ -29,14 +30,6 @@ if TYPE_CHECKING:
     from distributed import Client
 
 INTERRUPTED = Outcome("interrupted", "stopped by the user", "the rows that were done are there")
-
-
-class Sets(Protocol):
-    """Values of rows by their numbers, made when they are looked at."""
-
-    def __len__(self) -> int: ...
-
-    def __getitem__(self, i: int, /) -> Mapping[str, Value]: ...
 
 
 def _sets(given: object) -> list[dict[str, Value]]:
@@ -178,7 +171,7 @@ class Batch:
     def __init__(
         self,
         model: Model,
-        sets: Sets,
+        sets: Design | Sequence[Mapping[str, Value]],
         settings: Mapping[str, Any],
         outputs: Sequence[Output],
         compiled: Compiled,

@@ -21,12 +21,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
-from hertzwerk.derive.units import UnitError
 from hertzwerk.runtime.inputs.choices import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.inputs.given import Input, given_inputs, input_text
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
-from hertzwerk.runtime.model.binding import Value, named_values, read
+from hertzwerk.runtime.model.binding import Value, named_values
 from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.model.signal import digest_of
@@ -46,7 +45,7 @@ from hertzwerk.runtime.sweeps.batch import Batch, engine_lost, engine_of, in_mem
 from hertzwerk.runtime.sweeps.following import Chains, InMemory, read_chains, state_units
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
 from hertzwerk.runtime.sweeps.kept.row import TEXTS
-from hertzwerk.runtime.sweeps.points.definition import Keys, as_text, axes_of, target_of, versions
+from hertzwerk.runtime.sweeps.points.definition import Keys, as_given, as_text, axes_of, target_of, versions
 from hertzwerk.runtime.sweeps.points.design import Design, Varied, read_design
 from hertzwerk.runtime.sweeps.points.own_functions import digest
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError
@@ -150,7 +149,8 @@ def sweep(
     design = read_design(over, **spread, faults=faults)
     faults += memory_faults(len(design)) if into is None else []
     fixed = {
-        name: _read(value) for name, value in named_values("values", {} if values is None else values, faults).items()
+        name: as_given(value)
+        for name, value in named_values("values", {} if values is None else values, faults).items()
     }
     model, wrong = given_inputs(model, inputs, duration, {})
     faults += wrong
@@ -371,15 +371,6 @@ class Plan:
                 return
         if first is not None and len(self.design) <= LOOKED_AT:
             raise first
-
-
-def _read(value: Value) -> Value:
-    """Return a number and its unit, or what cannot be read as given: its rows will say so."""
-    try:
-        number, _, unit = read(value)
-    except UnitError:
-        return value
-    return number, unit
 
 
 def _model(target: Any, without: Sequence[str], laws: Mapping[str, str] | None, coordinates: str | None) -> plain.Model:

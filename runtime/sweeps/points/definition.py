@@ -123,12 +123,12 @@ def as_text(value: Any) -> str:
     return f"{number!r}" if unit == "1" else f"{number!r} {unit}"
 
 
-def _read_back(text: str) -> Value:
-    """Return the value of a text as `as_text` wrote it."""
+def as_given(value: Value) -> Value:
+    """Return a number and its unit, or what cannot be read as it is: its rows will say so."""
     try:
-        number, _, unit = read(text)
+        number, _, unit = read(value)
     except UnitError:
-        return text
+        return value
     return number, unit
 
 
@@ -148,9 +148,7 @@ def design_of(definition: Mapping[str, Any]) -> Design:
     how = {name: definition[name] for name in ("zip", "sample", "sampler", "seed")}
     found = read_design(over, **how, faults=[])
     axes = {name: found.axes[name] if name in over else Labels(axis) for name, axis in definition["over"].items()}
-    return replace(
-        found, axes=axes, fixed={name: _read_back(text) for name, text in definition["values"].items()}, **how
-    )
+    return replace(found, axes=axes, fixed={name: as_given(text) for name, text in definition["values"].items()}, **how)
 
 
 def _axis(axis: tuple[Given, ...] | RangeValues | Range) -> str:
