@@ -285,7 +285,7 @@ def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: M
     )
     slides = [pair for j, pair in enumerate(model.pairs) if rest.closed[j] and j not in grip_pairs(model)]
     smooth = any(kind == "friction" for _, kind, _ in model.module.EFFECTS) and slides
-    remedy = "look for a load without a support, or start nearer to one"
+    remedy = "look for a load without a support, or start nearer to a position of rest"
     if smooth:
         remedy += "; smoothed friction holds nothing at rest, the laws coulomb and lugre do"
     return Outcome("no_equilibrium", f"{why}; unbalanced, of the forces: {', '.join(loose)}", remedy)

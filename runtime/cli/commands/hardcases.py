@@ -184,7 +184,7 @@ def _print_summary(cases: Sequence[HardCase], found: dict[str, dict[str, Result]
                 [(f"{label:<12}", COLOURS.get(verdict))], count + (f": {', '.join(names)}" if what else ""), indent=14
             )
     runs = sum(len(of) for of in found.values())
-    line("", f"{runs} runs in both paths, {seconds:.0f} s")
+    line("", f"{runs} run{'s' if runs != 1 else ''} in each path, {seconds:.0f} s")
 
 
 def _worst(results: Sequence[Result]) -> str:

@@ -250,7 +250,7 @@ def _report_averages(averages: Sequence[Average]) -> None:
     table(("average", "mean", "+- 95 %", "unit", "blocks"), rows)
     for reason in dict.fromkeys(a.reason for a in averages if a.reason):
         of = [a.name for a in averages if a.reason == reason]
-        whose = f"{', '.join(of)}: " if len(of) < len(averages) else "all intervals: "
+        whose = f"{', '.join(of)}: " if len(of) < len(averages) else "every 95 % interval: "
         line("missing", f"{whose}{reason}")
 
 

@@ -39,7 +39,7 @@ EQUILIBRIUM = together(
 )
 
 
-@click.command(epilog="Example: hertzwerk statics woodpecker")
+@click.command(epilog="Example: hertzwerk statics four_bar_clearance")
 @EQUILIBRIUM
 @reports_bad_input
 def statics(out: Path | None, as_json: bool, **options: Any) -> int:
@@ -130,7 +130,7 @@ def _shapes(found: Modes) -> Iterator[tuple[str, ...]]:
         moving = [name for name, x in mode.shape.items() if abs(x) > MOVED]
         for i, name in enumerate(moving):
             x = mode.shape[name]
-            phase = math.degrees(cmath.phase(complex(x.real, x.imag + 0.0)))
+            phase = math.degrees(cmath.phase(x)) if abs(x.imag) > MOVED * abs(x) else 180.0 if x.real < 0 else 0.0
             yield "" if i else str(number), name, f"{abs(x):.4g}", found.model.units[name], f"{phase:.4g}"
 
 

@@ -75,3 +75,10 @@ def test_a_run_starts_at_rest(tmp_path):
     assert json.loads(text)["outcome"] == "finished"
     code, _, error = called("run", "--continue", str(tmp_path), "--start", "equilibrium")
     assert code == 2
+
+
+def test_a_phase_that_is_rounding_is_0_or_180_deg():
+    """A double pendulum without damping swings in phase or against it: -6e-15 and -180 deg were printed."""
+    rows = [line.split() for line in CliRunner().invoke(main, ["modes", "double_pendulum"]).output.splitlines()]
+    begin = rows.index(["mode", "coordinate", "amplitude", "unit", "phase", "[deg]"]) + 1
+    assert [row[-1] for row in rows[begin : begin + 4]] == ["0", "0", "180", "0"]
