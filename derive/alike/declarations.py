@@ -130,14 +130,10 @@ def _meets_in_contacts(scene: Scene) -> bool:
 
 
 def _plain(effect: Any) -> bool:
-    """Whether an effect acts at one pair, without modes, or on all bodies alike."""
+    """Whether an effect acts at one pair, or on all bodies alike."""
     if isinstance(effect, Gravity):
         return not effect.varies
-    if isinstance(effect, Friction):
-        return not effect.law.law.modes
-    if isinstance(effect, PairResistance):
-        return not effect.has_modes
-    return isinstance(effect, Contact | EnergyLedger)
+    return isinstance(effect, Contact | Friction | PairResistance | EnergyLedger)
 
 
 def _bends(effect: Any) -> bool:

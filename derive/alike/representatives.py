@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from types import SimpleNamespace
 from typing import Any
 
 from hertzwerk.derive.alike.declarations import Alike, Kind, Meeting, Tree
@@ -42,7 +41,7 @@ def program_of_kinds(found: Alike) -> Program | None:
         _landmarks(whole, found),
     ]
     program = with_constants(whole, functions, tables(whole), "")
-    trees, of_pairs = _rows_of(sample, whole, found)
+    trees, of_pairs = _rows_of(sample, whole, found, _latched(tables(sample)), _latched(program.tables))
     return replace(program, trees=trees, pairs=of_pairs)
 
 
@@ -174,6 +173,14 @@ def _of_pairs(sample: System, found: Alike) -> Iterator[Function]:
         )  # fmt: skip
         whole = pairs.contact(sample, pair, contact, friction)
         f, dz, *others = whole.results
+        if friction_modes := others[3:5]:
+            f_rows, z_rows = len(f.labels), len(dz.labels)
+            along, power = friction_modes
+            times = range(len(along.labels) // f_rows)
+            others[3:5] = (
+                _only(along, [k * f_rows + i for k in times for i in own.u]),
+                _only(power, [k * z_rows + i for k in times for i in own.z]),
+            )
         summary = f"Forces {what}: {whole.summary.partition(': ')[2]}"
         yield own.function(
             sample, f"contact_of_{kind.name}", summary, "t q u z m c", _only(f, own.u), _only(dz, own.z), *others
@@ -218,15 +225,11 @@ def _widened(sample: System, found: Alike) -> System:
     for kind in found.pairs:
         first = kind.members[0]
         pair, limit = derived[first.pair.name], sample.limited.get(first.pair.name)
-        rows = pair.touch.outputs()
+        pair.touch.outputs()  # whose parts are those of each
         for member, (_, contact, friction) in zip(kind.members, declared, strict=False):
             named: PairKinematics = copy(pair)
-            named.pair = member.pair
-            named.touch = SimpleNamespace(  # type: ignore[assignment]  # which tables ask for no more
-                outputs=lambda kind=kind, member=member, rows=rows: [
-                    (_renamed(kind, member, name), unit, value) for name, unit, value in rows
-                ]
-            )
+            named.pair, named.touch = member.pair, copy(pair.touch)
+            named.touch.pair = member.pair
             whole.contacts.append((named, contact, friction))
             if first.pair.name in sample.latches:
                 whole.latches[member.pair.name] = sample.latches[first.pair.name]
@@ -245,10 +248,20 @@ def _widened(sample: System, found: Alike) -> System:
     return whole
 
 
-def _rows_of(sample: System, whole: System, found: Alike) -> tuple[tuple[Repeated, ...], tuple[Repeated, ...]]:
-    """Rows of the members of each kind in the whole vectors, of trees and of pairs."""
+def _latched(known: Mapping[str, tuple[Any, ...]]) -> list[str]:
+    """Names of the entries of m."""
+    return [name for name, *_ in (*known["LATCHES"], *known.get("SLIPS", ()))]
+
+
+def _rows_of(
+    sample: System, whole: System, found: Alike, held: list[str], all_held: list[str]
+) -> tuple[tuple[Repeated, ...], tuple[Repeated, ...]]:
+    """Rows of the members of each kind in the whole vectors.
+
+    Of trees and of pairs; `held` are entries of m, of the sample and of all.
+    """
     index = [
-        {label: i for i, label in enumerate(labels)} for labels in ([entry for entry, _ in whole.memory], whole.latches)
+        {label: i for i, label in enumerate(labels)} for labels in ([entry for entry, _ in whole.memory], all_held)
     ]
     trees: list[Repeated] = []
     place, ends = 0, {"q": 0, "u": 0}
@@ -265,7 +278,7 @@ def _rows_of(sample: System, whole: System, found: Alike) -> tuple[tuple[Repeate
     for kind in found.pairs:
         first = kind.members[0].names
         entries = [entry for entry, _ in sample.memory if entry.partition(".")[0] in first]
-        latches = [name for name in sample.latches if name in first]
+        latches = [name for name in held if name.partition(".")[0] in first]
         rows = {
             part: tuple(tuple(known[_renamed(kind, member, name)] for member in kind.members) for name in own_names)
             for part, known, own_names in zip("zm", index, (entries, latches), strict=True)

@@ -241,18 +241,22 @@ def _of_pairs(name, t, q, c, *of_speeds):
             for family, members in FAMILIES for _, of_q, of_u, *_ in members]
 
 
-def _spread(x, rows, count):
-    """Vector of zeros but for some rows."""
-    whole = type(x)(count, 1)
-    whole[rows] = x
+def _spread(x, rows, count, times=1):
+    """Vector of zeros but for some rows, a number of times."""
+    whole = type(x)(times*count, 1)
+    whole[[k*count + row for k in range(times) for row in rows]] = x
     return whole
 
 
 def _contact(family, of_q, of_u, of_z, of_m):
     """Function of the forces of one pair, of the whole vectors."""
     def contact(t, q, u, z, m, c):
-        f, dz, *others = globals()[f"contact_of_{{family}}"](t, q[of_q], u[of_u], z[of_z], m[of_m], c)
-        return _spread(f, of_u, u.numel()), _spread(dz, of_z, z.numel()), *others
+        found = [*globals()[f"contact_of_{{family}}"](t, q[of_q], u[of_u], z[of_z], m[of_m], c)]
+        found[:2] = _spread(found[0], of_u, u.numel()), _spread(found[1], of_z, z.numel())
+        if len(found) > 5:  # along and dz_along of friction with modes
+            times = found[5].numel()//len(of_u)
+            found[5:7] = _spread(found[5], of_u, u.numel(), times), _spread(found[6], of_z, z.numel(), times)
+        return tuple(found)
     return contact
 
 

@@ -35,7 +35,7 @@ from hertzwerk.derive.alike.declarations import alike
 from hertzwerk.derive.contact.pairs.round import RoundTouch
 from hertzwerk.derive.derivation import derive, generate
 from hertzwerk.derive.emit.module_text import emit
-from hertzwerk.derive.laws import flores, power, smooth_coulomb
+from hertzwerk.derive.laws import coulomb, flores, power, smooth_coulomb
 from hertzwerk.runtime.model.generated_text import module_of
 from hertzwerk.runtime.model.model import _INPUTS, Model
 from reference.scenes import balls, spheres_in_box
@@ -98,7 +98,21 @@ def two_links():
     return scene([], every_pair("ends", places, R), (Contact("ends", *LAW),), joints=tuple(joints))
 
 
+def sticking():
+    """Friction and rolling resistance with modes, of spheres and on a floor, in space."""
+    bodies = [Body(f"ball_{i}", M, (J, J, J)) for i in range(1, 6)]
+    floor = [
+        SphereOnPlane(f"floor_{i}", body.at(0, 0, 0), R, plane=GROUND.at(0, 0, 0), normal=Y)
+        for i, body in enumerate(bodies)
+    ]
+    dry = coulomb(Parameter("kinetic", "1", 0.3), Parameter("static", "1", 0.4))
+    effects = [Contact("balls", *LAW), Friction("rub", "balls", dry), RollingResistance("roll", "balls", R / 50)]
+    effects += [e for pair in floor for e in (Contact(pair.name, *LAW), Friction(f"{pair.name}_rub", pair.name, dry))]
+    return scene(bodies, (*every_pair("balls", bodies, R), *floor), effects, Free)
+
+
 SCENES = {
+    "sticking": sticking,
     "box": lambda: spheres_in_box(6),
     "plane": lambda: balls(5),
     "two_masses": two_masses,
@@ -107,6 +121,7 @@ SCENES = {
     "two_links": two_links,
 }
 KINDS = {
+    "sticking": ["balls", "floor"],
     "box": ["balls", "floor", "wall_1", "wall_2", "wall_3", "wall_4"],
     "plane": ["pair", "floor"],
     "two_masses": ["balls", "balls_2", "balls_3"],
