@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -21,7 +22,14 @@ from hertzwerk.runtime.integrate.step.fed_friction import booked, solved
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import Elimination, solver, solver_of_calls
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.set_valued_friction import Grips, forces, grips, may_slip, rubbing
+from hertzwerk.runtime.integrate.step.set_valued_friction import (
+    Grips,
+    forces,
+    grips,
+    may_slip,
+    rubbing,
+    solve_sticking,
+)
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -156,6 +164,8 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
         sticks, n = grip.sticks, len(grip.places)
     if model.fed and n:
         return _linearised_fed(model, grip, f, df, dz, arguments)
+    if n and uses_calls(model):
+        return _linearised_with_friction(model, grip, given, of_given, dz, arguments)
     known = [ca.SX.sym("known", value.numel()) for value in given]
     symbols = ca.SX.sym("sticks", sticks.numel())
     force, *grip_symbols = known
@@ -181,6 +191,48 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
     J = direct + ca.mtimes(mobility, of_values) + ca.vertcat(ca.DM(model.nq + model.nu, n + 1), dz)
     J = J if uses_calls(model) else ca.sparsify(J)
     results = ca.cse([J[:, :n], ca.densify(J[:, n])])
+    return ca.Function("linearised", outer, results, ARGUMENTS.split(), ["J", "dt"])
+
+
+def _linearised_with_friction(
+    model: Model, grip: Grips, given: list[Any], of_given: list[Any], dz: Any, arguments: list[Any]
+) -> Any:
+    """Build `linearised` of a large model; given: forces and grips, and their derivatives by (y, t).
+
+    What sticks follows from the equations that it solves, not from their written out solution: with the tangential
+    accelerations r, 0 = dr + W dfriction, column by column.
+    """
+    t, y, _, _, c = arguments
+    (q, u, _), x, n = model.parts(y), ca.vertcat(y, t), len(grip.places)
+    force, *parts, drift, _ = known = [ca.SX.sym("known", value.numel()) for value in given]
+    along, rates = (ca.SX(of.sparsity(), part) for of, part in zip((grip.along, grip.power), parts, strict=True))
+    friction = ca.SX.sym("friction", n)
+    a, reactions, *_ = model.function("accelerations").call([t, q, u, force + ca.mtimes(along, friction), c])
+    power = ca.mtimes(rates, friction)
+    if model.has_ledger:
+        power += model.function("ledger")(t, q, u, reactions, c)
+    dq, tangential = model.function("coordinate_rates")(t, q, u, c), drift + ca.mtimes(along[: model.nu, :].T, a)
+    found, inner = ca.vertcat(dq, a, power, tangential), ca.vertcat(*known)
+    changes = [ca.jacobian(found, by) for by in (x, inner, friction)]
+    of_inner = ca.Function("of_inner", [x, inner, friction, c], ca.cse(changes))
+    W, right, sticks = ca.SX.sym("W", n, n), ca.SX.sym("right", n), ca.SX.sym("sticks", n)
+    solved = ca.Function("of_stuck", [W, sticks, right], [ca.cse(solve_sticking(W, sticks, right))])
+    parts_of = ca.Function("of_forces", arguments, ca.cse([ca.vertcat(*given), ca.vertcat(*of_given), grip.sticks, dz]))
+
+    outer = model.symbols(ARGUMENTS, ca.MX)
+    at, run, (values, of_values, stick, booked_by) = ca.vertcat(outer[1], outer[0]), outer[4], parts_of.call(outer)
+    cuts = [0, *accumulate(value.numel() for value in given)]
+    pushed, pressed, _, *speeds = ca.vertsplit(values, cuts)
+    acting: list[Any] = [pushed, ca.MX(grip.along.sparsity(), pressed), *speeds, stick]
+    carried = forces(model, n)(outer[0], *model.parts(outer[1])[:2], *acting, run)
+    direct, by_inner, by_friction = of_inner(at, values, carried, run)
+    J = direct + ca.mtimes(by_inner, of_values)
+    columns, rows = J.size2(), outer[1].numel()
+    J = J + ca.mtimes(by_friction, of_values[cuts[-2] :, :] * ca.repmat(1 - stick, 1, columns))
+    stuck = solved.map("of_stuck_columns", "serial", columns, [0, 1], [])(by_friction[rows:, :], stick, -J[rows:, :])
+    J = J[:rows, :] + ca.mtimes(by_friction[:rows, :], stuck)
+    J = J + ca.vertcat(ca.DM(model.nq + model.nu, columns), booked_by)
+    results = [J[:, : columns - 1], ca.densify(J[:, columns - 1])]
     return ca.Function("linearised", outer, results, ARGUMENTS.split(), ["J", "dt"])
 
 

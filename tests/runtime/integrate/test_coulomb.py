@@ -33,6 +33,7 @@ from hertzwerk.derive import (  # fmt: skip
 from hertzwerk.derive.laws import LAWS, coulomb, flores, kelvin_voigt, power
 from hertzwerk.derive.scenes import slider_crank
 from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.integrate.step import implicit
 from hertzwerk.runtime.integrate.step.classes import BY_MODE
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised
@@ -482,8 +483,11 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
 
 
 @each("slips", [(0, 0), (0, 1), (-1, 0), (1, -1)])
-def test_jacobian_against_differences(slips):
-    model = built(sledge, rocks=True)
+@pytest.mark.parametrize("large", [False, True])
+def test_jacobian_against_differences(monkeypatch, slips, large):
+    """Through the solution of sticking written out, and as of a large model from the equations that it solves."""
+    monkeypatch.setattr(implicit, "LARGE", 0 if large else math.inf)
+    model = built.__wrapped__(sledge, rocks=True)
     bound = model.bind({"slope": 0.2})
     q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
     scale = of_parameters(model, bound).state
