@@ -59,7 +59,7 @@ def si_text(unit: str) -> str:
 
 def unit_at(unit: str, parameters: Mapping[str, tuple[float, str]]) -> str:
     """Return a unit text with the values of parameters in its exponents: N/m^exponent -> N/m^1.5."""
-    read = parse_unit(unit)
+    read = parse_unit(unit or "1")
     return str(read.at({name: parameters[name][0] for name in read.free_names})) if read.free_names else unit
 
 

@@ -136,7 +136,8 @@ def no_event_possible(
     clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
     # cut to where a force runs out, but a little short of it: `next_modes` decides
     faded = (
-        (start["retakes"] > 0)
+        (mode == CONTACT)
+        * (start["retakes"] > 0)
         * (end["force"] <= LANDING * run["tolerance"] * run["scales"][2])
         * (end["force_rate"] < 0)
     )
