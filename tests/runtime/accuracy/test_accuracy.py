@@ -477,12 +477,14 @@ def test_the_ball_that_bounced_nine_times_is_not_known_better_than_its_rounding(
 
 @pytest.mark.exhaustive
 def test_the_spatial_slider_crank_meets_what_is_asked_after_eight_turns():
-    """At 1e-9 its speed errs by -1.4e-9 at first and by -0.7e-9 at the tolerance that checks it."""
+    """At 1e-9 its speed errs by -1.4e-9 at first and by -0.7e-9 at the tolerance that checks it; most of it is a shift in time."""
     crank, truth = load(loops.spatial_crank()), loops.spatial_crank_at(5.0)
     for asked in (1e-8, 1e-9, 1e-10):
         run = simulate(crank, duration="5 s", accuracy=asked, output=2)
-        off = [abs(run.final[name] - truth[name]) for name in (*crank.coordinates, *crank.speeds)]
-        true = np.max(off / run.scales.state[: len(off)])
+        y, dy = run.history.part("y")[-1:], run.history.part("dy")[-1:]
+        true_y = y.copy()
+        true_y[0, : crank.nq + crank.nu] = [truth[name] for name in (*crank.coordinates, *crank.speeds)]
+        (true,) = scaling.error(crank, run.scales, y, true_y, dy, dy)
         assert run.outcome.finished
         assert true <= asked
         assert true / 10 < run.error.end <= asked
