@@ -98,13 +98,15 @@ class _Evaluation:
     rows: of each pair, the places of its forces among generalised force and dz
     """
 
+    _sparse = SPARSE
+
     def __init__(self, model: Model, found: Alike, rows: list[tuple[int, ...]]) -> None:
         self._model, self._found, self._rows = model, found, rows
         self._nf = model.function("applied").numel_out(0)
         self._places = [places for _, places, _ in self._kinds(found)]
-        self._ladder = [rung for rung in LADDER if SPARSE * rung <= max(map(len, self._places))]
+        self._ladder = [rung for rung in LADDER if self._sparse * rung <= max(map(len, self._places))]
         self._most = [
-            max((rung for rung in self._ladder if SPARSE * rung <= len(of)), default=0) for of in self._places
+            max((rung for rung in self._ladder if self._sparse * rung <= len(of)), default=0) for of in self._places
         ]
 
     def functions(self) -> ContactForces:
@@ -240,6 +242,7 @@ class _OfPlaces(_Evaluation):
     """
 
     _model: NearModel
+    _sparse = 2  # all places are looked up as well
 
     def __init__(self, model: NearModel) -> None:
         found, forces, memory = contacts_by_kind(model.whole)
