@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.integrate.alike.near_pairs import APART
 from hertzwerk.runtime.integrate.step.layout import FLIGHT, PAIR_PARTS
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.layout import Layout
 
 OF_PAIRS = ("mode", *PAIR_PARTS)
-APART = dict.fromkeys(OF_PAIRS, 0.0) | {"mode": FLIGHT, "gap": np.inf}  # of a pair that is not listed
+NOT_LISTED = dict.fromkeys(OF_PAIRS, 0.0) | {"mode": FLIGHT, "gap": APART}  # of a pair that is not listed
 
 
 class NearRows:
@@ -41,7 +42,7 @@ class NearRows:
     def column(self, part: str, pair: int) -> np.ndarray:
         """Return a part of a pair (n,)."""
         start = self._layout.places[part]
-        found = np.full(len(self._rows), APART[part])
+        found = np.full(len(self._rows), NOT_LISTED[part])
         for (rows, *_), of in zip(self._lists, self._places, strict=True):
             if pair in of:
                 found[rows] = self._rows[rows, start + of[pair]]
@@ -63,7 +64,7 @@ class NearRows:
         """Return a part of the rows as of the whole model (n, size)."""
         whole, own = self._model.whole, self._rows[:, self._layout[part]]
         if part in OF_PAIRS:
-            found = np.full((len(own), whole.k), APART[part])
+            found = np.full((len(own), whole.k), NOT_LISTED[part])
             for rows, listed, pairs in self._lists:
                 found[rows, pairs] = own[rows][:, listed]
             return found
