@@ -24,7 +24,7 @@ from hertzwerk.derive import (
     X,
     Z,
 )
-from hertzwerk.runtime import load, study_effects
+from hertzwerk.runtime import load, simulate, study_effects
 from hertzwerk.runtime.effects import measuring
 from hertzwerk.runtime.effects.compared_outputs import automatic, chosen
 from hertzwerk.runtime.effects.leaving_out import _Scenes
@@ -32,6 +32,7 @@ from hertzwerk.runtime.effects.measuring import Bench, Case, Number
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.model import build
 from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.solution.samples import Samples
 
 MASS, STIFFNESS, START = 2.0, 50.0, 0.1
 TINY, WHISPER = 1e-3, 1e-9  # of the stiffness
@@ -304,3 +305,10 @@ def test_a_run_that_does_not_finish_is_replaced_by_its_neighbour_and_said(monkey
     for name, number in whole.numbers.items():
         assert abs(replaced.numbers[name].value - number.value) <= number.error
     assert (unfinished.outcome.name, unfinished.numbers) == ("step_too_small", {})
+
+
+def test_an_amplitude_is_half_the_range():
+    """A pendulum let go at 90 deg swings from there to the other side."""
+    run = simulate(load("pendulum"), duration="3 s", tolerance=1e-9)
+    (output,), _ = chosen(run, ["amplitude.hinge.angle"])
+    assert output.of(Samples(run)) == pytest.approx(math.pi / 2, rel=1e-8)
