@@ -158,11 +158,12 @@ def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
         return ca.Function(name, given, [ca.densify(ca.MX(x)) for x in results], names, [*outputs])
 
     of_touching = function("rates_of_touching", [rates], ["dy"], asked), function("ends_of_touching", ends, ENDS, asked)
+    held = function("held_of_touching", [reactions], ["reactions"], asked)
     found = forces.touching(mode) if forces is not None else ca.DM(0, 1)
     return Flow(
         rates=function("rates", [of_touching[0](*given, found)], ["dy"]),
         ends=function("ends", of_touching[1](*given, found), ENDS),
-        holding=function("holding", [none, reactions], list(HELD)),
+        holding=function("holding", [none, held(*given, found)], list(HELD)),
         depends=ca.Function("depends", [y, t, c], [by_y]).jac_sparsity(0, 0),
         quaternions=model.quaternions,
         quadratures=quadratures,

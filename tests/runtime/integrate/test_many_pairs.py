@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 from handmade import point
 
+from hertzwerk.derive.scenes.ball_bearing import bearing
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.events import events
 from hertzwerk.runtime.integrate.loop.advance import advance, no_event_of_any_pair
 from hertzwerk.runtime.integrate.loop.attempt import integrator
 from hertzwerk.runtime.integrate.step import classes
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
-from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.explicit import calls_parts, flow, written_flow
 from hertzwerk.runtime.integrate.step.implicit import DIVERGED
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import esdirk54, rodas5p
@@ -65,6 +66,19 @@ def test_a_pair_out_of_contact_costs_no_operation_of_a_stage():
     bare, guarded = (load(scenes.guarded_crank(guards)) for guards in (0, 3))
     operations = [flow(model, (0,)).rates.n_instructions() for model in (bare, guarded)]
     assert operations[1] - operations[0] == guarded.nz - bare.nz == 3
+
+
+def test_reactions_of_a_drive_beside_many_contacts_are_those_of_pairs_written_out():
+    """They depend on the forces of the pairs that touch: with 24 pairs the bearing's loop was not built."""
+    model = load(bearing(12, "bearing_12"))
+    assert calls_parts(model)
+    random = np.random.default_rng(36)
+    mode = np.arange(model.k) % 2.0
+    y = random.uniform(-1e-3, 1e-3, model.nq + model.nu + model.nz)
+    at = 0.0, y, mode, np.ones(model.nm), model.bind().c
+    here, there = (np.array(made(model).holding(*at)[1]).ravel() for made in (flow, written_flow))
+    assert here.size == 1
+    assert here == pytest.approx(there, rel=1e-12)
 
 
 def every_pair(model, contacts):
