@@ -323,9 +323,20 @@ class History:
     def between(self, index: np.ndarray, h: np.ndarray) -> History:
         """Return histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes.
 
-        With h = 0 the rows themselves.
+        With h = 0 the rows themselves. Behind a singular position that a step passes over, they are found from its end:
+        a step from its start would evaluate there.
         """
-        return self.of(self.later(self.rows[index], h))
+        rows = self.later(self.rows[index], h)
+        if self.model.nl:
+            behind = np.flatnonzero(h > self.rows[index][:, self.columns("ahead")][:, 0])
+            after = self.rows[index[behind] + 1]
+            for part in ("mode", "m", "method"):  # that were those of the step, and may have changed at its end
+                after[:, self.columns(part)] = rows[behind][:, self.columns(part)]
+            to, _ = _in_trial(self.model, self.engine)
+            rows[behind[:, None], to] = self.later(
+                after, self.t[index[behind]] + h[behind] - self.t[index[behind] + 1]
+            )[:, to]
+        return self.of(rows)
 
     def later(self, rows: np.ndarray, h: np.ndarray) -> np.ndarray:
         """Return rows (n, ns) a time h (n,) [s] after others, by a step of length h from each.

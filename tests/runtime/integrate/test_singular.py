@@ -53,6 +53,16 @@ def test_implicit_methods_take_the_steps_that_their_order_asks_for(method, coord
     assert np.max(below) < np.max(above) / 80
 
 
+@pytest.mark.parametrize("method", ["dop853", "esdirk"])
+def test_no_time_within_a_passing_step_is_found_through_the_position(method):
+    """By conservation of energy; with parts of the step from its start it was 1e-2 off at times for which a stage met the position."""
+    passed = 2.656875  # when the rods lie in one line for the second time
+    times = np.linspace(passed - 0.02, passed + 0.02, 4001)
+    run, _ = run_of(method, tolerance=1e-11)
+    energy = run.at(times[np.abs(times - passed) > 1e-3])["energy"]
+    assert np.ptp(energy) < 1e-7 * energy[0]
+
+
 def test_near_singular_positions_no_step_is_implicit(monkeypatch):
     run, _ = run_of("esdirk", tolerance=1e-11)
     ahead, methods = (run.history.part(part)[:-1, 0] for part in ("ahead", "method"))
