@@ -5,6 +5,7 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.spatial.transform import Rotation
 
 from hertzwerk.derive import (
@@ -154,6 +155,10 @@ def test_an_inertia_in_turned_axes_is_that_of_the_turned_tensor(tmp_path):
     found = np.array([[float(value.default) for value in row] for row in body.tensor])
     assert np.abs(found - expected).max() < 1e-16
     assert np.abs(found - R.T @ found @ R).max() > 1e-3  # turned the other way it would be another
+    text = robot_with(joint("j", "continuous", "base", "a", '<origin rpy="0.3 -0.4 0.5"/>'), links="a")
+    axes = from_urdf(written(tmp_path, text)).mechanism.joints[0].parent.axes
+    turns = {symbol: symbol.si for row in axes for value in row for symbol in sp.sympify(value).free_symbols}
+    assert np.abs(np.array(sp.Matrix(axes).xreplace(turns), dtype=float) - R).max() < 1e-15
 
 
 def test_joints_of_every_type_limits_and_dampers(tmp_path):
@@ -178,6 +183,7 @@ def test_joints_of_every_type_limits_and_dampers(tmp_path):
     assert run.outcome.name == "finished"
     assert np.abs(run["slide.travel"] - 0.01 * run["turn.angle"] - 0.05).max() < 1e-9
     assert run["turn_damper.dissipated"][-1] > 0.1
+    assert run["turn_damper.power"] == pytest.approx(0.5 * run["turn.speed"] ** 2)
 
 
 FOOT = '<collision><origin xyz="0 0 -0.1"/><geometry><sphere radius="0.02"/></geometry></collision>'

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+import sympy as sp
 
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
@@ -90,3 +91,7 @@ def test_inconsistent_laws_run_unchecked_and_consistent_ones_checked():
 def test_bodies_are_dropped_on_a_law_of_their_form(form):
     scene = dropped(form, "flores")
     assert scene.effect("contact").stiffness.law.forms == (("point",) if form == "spheres" else ("line",))
+    depth = float(sp.sympify(scene.scales.length).xreplace({p: p.si for p in scene.parameters.values()}))
+    modulus = 207e9 / (2 * (1 - 0.3**2))
+    stored = modulus * (8 / 15 * math.sqrt(0.025) * depth**2.5 if form == "spheres" else math.pi / 8 * 0.05 * depth**2)
+    assert stored == pytest.approx(1 * 9.81 * 0.1)  # J, of the fall: its length is the largest elastic penetration

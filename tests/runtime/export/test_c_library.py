@@ -102,6 +102,8 @@ def test_bad_arguments_and_outcomes_are_codes_with_text(ball):
     assert simulation("set_parameter", mass, -1.0) == 0
     assert simulation("start", DURATION) == -3
     assert simulation("set_parameter", mass, 1.0) == simulation("start", DURATION) == 0
+    for value, code in ((0.0, -3), (1.0, 0)):  # the coefficient of restitution lies in (0, 1]
+        assert ball.simulation(restitution=value)("start", DURATION) == code
     assert simulation("set_limits", 5.0, 100.0) == 0
     assert simulation.run(DURATION) == -10
     assert simulation("advance", DURATION, 0) == -10

@@ -133,6 +133,7 @@ def test_it_tells_units_starts_and_causality(pushed):
     assert found["push"] == ("input", "continuous", "N", None, "0.0")
     assert found["push.rate"][:3] == ("input", "continuous", "N/s")
     assert found["start.slide.speed"] == ("parameter", "fixed", "m/s", None, "0.0")
+    assert found["start.slide.travel"] == ("parameter", "fixed", "m", None, "0.1")
     assert found["slide.speed"] == ("output", "continuous", "m/s", None, None)
     assert found["wall.mode"][:2] == ("output", "discrete")
     assert by_name["push"].description == "force away from the wall"

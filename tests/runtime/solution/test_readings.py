@@ -111,6 +111,7 @@ def test_reactions_of_the_ground_are_the_rate_of_momentum(crank_run):
     np.testing.assert_allclose(vertical, MR * run["rod.y_acceleration"], atol=1e-7 * np.abs(vertical).max())
     along = MS * W**2 * derivative(lambda a: textbook(a)[1], angle)
     np.testing.assert_allclose(run["wrist.reaction_x"], along, atol=1e-7 * np.abs(along).max())
+    np.testing.assert_allclose(run["guide.acceleration"], along / MS, atol=1e-7 * np.abs(along / MS).max())
     np.testing.assert_allclose(run["guide.force_y"], run["guide.reaction_y"], rtol=1e-12)  # its multiplier
 
 
@@ -159,6 +160,28 @@ def test_a_slide_beyond_a_turn_is_held_by_a_force_and_a_couple_that_do_no_work()
     assert run["arm.reaction_y"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
     assert run["arm.reaction_moment_z"] == pytest.approx(-x * across, abs=1e-8)
     assert run["drive.torque"] == pytest.approx(x * across, abs=1e-8)
+
+
+def test_a_tilted_disc_on_a_turning_shaft_is_held_by_its_gyroscopic_couple():
+    """W x H, with H along the disc's axis and across it; of an upright disc it is J w W."""
+    axial, across, spin, turn, tilt = 0.02, 0.013, 40.0, 3.0, 0.4
+    frame = Body("frame", Parameter("frame_mass", "kg", 1.0), Parameter("frame_inertia", "kg m^2", 0.1))
+    inertia = Parameter("axial", "kg m^2", axial), *[Parameter("across", "kg m^2", across)] * 2
+    disc = Body("disc", Parameter("disc_mass", "kg", 2.0), inertia)
+    bearing = frame.at(0, 0, 0).turned(Z, Parameter("tilt", "rad", tilt))
+    scene = Scene(
+        Mechanism("gyroscope", (Revolute("shaft", GROUND, frame, axis=Y), Revolute("axle", bearing, disc, axis=X))),
+        (
+            ConstantSpeed("drive", "shaft", Parameter("turn", "rad/s", turn)),
+            ConstantSpeed("motor", "axle", Parameter("spin", "rad/s", spin)),
+            EnergyLedger(),
+        ),
+        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
+    )
+    run = simulate(load(scene), duration=0.5)
+    rate = turn * np.cos(tilt) * (axial * (spin + turn * np.sin(tilt)) - across * turn * np.sin(tilt))
+    assert run["axle.reaction_moment_x"] == pytest.approx(-rate * np.sin(turn * run.t), abs=1e-9)
+    assert run["axle.reaction_moment_z"] == pytest.approx(-rate * np.cos(turn * run.t), abs=1e-9)
 
 
 def test_tension_of_a_pendulum():
