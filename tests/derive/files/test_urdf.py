@@ -18,6 +18,7 @@ from hertzwerk.derive import (
     Scales,
     SphereOnPlane,
     Start,
+    Y,
     Z,
     from_urdf,
     laws,
@@ -174,6 +175,7 @@ def test_joints_of_every_type_limits_and_dampers(tmp_path):
     robot = from_urdf(written(tmp_path, text))
     assert [type(j).__name__ for j in robot.mechanism.joints] == ["Revolute", "Prismatic", "Planar", "Weld", "Free"]
     assert robot.mechanism.joints[-1].name == "loose_end"
+    assert robot.mechanism.joints[2].normal == Y
     assert (robot.limits["slide"].upper, robot.limits["slide"].effort) == (0.2, 20)
     assert robot.friction == {"turn": 0.1}
     run = simulate(
@@ -188,6 +190,17 @@ def test_joints_of_every_type_limits_and_dampers(tmp_path):
 
 FOOT = '<collision><origin xyz="0 0 -0.1"/><geometry><sphere radius="0.02"/></geometry></collision>'
 MESH = '<collision><geometry><mesh filename="package://foot.stl"/></geometry></collision>'
+
+
+BOX = '<collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision>'
+ROD = '<collision><geometry><cylinder radius="0.02" length="0.5"/></geometry></collision>'
+
+
+def test_solids_have_the_sizes_of_the_file(tmp_path):
+    text = robot_with(joint("drop", "prismatic", "base", "a"), links="a", solid=BOX + ROD)
+    box, rod = from_urdf(written(tmp_path, text)).collisions["a"]
+    assert {what: size.si for what, size in box.sizes.items()} == {"x": 0.1, "y": 0.2, "z": 0.3}
+    assert {what: size.si for what, size in rod.sizes.items()} == {"radius": 0.02, "length": 0.5}
 
 
 def test_a_foot_of_the_file_falls_on_a_floor(tmp_path):

@@ -43,6 +43,10 @@ def test_one_call_to_the_end_gives_the_bits_of_a_run(ball):
     simulation = ball.simulation()
     assert simulation.run(DURATION) == 0
     same_bits(ball, run, simulation)
+    balance = (ctypes.c_double * 3)()
+    assert simulation("balance", balance) == 0
+    assert balance[:] == pytest.approx((0, 9.81 * 1.0, 9.81 * 1.1), rel=1e-2, abs=1e-4)  # a fall of 1 m, from 1.1 m
+    assert balance[0] > 0
     latest, last = simulation.latest(), run.impacts[-1]
     assert (latest.count, latest.begin, latest.approach_speed) == (len(run.impacts), last.t, last.speed)
 
@@ -68,12 +72,13 @@ def test_communication_points_and_stops_at_impacts(ball):
     assert parts.time == DURATION
     assert parts.vector("states") == pytest.approx(whole.vector("states"), abs=1e-6)
     assert stopped("start", DURATION) == 0
+    assert stopped("set_limits", 1e6, 2.0) == 0  # of each call, in which one contact begins
     times = []
     while (code := stopped("advance", DURATION, 1)) == 1:
         times.append(stopped.time)
         assert stopped.latest().begin == stopped.time
     assert code == 0
-    assert len(times) == whole.latest().count
+    assert len(times) == whole.latest().count > 2
     assert stopped.vector("states").tolist() == whole.vector("states").tolist()  # stops change nothing
     assert times[0] == pytest.approx((2 * 1.0 / 9.81) ** 0.5, rel=1e-6)  # of a fall
 
