@@ -75,3 +75,16 @@ def test_a_heap_falls_settles_and_rests():
     assert pressing(end, "wall_1", n) == pytest.approx(pressing(end, "wall_2", n), rel=1e-3)
     assert pressing(end, "wall_3", n) == pytest.approx(pressing(end, "wall_4", n), rel=1e-3)
     assert run.energy_residual < 1e-4
+
+
+@pytest.mark.exhaustive
+def test_a_hundred_spheres_come_to_rest():
+    """5,450 pairs, of which those that are near are listed; equilibrium by the positions of all, so that a pair that was missed shows."""
+    n, across = 100, 5
+    run = simulate(load(scenes.spheres_in_box(n, across)), duration="3 s", tolerance=1e-5, output="steps")
+    end = run.at([3.0])
+    forces, depth = forces_of(places(run, n, [3.0])[0], 0.05 * across)
+    assert np.abs(forces - [0, WEIGHT, 0]).max() < 1e-2 * WEIGHT
+    assert depth < R / 20
+    assert pressing(end, "floor", n) == pytest.approx(n * WEIGHT, rel=1e-3)
+    assert run.energy_residual < 1e-5
