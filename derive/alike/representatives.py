@@ -116,27 +116,14 @@ def _of_trees(sample: System, found: Alike) -> Iterator[Function]:
         own = _Own(sample, [tree])
         joints = [joint.name for joint in tree.joints]
         on = [bodies.index(joint.child.body.name) for joint in tree.joints]
-        yield own.function(
-            sample,
-            f"coordinate_rates_of_{kind.name}",
-            f"Rates of the coordinates {what}.",
-            "t q u c",
-            _entries(dq, own.q),
-        )
-        yield own.function(
-            sample,
-            f"applied_of_{kind.name}",
-            f"Generalised forces other than contact forces {what}.",
-            "t q u c",
-            _entries(f, own.u),
-        )
-        yield own.function(
-            sample,
-            f"accelerations_of_{kind.name}",
-            f"Generalised accelerations {what}.",
-            "t q u f c",
-            _entries(a, own.u),
-        )
+        for name, summary, arguments, result, rows in (
+            ("coordinate_rates", "Rates of the coordinates", "t q u c", dq, own.q),
+            ("applied", "Generalised forces other than contact forces", "t q u c", f, own.u),
+            ("accelerations", "Generalised accelerations", "t q u f c", a, own.u),
+        ):
+            yield own.function(
+                sample, f"{name}_of_{kind.name}", f"{summary} {what}.", arguments, _entries(result, rows)
+            )
         if sample.scene.ledger:
             links = [link for link in sample.kin.tree.links if link.joint is not None and link.joint.name in joints]
             kinetic = sample.equations.kinetic_of(links)

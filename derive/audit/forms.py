@@ -53,7 +53,7 @@ def advice(scene: Scene) -> tuple[str, ...]:
 
 def _laws_at_pairs(scene: Scene) -> Iterator[tuple[str, Law, Pair]]:
     """Yield effect, law and pair, in declared order."""
-    pairs = {pair.name: pair for pair in scene.mechanism.pairs}
+    pairs = scene.mechanism.pair_named
     for effect in scene.effects:
         for name in effect.pairs:
             yield from ((effect.name, bound.law, pairs[name]) for bound in effect.laws)

@@ -446,7 +446,7 @@ class Kinematics:
 
     def touch(self, pair: str) -> Any:
         """Contact geometry of the pair of this name, on the tape."""
-        return next(other for other in self.mechanism.pairs if other.name == pair).touch(self)
+        return self.mechanism.pair_named[pair].touch(self)
 
     def velocity_at(self, body: Frame, position: Vector) -> Vector:
         """Velocity of the point of `body` that is at `position` [m/s]."""

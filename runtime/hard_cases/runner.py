@@ -177,6 +177,6 @@ def _of_model(work: Work) -> Iterator[Result]:
     """Yield the results of cases that share a model."""
     runs = [(case, method, solve(case, method, compiled=False)) for case, method in work]
     if available():
-        compile_together({(run.history.engine.model, method): None for _, method, run in runs})
+        compile_together(dict.fromkeys((run.history.engine.model, method) for _, method, run in runs))
     for case, method, run in runs:
         yield _judged(case, method, run, native=True)

@@ -380,16 +380,7 @@ class History:
 
     def of(self, rows: np.ndarray) -> History:
         """Return histories over other rows (n, ns) of the same run."""
-        return History(
-            self.model,
-            rows,
-            self.controls,
-            self.integrator,
-            steps=False,
-            p=self.p,
-            beside=self.beside,
-            departures=self.departures,
-        )
+        return self._with(rows, self.beside, steps=False)
 
     def with_names(self, names: Iterable[str]) -> History:
         """Return the same histories with readings listed among them; raises KeyError for an unknown name."""
@@ -398,17 +389,12 @@ class History:
             self[name]
         if not asked:
             return self
-        beside = (*self.beside, *asked)
-        return History(
-            self.model,
-            self.rows,
-            self.controls,
-            self.integrator,
-            steps=self.steps,
-            p=self.p,
-            beside=beside,
-            departures=self.departures,
-        )
+        return self._with(self.rows, (*self.beside, *asked), steps=self.steps)
+
+    def _with(self, rows: np.ndarray, beside: tuple[str, ...], *, steps: bool) -> History:
+        """Return histories of the same run over some rows."""
+        run = self.model, rows, self.controls, self.integrator
+        return History(*run, steps=steps, p=self.p, beside=beside, departures=self.departures)
 
 
 @per_model

@@ -25,7 +25,7 @@ WORTH = 2.0  # pairs over places from which a list pays
 NONE = -1.0  # number of no pair
 LATCHES = 3  # place of a pair's latches among the inputs of `contacts_by_kind`
 APART = 1e30  # m, gap in a place without a pair
-WITHIN = 2 / 5, 1 / 20  # of h |v| and h^2 |a| at the ends of a step: how far a quintic goes beyond both ends
+BEYOND = 2 / 5, 1 / 20  # of h |v| and h^2 |a| at the ends of a step: how far a quintic goes beyond both ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,7 +177,7 @@ class NearModel(Model):
             r, v, a = self.centres()(side["t"], side["y"], side["dy"], run["c"])
             way = ca.fmax(way, self.lengths(r - made))
             h = start["h"]
-            beyond = ca.fmax(beyond, WITHIN[0] * h * self.lengths(v) + WITHIN[1] * h * h * self.lengths(a))
+            beyond = ca.fmax(beyond, BEYOND[0] * h * self.lengths(v) + BEYOND[1] * h * h * self.lengths(a))
         return 2 * ca.mmax(way + beyond) / skin
 
     def time_left(self, run: Mapping[str, Any], at: Mapping[str, Any]) -> tuple[Any, Any]:
@@ -201,10 +201,8 @@ def _release(model: Model, pair: int) -> str:
 @per_model
 def _latches(model: Model) -> list[list[str]]:
     """Return what is latched for each pair."""
-    found: list[list[str]] = [[] for _ in model.pairs]
-    for name, _, pair in model.module.LATCHES:
-        found[pair].append(name.rpartition(".")[2])
-    return found
+    latches = model.module.LATCHES
+    return [[latches[row][0].rpartition(".")[2] for row in rows] for rows in latch_rows(model)]
 
 
 @per_model

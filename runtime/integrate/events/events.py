@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.alike.near_pairs import BEYOND
 from hertzwerk.runtime.integrate.alike.selection import places_of
 from hertzwerk.runtime.integrate.events.jumps import LOCATED, falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, MANY, RELEASED, Layouts
@@ -98,8 +99,8 @@ def far_apart(
     gap0, rate0, a0 = (start[part][pairs] for part in GAP)
     gap1, rate1, a1 = (end[part][pairs] for part in GAP)
     rates, accelerations = ca.fabs(rate0) + ca.fabs(rate1), ca.fabs(a0) + ca.fabs(a1)
-    way = (2 / 5 + DOUBT / 32) * h + time_rounding(end["t"], 1)
-    least = _landing(run, end["t"], 0) + way * rates + (1 / 20 + DOUBT / 64) * h * h * accelerations
+    way = (BEYOND[0] + DOUBT / 32) * h + time_rounding(end["t"], 1)
+    least = _landing(run, end["t"], 0) + way * rates + (BEYOND[1] + DOUBT / 64) * h * h * accelerations
     return ca.fmin(gap0, gap1) > least
 
 

@@ -209,11 +209,9 @@ class _March:
         self._stall = self._tried, self._t_start  # attempts and time from which progress is watched
         (self._tally,) = tally(integrator.model).first(state, controls)
         self._free = True  # of where the run is to end
-        self._with_choice, self._near, self._departures = (
-            False,
-            integrator.model,
-            {} if departures is None else departures,
-        )
+        self._with_choice = False
+        self._near: NearModel | None = integrator.model if isinstance(integrator.model, NearModel) else None
+        self._departures: Departures = {} if departures is None else departures
         self._began = time.perf_counter()
         # s of the processor on attempts alone, and on the clock: neither what else it does nor what is built tells the pace
         self._spent = self._clocked = 0.0
@@ -263,7 +261,7 @@ class _March:
                 states[-1, self._at[name]] = value
             chooses = True
         self._state, self._tally = states[-1].copy(), tallied.copy()
-        if stale and isinstance(self._near, NearModel):
+        if stale and self._near is not None:
             self._state = renewed(self._near, self._state, self._controls, self._departures)
         return states, chooses
 
