@@ -63,7 +63,6 @@ def fit(
     starts: int = STARTS,
     seed: int = 0,
     profile: bool | str = "auto",
-    shooting: str | float | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Fit:
     """Fit parameters and initial states to measurements, with exact derivatives through impacts.
@@ -81,8 +80,6 @@ def fit(
     gain        ranges of a sensor's gain by column, {"height": "0.95..1.05"}: measured = gain times run
     tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are left out, and that is said
     starts, seed    Latin hypercube of starts beside the model's own values; the best are followed over windows that lengthen
-    shooting    length of segments, "5 ms", halved where they fail, or "auto": multiple shooting, for data beyond the horizon. The motion
-                is taken to be without noise, each segment to begin where the one before ends, to within the runs' own error
     profile     intervals by profile likelihood: "auto" of what is badly told, True of all, False of none
 
     Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
@@ -105,7 +102,6 @@ def fit(
         starts=starts,
         seed=seed,
         profile=profile,
-        shooting=shooting,
     )
     return Fit(**vars(fitted(asked, progress)))
 

@@ -56,7 +56,6 @@ from hertzwerk.runtime.tables.history_table import history_table
 from hertzwerk.runtime.tables.table_file import write_table
 
 if TYPE_CHECKING:
-    import numpy as np
     from matplotlib.figure import Figure
     from pandas import DataFrame
     from xarray import Dataset
@@ -142,15 +141,13 @@ def solve(
     inputs: Mapping[str, Input] | None = None,
     *,
     needs: Needs = Needs.STEPS,
-    start: tuple[float, np.ndarray] | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Solution:
     """Run a model as `simulate` does, finding no more than is needed.
 
-    start    time [s] and state, q and u (nq + nu,) of a tree without contact, to begin with in place of the scene's start
     The solution raises LookupError where more is asked for.
     """
-    stages = solving(model, settings, parameters, initial, inputs, needs=needs, start=start, progress=progress)
+    stages = solving(model, settings, parameters, initial, inputs, needs=needs, progress=progress)
     return in_stages([stages])[0]
 
 
@@ -162,7 +159,6 @@ def solving(
     inputs: Mapping[str, Input] | None = None,
     *,
     needs: Needs = Needs.STEPS,
-    start: tuple[float, np.ndarray] | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Stages[Solution]:
     """Run a model as `solve` does, in stages: up to its start, the run, its solution."""
@@ -170,9 +166,6 @@ def solving(
     # 2. bound, 3. start
     model, faults = given_inputs(model, inputs, settings.duration, parameters)
     given, times = read(model, settings, parameters, initial, faults)
-    if start is not None:
-        begin, state = start
-        given = replace(given, begin=begin, q=state[: model.nq], u=state[model.nq :], latches=0 * given.latches)
     # 4. run
     run = set_up(model, settings, given, needs=needs, began=began)
     tolerance, asked = settings.tolerance, settings.request or ACCURACY

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -87,15 +87,6 @@ class Observed:
         """Number of contacts after which no more are needed; None where all may be."""
         counted = self.by_impacts and all(c.history.startswith(IMPACTS) for c in self.channels)
         return int(np.max(self.at)) + 1 if counted else None
-
-    def cut(self, kept: NDArray[np.bool_]) -> Observed:
-        """Return the measured run with the data (n,) that are kept, of a run that lasts as much less."""
-        at, place = self.at[kept], self.place[kept]
-        less = float(np.max(self.at) - np.max(at))
-        return replace(
-            self, duration=self.duration - less, column=self.column[kept], at=at, measured=self.measured[kept],
-            place=place / (float(np.max(place)) or 1.0),
-        )  # fmt: skip
 
     def times(self, run: Solution, offset: float) -> Array:
         """Return the run times [s] of the data (n,); inf for impacts that the run does not have."""

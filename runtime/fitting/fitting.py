@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,13 +24,12 @@ from hertzwerk.runtime.fitting.forward import Forward
 from hertzwerk.runtime.fitting.identified import identified
 from hertzwerk.runtime.fitting.intervals import intervals
 from hertzwerk.runtime.fitting.search import Found, Search
-from hertzwerk.runtime.fitting.shooting.shooting import check_shooting, shot
 from hertzwerk.runtime.measured.asked import Between, read_between
 from hertzwerk.runtime.measured.residuals import residual_of
 from hertzwerk.runtime.model.binding import whole_faults
 from hertzwerk.runtime.model.free_quantities import Free, read_free
 from hertzwerk.runtime.model.si_values import unit_at
-from hertzwerk.runtime.run.request import Settings, read_duration
+from hertzwerk.runtime.run.request import Settings
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
@@ -40,7 +39,6 @@ Array = NDArray[np.float64]
 
 FEWEST = 8  # residuals of a column whose correlation is judged
 IDLE = 1e-6  # of a column's spread, by a change as large as the scale of the search: less is the error of runs
-LINEAR = "linear: curvature of the least squares at the best fit"
 PROBES = 3  # places besides the model's own values at which a quantity must enter what is measured
 
 
@@ -58,12 +56,11 @@ class Asked:
     starts: int
     seed: int
     profile: bool | str
-    shooting: str | float | None = None
 
-    def forward(self, observed: tuple[Observed, ...] | None = None) -> Forward:
+    def forward(self) -> Forward:
         """Return the forward model of all measured runs."""
         return Forward(
-            self.observed if observed is None else observed,
+            self.observed,
             self.free,
             self.nuisance,
             self.offsets,
@@ -91,7 +88,6 @@ def read_fit(
     starts: object,
     seed: object,
     profile: object,
-    shooting: object = None,
     before: list[Fault] | None = None,
 ) -> Asked:
     """Read a fit; raises InputError with every fault."""
@@ -133,10 +129,7 @@ def read_fit(
             faults.append(Fault(f"gain of {column}", shown(between), 'a range of positive numbers, such as "0.9..1.1"'))
             continue
         nuisance.append(Free(*ends, "1", False, f"gain of {column}", min(max(1.0, ends[0]), ends[1])))
-    faults += _setting_faults(tolerance, method)
-    length = shooting if shooting in (None, "auto") else read_duration(model, parameters or {}, shooting, faults)  # type: ignore[arg-type]
-    if shooting is not None and freed:
-        check_shooting(model, observed, fitted_offset=low < high, faults=faults)
+    faults += Settings(1.0, None, tolerance, method).faults()
     count = sum(len(each.at) for each in observed)
     if observed and count < len(freed) + len(nuisance):
         faults.append(
@@ -155,35 +148,20 @@ def read_fit(
         int(starts),  # type: ignore[call-overload]
         int(seed),  # type: ignore[call-overload]
         profile,  # type: ignore[arg-type]
-        length,
     )
-
-
-def _setting_faults(tolerance: float, method: str) -> list[Fault]:
-    return Settings(1.0, None, tolerance, method).faults()
 
 
 def fitted(asked: Asked, progress: Callable[[float], object] | None = None) -> Fitted:
     """Return the fit that was asked for; raises InputError for what enters nothing measured."""
-    if asked.shooting is None:
-        return concluded(asked, *searched(asked, progress))
-    length = None if isinstance(asked.shooting, str) else asked.shooting
-    found = shot(search_of(asked, None), length, asked.starts, asked.seed, progress or (lambda _: None))
-    return concluded(replace(asked, profile=asked.profile is not False), *found)  # curved in chaos: by profile
+    return concluded(asked, *searched(asked, progress))
 
 
 def searched(asked: Asked, progress: Callable[[float], object] | None = None) -> tuple[Search, Found]:
     """Return the search and its least squares; raises InputError for what enters nothing measured."""
-    search = search_of(asked, progress)
-    return search, search.best(asked.starts, asked.seed)
-
-
-def search_of(asked: Asked, progress: Callable[[float], object] | None) -> Search:
-    """Return the search that is asked for; raises InputError for what enters nothing measured."""
     forward = asked.forward()
     search = Search(forward, stated_noise(forward), progress)
     _refuse_idle(search, asked)
-    return search
+    return search, search.best(asked.starts, asked.seed)
 
 
 def stated_noise(forward: Forward) -> Array:
@@ -214,15 +192,12 @@ def _refuse_idle(search: Search, asked: Asked) -> None:
     )
 
 
-def concluded(asked: Asked, search: Search, found: Found, linear: str = LINEAR) -> Fitted:
-    """Return the fit with what the data tell of it, intervals, goodness and residuals.
-
-    linear    how intervals are obtained that are not by profile
-    """
+def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
+    """Return the fit with what the data tell of it, intervals, goodness and residuals."""
     share = float(np.mean(found.used))
     forward = search.forward
     known = identified(found.jacobian, forward.searched)
-    ends, warnings = intervals(search, found, known, asked.profile, linear)
+    ends, warnings = intervals(search, found, known, asked.profile)
     count, point = len(asked.free), forward.at(found.x)
     made = [run.parameters for run in point.runs if run is not None]
     units = {free.name: {unit_at(free.unit, parameters) for parameters in made} for free in forward.searched}
@@ -314,7 +289,7 @@ def _warnings(
     if share < 1:
         warnings.append(
             f"{1 - share:.0%} of the data lie beyond the horizon, where the run's own error exceeds a tenth of the noise: they are left out; "
-            "segments (shooting), a smaller tolerance, or statistics of them"
+            "a shorter record, a smaller tolerance, or statistics of them (fit_moments)"
         )
     lost = int(np.sum(~np.isfinite(forward.at(found.x).predicted) & found.used))
     if lost:

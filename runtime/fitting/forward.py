@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.fitting.experiment import Observed
-from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.free_quantities import Free
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.start.start_values import split_values
@@ -49,10 +48,9 @@ class Forward:
         *,
         tolerance: float,
         method: str,
-        stopped: Callable[[], object] = lambda: None,
     ) -> None:
         self.observed, self.free, self.nuisance = tuple(observed), tuple(free), tuple(nuisance)
-        self.tolerance, self._method, self._stopped = tolerance, method, stopped
+        self.tolerance, self._method = tolerance, method
         self._offsets, self._gains = tuple(offsets), gains
         self.measured = np.concatenate([each.measured for each in observed])
         self.place = np.concatenate([each.place for each in observed])
@@ -71,14 +69,6 @@ class Forward:
         self.runs_made = 0
         self.without_exact: set[str] = set()  # reasons why some derivatives are differences
 
-    def cut(self, kept: NDArray[np.bool_]) -> Forward:
-        """Return the forward model of the data (n,) that are kept, some of every run; runs last as long."""
-        observed = [each.cut(kept[self.run == i]) for i, each in enumerate(self.observed)]
-        return Forward(
-            observed, self.free, self.nuisance, self._offsets, self._gains,
-            tolerance=self.tolerance, method=self._method, stopped=self._stopped,
-        )  # fmt: skip
-
     @property
     def searched(self) -> tuple[Free, ...]:
         """All that is free, in the order of x."""
@@ -92,7 +82,6 @@ class Forward:
         """Return the runs at a place, remembered for the last few."""
         key = x.tobytes(), tolerance or self.tolerance
         if key not in self._known:
-            self._stopped()
             while len(self._known) >= KEPT:
                 self._known.pop(next(iter(self._known)))
             self._known[key] = self._made(x, key[1])
@@ -119,14 +108,9 @@ class Forward:
             times.append(empty if run is None else each.times(run, self.offset(i, x)))
         return Point(tuple(runs), self.gains(x) * np.concatenate(predicted), np.concatenate(times))
 
-    def given(self, each: Observed, x: Array) -> tuple[dict[str, Value], dict[str, Value]]:
-        """Return parameters and initial states of a measured run at a place."""
+    def _run(self, each: Observed, x: Array, tolerance: float) -> Solution | None:
         values = {free.name: (free.outer(float(place)), free.unit) for free, place in zip(self.free, x, strict=False)}
         parameters, initial = split_values(each.model, values)
-        return {**each.parameters, **parameters}, {**each.initial, **initial}
-
-    def _run(self, each: Observed, x: Array, tolerance: float) -> Solution | None:
-        parameters, initial = self.given(each, x)
         self.runs_made += 1
         try:
             run = simulate(
@@ -134,8 +118,8 @@ class Forward:
                 duration=each.duration,
                 tolerance=tolerance,
                 method=self._method,
-                parameters=parameters,
-                initial=initial,
+                parameters={**each.parameters, **parameters},
+                initial={**each.initial, **initial},
                 max_events=each.max_events,
             )
         except InputError:  # a start or a constant that these values together do not have

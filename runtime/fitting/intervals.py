@@ -35,13 +35,10 @@ class Interval:
     open_high: bool = False
 
 
-def intervals(
-    search: Search, found: Found, known: Identified, profile: bool | str, linear: str
-) -> tuple[list[Interval], list[str]]:
+def intervals(search: Search, found: Found, known: Identified, profile: bool | str) -> tuple[list[Interval], list[str]]:
     """Return the interval of everything free, in the order of x, and what to heed.
 
     profile    "auto": of what is badly told, at an end of its range, or in a combination that is not told; True: of all
-    linear     how those that are not by profile are obtained
     """
     from scipy.stats import norm, t  # slow to import
 
@@ -56,14 +53,12 @@ def intervals(
         half = quantile * float(errors[j])
         ends = x - half, x + half
         bad = known.concerned(j) or errors[j] > BAD or ends[0] < low or ends[1] > high or not errors[j] > 0
-        quantity = j < len(search.forward.free) and not search.refused
+        quantity = j < len(search.forward.free)
         if (profile is True and quantity) or (profile == "auto" and bad and quantity):
             made.append(_profile(search, found, j, half, quantile**2, noise, warnings))
             continue
-        how = f"{linear}, {noise}"
-        if search.refused:
-            how, ends = f"none: {search.refused}", (low, high)
-        elif known.concerned(j) or not errors[j] > 0:
+        how = f"linear: curvature of the least squares at the best fit, {noise}"
+        if known.concerned(j) or not errors[j] > 0:
             how, ends = "none: it is in a combination that the data do not tell", (low, high)
         made.append(
             Interval(
@@ -87,20 +82,11 @@ def _profile(
     free = search.forward.searched[j]
     ends, is_open = [], []
     for bound in (float(search.low[j]), float(search.high[j])):
-        try:
-            place, opened = _end(search, found, j, bound, half, rise, warnings)
-        except _LostError:
-            how = "none: the least squares, all else fitted anew, could not be followed to its ends: a shorter record, or profile=False"
-            low, high = sorted((free.outer(float(search.low[j])), free.outer(float(search.high[j]))))
-            return Interval(low, high, how, open_low=True, open_high=True)
+        place, opened = _end(search, found, j, bound, half, rise, warnings)
         ends.append(free.outer(place))
         is_open.append(opened)
     how = f"profile likelihood: the least squares, all else fitted anew, rise by {rise:.3g}, {noise}"
     return Interval(min(ends), max(ends), how, is_open[0], is_open[1])
-
-
-class _LostError(ArithmeticError):
-    """Least squares with a quantity held that were not found."""
 
 
 def _end(
@@ -118,8 +104,6 @@ def _end(
         start = warm[nearest].copy()
         start[j] = place
         least = search.least(start, found.used, found.sigma, fixed=j)
-        if not math.isfinite(least.cost) or (search.followed_only and not least.converged):
-            raise _LostError
         warm[place] = least.x
         if least.cost < found.cost - 0.01 * rise:
             name = search.forward.searched[j].name

@@ -31,10 +31,7 @@ CONVERGED, ROUGH = 1e-10, 1e-4  # relative: of the last window, and of a start f
 
 @dataclass(frozen=True)
 class Found:
-    """Least squares over the rows used (n,), at a place x, over the noise sigma of each row.
-
-    missed    squares beside the residuals: of what segments miss over what they may
-    """
+    """Least squares over the rows used (n,), at a place x, over the noise sigma of each row."""
 
     x: Array
     used: NDArray[np.bool_]
@@ -42,22 +39,15 @@ class Found:
     residuals: Array
     jacobian: Array
     converged: bool
-    missed: float = 0.0
 
     @property
     def cost(self) -> float:
-        """Sum of the squared residuals over the noise, and of what segments miss."""
-        return float(self.residuals @ self.residuals) + self.missed
+        """Sum of the squared residuals over the noise."""
+        return float(self.residuals @ self.residuals)
 
 
 class Search:
-    """Least squares of a forward model; sigma: stated noise of each row (n,), nan where none is stated.
-
-    refused    why there are no intervals, empty where there are
-    """
-
-    refused = ""
-    followed_only = False  # whether least squares with a quantity held count only where they converged
+    """Least squares of a forward model; sigma: stated noise of each row (n,), nan where none is stated."""
 
     def __init__(self, forward: Forward, sigma: Array, progress: Callable[[float], object] | None = None) -> None:
         self.forward, self.stated, self._progress = forward, sigma, progress or (lambda _: None)
@@ -68,15 +58,10 @@ class Search:
 
     def best(self, count: int, seed: int) -> Found:
         """Return the least squares over the longest window before the horizon."""
-        found = self.candidates(count, seed)[0]
-        return self.settled(self.least(found.x, found.used, self._sigma0()))
-
-    def candidates(self, count: int, seed: int) -> list[Found]:
-        """Return rough least squares over that window, from the best starts, the least first."""
         forward, sigma = self.forward, self._sigma0()
         windows = [w for w in WINDOWS if np.sum(forward.place <= w) >= FEW * len(self.low)] or [1.0]
         masks = [forward.place <= w * (1 + 1e-12) for w in windows]
-        found = self.followed(masks, count, seed)
+        found = self._followed(masks, count, seed)
         for number, mask in enumerate(masks[1:], 2):
             kept = _apart([each.x for each in found])
             used = self.within(kept[0], mask, sigma)
@@ -84,9 +69,9 @@ class Search:
                 break
             found = self._leasts(kept, used)
             self._progress(0.4 + 0.5 * number / len(masks))
-        return found
+        return self.settled(self.least(found[0].x, found[0].used, self._sigma0()))
 
-    def followed(self, masks: Sequence[NDArray[np.bool_]], count: int, seed: int) -> list[Found]:
+    def _followed(self, masks: Sequence[NDArray[np.bool_]], count: int, seed: int) -> list[Found]:
         """Return the least squares over the first window from the best starts, the least first."""
         places, scores = self.starts(count, seed), []
         for k, x in enumerate(places):
@@ -104,7 +89,7 @@ class Search:
         """Return the least squares over the noise that the residuals have, where none is stated."""
         if np.any(np.isnan(self.stated[found.used])):
             for _ in range(3):  # noise follows residuals, and they the noise
-                found = self.least(found.x, found.used, self.estimated(found))
+                found = self.least(found.x, found.used, self._estimated(found))
         return found
 
     def starts(self, count: int, seed: int) -> list[Array]:
@@ -115,7 +100,7 @@ class Search:
     def _sigma0(self) -> Array:
         return np.where(np.isnan(self.stated), GUESSED * self.spread, self.stated)
 
-    def estimated(self, found: Found) -> Array:
+    def _estimated(self, found: Found) -> Array:
         """Return the noise of each row, that of columns without a stated one from their residuals."""
         sigma, group = self._sigma0(), self.forward.group
         for k in np.unique(group):
@@ -165,7 +150,7 @@ class Search:
             return placed
 
         if not len(moving):
-            return self.judged(x, used, sigma)
+            return self._judged(x, used, sigma)
         width = self.high - self.low
         begin = np.clip(x, self.low + 1e-9 * width, self.high - 1e-9 * width)[moving]
         result = least_squares(
@@ -178,9 +163,9 @@ class Search:
             gtol=within,
             max_nfev=60,
         )
-        return replace(self.judged(whole(result.x), used, sigma), converged=result.status > 0)
+        return replace(self._judged(whole(result.x), used, sigma), converged=result.status > 0)
 
-    def judged(self, x: Array, used: NDArray[np.bool_], sigma: Array) -> Found:
+    def _judged(self, x: Array, used: NDArray[np.bool_], sigma: Array) -> Found:
         """Return residuals and their Jacobian at a place."""
         return Found(x, used, sigma, self.residuals(x, used, sigma), self.jacobian(x, used, sigma), True)
 

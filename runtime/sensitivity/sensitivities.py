@@ -69,7 +69,6 @@ class Sensitivities:
     """Derivatives of a run with respect to parameters and initial states, in SI.
 
     history: that of a run whose steps are kept; initial: states that it was given, beside the scene's
-    begin: changes (nq + nu, P) of its start, where that is not the scene's
     until    time [s] up to which there are derivatives; reason    why not to the end of the run, else empty
     """
 
@@ -81,7 +80,6 @@ class Sensitivities:
         names: tuple[str, ...],
         *,
         compiled: bool = False,
-        begin: np.ndarray | None = None,
     ) -> None:
         self.history, self.names = history, names
         model = history.model
@@ -93,8 +91,7 @@ class Sensitivities:
             raise InputError(f"sensitivities of {model.name}", faults)
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
         self._directions = directions_of(model, bound.p, bound.c, dp.reshape(-1, len(names)))
-        if begin is None:
-            begin = start_changes(model, bound, initial, names)
+        begin = start_changes(model, bound, initial, names)
         self._found = follow(history, self._directions, begin, frozenset(initial), compiled=compiled)
         self.until, self.reason = self._found.until, self._found.reason
 

@@ -129,11 +129,6 @@ OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics 
     help="Quantities whose intervals come from the profile likelihood; auto: those that the data determine badly.",
 )
 @click.option(
-    "--shooting",
-    metavar="TIME|auto",
-    help='Length of the segments of multiple shooting, for data beyond the horizon: "2 ms" (default: single runs).',
-)
-@click.option(
     "--into", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-fit-NNN)."
 )
 @click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
@@ -240,7 +235,7 @@ def _of_moments(
         "--bandwidth": bandwidth,
     }
     of_series |= {"--order": order, "--zero-phase": zero_phase, "--skip": skip}
-    of_histories = {"--gain": "gain", "--laws": "among", "--shooting": "shooting"}
+    of_histories = {"--gain": "gain", "--laws": "among"}
     of_histories_alone = {"--offset": ("offset", "0 s"), "--starts": ("starts", None), "--profile": ("profile", "auto")}
     beside = [option for option, name in of_histories.items() if others[name]]
     beside += [option for option, (name, default) in of_histories_alone.items() if others[name] != default]
@@ -321,7 +316,6 @@ def _arguments(
     starts: int | None,
     seed: int | None,
     profile: str,
-    shooting: str | None,
 ) -> dict[str, Any]:
     """Return the arguments of a fit; malformed options are appended to `faults`."""
     from hertzwerk.runtime.fitting.experiment import Experiment
@@ -345,7 +339,6 @@ def _arguments(
         "method": method or METHOD,
         "starts": STARTS if starts is None else starts,
         "seed": seed or 0,
-        "shooting": shooting,
         "profile": {"auto": "auto", "all": True, "none": False}[profile],
     }
 

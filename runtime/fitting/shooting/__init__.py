@@ -1,1 +1,0 @@
-"""Multiple shooting: measured runs in segments."""
