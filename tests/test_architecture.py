@@ -37,7 +37,7 @@ ROOMS = {
         "derivation": "alike audit declare emit faults module motion program readings",
         "dimension": "algebra faults units",
         "effects": "algebra dimension faults identifiers laws mechanism program units",
-        "emit": "audit faults program",
+        "emit": "faults program",
         "exported": "algebra declare faults mechanism module motion program",
         "faults": "",
         "files": "algebra audit declare derivation dimension effects faults identifiers laws mechanism units",

@@ -381,9 +381,3 @@ def _finding(program: Program, what: str, expression: Any, fault: DimensionFault
         expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,
         reason=fault.reason, consistent_exponent=_exponent(fault), repair=fault.repair, kind="program",
     )  # fmt: skip
-
-
-def count_checked(program: Program) -> tuple[int, int]:
-    """Number of assignments and outputs covered by the audit of a program."""
-    outputs = sum(len(result.expressions) for function in program.functions for result in function.results)
-    return sum(1 for _ in program.assignments()), outputs

@@ -7,14 +7,13 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import Any
 
-from hertzwerk.derive.audit.audit import count_checked
 from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.emit.helpers import HELPERS, helpers_in
 from hertzwerk.derive.emit.loops import kind_tables, loops, table
 from hertzwerk.derive.emit.printer import WIDTH, Draft, builder_text, curve_text, draft, prose, prose_lines, shared_text
 from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.expression_text import curve_names
-from hertzwerk.derive.program.program import OWN, Function, Program, curves_in
+from hertzwerk.derive.program.program import OWN, Function, Program, count_checked, curves_in
 from hertzwerk.derive.program.repetition import share
 
 _PROSE = ("PARAMETERS", "LIMITS", "INPUTS", "SMOOTH_INPUTS", "ADVICE")  # tables of one row a line

@@ -17,14 +17,12 @@ from hertzwerk.derive.algebra.splines import Spline, Table
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults
 from hertzwerk.derive.mechanism.bodies import Slot
-from hertzwerk.derive.mechanism.parameter import Parameter, Scalar, is_number, parameters_of
+from hertzwerk.derive.mechanism.parameter import CURVE, Parameter, Scalar, is_number, parameters_of
 from hertzwerk.derive.mechanism.pose import Posed, PoseSymbol
 
 S = PoseSymbol("s", "1")
 """Parameter of a curve [1 or rad]."""
 
-CURVE = "_curve"
-"""Suffix of the name of a curve's function in a generated module, in capitals of its data's."""
 FINE = 240  # points at which a curve is checked
 TURN, PARTS = math.radians(15), 16  # between samples it turns by no more, and is no longer than one part in so many
 LARGEST = 400  # samples

@@ -18,6 +18,8 @@ from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
 TABLE = "_TABLE"
 """Suffix of the names of tables in a generated module."""
+CURVE = "_curve"
+"""Suffix of the name of a curve's function in a generated module, in capitals of its data's."""
 
 
 class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped

@@ -26,8 +26,7 @@ from hertzwerk.derive.algebra.planar_curve import (
     Support,
 )
 from hertzwerk.derive.algebra.splines import Spline
-from hertzwerk.derive.mechanism.curve import CURVE
-from hertzwerk.derive.mechanism.parameter import TABLE
+from hertzwerk.derive.mechanism.parameter import CURVE, TABLE
 
 _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(1, 6)
 
