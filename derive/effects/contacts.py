@@ -41,6 +41,11 @@ class Contact(PairEffect):
     kind: ClassVar[str] = "contact"
     takes: ClassVar[Mapping[str, str]] = {"stiffness": "stiffness", "damping": "damping"}
     enters: ClassVar[str] = CONTACT
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "effective_mass": Slot.of("kg", POSITIVE),
+        "approach_floor": Slot.of("m/s", POSITIVE),
+        "smooth": Slot.of("m", POSITIVE),
+    }
 
     def __post_init__(self) -> None:
         """Declare a smoothing length given as text as a parameter, `<pair>_smooth`."""
@@ -80,14 +85,9 @@ class Contact(PairEffect):
         )
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the parameters of both laws, and the quantities of the pair's geometry they limit."""
-        yield from super().slots(scene)
-        if self.effective_mass is not None:
-            yield Slot(f"{self.where}, effective mass", self.effective_mass, "kg", POSITIVE)
-        if self.latches:
-            yield Slot(f"{self.where}, approach floor", self.approach_floor, "m/s", POSITIVE)
-        if self.smooth is not None:
-            yield Slot(f"{self.where}, smooth", self.smooth, "m", POSITIVE)
+        """Yield its quantities; without a law that latches the approach speed its floor is unused."""
+        floor = f"{self.where}, approach floor"
+        return (slot for slot in super().slots(scene) if self.latches or slot.where != floor)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a smoothing length with a law that begins too steeply for it."""
@@ -132,9 +132,6 @@ class Friction(PairEffect):
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair without a contact."""
         yield from contact_faults(self, scene) or super().faults(scene)
-
-    def element(self, kin: Kinematics) -> None:
-        """No element: it acts in contact alone."""
 
 
 def contact_faults(effect: PairEffect, scene: Declared) -> list[Fault]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -43,6 +43,13 @@ class SpeedController(JointEffect):
     tracking: Scalar | None = None
     kind: ClassVar[str] = "speed_controller"
     enters: ClassVar[str] = NOWHERE
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "target": Varying.of("{speed}"),
+        "proportional": Slot.of("{command}/({speed})", NOT_NEGATIVE, "proportional gain"),
+        "integral": Slot.of("{command}/{coordinate}", NOT_NEGATIVE, "integral gain"),
+        "period": Slot.of("s", POSITIVE),
+        "tracking": Slot.of("s", POSITIVE, "tracking time"),
+    }
 
     @property
     def text(self) -> str:
@@ -87,21 +94,18 @@ class SpeedController(JointEffect):
         by = self.proportional if self.tracking is None else self.integral * self.tracking
         return (limited - command) / by
 
+    def units(self, scene: Declared) -> Mapping[str, str]:
+        """Units of the joint and of the command."""
+        return {**super().units(scene), "command": self.unit}
+
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the target, the gains and the period."""
-        coordinate, speed, _ = self.freedom(scene).units
-        yield Varying(f"{self.where}, target", self.target, speed)
-        yield Slot(f"{self.where}, proportional gain", self.proportional, f"{self.unit}/({speed})", NOT_NEGATIVE)
-        yield Slot(f"{self.where}, integral gain", self.integral, f"{self.unit}/{coordinate}", NOT_NEGATIVE)
-        if self.period is not None:
-            yield Slot(f"{self.where}, period", self.period, "s", POSITIVE)
+        """Yield the target, the gains, the times and the limits."""
+        yield from super().slots(scene)
         if isinstance(self.limit, tuple):
             for what, value in zip(("least", "largest"), self.limit, strict=True):
                 yield Slot(f"{self.where}, {what} command", value, self.unit)
         elif self.limit is not None:
             yield Slot(f"{self.where}, limit", self.limit, self.unit, POSITIVE)
-        if self.tracking is not None:
-            yield Slot(f"{self.where}, tracking time", self.tracking, "s", POSITIVE)
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of a unit that is none, and of limits that are none."""
@@ -179,6 +183,11 @@ class Relay(Effect):
     start: int = 1
     kind: ClassVar[str] = "relay"
     enters: ClassVar[str] = NOWHERE
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "signal": Varying.of("{signal}"),
+        "hysteresis": Slot.of("{signal}", NOT_NEGATIVE),
+        "size": Slot.of("{signal}", POSITIVE),
+    }
 
     @property
     def text(self) -> str:
@@ -190,12 +199,9 @@ class Relay(Effect):
         """Output, 1 or -1, an expression for other effects."""
         return state_of(f"{self.name}.output")
 
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the signal, its hysteresis and size."""
-        yield Varying(f"{self.where}, signal", self.signal, self.unit)
-        yield Slot(f"{self.where}, hysteresis", self.hysteresis, self.unit, NOT_NEGATIVE)
-        if self.size is not None:
-            yield Slot(f"{self.where}, size", self.size, self.unit, POSITIVE)
+    def units(self, scene: Declared) -> Mapping[str, str]:
+        """Unit of the signal."""
+        return {"signal": self.unit}
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of a unit that is none, and of a start that is no output."""

@@ -18,7 +18,7 @@ from hertzwerk.derive.algebra.vectors import Vector, apply, dot, scale, sub
 from hertzwerk.derive.dimension.dimension import Dimension, DimensionError
 from hertzwerk.derive.dimension.walker import dimension_of
 from hertzwerk.derive.effects.drives import AnyDrive
-from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Kinematics, Mark, joint_faults
+from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Mark, joint_faults
 from hertzwerk.derive.effects.state_expression import (
     COORDINATE,
     TIME,
@@ -206,9 +206,6 @@ class Coupling(Effect):
             if default_value(distance) > 0:
                 yield "mesh", "first", *_wheel(joints[0], distance / (1 + ratio))
                 yield "mesh", "second", *_wheel(joints[1], distance * ratio / (1 + ratio))
-
-    def element(self, kin: Kinematics) -> None:
-        """No element: its constraint is in the equations of motion, beside those of closed loops."""
 
 
 def _wheel(joint: Joint, radius: Any) -> tuple[Point, Mapping[str, Any]]:

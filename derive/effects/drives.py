@@ -7,14 +7,14 @@ shorter steps.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.effects.effect import NOWHERE, Declared, JointEffect, Kinematics, joint_faults
+from hertzwerk.derive.effects.effect import NOWHERE, Declared, JointEffect, joint_faults
 from hertzwerk.derive.effects.state_expression import INPUT, TIME, T, Varying, as_choice, shown
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
@@ -34,7 +34,10 @@ class Motion:
 
 
 class AnyDrive(JointEffect):
-    """Base class of drives, which declare their `motion`."""
+    """Base class of drives, which declare their `motion`.
+
+    They have no element: the kinematics contains the motion, and the joint's coordinate is removed.
+    """
 
     kind: ClassVar[str] = "drive"
     enters: ClassVar[str] = NOWHERE
@@ -62,9 +65,6 @@ class AnyDrive(JointEffect):
             joint_faults(self.where, self.joint, scene, carried=True) if self.joint in told else super().faults(scene)
         )
 
-    def element(self, kin: Kinematics) -> None:
-        """No element: the kinematics contains the motion, and the joint's coordinate is removed."""
-
 
 @dataclass(frozen=True)
 class ConstantSpeed(AnyDrive):
@@ -76,6 +76,7 @@ class ConstantSpeed(AnyDrive):
     name: str
     joint: str
     speed: Scalar
+    measures: ClassVar[Mapping[str, Slot]] = {"speed": Slot.of("{speed}")}
 
     @property
     def text(self) -> str:
@@ -86,10 +87,6 @@ class ConstantSpeed(AnyDrive):
     def motion(self) -> Motion:
         """Position speed t."""
         return Motion(sp.sympify(self.speed) * T)
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the speed."""
-        yield Slot(f"{self.where}, speed", self.speed, self.freedom(scene).units[1])
 
 
 @dataclass(frozen=True)
@@ -106,6 +103,7 @@ class Ramp(AnyDrive):
     speed: Scalar
     rise: Scalar
     smoothness: int = 2
+    measures: ClassVar[Mapping[str, Slot]] = {"speed": Slot.of("{speed}"), "rise": Slot.of("s", POSITIVE)}
 
     @property
     def text(self) -> str:
@@ -119,11 +117,6 @@ class Ramp(AnyDrive):
         terms = (sp.binomial(n + k, k) * sp.binomial(2 * n + 1, n - k) * (-x) ** k for k in range(n + 1))
         way = sp.horner(sp.integrate(sp.expand(x ** (n + 1) * sp.Add(*terms)), x)).subs(x, T / rise)
         return Motion(speed * Where(rise > T, rise * way, T - rise / 2))
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the final speed and the duration of the rise."""
-        yield Slot(f"{self.where}, speed", self.speed, self.freedom(scene).units[1])
-        yield Slot(f"{self.where}, rise", self.rise, "s", POSITIVE)
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield the fault of an invalid smoothness."""
@@ -142,6 +135,12 @@ class Harmonic(AnyDrive):
     frequency: Scalar
     phase: Scalar = 0
     mean: Scalar = 0
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "amplitude": Slot.of("{coordinate}"),
+        "frequency": Slot.of("rad/s"),
+        "phase": Slot.of("rad"),
+        "mean": Slot.of("{coordinate}"),
+    }
 
     @property
     def text(self) -> str:
@@ -152,13 +151,6 @@ class Harmonic(AnyDrive):
     def motion(self) -> Motion:
         """The closed form."""
         return Motion(self.mean + self.amplitude * sp.sin(self.frequency * T + self.phase))
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield amplitude, frequency, phase, mean."""
-        yield Slot(f"{self.where}, amplitude", self.amplitude, self.freedom(scene).units[0])
-        yield Slot(f"{self.where}, frequency", self.frequency, "rad/s")
-        yield Slot(f"{self.where}, phase", self.phase, "rad")
-        yield Slot(f"{self.where}, mean", self.mean, self.freedom(scene).units[0])
 
 
 @dataclass(frozen=True)
@@ -177,6 +169,13 @@ class Drive(AnyDrive):
     acceleration: Scalar | None = None
     start: Scalar = 0
     start_speed: Scalar = 0
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "position": Varying.of("{coordinate}", on=(TIME, INPUT), derivatives=2),
+        "speed": Varying.of("{speed}", on=(TIME, INPUT), derivatives=1),
+        "acceleration": Varying.of("{coordinate}/s^2", on=(TIME, INPUT)),
+        "start": Slot.of("{coordinate}"),
+        "start_speed": Slot.of("{speed}"),
+    }
 
     @property
     def _given(self) -> list[tuple[int, str, Any]]:
@@ -198,15 +197,6 @@ class Drive(AnyDrive):
         """Motion as declared."""
         order, _, law = self._given[0]
         return Motion(as_choice(law), order, (self.start, self.start_speed)[:order])
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the law and the initial values."""
-        coordinate, rate, _ = self.freedom(scene).units
-        units = (coordinate, rate, f"{coordinate}/s^2")
-        for order, what, law in self._given:
-            yield Varying(f"{self.where}, {what}", law, units[order], on=(TIME, INPUT), derivatives=2 - order)
-        yield Slot(f"{self.where}, start", self.start, coordinate)
-        yield Slot(f"{self.where}, start speed", self.start_speed, rate)
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of several laws or none, and of initial values the law does not need."""

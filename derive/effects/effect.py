@@ -15,7 +15,7 @@ from hertzwerk.derive.algebra.vectors import Matrix, Vector, apply
 from hertzwerk.derive.effects.state_expression import COORDINATE, REACTION, SPEED, states_in, uncounted_fault
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.laws.law import BoundLaw, Law
-from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot, measured
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.program.program import Tape
@@ -256,6 +256,7 @@ class Effect:
     """Base class of effects; a kind has a `name`, unique in its scene, and a `kind`.
 
     takes       fields that hold a law -> the kind of law they take
+    measures    fields that hold a quantity -> its unit and range, `Slot.of(unit, limit)`, or `Varying.of(unit, on=...)`
     asks        COORDINATE or SPEED of its joints; whole turns of loop-closing joints in space are counted where it is COORDINATE
     enters      function of a module that has its generalised forces: APPLIED, CONTACT, or NOWHERE for effects without
     quantities  words after its name -> letter, subscript, meaning of a quantity, for readers; `sought`: those shown by name
@@ -265,6 +266,7 @@ class Effect:
     name: str
     kind: ClassVar[str]
     takes: ClassVar[Mapping[str, str]] = {}
+    measures: ClassVar[Mapping[str, Slot]] = {}
     asks: ClassVar[str] = SPEED
     enters: ClassVar[str] = APPLIED
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = {}
@@ -322,8 +324,22 @@ class Effect:
         return ""
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield its quantities in declared order; called only if its joints are freedoms of the scene."""
-        return iter(())
+        """Yield its quantities: of its laws, points and directions, then its `measures`.
+
+        Called only if its joints are freedoms of the scene.
+        """
+        geometry = {name: value for pair in self.pairs for name, value in scene.geometry(pair).items()}
+        for bound in self.laws:
+            yield from bound.slots(self.where, geometry)
+        for point in self.points:
+            yield from point.slots()
+        for name, direction in self.directions.items():
+            yield from direction.slots(f"{self.where}, {name}")
+        yield from measured(self, self.where, self.measures, self.units(scene))
+
+    def units(self, scene: Declared) -> Mapping[str, str]:
+        """Units by the names that stand for them in `measures`."""
+        return {}
 
     def reactions(self, scene: Declared) -> Iterator[str]:
         """Yield the joints whose reaction it reads, by default in its expressions; called as `slots` is."""
@@ -356,10 +372,12 @@ class Effect:
                 )
 
     def element(self, kin: Kinematics) -> Element | None:
-        """Forces, energy and outputs; None for effects handled elsewhere in the derivation.
+        """Forces, energy and outputs; None for effects that act in contact alone, or are handled elsewhere.
 
-        Raises InputError for a kind without an element.
+        Raises InputError for a kind that enters applied forces without an element.
         """
+        if self.enters != APPLIED:
+            return None
         found = f"the kind {self.kind!r}, which has no element"
         raise InputError(self.where, [Fault(self.where, found, "one that says what it does",
                          f"def element(self, kin): return Element(...), in {type(self).__name__}.")])  # fmt: skip
@@ -376,6 +394,8 @@ class Effect:
 class JointEffect(Effect):
     """Effect on a `joint` with one coordinate, or on one of several: "column.angle".
 
+    Units of its `measures` may contain {coordinate}, {speed} and {force}, those of the joint.
+
     drawn  whether a picture shows it on the joint
     """
 
@@ -390,6 +410,10 @@ class JointEffect(Effect):
     def freedom(self, scene: Declared) -> Freedom:
         """The freedom it acts on."""
         return scene.scalars[self.joint]
+
+    def units(self, scene: Declared) -> Mapping[str, str]:
+        """Units of the joint."""
+        return dict(zip(("coordinate", "speed", "force"), self.freedom(scene).units, strict=True))
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of a joint that is no name."""
@@ -438,11 +462,6 @@ class PairEffect(Effect):
     def section(self) -> str:
         """Title of the contact's section."""
         return f"Contact {self.pair}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the parameters of the laws, and the quantities of the pair's geometry they limit."""
-        for bound in self.laws:
-            yield from bound.slots(self.where, dict(scene.geometry(self.pair)))
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair that is missing, or not the kind a law was made for."""

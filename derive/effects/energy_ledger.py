@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from hertzwerk.derive.effects.effect import NOWHERE, Effect, Kinematics
+from hertzwerk.derive.effects.effect import NOWHERE, Effect
 
 
 @dataclass(frozen=True)
@@ -25,6 +25,3 @@ class EnergyLedger(Effect):
     def only(self) -> str:
         """Description of the one in a scene."""
         return "ledger of the scene"
-
-    def element(self, kin: Kinematics) -> None:
-        """No element: it books those of other effects."""

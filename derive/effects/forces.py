@@ -6,7 +6,7 @@ or negative. A potential is stored energy.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -43,15 +43,12 @@ class JointForce(JointEffect):
     force: Scalar
     kind: ClassVar[str] = "force"
     drawn: ClassVar[bool] = True
+    measures: ClassVar[Mapping[str, Slot]] = {"force": Varying.of("{force}", on=LOADS)}
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"force on {self.joint} = {shown(self.force)}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the force."""
-        yield Varying(f"{self.where}, force", self.force, self.freedom(scene).units[2], on=LOADS)
 
     def element(self, kin: Kinematics) -> Element:
         """Force, and its power as input."""
@@ -86,7 +83,7 @@ class PointForce(Effect):
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the point and the three components."""
-        yield from self.point.slots()
+        yield from super().slots(scene)
         for axis, value in zip("xyz", self.force, strict=True):
             yield Varying(f"{self.where}, force along {axis}", value, "N", on=LOADS)
 
@@ -164,15 +161,12 @@ class Potential(Effect):
     name: str
     energy: Scalar
     kind: ClassVar[str] = "potential"
+    measures: ClassVar[Mapping[str, Slot]] = {"energy": Varying.of("J", on=(COORDINATE,))}
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"forces of the energy {shown(self.energy)}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the energy."""
-        yield Varying(f"{self.where}, energy", self.energy, "J", on=(COORDINATE,))
 
     def element(self, kin: Kinematics) -> Element:
         """Forces, minus the derivatives of the energy, and the stored energy."""

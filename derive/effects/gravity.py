@@ -26,6 +26,7 @@ class Gravity(Effect):
     acceleration: Scalar
     direction: Direction
     kind: ClassVar[str] = "gravity"
+    measures: ClassVar[Mapping[str, Slot]] = {"acceleration": Varying.of("m/s^2", on=(TIME,))}
 
     @property
     def text(self) -> str:
@@ -46,11 +47,6 @@ class Gravity(Effect):
     def only(self) -> str:
         """Description of the one in a scene that does not vary."""
         return "" if self.varies else "gravity of the scene"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the acceleration and the direction."""
-        yield from self.direction.slots(f"{self.where}, direction")
-        yield Varying(f"{self.where}, acceleration", self.acceleration, "m/s^2", on=(TIME,))
 
     def element(self, kin: Kinematics) -> Element | None:
         """Power where it varies: the equations of motion include gravity of whole subtrees."""

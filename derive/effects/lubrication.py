@@ -84,6 +84,7 @@ class Lubrication(PairEffect):
     takes: ClassVar[Mapping[str, str]] = {"law": "film"}
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = QUANTITIES
     sought: ClassVar[tuple[str, ...]] = SOUGHT
+    measures: ClassVar[Mapping[str, Slot]] = {"boundary_layer": Slot.of("m", POSITIVE)}
 
     @property
     def text(self) -> str:
@@ -98,7 +99,6 @@ class Lubrication(PairEffect):
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the parameters of the law, the boundary layer, and its ratio to the clearance."""
         yield from super().slots(scene)
-        yield Slot(f"{self.where}, boundary layer", self.boundary_layer, "m", POSITIVE)
         geometry = scene.geometry(self.pair)
         if "dR" in geometry and is_number(self.boundary_layer):
             yield Slot(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -33,19 +33,17 @@ class DCMotor(JointEffect):
     start_current: Scalar = 0
     kind: ClassVar[str] = "motor"
     drawn: ClassVar[bool] = True
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "voltage": Varying.of("V"),
+        "resistance": Slot.of("ohm", POSITIVE),
+        "inductance": Slot.of("H", POSITIVE),
+        "constant": Slot.of("{force}/A"),
+    }
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"direct-current motor on {self.joint} at the voltage {shown(self.voltage)}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the voltage and the three parameters."""
-        per_ampere = {"N m": "N m/A", "N": "N/A"}[self.freedom(scene).units[2]]
-        yield Varying(f"{self.where}, voltage", self.voltage, "V")
-        yield Slot(f"{self.where}, resistance", self.resistance, "ohm", POSITIVE)
-        yield Slot(f"{self.where}, inductance", self.inductance, "H", POSITIVE)
-        yield Slot(f"{self.where}, constant", self.constant, per_ampere)
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the current, with the size of that which the back EMF at the scene's speed would drive."""

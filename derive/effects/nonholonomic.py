@@ -16,7 +16,6 @@ from hertzwerk.derive.effects.effect import (
     NOWHERE,
     Declared,
     Effect,
-    Kinematics,
     Mark,
     Moving,
     PairEffect,
@@ -43,6 +42,7 @@ class RollingWithoutSlip(PairEffect):
     name: str
     pair: str
     coefficient: Scalar | None = None
+    measures: ClassVar[Mapping[str, Slot]] = {"coefficient": Slot.of("1", NOT_NEGATIVE)}
     kind: ClassVar[str] = "rolling_without_slip"
     enters: ClassVar[str] = NOWHERE
 
@@ -50,11 +50,6 @@ class RollingWithoutSlip(PairEffect):
     def text(self) -> str:
         """Description for people."""
         return f"rolling without slip at {self.pair}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the coefficient of friction."""
-        if self.coefficient is not None:
-            yield Slot(f"{self.where}, coefficient", self.coefficient, "1", NOT_NEGATIVE)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield a fault of a pair with a contact of its own, beside those of any effect at a pair."""
@@ -78,9 +73,6 @@ class RollingWithoutSlip(PairEffect):
             yield SpeedConstraint(
                 f"sliding_velocity_{i}" if len(tangents) > 1 else "sliding_velocity", tangent, point, bodies
             )
-
-    def element(self, kin: Kinematics) -> None:
-        """No element: its constraints are in the equations of motion."""
 
 
 @dataclass(frozen=True)
@@ -117,11 +109,6 @@ class KnifeEdge(Effect):
         """The direction across the edge."""
         return {"across": self.across}
 
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the quantities of the point and the direction."""
-        yield from self.point.slots()
-        yield from self.across.slots(f"{self.where}, across")
-
     def type_faults(self) -> Iterator[Fault]:
         """Yield a fault of something that is no body to move on."""
         yield from super().type_faults()
@@ -143,6 +130,3 @@ class KnifeEdge(Effect):
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield the point and the direction across."""
         yield self.kind, "point", self.point, {"across": apply(self.point.axes, self.across.unit)}
-
-    def element(self, kin: Kinematics) -> None:
-        """No element: its constraint is in the equations of motion."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -38,17 +38,15 @@ class JointSpring(JointEffect):
     kind: ClassVar[str] = "spring"
     asks: ClassVar[str] = COORDINATE
     drawn: ClassVar[bool] = True
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "stiffness": Slot.of("{force}/({coordinate})", NOT_NEGATIVE),
+        "rest": Slot.of("{coordinate}"),
+    }
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"linear spring of {self.joint}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the stiffness, and the coordinate at rest."""
-        coordinate, _, force = self.freedom(scene).units
-        yield Slot(f"{self.where}, stiffness", self.stiffness, f"{force}/({coordinate})", NOT_NEGATIVE)
-        yield Slot(f"{self.where}, rest", self.rest, coordinate)
 
     def element(self, kin: Kinematics) -> Element:
         """Force, and the stored energy."""
@@ -67,16 +65,12 @@ class JointDamper(JointEffect):
     damping: Scalar
     kind: ClassVar[str] = "damper"
     drawn: ClassVar[bool] = True
+    measures: ClassVar[Mapping[str, Slot]] = {"damping": Slot.of("{force}/({speed})", NOT_NEGATIVE)}
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"viscous damper of {self.joint}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the coefficient."""
-        _, speed, force = self.freedom(scene).units
-        yield Slot(f"{self.where}, damping", self.damping, f"{force}/({speed})", NOT_NEGATIVE)
 
     def element(self, kin: Kinematics) -> Element:
         """Force, and the dissipated power."""
@@ -96,11 +90,6 @@ class BetweenPoints(Effect):
     def points(self) -> tuple[Point, ...]:
         """Both ends."""
         return self.first, self.second
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the quantities of the points."""
-        yield from self.first.slots()
-        yield from self.second.slots()
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield the fault of both on one body."""
@@ -144,18 +133,15 @@ class PointSpring(AlongLine):
     stiffness: Scalar
     rest_length: Scalar | None = None
     kind: ClassVar[str] = "spring"
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "stiffness": Slot.of("N/m", NOT_NEGATIVE),
+        "rest_length": Slot.of("m", POSITIVE),
+    }
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"linear spring between {self.first.body.name} and {self.second.body.name}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield points, stiffness, rest length."""
-        yield from super().slots(scene)
-        yield Slot(f"{self.where}, stiffness", self.stiffness, "N/m", NOT_NEGATIVE)
-        if self.rest_length is not None:
-            yield Slot(f"{self.where}, rest length", self.rest_length, "m", POSITIVE)
 
     def element(self, kin: Kinematics) -> Element:
         """Force, and the stored energy."""
@@ -183,16 +169,12 @@ class PointDamper(AlongLine):
     second: Point
     damping: Scalar
     kind: ClassVar[str] = "damper"
+    measures: ClassVar[Mapping[str, Slot]] = {"damping": Slot.of("N s/m", NOT_NEGATIVE)}
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"viscous damper between {self.first.body.name} and {self.second.body.name}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield points and coefficient."""
-        yield from super().slots(scene)
-        yield Slot(f"{self.where}, damping", self.damping, "N s/m", NOT_NEGATIVE)
 
     def element(self, kin: Kinematics) -> Element:
         """Force, and the dissipated power."""
@@ -218,17 +200,12 @@ class LineForce(AlongLine):
     second: Point
     tension: Scalar
     kind: ClassVar[str] = "spring"
+    measures: ClassVar[Mapping[str, Slot]] = {"tension": Varying.of("N", on=(REACH, REACH_RATE, *LOADS))}
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"tension {shown(self.tension)} between {self.first.body.name} and {self.second.body.name}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield points and tension."""
-        yield from super().slots(scene)
-        known = (REACH, REACH_RATE, *LOADS)
-        yield Varying(f"{self.where}, tension", self.tension, "N", on=known)
 
     def element(self, kin: Kinematics) -> Element:
         """Force, its power, and histories of length and tension."""

@@ -6,9 +6,9 @@ fault.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, Self, TypeAlias
 
 import sympy as sp
 
@@ -57,6 +57,26 @@ class Slot:
     limit: Interval | None = None
     recommended: Interval | None = None
     asked_as: str = ""
+
+    @classmethod
+    def of(cls, unit: str, limit: Interval | None = None, label: str = "", **given: Any) -> Self:
+        """Quantity of a field of a record, whose place and value the record gives: an entry of its `measures`."""
+        return cls(label, 0, unit, limit, **given)
+
+
+def measured(
+    record: Any, where: str, measures: Mapping[str, Slot], units: Mapping[str, str] | None = None
+) -> Iterator[Slot]:
+    """Yield the quantities of a record by field; one that is None by default may be left out.
+
+    `units` stand for names in braces in units of `measures`.
+    """
+    for name, slot in measures.items():
+        value = getattr(record, name)
+        if value is not None or getattr(type(record), name, record) is not None:
+            place, unit = f"{where}, {slot.where or name.replace('_', ' ')}", slot.unit.format_map(units or {})
+            asked_as = slot.asked_as and f"{record.name}.{slot.asked_as}"
+            yield replace(slot, where=place, value=value, unit=unit, asked_as=asked_as)
 
 
 @dataclass(frozen=True)

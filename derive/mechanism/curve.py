@@ -34,7 +34,7 @@ class AlongCurve(Posed):
     """Quantity that may vary along a curve, with its parameter `S`."""
 
     symbols: ClassVar[tuple[Any, ...]] = (S,)
-    of: ClassVar[str] = "S"
+    words: ClassVar[str] = "S"
     tables: ClassVar[bool] = True
 
 

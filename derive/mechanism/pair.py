@@ -6,15 +6,17 @@ touching, in `contact.pairs`; the defaults are declared here.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from typing import Any, ClassVar
 
 from hertzwerk.derive.algebra.vectors import Vector, apply
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
+from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot, measured
+from hertzwerk.derive.mechanism.parameter import POSITIVE
 
 Components = tuple[Any, Any, Any]
+LENGTH = Slot.of("m", POSITIVE)
 
 
 @dataclass(frozen=True)
@@ -23,6 +25,7 @@ class Pair:
 
     kind          text for tables and laws that are made for one kind
     form          how the surfaces touch, at a "point", along a "line" or over a "surface": laws are made for one of them
+    measures      fields that hold a quantity -> its unit and range, `LENGTH` or `Slot.of(unit, limit)`
     first_radius  distance from the first place to the contact point [m]
     journal       whether it replaces a joint, which the start closes: its outputs then hold its eccentricity e, and its
                   gap is (c^2 - e.e)/(2 c), c its clearance
@@ -34,6 +37,7 @@ class Pair:
     name: str
     kind: ClassVar[str] = "custom"
     form: ClassVar[str] = "point"
+    measures: ClassVar[Mapping[str, Slot]] = {}
     first_radius: ClassVar[Any] = 0
     journal: ClassVar[bool] = False
     guides: ClassVar[bool] = False
@@ -42,8 +46,9 @@ class Pair:
 
     @property
     def part_of(self) -> str:
-        """Name of the pair that it is a part of, at which effects are declared; "" of one by itself."""
-        return ""
+        """Name of the pair, `whole`, that it is a part of, at which effects are declared; "" of one by itself."""
+        whole = getattr(self, "whole", None)
+        return str(getattr(whole, "name", whole) or "")
 
     @property
     def parts(self) -> tuple[Pair, ...]:
@@ -91,7 +96,8 @@ class Pair:
         return ()
 
     def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of its directions and places; kinds add their own."""
+        """Yield its quantities: its `measures`, then those of its directions and places."""
+        yield from measured(self, f"pair {self.name}", self.measures)
         for name, direction in self.directions.items():
             yield from direction.slots(f"pair {self.name}, {name}")
         for point in self.places:

@@ -41,11 +41,11 @@ ROTATION = tuple(PoseSymbol(f"rotation_{k}", "rad") for k in "xyz")
 class Posed(Slot):
     """Quantity that may vary with the pose of one body against another: `APART`, `TURN`.
 
-    symbols  those it may contain beside parameters, `of` their names in messages; `tables` whether it may contain tables
+    symbols  those it may contain beside parameters, `words` their names in messages; `tables` whether it may contain tables
     """
 
     symbols: ClassVar[tuple[Any, ...]] = (*APART, *(symbol for row in TURN for symbol in row))
-    of: ClassVar[str] = "APART, TURN"
+    words: ClassVar[str] = "APART, TURN"
     tables: ClassVar[bool] = False
 
 
@@ -54,4 +54,4 @@ class PosedFrames(Posed):
     """Quantity that may vary with the pose of one frame against another: `APART`, `ROTATION`, `TURN`."""
 
     symbols: ClassVar[tuple[Any, ...]] = (*Posed.symbols, *ROTATION)
-    of: ClassVar[str] = "APART, ROTATION, TURN"
+    words: ClassVar[str] = "APART, ROTATION, TURN"

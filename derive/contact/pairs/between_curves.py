@@ -146,7 +146,9 @@ class OutlineOnOutline(OnSolidCurve):
         one, two = self.curves
         tips = [((tip,), ()) for tip in one.tips] + [((), (tip,)) for tip in two.tips]
         given = one, self.first, two, self.second, self.curvature_radius, self.length
-        return tuple(TipOnOutline(f"{self.name}_{k}", *given, of=self.name, tips=tip) for k, tip in enumerate(tips, 1))
+        return tuple(
+            TipOnOutline(f"{self.name}_{k}", *given, whole=self.name, tips=tip) for k, tip in enumerate(tips, 1)
+        )
 
     def faults(self) -> Iterator[Fault]:
         """Yield faults of what is no outline, and of two holes."""
@@ -160,13 +162,8 @@ class OutlineOnOutline(OnSolidCurve):
 class TipOnOutline(CurveOnCurve):
     """Corner or rounded corner of an outline beside another, a part of an `OutlineOnOutline`."""
 
-    of: str = ""
+    whole: str = ""
     tips: tuple[Sequence[Any], Sequence[Any]] = ((), ())
-
-    @property
-    def part_of(self) -> str:
-        """Name of the pair of outlines."""
-        return self.of
 
 
 def hole_faults(pair: OnSolidCurve) -> Iterator[Fault]:
@@ -239,11 +236,6 @@ class Flanks(CurveOnCurve):
     def points(self) -> list[Any]:
         """Which pair of teeth, by depth, for equations."""
         return [Place(name="place", row=self.row + 1)] if self.row else []
-
-    @property
-    def part_of(self) -> str:
-        """Name of the mesh."""
-        return "" if self.whole is None else self.whole.name
 
     @property
     def _teeth(self) -> tuple[InvoluteTeeth, ...]:

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import add, apply
 from hertzwerk.derive.contact.pairs.corner import CornerOnFace
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
-from hertzwerk.derive.mechanism.pair import Pair
-from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar, is_number
+from hertzwerk.derive.mechanism.pair import LENGTH, Pair
+from hertzwerk.derive.mechanism.parameter import Scalar, is_number
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,7 @@ class BoxOnPlane(Pair):
     plane: Point
     normal: Direction
     z: Scalar | None = None
-
-    @property
-    def sizes(self) -> dict[str, Any]:
-        """Sizes along the axes of the box [m]."""
-        return {"x": self.x, "y": self.y, **({} if self.z is None else {"z": self.z})}
+    measures: ClassVar[Mapping[str, Slot]] = dict.fromkeys("xyz", LENGTH)
 
     @property
     def parts(self) -> tuple[Pair, ...]:
@@ -57,12 +53,6 @@ class BoxOnPlane(Pair):
             corner = Point(self.box.body, (x, y, z))
             yield BoxCorner(f"{self.name}_{number}", corner, self.plane, self.normal, whole=self)
 
-    def slots(self) -> Iterator[Slot]:
-        """Yield the sizes."""
-        for what, value in self.sizes.items():
-            yield Slot(f"pair {self.name}, {what}", value, "m", POSITIVE)
-        yield from super().slots()
-
 
 @dataclass(frozen=True)
 class BoxCorner(CornerOnFace):
@@ -70,11 +60,6 @@ class BoxCorner(CornerOnFace):
 
     whole: BoxOnPlane | None = None
     guides: ClassVar[bool] = False
-
-    @property
-    def part_of(self) -> str:
-        """Name of the box."""
-        return "" if self.whole is None else self.whole.name
 
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of the box."""

@@ -98,11 +98,6 @@ class BoxFeature(Pair):
     kind: ClassVar[str] = "box_on_box"
 
     @property
-    def part_of(self) -> str:
-        """Name of both boxes."""
-        return self.whole.name
-
-    @property
     def first_radius(self) -> Any:
         """Distance from the first place to the contact point [m]."""
         return self.whole.radius

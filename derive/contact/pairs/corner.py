@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -14,8 +14,8 @@ from hertzwerk.derive.algebra.vectors import Vector, dot
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
-from hertzwerk.derive.mechanism.pair import Pair, in_body
-from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar, default_value
+from hertzwerk.derive.mechanism.pair import LENGTH, Pair, in_body
+from hertzwerk.derive.mechanism.parameter import Scalar, default_value
 from hertzwerk.derive.motion.kinematics import Kinematics
 
 
@@ -35,12 +35,7 @@ class CornerOnFace(Pair):
     length: Scalar | None = None
     kind: ClassVar[str] = "corner_on_face"
     guides: ClassVar[bool] = True
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        if self.length is not None:
-            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
-        yield from super().slots()
+    measures: ClassVar[Mapping[str, Slot]] = {"length": LENGTH}
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -14,7 +14,7 @@ from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
 from hertzwerk.derive.mechanism.curve import SolidCurve, single_faults
-from hertzwerk.derive.mechanism.pair import Pair, in_body
+from hertzwerk.derive.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.on_curve import Beside, Least, OnCurve
@@ -29,6 +29,10 @@ class OnSolidCurve(Pair):
     """
 
     form: ClassVar[str] = "line"
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "curvature_radius": Slot.of("m", POSITIVE, asked_as="R_eff"),
+        "length": Slot.of("m", POSITIVE, asked_as="L"),
+    }
 
     @property
     def geometry(self) -> dict[str, Any]:
@@ -52,11 +56,6 @@ class OnSolidCurve(Pair):
         """Yield the quantities of the pair, its curve's included."""
         for curve in self.curves:
             yield from curve.slots() if isinstance(curve, SolidCurve) else ()
-        for name, symbol in (("radius", ""), ("curvature_radius", "R_eff"), ("length", "L")):
-            value = self._given(name)
-            if value is not None:
-                asked = f"{self.name}.{symbol}" if symbol else ""
-                yield Slot(f"pair {self.name}, {name.replace('_', ' ')}", value, "m", POSITIVE, asked_as=asked)
         yield from super().slots()
 
     def faults(self) -> Iterator[Fault]:
@@ -75,6 +74,7 @@ class CircleOnCurve(OnSolidCurve):
     curvature_radius: Scalar | None = None
     length: Scalar | None = None
     kind: ClassVar[str] = "circle_on_curve"
+    measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH, **OnSolidCurve.measures}
 
     @property
     def first_radius(self) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -11,7 +11,7 @@ from hertzwerk.derive.algebra.vectors import Vector, add, apply, multiply, trans
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.effects.state_expression import as_choice
 from hertzwerk.derive.mechanism.bodies import Point, Slot
-from hertzwerk.derive.mechanism.pair import Components, Pair
+from hertzwerk.derive.mechanism.pair import LENGTH, Components, Pair
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 from hertzwerk.derive.mechanism.pose import APART, TURN, Posed
 from hertzwerk.derive.motion.kinematics import Kinematics
@@ -40,6 +40,7 @@ class CustomPair(Pair):
     radius: Scalar | None = None
     length: Scalar | None = None
     kind: ClassVar[str] = "custom"
+    measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH, "length": Slot.of("m", POSITIVE, asked_as="L")}
 
     @property
     def form(self) -> str:  # type: ignore[override]  # here it depends on what is given
@@ -58,10 +59,6 @@ class CustomPair(Pair):
         for what, values, unit in (("normal", self.normal, "1"), ("contact point", self.contact_point, "m")):
             for axis, value in zip("xyz", values, strict=True):
                 yield Posed(f"pair {self.name}, {what}, {axis}", value, unit)
-        if self.radius is not None:
-            yield Slot(f"pair {self.name}, radius", self.radius, "m", POSITIVE)
-        if self.length is not None:
-            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE, asked_as=f"{self.name}.L")
         yield from super().slots()
 
     def touch(self, kinematics: Kinematics) -> Touch:

@@ -21,11 +21,6 @@ class SphereOfMany(SphereOnSphere):
 
     whole: str = ""
 
-    @property
-    def part_of(self) -> str:
-        """Name that all pairs share."""
-        return self.whole
-
 
 def every_pair(name: str, spheres: Iterable[Body | Point], radius: Scalar) -> tuple[Pair, ...]:
     """Pairs of equal spheres, each of which may touch every other, under one name.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -13,8 +13,8 @@ from hertzwerk.derive.algebra.vectors import Vector, add, dot, scale, sub
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
-from hertzwerk.derive.mechanism.pair import Pair, in_body
-from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
+from hertzwerk.derive.mechanism.pair import LENGTH, Pair, in_body
+from hertzwerk.derive.mechanism.parameter import Scalar
 from hertzwerk.derive.motion.kinematics import Kinematics
 
 
@@ -27,6 +27,7 @@ class SphereOnPlane(Pair):
     plane: Point
     normal: Direction
     kind: ClassVar[str] = "sphere_on_plane"
+    measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH}
 
     @property
     def first_radius(self) -> Any:
@@ -37,11 +38,6 @@ class SphereOnPlane(Pair):
     def geometry(self) -> dict[str, Any]:
         """Geometry for laws: radius of relative curvature `R_eff`, smaller radius `R_min` [m]."""
         return {"R_eff": self.radius, "R_min": self.radius, "R_2": self.radius}
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        yield Slot(f"pair {self.name}, radius", self.radius, "m", POSITIVE)
-        yield from super().slots()
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -70,6 +66,7 @@ class CylinderOnPlane(Pair):
     normal: Direction
     kind: ClassVar[str] = "cylinder_on_plane"
     form: ClassVar[str] = "line"
+    measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH, "length": LENGTH}
 
     @property
     def first_radius(self) -> Any:
@@ -80,12 +77,6 @@ class CylinderOnPlane(Pair):
     def geometry(self) -> dict[str, Any]:
         """Radius of relative curvature `R_eff`, smaller radius, and length of the line [m]."""
         return {"R_eff": self.radius, "R_min": self.radius, "L": self.length}
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        yield Slot(f"pair {self.name}, radius", self.radius, "m", POSITIVE)
-        yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
-        yield from super().slots()
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -112,11 +103,7 @@ class RimOnPlane(Pair):
     plane: Point
     normal: Direction
     kind: ClassVar[str] = "rim_on_plane"
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        yield Slot(f"pair {self.name}, radius", self.radius, "m", POSITIVE)
-        yield from super().slots()
+    measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH}
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:

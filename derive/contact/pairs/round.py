@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -13,7 +13,7 @@ from hertzwerk.derive.algebra.vectors import Vector, along, apply, dot, scale, s
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
-from hertzwerk.derive.mechanism.pair import Pair, in_body
+from hertzwerk.derive.mechanism.pair import LENGTH, Pair, in_body
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 from hertzwerk.derive.motion.kinematics import Kinematics
 
@@ -43,6 +43,10 @@ class SphereOnSphere(Round):
     radius_first: Scalar
     radius_second: Scalar
     kind: ClassVar[str] = "sphere_on_sphere"
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "radius_first": Slot.of("m", POSITIVE, "first radius"),
+        "radius_second": Slot.of("m", POSITIVE, "second radius"),
+    }
 
     @property
     def first_radius(self) -> Any:
@@ -54,12 +58,6 @@ class SphereOnSphere(Round):
         """`R_eff = R1 R2/(R1 + R2)`, both radii, the smaller one and their sum [m]."""
         r1, r2 = self.radius_first, self.radius_second
         return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2), "R_1": r1, "R_2": r2, "dR": r1 + r2}
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        yield Slot(f"pair {self.name}, first radius", self.radius_first, "m", POSITIVE)
-        yield Slot(f"pair {self.name}, second radius", self.radius_second, "m", POSITIVE)
-        yield from super().slots()
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -79,16 +77,12 @@ class ParallelCylinders(SphereOnSphere):
     length: Scalar
     kind: ClassVar[str] = "parallel_cylinders"
     form: ClassVar[str] = "line"
+    measures: ClassVar[Mapping[str, Slot]] = {**SphereOnSphere.measures, "length": LENGTH}
 
     @property
     def geometry(self) -> dict[str, Any]:
         """Geometry of two spheres of the same radii, and the length [m]."""
         return {**super().geometry, "L": self.length}
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        yield from super().slots()
-        yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
 
     @property
     def line(self) -> Direction:
@@ -103,7 +97,47 @@ class ParallelCylinders(SphereOnSphere):
 
 
 @dataclass(frozen=True)
-class PinInBush(Round):
+class WithClearance(Round):
+    """Joint with clearance: a round surface free inside a hollow one.
+
+    Its radius is less by the `clearance`; the hollow one's is a field with the name of the second of its `labels`.
+    """
+
+    inside: ClassVar[bool] = True
+    journal: ClassVar[bool] = True
+
+    @property
+    def outer_radius(self) -> Any:
+        """Radius of the hollow surface [m]."""
+        return getattr(self, f"{self.labels[1]}_radius")
+
+    @property
+    def first_radius(self) -> Any:
+        """Radius of the surface within [m]."""
+        return self.outer_radius - getattr(self, "clearance")  # noqa: B009  # a field of each kind
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """`R_eff = R1 R2/(R1 - R2)` of outer and inner surface, both radii, their difference, a length."""
+        outer, inner, length = self.outer_radius, self.first_radius, getattr(self, "length", None)
+        lengths = {} if length is None else {"L": length}
+        apart = outer - inner
+        return {"R_eff": outer * inner / apart, "R_min": inner, "R_1": outer, "R_2": inner, "dR": apart, **lengths}
+
+    def slots(self) -> Iterator[Slot]:
+        """Yield its quantities, and the inner radius that follows from them."""
+        inner, outer = self.labels
+        for slot in super().slots():
+            yield slot
+            if slot.where.endswith(", clearance") and all(
+                isinstance(x, sp.Expr) for x in (slot.value, self.outer_radius)
+            ):
+                place = f"pair {self.name}, {inner} radius ({outer} radius minus clearance)"
+                yield Slot(place, self.first_radius, "m", POSITIVE)
+
+
+@dataclass(frozen=True)
+class PinInBush(WithClearance):
     """Revolute joint with clearance: a pin of radius `bush_radius - clearance` free inside a bush.
 
     Both axes are along `axis` of the bush's frame. Only laws of line contact depend on its `length`: without such a
@@ -118,39 +152,13 @@ class PinInBush(Round):
     length: Scalar | None = None
     kind: ClassVar[str] = "pin_in_bush"
     form: ClassVar[str] = "line"
-    inside: ClassVar[bool] = True
-    journal: ClassVar[bool] = True
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "bush_radius": LENGTH,
+        "clearance": LENGTH,
+        "length": Slot.of("m", POSITIVE, asked_as="L"),
+    }
     holds_film: ClassVar[bool] = True
     labels: ClassVar[tuple[str, str]] = ("pin", "bush")
-
-    @property
-    def pin_radius(self) -> Any:
-        """Radius of the pin [m]."""
-        return self.bush_radius - self.clearance
-
-    first_radius = pin_radius
-
-    @property
-    def geometry(self) -> dict[str, Any]:
-        """`R_eff = R1 R2/(R1 - R2)` of bush and pin, both radii, their difference, the length [m]."""
-        return {
-            "R_eff": self.bush_radius * self.pin_radius / self.clearance,
-            "R_min": self.pin_radius,
-            "R_1": self.bush_radius,
-            "R_2": self.pin_radius,
-            "dR": self.clearance,
-            **({} if self.length is None else {"L": self.length}),
-        }
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        yield Slot(f"pair {self.name}, bush radius", self.bush_radius, "m", POSITIVE)
-        yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
-        if isinstance(self.bush_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
-            yield Slot(f"pair {self.name}, pin radius (bush radius minus clearance)", self.pin_radius, "m", POSITIVE)
-        if self.length is not None:
-            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE, asked_as=f"{self.name}.L")
-        yield from super().slots()
 
     @property
     def line(self) -> Direction:
@@ -161,7 +169,7 @@ class PinInBush(Round):
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Radii and axis, for landmarks."""
         bush = {"radius": self.bush_radius, "axis": in_body(self.bush, self.axis)}
-        return {"radius": self.pin_radius}, bush
+        return {"radius": self.first_radius}, bush
 
     def faults(self) -> Iterator[Fault]:
         """An axis that is no coordinate axis."""
@@ -171,7 +179,7 @@ class PinInBush(Round):
 
 
 @dataclass(frozen=True)
-class BallInSocket(Round):
+class BallInSocket(WithClearance):
     """Spherical joint with clearance: a ball of radius `socket_radius - clearance` in a hollow sphere."""
 
     ball: Point
@@ -179,36 +187,8 @@ class BallInSocket(Round):
     socket_radius: Scalar
     clearance: Scalar
     kind: ClassVar[str] = "ball_in_socket"
-    inside: ClassVar[bool] = True
-    journal: ClassVar[bool] = True
     labels: ClassVar[tuple[str, str]] = ("ball", "socket")
-
-    @property
-    def first_radius(self) -> Any:
-        """Radius of the ball [m]."""
-        return self.socket_radius - self.clearance
-
-    @property
-    def geometry(self) -> dict[str, Any]:
-        """`R_eff = R1 R2/(R1 - R2)` of socket and ball, both radii and their difference [m]."""
-        ball = self.first_radius
-        return {
-            "R_eff": self.socket_radius * ball / self.clearance,
-            "R_min": ball,
-            "R_1": self.socket_radius,
-            "R_2": ball,
-            "dR": self.clearance,
-        }
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        yield Slot(f"pair {self.name}, socket radius", self.socket_radius, "m", POSITIVE)
-        yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
-        if isinstance(self.socket_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
-            yield Slot(
-                f"pair {self.name}, ball radius (socket radius minus clearance)", self.first_radius, "m", POSITIVE
-            )
-        yield from super().slots()
+    measures: ClassVar[Mapping[str, Slot]] = {"socket_radius": LENGTH, "clearance": LENGTH}
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -14,8 +14,8 @@ from hertzwerk.derive.algebra.vectors import Vector, add, apply, cross, dot, sca
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import AXES, Direction, Point, Slot, Z
-from hertzwerk.derive.mechanism.pair import Pair, in_body
-from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar, default_value
+from hertzwerk.derive.mechanism.pair import LENGTH, Pair, in_body
+from hertzwerk.derive.mechanism.parameter import Scalar, default_value
 from hertzwerk.derive.motion.kinematics import Kinematics
 
 NEAREST = sp.Float(1e-9)
@@ -40,16 +40,6 @@ class SphereOnSolid(Pair):
     def geometry(self) -> dict[str, Any]:
         """Geometry for laws: that of the sphere on a plane, which edges and corners are not."""
         return {"R_eff": self.first_radius, "R_min": self.first_radius, "R_2": self.first_radius}
-
-    def sizes(self) -> dict[str, Any]:
-        """Sizes of the solid by name [m]."""
-        raise NotImplementedError
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the pair."""
-        for what, value in {"radius": self.first_radius, **self.sizes()}.items():
-            yield Slot(f"pair {self.name}, {what}", value, "m", POSITIVE)
-        yield from super().slots()
 
     def off(self, p: Vector) -> Vector:
         """Vector to the point p from the nearest of the solid, along the axes of the second place [m]."""
@@ -79,10 +69,7 @@ class SphereOnBox(SphereOnSolid):
     y: Scalar
     z: Scalar
     kind: ClassVar[str] = "sphere_on_box"
-
-    def sizes(self) -> dict[str, Any]:
-        """Sizes along the axes of the box [m]."""
-        return {"x": self.x, "y": self.y, "z": self.z}
+    measures: ClassVar[Mapping[str, Slot]] = dict.fromkeys(("radius", "x", "y", "z"), LENGTH)
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -116,10 +103,7 @@ class SphereOnFace(SphereOnSolid):
     length: Scalar
     width: Scalar
     kind: ClassVar[str] = "sphere_on_face"
-
-    def sizes(self) -> dict[str, Any]:
-        """Length and width [m]."""
-        return {"length": self.length, "width": self.width}
+    measures: ClassVar[Mapping[str, Slot]] = dict.fromkeys(("radius", "length", "width"), LENGTH)
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -155,21 +139,18 @@ class SphereOnEdge(SphereOnSolid):
     along: Direction
     length: Scalar | None = None
     kind: ClassVar[str] = "sphere_on_edge"
+    measures: ClassVar[Mapping[str, Slot]] = dict.fromkeys(("radius", "length"), LENGTH)
 
     @property
     def geometry(self) -> dict[str, Any]:
         """No radius of curvature: an edge has none, its stiffness is given."""
         return {"R_2": self.radius}
 
-    def sizes(self) -> dict[str, Any]:
-        """Length, if it has ends [m]."""
-        return {} if self.length is None else {"length": self.length}
-
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Radius; direction and length of the edge, for landmarks."""
-        edge = {"along": in_body(self.edge, self.along), **self.sizes()}
-        return {"radius": self.radius}, edge
+        edge = {"along": in_body(self.edge, self.along)}
+        return {"radius": self.radius}, edge | ({} if self.length is None else {"length": self.length})
 
     def off(self, p: Vector) -> Vector:
         """Vector from the nearest point of the edge [m]."""
@@ -189,16 +170,13 @@ class SphereOnCylinder(SphereOnSolid):
     axis: Direction = Z
     length: Scalar | None = None
     kind: ClassVar[str] = "sphere_on_cylinder"
+    measures: ClassVar[Mapping[str, Slot]] = dict.fromkeys(("radius", "cylinder_radius", "length"), LENGTH)
 
     @property
     def geometry(self) -> dict[str, Any]:
         """Radii of the side, and that of the geometric mean of its relative curvatures, 1/r and 1/r + 1/R [m]."""
         r, R = self.radius, self.cylinder_radius
         return {"R_eff": r / sp.sqrt(1 + r / R), "R_min": r, "R_1": R, "R_2": r}
-
-    def sizes(self) -> dict[str, Any]:
-        """Radius of the cylinder, and its length, if it has ends [m]."""
-        return {"cylinder radius": self.cylinder_radius, **({} if self.length is None else {"length": self.length})}
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:

@@ -109,7 +109,7 @@ def rate_faults(slot: Slot) -> Iterator[Fault]:
 def posed_faults(slot: Posed, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
     """Yield faults of an expression of the pose in a user's pair, or of a curve's parameter."""
     if not is_number(slot.value):
-        yield Fault(slot.where, repr(slot.value), f"a number, or an expression of {slot.of} and parameters")
+        yield Fault(slot.where, repr(slot.value), f"a number, or an expression of {slot.words} and parameters")
         return
     value = as_choice(slot.value)
     splines = tables_in(value)
@@ -129,7 +129,7 @@ def posed_faults(slot: Posed, table: dict[sp.Symbol, Dimension]) -> Iterator[Fau
     strangers = sorted(str(s) for s in value.free_symbols if not isinstance(s, Parameter) and s not in slot.symbols)
     if strangers:
         yield Fault(
-            slot.where, f"the symbol {', '.join(strangers)}", f"an expression of {slot.of} and Parameters alone"
+            slot.where, f"the symbol {', '.join(strangers)}", f"an expression of {slot.words} and Parameters alone"
         )
         return
     unit = parse_unit(slot.unit)

@@ -37,16 +37,12 @@ class BallFriction(Effect):
     radius: Scalar
     kind: ClassVar[str] = "joint_friction"
     takes: ClassVar[Mapping[str, str]] = {"law": "friction"}
+    measures: ClassVar[Mapping[str, Slot]] = {"radius": Slot.of("m", POSITIVE)}
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"{self.law.law.name} in the ball joint {self.joint} under its own reaction"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the parameters of the law, and the radius."""
-        yield from self.law.slots(self.where, {})
-        yield Slot(f"{self.where}, radius", self.radius, "m", POSITIVE)
 
     def reactions(self, scene: Declared) -> Iterator[str]:
         """Yield the joint."""

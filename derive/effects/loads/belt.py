@@ -54,6 +54,11 @@ class BeltOnDrum(Effect):
     wrap: Scalar
     kind: ClassVar[str] = "belt"
     takes: ClassVar[Mapping[str, str]] = {"law": "friction"}
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "tension": Varying.of("N", NOT_NEGATIVE, on=LOADS),
+        "radius": Slot.of("m", POSITIVE),
+        "wrap": Slot.of("rad", POSITIVE),
+    }
 
     @property
     def text(self) -> str:
@@ -65,13 +70,6 @@ class BeltOnDrum(Effect):
     def joints(self) -> tuple[str, ...]:
         """Joints of drum and load."""
         return tuple(name for name in (self.drum, self.load) if name)
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the parameters of the law, the tension, radius, wrap."""
-        yield from self.law.slots(self.where, {})
-        yield Varying(f"{self.where}, tension", self.tension, "N", NOT_NEGATIVE, on=LOADS)
-        yield Slot(f"{self.where}, radius", self.radius, "m", POSITIVE)
-        yield Slot(f"{self.where}, wrap", self.wrap, "rad", POSITIVE)
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of joints that are no names."""

@@ -11,7 +11,7 @@ In space a rotation beyond half a turn counts the short way round; in plane moti
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -288,16 +288,12 @@ class FramePotential(BetweenFrames):
     second: Point
     energy: Scalar
     kind: ClassVar[str] = "bushing"
+    measures: ClassVar[Mapping[str, Slot]] = {"energy": PosedFrames.of("J")}
 
     @property
     def text(self) -> str:
         """Description for people."""
         return f"energy {shown(self.energy)} of {self.first.body.name} against {self.second.body.name}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield points and energy."""
-        yield from super().slots(scene)
-        yield PosedFrames(f"{self.where}, energy", self.energy, "J")
 
     def element(self, kin: Kinematics) -> Element:
         """Force and moment, and the stored energy."""

@@ -45,22 +45,17 @@ class JointFriction(JointEffect):
     length: Scalar | None = None
     kind: ClassVar[str] = "joint_friction"
     takes: ClassVar[Mapping[str, str]] = {"law": "friction"}
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "normal_force": Varying.of("N", NOT_NEGATIVE, on=LOADS),
+        "radius": Slot.of("m", POSITIVE),
+        "length": Slot.of("m", POSITIVE),
+    }
 
     @property
     def text(self) -> str:
         """Description for people."""
         pressed = "its own reaction" if self.normal_force is None else "a declared normal force"
         return f"{self.law.law.name} in {self.joint} under {pressed}"
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the parameters of the law, the normal force, the radius."""
-        yield from self.law.slots(self.where, {})
-        if self.normal_force is not None:
-            yield Varying(f"{self.where}, normal force", self.normal_force, "N", NOT_NEGATIVE, on=LOADS)
-        if self.freedom(scene).kind == "turn" and self.radius is not None:
-            yield Slot(f"{self.where}, radius", self.radius, "m", POSITIVE)
-        if self.freedom(scene).kind == "slide" and self.length is not None:
-            yield Slot(f"{self.where}, length", self.length, "m", POSITIVE)
 
     def reactions(self, scene: Declared) -> Iterator[str]:
         """Yield the joints that its normal force depends on: its own, where none is declared."""

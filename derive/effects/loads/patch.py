@@ -45,6 +45,11 @@ class PatchFriction(PairResistance):
     mode: ClassVar[str] = "slip"
     kind: ClassVar[str] = "patch_friction"
     sought: ClassVar[tuple[str, ...]] = ("slip", "spin", "faster", "force", "moment")
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "coefficient": Slot.of("1", NOT_NEGATIVE),
+        "radius": Slot.of("m", POSITIVE),
+        "speed": Slot.of("m/s", POSITIVE),
+    }
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = {
         "rate": ("w", r"\mathrm{t}", "velocity of the first body against the second at the patch"),
         "along_rate": ("w", r"\mathrm{n}", "its part along the normal"),
@@ -82,13 +87,6 @@ class PatchFriction(PairResistance):
             "friction moment of the patch over its radius, of its sliding and spin",
         ),
     }
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield coefficient, radius and speed."""
-        yield Slot(f"{self.where}, coefficient", self.coefficient, "1", NOT_NEGATIVE)
-        yield Slot(f"{self.where}, radius", self.radius, "m", POSITIVE)
-        if self.speed is not None:
-            yield Slot(f"{self.where}, speed", self.speed, "m/s", POSITIVE)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair without a contact, and of what it is in place of."""

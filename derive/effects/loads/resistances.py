@@ -10,7 +10,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, dot, scale, sub
 from hertzwerk.derive.effects.contacts import contact_faults
-from hertzwerk.derive.effects.effect import CONTACT, Declared, Kinematics, PairEffect
+from hertzwerk.derive.effects.effect import CONTACT, Declared, PairEffect
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Frame, Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
@@ -76,6 +76,10 @@ class PairResistance(PairEffect):
     enters: ClassVar[str] = CONTACT
     holds: ClassVar[str] = "N m"
     """Unit of what it holds with."""
+    measures: ClassVar[Mapping[str, Slot]] = {
+        "coefficient": Slot.of("m", NOT_NEGATIVE),
+        "speed": Slot.of("rad/s", POSITIVE),
+    }
     mode: ClassVar[str] = "turning"
     """Name of its slip: of a force or of a moment."""
     sought: ClassVar[tuple[str, ...]] = ("turning", "turning_speed", "moment", "turning_velocity", "holding_moment")
@@ -90,18 +94,9 @@ class PairResistance(PairEffect):
         """Whether it is set-valued, with rest as a mode."""
         return self.speed is None
 
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield coefficient and speed."""
-        yield Slot(f"{self.where}, coefficient", self.coefficient, "m", NOT_NEGATIVE)
-        if self.speed is not None:
-            yield Slot(f"{self.where}, speed", self.speed, "rad/s", POSITIVE)
-
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair without a contact."""
         yield from contact_faults(self, scene) or super().faults(scene)
-
-    def element(self, kin: Kinematics) -> None:
-        """No element: it acts in contact alone."""
 
     def opposed(self, turning: Vector, normal: Vector) -> Vector:
         """Part of a relative angular velocity that it opposes."""

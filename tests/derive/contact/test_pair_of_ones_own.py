@@ -43,14 +43,11 @@ class Dome(Pair):
     up: Direction
     radius: object
     kind: ClassVar[str] = "dome"
+    measures: ClassVar = {"radius": Slot.of("m")}
 
     @property
     def first_radius(self):
         return self.radius
-
-    def slots(self):
-        yield Slot(f"pair {self.name}, radius", self.radius, "m")
-        yield from super().slots()
 
     @property
     def geometry(self):

@@ -47,13 +47,11 @@ DRAG = '''class AirDrag(Effect):
     point: Point
     coefficient: object
     kind: ClassVar[str] = "air_drag"
+    measures: ClassVar = {"coefficient": Varying.of("kg/m", on=())}
 
     @property
     def points(self):
         return (self.point,)
-
-    def slots(self, scene):
-        yield Varying(f"{self.where}, coefficient", self.coefficient, "kg/m", on=())
 
     def element(self, kin):
         position, velocity, _ = kin.point(self.point, f"{self.name}_point")
@@ -73,10 +71,7 @@ HARDENING = '''class HardeningSpring(JointEffect):
     joint: str
     coefficient: object
     kind: ClassVar[str] = "hardening_spring"
-
-    def slots(self, scene):
-        coordinate, _, force = self.freedom(scene).units
-        yield Slot(f"{self.where}, coefficient", self.coefficient, f"{force}/({coordinate})^3")
+    measures: ClassVar = {"coefficient": Slot.of("{force}/({coordinate})^3")}
 
     def element(self, kin):
         q = kin.coordinate(self.joint)
