@@ -88,7 +88,7 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     # called with MX, so that one branch of each is evaluated; SX would evaluate all
     ends = [after for table in taken for after in _completions(model, table)]
     state, controls, end, verdict = ends[0].mx_in()
-    method = state[vectors.state["method"]]
+    method = state[vectors.state["method"]] if len(taken) > 1 else None
     plain = _unchanged(ends[0])
     finish = ca.Function.conditional(FINISH, [plain, *ends[:-1]], ends[-1])
     idle = ca.Function("idle", [state, controls], [state, ca.MX.zeros(vectors.verdict.size)])
@@ -135,5 +135,8 @@ def _unchanged(like: Any) -> Any:
 
 
 def _case(number: Any, method: Any, count: int) -> Any:
-    """Return the index among the cases (0, those of the first table, those of the second)."""
-    return number + count * method * (number > 0)
+    """Return the index among the cases: 0, those of the first table, those of the second.
+
+    method: None where there is one table.
+    """
+    return number if method is None else number + count * method * (number > 0)

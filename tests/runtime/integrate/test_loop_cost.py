@@ -7,6 +7,7 @@ import pytest
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.loop.advance import advance
+from hertzwerk.runtime.integrate.loop.attempt import integrator
 from hertzwerk.runtime.integrate.loop.choose import Choosing
 from hertzwerk.runtime.integrate.loop.chunk import chunk
 from hertzwerk.runtime.integrate.loop.tally import tally
@@ -43,6 +44,11 @@ def test_a_step_does_little_beyond_its_evaluations(crank, contacts):
     assert beyond_evaluations(crank, contacts) <= BEYOND[contacts]
     seeded = beyond_evaluations(crank, contacts, Choosing.ON_SUSPICION)  # what `auto` asks, paid by every method
     assert seeded > BEYOND[contacts]
+
+
+def test_an_attempt_does_little_beyond_what_it_calls(crank):
+    tables = tuple(table() for table in METHODS["dop853"])
+    assert integrator(crank, tables).attempt.n_instructions() <= 12  # 23 where it chooses among the cases of two tables
 
 
 def counted(model, duration):
