@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
+from hertzwerk.derive.scenes.ball_bearing import bearing
 from hertzwerk.runtime import load, simulate
 
 N, D, SMALL = 6, 39.04, 7.94
@@ -23,11 +24,11 @@ def strange(values):
     return 1 - power[3::3].sum() / power.sum()
 
 
-def resting(angles, load=500.0, stiffness=1e10, clearance=10e-6):
+def resting(angles, load=500.0, stiffness=1e10, clearance=10e-6, n=N):
     """Places of the ring, in m, where balls at these angles of the cage bear the load: two contacts in a row to a ball."""
 
     def forces(place, angle):
-        out = angle + 2 * np.pi / N * np.arange(N)
+        out = angle + 2 * np.pi / n * np.arange(n)
         towards = np.array([np.cos(out), np.sin(out)])
         return towards @ (stiffness * (np.maximum(towards.T @ place - clearance, 0) / 2) ** 1.5) + [0, load]
 
@@ -59,3 +60,18 @@ def test_the_ring_is_where_the_balls_bear_the_load(passes):
 def test_the_cage_turns_by_one_ball_a_pass(passes):
     times, angle = passes["t"], passes["cage_turn.angle"]
     assert np.ptp(angle) / np.ptp(times) / (2 * np.pi) == pytest.approx(PASSING / N, rel=3e-3)
+
+
+@pytest.mark.exhaustive
+def test_twenty_four_balls_roll_and_bear_the_load():
+    """Two turns of the ring: the cage as fast as rolling has it, less what friction creeps; the ring where statics puts it."""
+    n, small = 24, 4.5
+    model = load(bearing(n, "bearing_24"))
+    run = simulate(model, duration="40 ms", tolerance=1e-6, parameters={"ball_diameter": f"{small} mm"})
+    assert run.outcome.finished, run
+    assert run["cage_turn.angle"][-1] == pytest.approx(np.pi * 2 * (1 - small / D), rel=3e-3)
+    late = run.at(np.linspace(0.03, 0.04, 60))
+    seen = np.array([late["shaft.x"], late["shaft.y"]])
+    off = np.sqrt(np.mean((seen - resting(late["cage_turn.angle"], n=n)) ** 2, axis=1))
+    np.testing.assert_array_less(off, [0.4e-6, 0.06e-6])
+    assert run.energy_residual < 1e-8

@@ -118,6 +118,7 @@ def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
     t, y, mode, _, c = given = model.symbols(ARGUMENTS, ca.MX)
     q, u, _ = model.parts(y)
     at, none = (t, q, u, c), ca.DM(0, 1)
+    nf = model.function("applied").numel_out(0)
     forces = contact_forces(model) if contacts is BY_MODE else None
     touching = ca.MX.sym("touching", forces.touching.numel_out(0) if forces is not None else 0)
     asked = [*given, touching]
@@ -131,7 +132,7 @@ def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
 
     dy, a, reactions = motion(ca.DM(0), ca.DM.zeros(model.nz))
     normal = rate = stored = ca.DM.zeros(model.k)
-    in_range, quadratures, depends = ca.DM.ones(model.nr), model.nz, ca.DM(model.nu + model.nz, y.numel())
+    in_range, quadratures, depends = ca.DM.ones(model.nr), model.nz, ca.DM(nf + model.nz, y.numel())
     gap, gap_rate = of_pairs(model, "gaps")(*at)
     rates = dy
     if forces is not None:
@@ -148,7 +149,6 @@ def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
     if model.has_ledger:
         kinetic, potential = energies_of_bodies(model)(*at)
         energies = [kinetic, potential + ca.sum1(stored)]
-    nf = depends.size1() - model.nz
     by_y = motion(*ca.vertsplit(ca.mtimes(depends, y), [0, nf, nf + model.nz]))[0]
     pair_parts = [gap, gap_rate, of_pairs(model, "gap_accelerations")(t, q, u, a, c), normal, rate, in_range]
     ends = [dy, *pair_parts, *[none] * (len(GRIP_PARTS) + len(EVENT_PARTS)), *energies, none]
