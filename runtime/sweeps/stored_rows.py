@@ -1,6 +1,7 @@
 """Rows in the folder of a sweep, read in the order of the design whenever they are looked at.
 
-Whatever is read is checked by digests; of a file in which anything is damaged a copy with all that is whole is read.
+Whatever is read is checked by digests; of a file in which anything is damaged a copy is read, with all in it that is whole and
+that SQLite reads.
 """
 
 from __future__ import annotations
@@ -16,15 +17,14 @@ import weakref
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.sweeps.kept.entries import POINT, ROW, TABLES, Entry, digest_of, is_whole
+from hertzwerk.runtime.sweeps.kept.entries import POINT, ROW, SHORTEST, TABLES, Entry, digest_of, is_whole
 from hertzwerk.runtime.sweeps.kept.kept_arrays import place_of
-from hertzwerk.runtime.sweeps.kept.page_scan import PAGE, scanned
 from hertzwerk.runtime.sweeps.kept.row import LOST, Packed, Row
 from hertzwerk.runtime.sweeps.points.definition import DEFINITION, design_of, read_definition
 from hertzwerk.runtime.sweeps.points.design import Design
@@ -36,6 +36,11 @@ INSERT = f"INSERT INTO rows VALUES ({', '.join('?' * ROW)})"
 PLACE = "INSERT OR REPLACE INTO points VALUES (?, ?, ?)"
 HELD = 10_000  # rows of a table, beyond which they stay in the folder
 PATIENCE = 30.0  # s to wait for a reader
+PAGE, SIZE_AT = (
+    4096,
+    slice(28, 32),
+)  # bytes of a page, as SQLite sets it; those of the first that say how many there are
+FAILED = (sqlite3.Error, UnicodeError, OverflowError, MemoryError)  # to read what is damaged
 SOUND = {  # what SQLite says of the system, not of the file
     *(sqlite3.SQLITE_PERM, sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_READONLY),
     *(sqlite3.SQLITE_INTERRUPT, sqlite3.SQLITE_IOERR, sqlite3.SQLITE_FULL, sqlite3.SQLITE_CANTOPEN),
@@ -101,7 +106,7 @@ def _reading(file: Path) -> Iterator[sqlite3.Connection | None]:
         with closing(sqlite3.connect(f"{file.resolve().as_uri()}?mode=ro", PATIENCE, 0, None, uri=True)) as connection:
             connection.execute("BEGIN")
             yield connection
-    except (sqlite3.Error, UnicodeError, OverflowError, MemoryError) as error:
+    except FAILED as error:
         if getattr(error, "sqlite_errorcode", sqlite3.SQLITE_CORRUPT) & 0xFF in SOUND:
             raise
         raise DamagedError(f"{file}: {error}") from error
@@ -160,26 +165,56 @@ def mended(folder: Path, plan: str, file: Path) -> Damage:
     """Write a new file with every row that is whole in the files of a folder, and their points."""
     lost: list[Entry] = []
 
-    def whole(size: int) -> Iterator[Entry]:
+    def whole(table: str, plan: str) -> Iterator[Entry]:
         sources = [path for path in (folder / ROWS, *asides(folder).values()) if path.exists()]
-        for entry in scanned(sources):
-            if len(entry) == size and is_whole(entry, plan if size == POINT else ""):
-                if size == ROW and entry[2] == LOST:  # another of this key may be none
+        for path in sources:
+            for entry in readable(path, table, first):
+                if not is_whole(entry, plan):
+                    continue
+                if entry[2] == LOST:  # another of this key may be none
                     lost.append(entry)
                 else:
                     yield entry
 
     with closing(connected(file)) as rows:
         make_tables(rows)
+        first = file.read_bytes()[:PAGE]
         with transaction(rows):
-            rows.executemany(PLACE, whole(POINT))
-            for entries in (whole(ROW), lost):
+            rows.executemany(PLACE, whole("points", plan))
+            for entries in (whole("rows", ""), lost):
                 rows.executemany(f"{INSERT} ON CONFLICT DO NOTHING", entries)
             without = "FROM points WHERE key NOT IN (SELECT key FROM rows)"
             broken = [number for (number,) in rows.execute(f"SELECT number {without} ORDER BY number")]
             rows.execute(f"DELETE {without}")
         (kept,) = rows.execute("SELECT count(*) FROM rows").fetchone()
     return Damage(kept, tuple(broken))
+
+
+def readable(file: Path, table: str, first: bytes) -> Iterator[Entry]:
+    """Yield the entries of a table that SQLite reads in a damaged file, whole or not, some repeatedly.
+
+    first    page of a new file, under which a copy is read too: the first page leads to all others
+    """
+    with tempfile.TemporaryDirectory() as place:
+        copy = Path(place) / file.name
+        shutil.copyfile(file, copy)
+        with copy.open("r+b") as content:
+            content.write(first[: SIZE_AT.start] + bytes(4) + first[SIZE_AT.stop :])  # as many as there are
+        for each in (file, copy):
+            with suppress(DamagedError), _reading(each) as rows:
+                yield from _readable(rows, f"SELECT * FROM {table} NOT INDEXED", each.stat().st_size // SHORTEST)
+
+
+def _readable(rows: sqlite3.Connection | None, select: str, most: int) -> Iterator[Entry]:
+    """Yield entries in order, and where that fails from the end, and one by one up to the rowid `most`."""
+    if rows is None:
+        return
+    one_by_one = (f"WHERE rowid = {i}" for i in range(most))
+    for which in chain(("ORDER BY rowid", "ORDER BY rowid DESC"), one_by_one):
+        with suppress(*FAILED):
+            yield from rows.execute(f"{select} {which}")
+            if which == "ORDER BY rowid":
+                return
 
 
 def connected(file: Path) -> sqlite3.Connection:

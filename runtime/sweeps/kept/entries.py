@@ -15,7 +15,7 @@ TABLES = {
     "si TEXT NOT NULL, outputs TEXT NOT NULL, warnings TEXT NOT NULL, wall_s REAL, sizes TEXT NOT NULL, arrays BLOB NOT NULL)",
 }
 POINT, ROW = 3, 10  # columns
-SIZE = 16  # bytes of a digest
+SIZE, SHORTEST = 16, 64  # bytes of a digest; of a row, at least
 
 Entry: TypeAlias = tuple[Any, ...]
 

@@ -178,8 +178,8 @@ def test_without_digests_a_number_changes(whole, tmp_path, monkeypatch):
         ends_of(whole, tmp_path, range(40))
 
 
-def test_without_the_scan_rows_that_sqlite_reads_are_lost(whole, tmp_path, monkeypatch):
-    monkeypatch.setattr(stored_rows, "scanned", lambda _: iter(()))
+def test_without_a_reader_of_damaged_files_rows_that_sqlite_reads_are_lost(whole, tmp_path, monkeypatch):
+    monkeypatch.setattr(stored_rows, "readable", lambda *_: iter(()))
     with pytest.raises(AssertionError, match="lost"):
         ends_of(whole, tmp_path, range(40))
 
