@@ -130,10 +130,11 @@ class Sampled:
     """Observer that keeps the states at which a run is compared with others.
 
     That is at its start and end, at `count` times between, and within its own steps, which lie close where much
-    happens: towards the end of all, or of every second, fourth, ... where they are many, and throughout those in which
-    the rates change most, as where friction turns round. Where effects have events, one at the end of a step may change a
-    state at once, and another run may have that event slightly earlier or later: no sample lies so close to an end, and
-    the shortest steps have none.
+    happens: towards the end of all, or of every second, fourth, ... where they are many, of those through which a rate
+    is zero there, and throughout those in which the rates change most, as where friction turns round. Where a rate is
+    zero no shift in time accounts for an error: of a fast vibration it is seen there alone. Where effects have events,
+    one at the end of a step may change a state at once, and another run may have that event slightly earlier or later:
+    no sample lies so close to an end, and the shortest steps have none.
     """
 
     EVEN, BENT = 100, 60  # the former are between so many and twice as many
@@ -146,8 +147,8 @@ class Sampled:
             end - begin
         )  # no event of a period meets them
         self._grid = Grid(np.concatenate([[begin], between, [end]]))
-        self._seen = 0
-        self._even, self._bent = _Within((self.LATE,), self.EVEN), _Within(self.THROUGHOUT, self.BENT)
+        self._seen = self._turns = 0
+        self._even, self._turned, self._bent = _Within(self.EVEN), _Within(self.EVEN), _Within(self.BENT)
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
@@ -157,16 +158,21 @@ class Sampled:
         (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
         short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
         begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
-        numbers = self._seen + 1 + np.arange(len(begins))
-        self._seen += len(begins)
-        self._even.take(block, begins, numbers & -numbers)  # the power of 2 that a number has as a factor
-        self._bent.take(block, begins, _bends(block, begins))
+        self._even.take(block, begins, _evenly(self._seen, len(begins)), np.array([[self.LATE]]))
+        self._bent.take(block, begins, _bends(block, begins), np.array([self.THROUGHOUT]))
+        turned, zeros = _turns(block, begins, speed / length)
+        self._turned.take(block, begins[turned], _evenly(self._turns, len(zeros)), zeros)
+        self._seen, self._turns = self._seen + len(begins), self._turns + len(zeros)
 
     @cached_property
     def history(self) -> History:
         """Histories at the times that the run reached, once it has ended."""
         grid = self._grid.history
-        own = (rows.reshape(-1, grid.rows.shape[1]) for within in (self._even, self._bent) for rows in within.rows)
+        own = (
+            rows.reshape(-1, grid.rows.shape[1])
+            for within in (self._even, self._turned, self._bent)
+            for rows in within.rows
+        )
         rows = np.concatenate([*own, grid.rows])
         column = grid.columns("t").start
         return grid.of(rows[np.unique(rows[:, column], return_index=True)[1]])
@@ -175,20 +181,48 @@ class Sampled:
 class _Within:
     """States at parts of those steps of a run whose scores are largest."""
 
-    def __init__(self, parts: tuple[float, ...], most: int) -> None:
-        self._parts, self._most = parts, most
-        self._scores = np.zeros(0)
+    def __init__(self, most: int) -> None:
+        self._most, self._scores = most, np.zeros(0)
         self.rows: list[np.ndarray] = []  # (steps, parts, ns), in one piece
 
-    def take(self, block: History, begins: np.ndarray, scores: np.ndarray) -> None:
-        """Take the steps that begin at rows (n,), with scores (n,); drop those no longer among the largest."""
+    def take(self, block: History, begins: np.ndarray, scores: np.ndarray, parts: np.ndarray) -> None:
+        """Take the steps that begin at rows (n,), with scores (n,); drop those no longer among the largest.
+
+        parts    of the steps at which the states are kept, (n or 1, parts)
+        """
         known, scores = len(self._scores), np.append(self._scores, scores)
         kept = (scores >= np.sort(scores)[-self._most :][:1]) & (scores > 0)
         self._scores, (before, fresh) = scores[kept], np.split(kept, [known])
-        begins = begins[fresh]
+        begins, parts = begins[fresh], np.broadcast_to(parts, (len(fresh), parts.shape[1]))[fresh]
         h = block.t[begins + 1] - block.t[begins]
-        rows = np.stack([block.between(begins, part * h).rows for part in self._parts], axis=1)
+        rows = np.stack([block.between(begins, part * h).rows for part in parts.T], axis=1)
         self.rows = [np.concatenate([*(piece[before] for piece in self.rows), rows])]
+
+
+def _evenly(before: int, count: int) -> np.ndarray:
+    """Return scores of further things, the largest those of every second, fourth, ... of all."""
+    numbers = before + 1 + np.arange(count)
+    found: np.ndarray = numbers & -numbers  # the power of 2 that a number has as a factor
+    return found
+
+
+def _turns(block: History, begins: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return through which steps a rate is zero, and at which parts of those (n, 1), by cubics.
+
+    It is the one that changes most in the scales; one that changes less than by `pace` [1/s] makes no shift in time count.
+    """
+    n = block.model.nq + block.model.nu
+    before, after = (block.part("dy")[begins + i, :n] for i in (0, 1))
+    changes = np.where(np.sign(before) * np.sign(after) < 0, np.abs(after - before), 0.0)
+    changes /= block.controls[block.engine.layouts.controls["scale"]][:n]
+    turned = np.flatnonzero(np.max(changes, axis=1, initial=0.0) > pace)
+    one = turned, np.argmax(changes[turned], axis=1) if len(turned) else turned
+    h, y = (block.t[begins + 1] - block.t[begins])[turned], block.part("y")
+    start, end, way = h * before[one], h * after[one], (y[begins + 1, :n] - y[begins, :n])[one]
+    square, cube = 3 * way - 2 * start - end, start + end - 2 * way
+    with np.errstate(all="ignore"):  # of a run that left all scales
+        parts = np.abs(start) / (np.sqrt(square * square - 3 * cube * start) - np.sign(start) * square)
+    return turned, np.clip(np.nan_to_num(parts), 1 - Sampled.LATE, Sampled.LATE)[:, None]
 
 
 def _bends(block: History, begins: np.ndarray) -> np.ndarray:

@@ -35,9 +35,12 @@ if TYPE_CHECKING:
 GAP = ("gap", "gap_rate", "gap_acceleration")
 ROUNDINGS = 4  # times the bound of a gap's rounding: locating an event takes a few operations more
 DOUBT = 0.1  # of |quintic - cubic|: distance from zero below which a graze is in doubt
+LOW = 0.1  # of the lower value at the ends of a step: a cubic that dips below may dip below zero
 NEAR = 1 / 64  # of a step: most by which its end is moved to land on a surface, by the classical method of order 4
 RESOLVED = 0.5  # of a gap and its way in a step: most that a step may leave open of its course
 UNSEEN = 1e-10  # of the scene's length: what a step may leave open in any case
+# what runs out where a mode ends, and its rate
+RUNS_OUT = ((CONTACT, "force", "force_rate"), (RELEASED, "gap_rate", "gap_acceleration"))
 PARTS = 8  # sub-intervals searched
 SOME = 4  # events of many pairs that are looked for by their places
 BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
@@ -135,14 +138,10 @@ def no_event_possible(
     between = _graze_margin(before, after, h)
     soon = b[5] + NEAR * h * after[1]
     clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
-    # cut to where a force runs out, but a little short of it: `next_modes` decides
-    faded = (
-        (mode == CONTACT)
-        * (start["retakes"] > 0)
-        * (end["force"] <= LANDING * run["tolerance"] * run["scales"][2])
-        * (end["force_rate"] < 0)
-    )
-    clear *= 1 - (ends_with_force(model) * faded)[pairs]
+    # cut to where a force runs out, but a little short of it: `next_modes` decides; or it may have run out in between
+    least = end["force"] <= LANDING * run["tolerance"] * run["scales"][2]
+    faded = (start["retakes"] > 0) * least * (end["force_rate"] < 0) + turns_up(start, end, "force_rate")
+    clear *= 1 - (ends_with_force(model) * (mode == CONTACT) * faded)[pairs]
     if any(rubs_till_it_pulls(model)):
         clear *= 1 - (ca.DM(rubs_till_it_pulls(model)) * (start["force"] * end["force"] < 0))[pairs]
     for coefficient in b[1:5]:
@@ -165,6 +164,27 @@ def rubs_till_it_pulls(model: Model) -> list[float]:
     """Return 1 (k) for pairs whose set-valued friction ends where their law begins to pull."""
     ends = ends_with_force(model)
     return [float(j in rubbing(model) and not ends[j]) for j in range(model.k)]
+
+
+def turns_up(start: Mapping[str, Any], end: Mapping[str, Any], rate: str) -> Any:
+    """Return 1 (k) where what falls at the start of a step rises at its end."""
+    return ca.fmax(start[rate], -end[rate]) < 0
+
+
+def dips(model: Model, start: Mapping[str, Any], end: Mapping[str, Any]) -> list[tuple[Any, Any]]:
+    """Return, for force and opening speed, the part of a step at which it is least, and its zero there.
+
+    Each (k). They are those of cubics that go low between two higher values, NO_EVENT where there is none, and what counts as zero.
+    """
+    found, h = [], start["h"]
+    for counts, (mode, value, rate) in zip((ends_with_force(model), 1), RUNS_OUT, strict=True):
+        f, f1, rise, rise1 = start[value], end[value], h * start[rate], h * end[rate]
+        square, cube = 3 * (f1 - f) - 2 * rise - rise1, 2 * (f - f1) + rise + rise1
+        theta = -rise / (square + ca.sqrt(ca.fmax(square * square - 3 * cube * rise, 0)))
+        least, zero = f + theta * (rise + theta * (square + theta * cube)), LOW * ca.fmax(ca.fmin(f, f1), 0)
+        low = counts * (start["mode"] == mode) * turns_up(start, end, rate) * (least < zero)
+        found.append((ca.if_else(low, theta, NO_EVENT), zero))
+    return found
 
 
 @per_model
@@ -250,12 +270,10 @@ def _endings(
 
     A force that goes on beyond zero, pulling, takes friction with it and brings it back: a kink, located for both signs.
     """
-    kinds = (
-        (CONTACT, "force", "force_rate", tol_force, ends_with_force(model)),
-        (RELEASED, "gap_rate", "gap_acceleration", tol_rate, 1),
-    )
     found = []
-    for mode, value, rate, small, counts in kinds:
+    for (mode, value, rate), small, counts in zip(
+        RUNS_OUT, (tol_force, tol_rate), (ends_with_force(model), 1), strict=True
+    ):
         falls = counts * (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
         found.append((falls, start[value], end[value], start[rate], end[rate], small))
     if any(rubs_till_it_pulls(model)):

@@ -9,6 +9,7 @@ import casadi as ca
 from hertzwerk.runtime.integrate.events.events import (
     NEAR,
     NO_EVENT,
+    dips,
     endings,
     ends_with_force,
     floors,
@@ -197,41 +198,58 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> Any:
-    """Build the function that retakes a step which ends a contact from a pull.
+    """Build the function that retakes a step within which a force pulls or a released contact closes.
 
-    Arguments: state, controls, next, verdict, floors, and state and switched as decided, which it returns. A force that falls
-    through zero and returns to it with the gap is seen at neither end of the step that opens the contact, but just
-    before that: there the step is cut, so that the next attempt sees the fall. A force within its tolerance at the
-    step's start has faded, as with strong damping: it may have either sign.
+    Arguments: state, controls, next, verdict, floors, and state and switched as decided, which it returns. What falls through
+    zero and returns is seen at neither end of a step. There the step is cut, so that the next attempt sees the fall.
     """
-    arguments, (old, _, end, _) = vectors.symbols("state controls next verdict", ca.MX)
+    arguments = [*vectors.symbols("state controls next verdict", ca.MX)[0], ca.MX.sym("floors", 2 * model.k)]
+    state, controls, end, _, known = arguments
     decided, switched = ca.MX.sym("decided", vectors.state.size), ca.MX.sym("switched")
-    modes = decided[vectors.state["mode"]]
-    ended = ends_with_force(model) * (old["mode"] == CONTACT) * (modes != CONTACT)
-    most = ca.if_else(modes == RELEASED, ca.fmin(end["force"], 0), 0)  # where it runs out it is aimed below zero
-    pulled = _if(any_of(ended), _just_before(model, vectors, right), 0.0, *arguments[:3], ended, most)
-    known = ca.MX.sym("floors", 2 * model.k)
-    asked = [*arguments, known, decided, switched]
-    retaken = ca.Function("retaken", asked, decide(*arguments, 1 - NEAR, 0, known))
-    kept = ca.Function("kept", asked, [decided, switched])
-    found = ca.Function.if_else("unpulled", retaken, kept)(pulled, *asked)
-    return ca.Function("without_pull", asked, found)
+    theta, *levels = _lowest(model, vectors)(state, end, decided)
+    below = _if(theta < NO_EVENT, _below(model, vectors, right), 0.0, state, controls, end, theta, *levels)
+    given = [*arguments, decided, switched]
+    at = ca.MX.sym("at")
+    retaken = ca.Function("retaken", [at, *given], decide(*arguments[:4], at, 0, known))
+    kept = ca.Function("kept", [at, *given], [decided, switched])
+    found = ca.Function.if_else("unpulled", retaken, kept)(below, theta, *given)
+    return ca.Function("without_pull", given, found)
 
 
-def _just_before(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """Build the function that returns 1 if a pair pulls a little before the end of a step.
+def _lowest(model: Model, vectors: Layouts) -> Any:
+    """Build the function that returns the part of a step at which a contact may pull.
 
-    Arguments: state, controls, next, pairs (k) that count, forces (k) [N], negative or 0, below which it does.
+    Arguments: state, next, decided; results: part, NO_EVENT if there is none, and levels (k each) of forces and opening speeds. Where a
+    contact opens it is just before the end, as the force returns to zero with the gap; elsewhere where a cubic is least.
+    """
+    arguments, (old, end, new) = vectors.symbols("state next after")
+    ended = ends_with_force(model) * (old["mode"] == CONTACT) * (new["mode"] != CONTACT)
+    most = ca.if_else(new["mode"] == RELEASED, ca.fmin(end["force"], 0), 0)  # where it runs out it is aimed below zero
+    (forces, low), (speeds, slow) = dips(model, old, end)
+    first = ca.mmin(ca.fmin(forces, speeds))
+    theta = ca.if_else(any_of(ended), 1 - NEAR, ca.if_else(new["accepted"], first, NO_EVENT))
+    of_force = ca.if_else(ended, most, ca.if_else(forces == theta, low, -ca.inf))
+    results = [theta, of_force, ca.if_else(speeds == theta, slow, -ca.inf)]
+    return ca.Function("lowest", arguments, ca.cse([*map(ca.densify, results)]))
+
+
+def _below(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """Build the function that returns 1 if a force or an opening speed is below its level within a step.
+
+    Arguments: state, controls, next, part of the step, levels (k each). A force within its tolerance at the step's start has faded, as with
+    strong damping: it may have either sign.
     """
     arguments, (old, run, end) = vectors.symbols("state controls next", ca.MX)
-    pairs, most = (ca.MX.sym(name, model.k) for name in ("pairs", "most"))
-    back = NEAR * old["h"]
-    t, y = end["t"] - back, end["y"] - back * end["dy"]
+    theta, levels = ca.MX.sym("theta"), [ca.MX.sym(name, model.k) for name in ("forces", "speeds")]
+    back = (1 - theta) * old["h"]
+    t, h, y0, y1 = end["t"] - back, old["h"], old["y"], end["y"]
+    bent = theta * (2 * (y0 - y1) + h * (old["dy"] + end["dy"]))
+    y = y0 + theta * (h * old["dy"] + theta * (3 * (y1 - y0) - h * (2 * old["dy"] + end["dy"]) + bent))
     inside = {"t": t, "y": y, **right.at(t, y, old["mode"], old["m"], run["c"])}
     tol, _, small = tolerances(model, run, inside)
-    pressed = pairs * (old["force"] > small) * (old["retakes"] < LOCATED)
-    found = any_of(pressed * (inside["force"] < most) * (inside["gap"] < -tol))
-    return ca.Function("just_before", [*arguments, pairs, most], [found])
+    found = (old["force"] > small) * (inside["force"] < levels[0]) + (inside["gap_rate"] < levels[1]) > 0
+    found = any_of(found * (inside["gap"] < -tol)) * (old["retakes"] < LOCATED)
+    return ca.Function("below", [*arguments, theta, *levels], [found])
 
 
 def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
