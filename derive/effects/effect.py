@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Matrix, Vector, apply
-from hertzwerk.derive.effects.state_expression import COORDINATE, REACTION, SPEED, states_in, uncounted_fault
+from hertzwerk.derive.effects.state_expression import COORDINATE, REACTION, SPEED, Scope, states_in, uncounted_fault
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot, measured
@@ -108,7 +108,7 @@ class SpeedConstraint:
     distance: Any = None
 
 
-class Declared(Protocol):
+class Declared(Scope, Protocol):
     """Protocol of the scene as needed by its effects."""
 
     @property
@@ -128,28 +128,8 @@ class Declared(Protocol):
         """Drives by the key of the freedom they drive."""
 
     @property
-    def scalars(self) -> Mapping[str, Freedom]:
-        """Freedoms with one coordinate by their keys."""
-
-    @property
     def start(self) -> Any:
         """Start: coordinates and speeds at t = 0."""
-
-    @property
-    def uncounted(self) -> Sequence[str]:
-        """Keys of speeds without a coordinate."""
-
-    @property
-    def states(self) -> Mapping[str, State]:
-        """States of the effects, `motor.current`, by their names."""
-
-    @property
-    def carrying(self) -> Sequence[str]:
-        """Joints whose reaction can be read."""
-
-    @property
-    def pressed(self) -> Sequence[str]:
-        """Pairs with a contact."""
 
     def joint_of(self, key: str) -> Joint:
         """The joint that has a freedom."""
@@ -196,7 +176,25 @@ class Moving(Protocol):
         """Contact geometry of the pair of this name."""
 
 
-class Kinematics(Moving, Protocol):
+class Turning(Protocol):
+    """Protocol of a mechanism's kinematics as needed by moments between two bodies.
+
+    Vectors in ground axes, in SI, results named on the tape.
+    """
+
+    tape: Tape
+
+    def angular_velocity(self, body: Frame) -> Vector:
+        """Angular velocity of a body [rad/s]."""
+
+    def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
+        """Generalised forces of a force on one body and its reaction on another at the same point."""
+
+    def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
+        """Generalised forces of a moment on one body and its reaction on another."""
+
+
+class Kinematics(Moving, Turning, Protocol):
     """Protocol of a mechanism's kinematics as needed by its effects."""
 
     @property
@@ -235,15 +233,6 @@ class Kinematics(Moving, Protocol):
 
     def turn_between(self, first: Point, second: Point, name: str) -> tuple[Any, ...]:
         """Quaternion from the axes of one point to those of another."""
-
-    def angular_velocity(self, body: Frame) -> Vector:
-        """Angular velocity of a body [rad/s]."""
-
-    def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
-        """Generalised forces of a force on one body and its reaction on another at the same point."""
-
-    def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
-        """Generalised forces of a moment on one body and its reaction on another."""
 
     def journal(self, pair: str) -> Journal:
         """The pin and bush of this name."""

@@ -96,7 +96,10 @@ class Pair:
         return ()
 
     def slots(self) -> Iterator[Slot]:
-        """Yield its quantities: its `measures`, then those of its directions and places."""
+        """Yield its quantities: those of the pair that it is a part of, its `measures`, its directions and places."""
+        whole = getattr(self, "whole", None)
+        if isinstance(whole, Pair):
+            yield from whole.slots()
         yield from measured(self, f"pair {self.name}", self.measures)
         for name, direction in self.directions.items():
             yield from direction.slots(f"pair {self.name}, {name}")

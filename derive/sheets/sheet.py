@@ -96,20 +96,14 @@ class Entry:
 class Point:
     """Elastic force [N] and local exponent dlnF/dlnd at one penetration [m] of the example.
 
-    The force is None where the units are inconsistent.
+    The force is None where the units are inconsistent. `smoothed` is the force with Contact(..., smooth="1 um") over the
+    law's own, less 1.
     """
 
     penetration: float
     force: float | None
     exponent: float
-
-
-@dataclass(frozen=True)
-class Smoothed:
-    """Deviation of a smoothed law at one penetration [m]: its force over the law's own, less 1."""
-
-    penetration: float
-    deviation: float
+    smoothed: float
 
 
 @dataclass(frozen=True)
@@ -136,7 +130,7 @@ class Sheet:
     """Everything the catalogue states of one law.
 
     `form`: of contact, point, line, surface or any. `band`: candidates, for a reconstruction. `operations`: of the
-    generated text, once per run and per evaluation. `smoothed`: of the example, with Contact(..., smooth="1 um").
+    generated text, once per run and per evaluation.
     """
 
     name: str
@@ -161,7 +155,6 @@ class Sheet:
     local_exponent: str
     example: str
     points: tuple[Point, ...]
-    smoothed: tuple[Smoothed, ...]
     band: Band | None
     restitution: Restitution | None
     operations: tuple[int, int]
@@ -208,7 +201,6 @@ def sheet(law: Law) -> Sheet:
         local_exponent=_constant_exponent(law) if isinstance(law, StiffnessLaw) else "",
         example=_example_text(law) if example else "",
         points=tuple(_points(law, example)) if isinstance(law, StiffnessLaw) and example else (),
-        smoothed=tuple(_smoothed(law, example)) if isinstance(law, StiffnessLaw) and example else (),
         band=band_of(law, lambda other: _example(other, law.pairs))
         if isinstance(law, StiffnessLaw) and example
         else None,
@@ -378,27 +370,19 @@ def _unit_of(law: Law, unit: str) -> Any:
 def _points(law: StiffnessLaw, values: dict[sp.Symbol, Any]) -> Iterator[Point]:
     metre, newton = _unit_of(law, "m"), _unit_of(law, "N")
     with mp.workdps(30):
-        reach = mp.inf if law.reach is None else evaluate(law.reach, values) * metre
-        for depth in DEPTHS:
-            if depth < reach:
-                at = values | {d: mpf(repr(depth)) / metre}
-                force, slope = (evaluate(e, at) for e in (law.force, sp.diff(law.force, d)))
-                known = law.verdict == "consistent" or law.fitted_in
-                yield Point(depth, float(force * newton) if known else None, float(at[d] * slope / force))
-
-
-def _smoothed(law: StiffnessLaw, values: dict[sp.Symbol, Any]) -> Iterator[Smoothed]:
-    """Yield how far the law that begins smoothly over SMOOTHING is from the law itself."""
-    metre = _unit_of(law, "m")
-    with mp.workdps(30):
         length = mpf(repr(SMOOTHING))
         reach = mp.inf if law.reach is None else evaluate(law.reach, values) * metre
         for depth in map(mpf, map(repr, DEPTHS)):
             if depth < reach:
                 share = depth / (2 * length)
                 begin = begun(share, length) if share < 1 else depth - length
-                exact, smooth = (evaluate(law.force, values | {d: at / metre}) for at in (depth, begin))
-                yield Smoothed(float(depth), float(smooth / exact - 1))
+                at, smooth = (values | {d: x / metre} for x in (depth, begin))
+                force, slope = (evaluate(e, at) for e in (law.force, sp.diff(law.force, d)))
+                known = law.verdict == "consistent" or law.fitted_in
+                yield Point(
+                    float(depth), float(force * newton) if known else None, float(at[d] * slope / force),
+                    float(evaluate(law.force, smooth) / force - 1),
+                )  # fmt: skip
 
 
 # -- restitution -------------------------------------------------------------------------------------------------------

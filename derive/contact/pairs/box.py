@@ -60,9 +60,3 @@ class BoxCorner(CornerOnFace):
 
     whole: BoxOnPlane | None = None
     guides: ClassVar[bool] = False
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of the box."""
-        if self.whole is not None:
-            yield from self.whole.slots()
-        yield from super().slots()

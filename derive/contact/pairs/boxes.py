@@ -117,10 +117,6 @@ class BoxFeature(Pair):
         )  # fmt: skip
         return one, two
 
-    def slots(self) -> Iterator[Slot]:
-        """Yield the quantities of both boxes."""
-        yield from self.whole.slots()
-
     def touch(self, kinematics: Kinematics) -> Touch:
         """Contact geometry on the kinematics' tape."""
         return BetweenBoxes(self, kinematics)

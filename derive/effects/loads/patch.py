@@ -11,8 +11,8 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, add, dot, scale, sub
 from hertzwerk.derive.effects.contacts import Friction
-from hertzwerk.derive.effects.effect import Declared
-from hertzwerk.derive.effects.loads.resistances import DrillingResistance, Grip, Moment, PairResistance, Turning
+from hertzwerk.derive.effects.effect import Declared, Turning
+from hertzwerk.derive.effects.loads.resistances import DrillingResistance, Grip, Moment, PairResistance
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar

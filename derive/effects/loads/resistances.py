@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, dot, scale, sub
 from hertzwerk.derive.effects.contacts import contact_faults
-from hertzwerk.derive.effects.effect import CONTACT, Declared, PairEffect
+from hertzwerk.derive.effects.effect import CONTACT, Declared, PairEffect, Turning
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.mechanism.bodies import Frame, Slot
+from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
-from hertzwerk.derive.program.program import Tape
 
 
 @dataclass(frozen=True)
@@ -44,21 +43,6 @@ class Moment:
     vector: Vector
     generalised: Mapping[str, Any]
     power: Any
-
-
-class Turning(Protocol):
-    """Protocol of the kinematics as needed here, with the meaning that `Kinematics` gives."""
-
-    tape: Tape
-
-    def angular_velocity(self, body: Frame) -> Vector:
-        """Angular velocity of a body [rad/s]."""
-
-    def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
-        """Generalised forces of a force on one body and its reaction on another."""
-
-    def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
-        """Generalised forces of a moment on one body and its reaction on another."""
 
 
 class PairResistance(PairEffect):

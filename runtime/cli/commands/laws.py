@@ -177,9 +177,9 @@ def _print_sheet(sheet: Sheet) -> None:
         rows = [
             (
                 *(f"{p.penetration:g}", *([f"{p.force:.6g}"] if forces else []), f"{p.exponent:.4f}"),
-                f"{smoothed.deviation:+.2%}",
+                f"{p.smoothed:+.2%}",
             )
-            for p, smoothed in zip(sheet.points, sheet.smoothed, strict=True)
+            for p in sheet.points
         ]
         table(columns, rows)
         print_prose(
