@@ -20,6 +20,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.notation import text_of
 from hertzwerk.derive.algebra.splines import Table
+from hertzwerk.derive.algebra.tagged import Tagged
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.dimension.walker import check
 from hertzwerk.derive.faults import Fault, InputError, one_of
@@ -72,23 +73,19 @@ class Scope(Protocol):
         """Pairs with a contact."""
 
 
-class StateSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
+class StateSymbol(Tagged):
     """Time, a coordinate or a speed of a joint, or a state of an effect, in an expression of a scene."""
 
     __slots__ = ("joint", "what")
+    tags = ("what", "joint")
 
-    def __new__(cls, name: str, what: str, joint: str) -> StateSymbol:
-        """Make a new symbol, never from SymPy's cache."""
-        self = sp.Symbol.__xnew__(cls, name, real=True)
-        self.what = what
-        self.joint = joint
-        return self  # type: ignore[no-any-return]
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return (self.name, self.what, self.joint)
-
-    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (self.name, self.what, self.joint), {}
+    @classmethod
+    def of(cls, what: str, joint: str, ending: str = "") -> StateSymbol:
+        """Symbol of what is named; raises InputError if the name is no text."""
+        if not isinstance(joint, str):
+            expected = 'the name of a joint, or of one of its coordinates: "column.angle"'
+            raise InputError(f"{what.replace(' ', '_')}_of", [Fault("joint", repr(joint), expected)])
+        return cls(joint + ending, what, joint)
 
 
 T = StateSymbol("t", TIME, "")
@@ -103,25 +100,13 @@ class Input(StateSymbol):
     """
 
     __slots__ = ("meaning", "unit")
+    tags = ("unit", "meaning")
+    what, joint = INPUT, ""
 
     def __new__(cls, name: str, unit: str, meaning: str = "") -> Input:
         """Make a new symbol; raises InputError for values that are no text."""
-        texts = {"name": name, "unit": unit, "meaning": meaning}
-        wrong = [
-            Fault(f"input, {what}", repr(text), "text") for what, text in texts.items() if not isinstance(text, str)
-        ]
-        if wrong:
-            raise InputError(f"input {name!r:.40}", wrong)
-        self = super().__new__(cls, name, INPUT, "")
-        self.unit = unit
-        self.meaning = meaning
-        return self
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return (self.name, INPUT, self.unit, self.meaning)
-
-    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (self.name, self.unit, self.meaning), {}
+        cls.must_be_text("input", name, unit=unit, meaning=meaning)
+        return super().__new__(cls, name, unit, meaning)
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of the declaration itself."""
@@ -141,20 +126,17 @@ class Input(StateSymbol):
 
 def coordinate_of(joint: str) -> StateSymbol:
     """Coordinate of the joint of this name [rad or m]; raises InputError if the name is no text."""
-    _must_be_text("coordinate_of", joint)
-    return StateSymbol(f"{joint}.coordinate", COORDINATE, joint)
+    return StateSymbol.of(COORDINATE, joint, ".coordinate")
 
 
 def speed_of(joint: str) -> StateSymbol:
     """Rate of the coordinate of the joint of this name [rad/s or m/s]; raises InputError if no text."""
-    _must_be_text("speed_of", joint)
-    return StateSymbol(f"{joint}.speed", SPEED, joint)
+    return StateSymbol.of(SPEED, joint, ".speed")
 
 
 def state_of(name: str) -> StateSymbol:
     """State of an effect, such as "motor.current" [its unit]; raises InputError if the name is no text."""
-    _must_be_text("state_of", name)
-    return StateSymbol(name, STATE, name)
+    return StateSymbol.of(STATE, name)
 
 
 def reaction_of(joint: str) -> StateSymbol:
@@ -162,21 +144,12 @@ def reaction_of(joint: str) -> StateSymbol:
 
     Loads may depend on it linearly: it is solved with the accelerations, which depend on the loads.
     """
-    _must_be_text("reaction_of", joint)
-    return StateSymbol(f"{joint}.reaction", REACTION, joint)
+    return StateSymbol.of(REACTION, joint, ".reaction")
 
 
 def normal_force_of(pair: str) -> StateSymbol:
     """Normal force of a contact [N], 0 while it is open; raises InputError if the name is no text."""
-    _must_be_text("normal_force_of", pair)
-    return StateSymbol(f"{pair}.normal_force", NORMAL_FORCE, pair)
-
-
-def _must_be_text(function: str, joint: object) -> None:
-    if not isinstance(joint, str):
-        raise InputError(
-            function, [Fault("joint", repr(joint), 'the name of a joint, or of one of its coordinates: "column.angle"')]
-        )
+    return StateSymbol.of(NORMAL_FORCE, pair, ".normal_force")
 
 
 @dataclass(frozen=True)

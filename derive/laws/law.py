@@ -19,29 +19,21 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.tagged import Tagged
 from hertzwerk.derive.laws.law_html import law_html
 from hertzwerk.derive.mechanism.bodies import Material, Slot
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Parameter
 
 
-class Quantity(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
+class Quantity(Tagged):
     """A symbol of a law: name, unit text, meaning, and the range (SI) its value must keep."""
 
     __slots__ = ("limit", "meaning", "unit")
+    tags = ("unit", "meaning", "limit")
 
     def __new__(cls, name: str, unit: str, meaning: str, limit: Interval | None = None) -> Quantity:
-        """Make a new symbol, never from SymPy's cache: equal names with different units stay distinct."""
-        self = sp.Symbol.__xnew__(cls, name, real=True)
-        self.unit = unit
-        self.meaning = meaning
-        self.limit = limit
-        return self  # type: ignore[no-any-return]
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return (self.name, self.unit, self.meaning)
-
-    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (self.name, self.unit, self.meaning, self.limit), {}
+        """Make a new symbol."""
+        return super().__new__(cls, name, unit, meaning, limit)
 
 
 # Supplied by a contact while it lasts.

@@ -96,7 +96,7 @@ class Pair:
         return ()
 
     def slots(self) -> Iterator[Slot]:
-        """Yield its quantities: those of the pair that it is a part of, its `measures`, its directions and places."""
+        """Yield its quantities: of its whole, then its `measures`, directions and places."""
         whole = getattr(self, "whole", None)
         if isinstance(whole, Pair):
             yield from whole.slots()

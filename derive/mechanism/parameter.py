@@ -11,8 +11,9 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.tagged import Tagged
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults, text_faults
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
@@ -22,7 +23,7 @@ CURVE = "_curve"
 """Suffix of the name of a curve's function in a generated module, in capitals of its data's."""
 
 
-class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
+class Parameter(Tagged):
     """Named constant of a scene; a SymPy symbol, so it can be used in expressions.
 
     `unit` is text (`"mm"`, `"N/m^1.5"`, `"N/m^exponent"` with another parameter's name), `default` a number in that
@@ -30,29 +31,12 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     """
 
     __slots__ = ("default", "meaning", "unit")
+    tags = ("unit", "default", "meaning")
 
     def __new__(cls, name: str, unit: str, default: float, meaning: str = "") -> Parameter:
-        """Make a new symbol, never from SymPy's cache; raises InputError for values that are no text.
-
-        Equal names with different units stay distinct.
-        """
-        texts = {"name": name, "unit": unit, "meaning": meaning}
-        wrong = [
-            Fault(f"parameter, {what}", repr(text), "text") for what, text in texts.items() if not isinstance(text, str)
-        ]
-        if wrong:
-            raise InputError(f"parameter {name!r:.40}", wrong)
-        self = sp.Symbol.__xnew__(cls, name, real=True)
-        self.unit = unit
-        self.default = default
-        self.meaning = meaning
-        return self  # type: ignore[no-any-return]
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return (self.name, self.unit, repr(self.default), self.meaning)
-
-    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (self.name, self.unit, self.default, self.meaning), {}
+        """Make a new symbol; raises InputError for values that are no text."""
+        cls.must_be_text("parameter", name, unit=unit, meaning=meaning)
+        return super().__new__(cls, name, unit, default, meaning)
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of the declaration itself."""

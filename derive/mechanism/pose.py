@@ -5,27 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-import sympy as sp
-
+from hertzwerk.derive.algebra.tagged import Tagged
 from hertzwerk.derive.mechanism.bodies import Slot
 
 
-class PoseSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
+class PoseSymbol(Tagged):
     """Coordinate of a pair's first place, or of its axes, in the axes of the second."""
 
     __slots__ = ("unit",)
-
-    def __new__(cls, name: str, unit: str) -> PoseSymbol:
-        """Make a new symbol, never from SymPy's cache."""
-        self = sp.Symbol.__xnew__(cls, name, real=True)
-        self.unit = unit
-        return self  # type: ignore[no-any-return]
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return (self.name, self.unit)
-
-    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (self.name, self.unit), {}
+    tags = ("unit",)
 
 
 APART = tuple(PoseSymbol(f"apart_{k}", "m") for k in "xyz")
