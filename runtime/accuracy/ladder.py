@@ -12,6 +12,7 @@ met, of all built-in scenes by four methods, 92 were missed, by up to 1.38. A th
 error is within DOUBTED of the request, one request in seven. Two of these misses are left, by 2 %, for 7 % of all
 steps. Where all three runs err alike, nothing shows it. Two runs that take the same steps err alike: where no error holds
 steps down but the limit on their growth, any two would. So each run that checks another begins with a shorter step.
+Errors that are rounding are independent: runs of nearly the same tolerance tell them, up to three with the tighter one.
 """
 
 from __future__ import annotations
@@ -44,6 +45,8 @@ PER_STEP = 4.0  # rounding error of a step, in roundings of the state; the motio
 # where rounding dominates two runs may agree by chance: their error may exceed their difference by this factor
 HIDDEN = 4.0
 NEAR = 1.5  # times the tolerance of a run: that of a comparison run with independent rounding
+# of errors that are rounding, one exceeds this times its largest difference to three others, and the request that allows so much, once in 500 times
+INDEPENDENT = 2.0
 ROUNDED = 1 + HIDDEN / 2  # rounding error equal to the tolerance
 MORE = 5.0  # most steps of a tighter comparison run over those of the run; usual are 1.2 to 1.4
 MORE_ROUNDED = 2.0  # the same where rounding dominates
@@ -300,11 +303,10 @@ class Ladder(Generic[Kept]):
             comparisons = self._comparison_runs(run)
             checked = self._checked(run, *comparisons)
             error = self._error(checked)
-            if self._asked / DOUBTED < error <= self._asked and self._tells(comparisons, run):
-                comparisons.append(
-                    self._make(comparisons[-1].tolerance / CHECK, (run, len(comparisons)), most=MORE * run.steps)
-                )
-                if comparisons[-1].end is not End.FAILED:
+            third = self._third_run(error, run, comparisons)
+            if third is not None:
+                comparisons.append(third)
+                if third.end is not End.FAILED:
                     checked = self._confirmed(run, *comparisons)
                     error = self._error(checked)
             if not math.isfinite(error):
@@ -361,19 +363,38 @@ class Ladder(Generic[Kept]):
         whole = all(each.end is End.REACHED for each in (run, *others))
         return _Checked(run, found, whole, whole and all(other.tolerance > run.tolerance for other in others))
 
-    def _tells(self, comparisons: Sequence[Rung[Kept]], run: Rung[Kept]) -> bool:
-        """Return whether a run tighter than the one comparison run would tell more of the error than rounding."""
-        check = comparisons[-1]
-        return len(comparisons) == 1 and check.tolerance < run.tolerance and self._rounding_factor(check) <= ROUNDED
+    def _third_run(self, error: float, run: Rung[Kept], comparisons: Sequence[Rung[Kept]]) -> Rung[Kept] | None:
+        """Make a third run where it may change the verdict: a tighter one or, where rounding dominates, one nearby.
 
-    def _confirmed(self, run: Rung[Kept], check: Rung[Kept], third: Rung[Kept]) -> _Checked[Kept]:
-        """Bound the error of a run by its difference to a third run and twice the error of that.
-
-        The latter is taken from the comparison run's, as errors are proportional to tolerances, but for their scatter.
+        It doubts an error within the request that two runs may share, or one beyond it that may be hidden rounding for the most.
         """
-        n = min(len(each.states) for each in (run, check, third))
-        of_run, of_check = (self._differ(each, third, n) for each in (run, check))
-        found = (of_run + SCATTERED * of_check / (CHECK - 1)) * self._rounding_factor(run)
+        check, *near = comparisons
+        if check.end is not End.REACHED or check.tolerance > run.tolerance:
+            return None
+        if near:
+            beyond = self._asked < error <= self._asked * ROUNDED
+            return self._make(run.tolerance * NEAR**2, (run, 2)) if beyond else None
+        if not self._asked / DOUBTED < error <= self._asked:
+            return None
+        if self._rounding_factor(check) > ROUNDED:
+            return self._make(run.tolerance * NEAR, (run, 1))
+        return self._make(check.tolerance / CHECK, (run, 1), most=MORE * run.steps)
+
+    def _confirmed(self, run: Rung[Kept], *others: Rung[Kept]) -> _Checked[Kept]:
+        """Bound the error of a run by the third that compares with it.
+
+        By its difference to a tighter third run and twice the error of that, taken from the comparison run's, as errors are
+        proportional to tolerances, but for their scatter; where rounding dominates, by differences to independent runs.
+        """
+        *_, check, third = others
+        if third.tolerance > run.tolerance and len(others) == 2:
+            return self._checked(run, *others)
+        n = min(len(each.states) for each in (run, *others))
+        if third.tolerance > run.tolerance:
+            found = INDEPENDENT * np.max([self._differ(run, other, n) for other in others], axis=0)
+        else:
+            of_run, of_check = (self._differ(each, third, n) for each in (run, check))
+            found = (of_run + SCATTERED * of_check / (CHECK - 1)) * self._rounding_factor(run)
         return _Checked(run, found, third.end is End.REACHED, last=False)
 
     def _rounding_factor(self, run: Rung[Kept]) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 
 from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.step.layout import FLIGHT
+from hertzwerk.runtime.integrate.step.set_valued_friction import slips_in
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -87,7 +88,8 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
         return ca.sum1(ca.if_else(asked == 0, 0, of_each))
 
     h = new["t"] - old["t"]
-    changed = (h != 0) * ca.mmax(old["mode"] != new["mode"])  # there the step ended otherwise
+    held = [ca.vertcat(parts["mode"], parts["m"][slips_in(model)]) for parts in (old, new)]
+    changed = (h != 0) * ca.mmax(held[0] != held[1])  # there the step ended otherwise
     rates = ca.vertcat(rate(old), ca.if_else(h == 0, rate(old), rate(new)))
     values = ca.vertcat(value(old, old["mode"]), value(new, new["mode"]))
     ends = ca.Function("ends", [controls, state, upper, asked], [h, changed, *ca.vertsplit(rates), values])

@@ -316,6 +316,35 @@ def test_two_runs_that_agree_by_chance_are_found_out_by_a_third():
     assert 1e-9 <= ladder_result.error.end <= 5e-9
 
 
+def of_rounding(off, rounding, asked, first):
+    """Ladder of runs whose errors are given, by the ratio of their tolerance to the first."""
+
+    def run(tolerance, checks, most):
+        nearest = min(off, key=lambda ratio: abs(ratio * first / tolerance - 1))
+        log.append(nearest)
+        return Rung(tolerance, End.REACHED, TIMES, np.full((POINTS, 1), off[nearest]), 100, 100, 1.0, None)
+
+    log = []
+    return Ladder(run, differ, lambda y: rounding, 1.0, asked).search(first), log
+
+
+@pytest.mark.parametrize(("third", "met"), [(0.99e-8, True), (-1e-8, False)])
+def test_rounding_that_two_runs_share_by_chance_is_found_out_where_it_dominates_the_tighter_one(third, met):
+    """The run is not yet of rounding, its comparison run is: they differ by a third of what the run is off."""
+    ladder_result, log = of_rounding({1: 1.12e-8, 1 / CHECK: 0.79e-8, NEAR: third}, 1e-12, 1e-8, 1e-11)
+    assert log[:3] == [1, 1 / CHECK, NEAR]
+    assert (len(log) == 3) is met
+
+
+@pytest.mark.parametrize(("off", "verdict"), [(2.4e-9, Verdict.MET), (6e-9, Verdict.UNREACHABLE)])
+def test_rounding_of_independent_runs_is_not_taken_for_several_times_as_much(off, verdict):
+    """By the tighter run alone the error could be 6 times their difference; three runs differ by no more, or one by twice that."""
+    ladder_result, log = of_rounding({1: 0, 1 / CHECK: 2.4e-9, NEAR: -2e-9, NEAR**2: off}, 1e-12, 1e-8, 1.1e-13)
+    assert log[:4] == [1, 1 / CHECK, NEAR, NEAR**2]
+    assert ladder_result.verdict is verdict
+    assert ladder_result.error.worst == pytest.approx(2 * off)
+
+
 def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
     """Below rounding steps are rejected without end: what the request costs stays bounded, and the floor is told."""
     asked = []
