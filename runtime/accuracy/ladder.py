@@ -364,9 +364,10 @@ class Ladder(Generic[Kept]):
         return _Checked(run, found, whole, whole and all(other.tolerance > run.tolerance for other in others))
 
     def _third_run(self, error: float, run: Rung[Kept], comparisons: Sequence[Rung[Kept]]) -> Rung[Kept] | None:
-        """Make a third run where it may change the verdict: a tighter one or, where rounding dominates, one nearby.
+        """Make a third run where it may change the verdict; None elsewhere.
 
-        It doubts an error within the request that two runs may share, or one beyond it that may be hidden rounding for the most.
+        A tighter one or, where rounding dominates, one nearby. It doubts an error within the request that two runs may share, or one
+        beyond it that may be hidden rounding for the most.
         """
         check, *near = comparisons
         if check.end is not End.REACHED or check.tolerance > run.tolerance:
