@@ -20,7 +20,7 @@ from hertzwerk.runtime.run.engine import compile_together
 def small(monkeypatch, tmp_path):
     """Parts and files far smaller than they are."""
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
-    for name, value in (("LONG", 3_000), ("PART", 3_000), ("FILE", 50_000), ("BESIDE", 1_000)):
+    for name, value in (("LONG", 3_000), ("PART", 3_000), ("FILE", 50_000), ("BESIDE", 1_000), ("CHOICES", 5)):
         monkeypatch.setattr(c_files, name, value)
 
 
@@ -58,6 +58,22 @@ def test_small_parts_are_made_of_the_text(small, text):
     for file in files:
         longest = max(len(body) for body in file.text.split("\n}\n") if "casadi_real a" in body)
         assert longest < 4 * c_files.LONG  # with what a part takes and hands on
+
+
+def test_conditions_are_masks_that_give_the_same_bits(monkeypatch, tmp_path):
+    """Of a condition that is not a number, a value that is none, and zeros of either sign."""
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    x = ca.SX.sym("x", 2)
+    function = ca.Function("f", [x], [ca.if_else(x[0], x[1], 0)])
+    special = [0.0, -0.0, np.nan, np.inf, -3.0, 5e-324]
+    monkeypatch.setattr(c_files, "CHOICES", 0)
+    program = Program(function)
+    assert "=casadi_chosen(" in program._files[0].text
+    (native,) = program.load()
+    for condition in special:
+        for value in special:
+            bits = [np.array(f([condition, value])[0]).view(np.uint64) for f in (function, native)]
+            assert np.array_equal(*bits), (condition, value)
 
 
 def test_arguments_and_results_may_be_absent(small):
