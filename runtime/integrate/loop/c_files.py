@@ -136,7 +136,7 @@ def _apart(
 
 
 def _straight(function: re.Match[str]) -> str:
-    """Return a function that checks once which arguments are absent, has few branches, and calls parts if it is long."""
+    """Return a function with few branches, which calls parts if it is long."""
     name, body = function.groups()
     if len(_CHOICE.findall(body)) > CHOICES:
         body = _CHOICE.sub(r"casadi_chosen(\1, \2)", body)
