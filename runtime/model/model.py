@@ -279,6 +279,11 @@ class Model:
         columns = [*map(ca.densify, self.expressions(name, *given.values()))]
         return ca.Function(name, symbols, ca.cse(columns), inputs.split(), [f"o{i}" for i in range(len(columns))])
 
+    @cached_property
+    def members(self) -> list[tuple[Any, ...]]:
+        """Kind of each pair, and its rows of q, u, z and the latches; empty without `FAMILIES`."""
+        return [(kind, *row[1:]) for kind, rows in getattr(self.module, "FAMILIES", ()) for row in rows]
+
     def landmarks(self, p: np.ndarray) -> list[np.ndarray]:
         """Return what `landmarks` returns: a row of LANDMARKS each, of which many spheres have thousands."""
         function, ends = self._landmarks()

@@ -12,9 +12,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from hertzwerk.runtime.start.of_pairs import alike, of_pairs
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -54,33 +56,36 @@ def intrusions(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tupl
     """Return the pairs that overlap deeply at coordinates q (nq,) and speeds u (nu,), t = 0."""
     if not model.k:
         return ()
-    gap, rate = model.evaluate("gaps", 0.0, q, u, bound.c)
-    inside = [j for j in range(model.k) if gap[j] < 0]
+    given = {"t": 0.0, "q": q, "u": u, "c": bound.c}
+    gap, rate = of_pairs(model, "gaps", range(model.k), given)
+    inside = np.flatnonzero(gap < 0).tolist()
     if not inside:
         return ()
     (applied,) = model.evaluate("applied", 0.0, q, u, bound.c)
-    pressed, found = applied.copy(), []
-    for j in inside:
-        z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
-        forces, _, _, _, defined, *_ = model.evaluate(f"contact_{model.pairs[j]}", 0.0, q, u, z, m, bound.c)
-        pressed += forces
-        found.append((j, float(defined[0]) >= 0.5))
-    own = _accelerations(model, bound, q, u, applied)
-    out = _accelerations(model, bound, q, u, pressed) - own
+    pressed = applied.copy()
+    valid: dict[int, bool] = {}
+    latched = given | {"z": np.zeros(model.nz), "m": np.full(model.nm, UNDAMPED)}
+    for pairs, rows, (forces, _, _, _, defined, *_) in alike(model, "contact", inside, latched):
+        np.add.at(pressed, rows, forces)
+        valid |= dict(zip(pairs, defined[:, 0] >= 0.5, strict=True))
+    own = _accelerations(model, inside, given, applied)
+    out = _accelerations(model, inside, given, pressed) - own
+    sizes = _sizes(model, bound)
     deep = []
-    for j, in_range in found:
+    for j, driven, loaded in zip(inside, out.tolist(), own.tolist(), strict=True):
         depth, slope = _depth(model, bound, q, u, j, float(gap[j]))
-        speed = math.sqrt(max(depth * float(out[j]) / slope, 0.0))
-        scene = _scene_speed(model, bound, float(rate[j]), float(own[j]), depth)
-        if not in_range or 0 < scene < speed:
-            deep.append(Intrusion(model.pairs[j], depth, _size(model, bound, j), speed, scene, in_range))
+        speed = math.sqrt(max(depth * driven / slope, 0.0))
+        scene = _scene_speed(model, bound, float(rate[j]), loaded, depth)
+        if not valid[j] or 0 < scene < speed:
+            pair = model.pairs[j]
+            deep.append(Intrusion(pair, depth, sizes.get(pair, 0.0), speed, scene, bool(valid[j])))
     return tuple(deep)
 
 
-def _accelerations(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, forces: np.ndarray) -> np.ndarray:
-    """Return the second derivatives of all gaps under generalised forces [m/s^2]."""
-    a, *_ = model.evaluate("accelerations", 0.0, q, u, forces, bound.c)
-    return model.evaluate("gap_accelerations", 0.0, q, u, a, bound.c)[0]
+def _accelerations(model: Model, pairs: list[int], given: dict[str, Any], forces: np.ndarray) -> np.ndarray:
+    """Return the second derivatives of gaps under generalised forces [m/s^2]."""
+    a, *_ = model.evaluate("accelerations", *(given[x] for x in "tqu"), forces, given["c"])
+    return of_pairs(model, "gap_accelerations", pairs, given | {"a": a})[0]
 
 
 def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap: float) -> tuple[float, float]:
@@ -98,21 +103,20 @@ def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap
     return eccentricity - eccentricity / slope, slope
 
 
-def _size(model: Model, bound: Bound, j: int) -> float:
-    """Return a pair's plausible penetration [m] by its size: the clearance or half the smaller radius.
+def _sizes(model: Model, bound: Bound) -> dict[str, float]:
+    """Return the plausible penetrations [m] of pairs that have a size.
 
-    0 where it has no such size.
+    That is the clearance, or half the smaller radius.
     """
-    places = model.function("landmarks")(bound.p) if hasattr(model.module, "LANDMARKS") else ()
-    name = model.pairs[j]
-    radii = [
-        float(place[3])  # behind the point
-        for row, place in zip(getattr(model.module, "LANDMARKS", ()), places, strict=True)
-        if row[0] == name and row[4][:1] == ("radius",) and not row[1].startswith("solid_")  # of a body of this name
-    ]
-    if name in model.journals and len(radii) == 2:
-        return abs(radii[0] - radii[1])
-    return min(radii, default=0.0) / 2
+    rows = getattr(model.module, "LANDMARKS", ())
+    radii: dict[str, list[float]] = {}
+    for row, place in zip(rows, model.landmarks(bound.p) if rows else (), strict=True):
+        if row[4][:1] == ("radius",) and not row[1].startswith("solid_"):  # of a body of this name
+            radii.setdefault(row[0], []).append(float(place[3]))  # behind the point
+    return {
+        name: abs(of[0] - of[1]) if name in model.journals and len(of) == 2 else min(of) / 2
+        for name, of in radii.items()
+    }
 
 
 def _scene_speed(model: Model, bound: Bound, rate: float, acceleration: float, depth: float) -> float:

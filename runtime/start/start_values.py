@@ -15,6 +15,7 @@ from hertzwerk.runtime.model.binding import Value, named_values, read_state
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.si_values import latch_units
 from hertzwerk.runtime.start.as_stated import as_stated
+from hertzwerk.runtime.start.of_pairs import of_pairs
 
 Given = TypeVar("Given", bound=Value)
 
@@ -151,10 +152,13 @@ def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value],
     def gap(i: int, change: float) -> float:
         q = stated.copy()
         q[i] += change
-        return float(model.evaluate("gaps", 0.0, *model.placed(bound, q, still), bound.c)[0][j])
+        q, u = model.placed(bound, q, still)
+        return float(of_pairs(model, "gaps", [j], {"t": 0.0, "q": q, "u": u, "c": bound.c})[0][0])
 
     ways = []
-    for i, name in enumerate(joints.coordinates) if not joints.nl else ():  # in a loop nothing changes alone
+    moving = model.members[j][1] if model.members else range(joints.nq)
+    for i in moving if not joints.nl else ():  # in a loop nothing changes alone
+        name = joints.coordinates[i]
         size = sizes[i] if math.isfinite(sizes[i]) and sizes[i] > 0 else 1e-3
         change = None if joints.units[name] == "1" else _least_change(partial(gap, i), size)
         if change is not None:

@@ -1,6 +1,7 @@
 """Starts are found, kept and checked: against the closed forms of four-bar and slider-crank, which know nothing of joints, pairs or assembly."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -27,8 +28,10 @@ from hertzwerk.derive.scenes.four_bar_clearance import scene as with_one
 from hertzwerk.derive.scenes.slider_crank_three_clearances import scene as with_three
 from hertzwerk.runtime import load, simulate, simulate_many
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.start.as_stated import as_stated
-from hertzwerk.runtime.start.start_values import assembled, start_of
+from hertzwerk.runtime.start.start_values import assembled, overlaps, start_of
+from reference import scenes
 
 R, L, K, BASE, C, W = 0.05, 0.12, 0.10, 0.13, 5e-4, 1000 * np.pi / 30
 BUSH = Parameter("bush_radius", "mm", 10)
@@ -301,3 +304,37 @@ def test_a_start_that_is_closed_as_stated_is_that_which_assembly_keeps_and_no_ot
         assert (start is not None) == kept[name], name
         assert start is None or np.array_equal(np.concatenate(start), found), name
     assert set(kept.values()) == {True, False}
+
+
+def test_overlaps_of_many_spheres_are_those_of_pairs_written_out_and_looked_at_one_by_one(monkeypatch):
+    """Spheres pushed into each other, floor and wall; no function of all pairs is evaluated for what is wrong with one."""
+    model = load(scenes.spheres_in_box(6))
+    initial = {
+        "flight_2.x": "-10 mm",
+        "flight_3.x": "-20 mm",
+        "flight_3.y": "25 mm",
+        "flight_4.y": "2 mm",
+        "flight_5.z": "51 mm",
+    }
+    tables = {name: x for name, x in vars(model.module).items() if not name.startswith("__")}
+    written = Model(SimpleNamespace(**{**tables, "FAMILIES": ()}))
+    calls = []
+    evaluate = Model.evaluate
+    monkeypatch.setattr(
+        Model, "evaluate", lambda self, name, *given: calls.append(name) or evaluate(self, name, *given)
+    )
+    found = []
+    for each in (model, written):
+        bound, faults = each.bind(), []
+        q, u = assembled(each, bound, initial, faults)
+        found.append(overlaps(each, bound, initial, q, u))
+        assert not faults
+        calls.append("")
+    ours, theirs = found
+    assert len(ours[0]) >= 3
+    assert [(fault.where, fault.found, fault.expected, fault.remedy) for fault in ours[0]] == [
+        (fault.where, fault.found, fault.expected, fault.remedy) for fault in theirs[0]
+    ]
+    assert ours[1] == theirs[1]
+    assert not {"gaps", "gap_accelerations"} & set(calls[: calls.index("")])
+    assert "gaps" in calls
