@@ -58,7 +58,7 @@ class Model(plain.Model):
         return made.step() if name == "step" else getattr(made, name)
 
     def _repr_html_(self) -> str:
-        from hertzwerk.runtime.tables.model_summary import of_model
+        from hertzwerk.runtime.tables.notebook import of_model
 
         return of_model(self, self.draw())
 

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.runtime.fitting.experiment import Data, Experiment
 from hertzwerk.runtime.fitting.fitted import Fitted
 from hertzwerk.runtime.fitting.fitting import fitted, read_fit
-from hertzwerk.runtime.fitting.law_ranking import Ranking, ranked
-from hertzwerk.runtime.fitting.law_variants import law_variants, read_laws
+from hertzwerk.runtime.fitting.law_ranking import Ranking, law_variants, ranked, read_laws
 from hertzwerk.runtime.fitting.moments.measured_moments import MeasuredSeries
 from hertzwerk.runtime.fitting.moments.moment_fit import FittedMoments, fitted_moments, read_moment_fit
 from hertzwerk.runtime.measured.asked import Between

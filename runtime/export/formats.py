@@ -12,6 +12,33 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.export.export_request import Asked
 
 
+def _latex(asked: Asked, _: Path) -> str:
+    """Return the equations as a LaTeX document; raises InputError."""
+    return asked.model.equations().latex()
+
+
+def _mathml(asked: Asked, _: Path) -> str:
+    """Return the equations as an HTML page of MathML that fetches nothing; raises InputError."""
+    from hertzwerk.derive.html.markup import Markup
+    from hertzwerk.runtime.host.versions import versions
+    from hertzwerk.runtime.report import html_page, scene_sections
+
+    model, readable = asked.model, asked.model.equations()
+    own = dict(asked.model.bind(asked.parameters).values)
+    sections = [
+        scene_sections.parameters(model, own, readable),
+        scene_sections.effects(model, readable),
+        scene_sections.equations(readable, ""),
+    ]
+    origin = html_page.Origin(f"hertzwerk export {model.name} --mathml", versions())
+    return html_page.page("equations", model.name, model.module.SUMMARY, Markup(""), sections, origin)
+
+
+def _sympy(asked: Asked, _: Path) -> str:
+    """Return a file of Python that makes the equations with SymPy; raises InputError."""
+    return asked.model.sympy_file(asked.model.bind(asked.parameters).values)
+
+
 @dataclass(frozen=True)
 class Format:
     """Format of an export.
@@ -53,18 +80,6 @@ def _new_fmu(file: Path) -> list[Fault]:
     return fmu.faults(file)
 
 
-def _text(name: str) -> Callable[[Asked, Path], str]:
-    """Return the writer of a text of equations."""
-
-    def write(asked: Asked, place: Path) -> str:
-        from hertzwerk.runtime.export import equations
-
-        made: str = getattr(equations, name)(asked, place)
-        return made
-
-    return write
-
-
 def _new_folder(folder: Path) -> list[Fault]:
     from hertzwerk.runtime.host.folder import destination_fault
 
@@ -77,7 +92,7 @@ FORMATS = (
     Format(
         "--fmu", "FILE", "functional mock-up unit for co-simulation, NAME.fmu: sources and a binary.", _fmu, _new_fmu
     ),
-    Format("--latex", "", "Print the equations as a LaTeX document.", _text("latex")),
-    Format("--mathml", "", "Print the equations as an HTML page of MathML.", _text("mathml")),
-    Format("--sympy", "", "Print the equations as a Python file that builds them with SymPy.", _text("sympy")),
+    Format("--latex", "", "Print the equations as a LaTeX document.", _latex),
+    Format("--mathml", "", "Print the equations as an HTML page of MathML.", _mathml),
+    Format("--sympy", "", "Print the equations as a Python file that builds them with SymPy.", _sympy),
 )

@@ -1,4 +1,4 @@
-"""Outcome of a run as a value: its name, a description, and a remedy."""
+"""Outcome of a run as a value: its name, a description, and a remedy, such as another method."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from hertzwerk.runtime.accuracy.ladder import ErrorEstimate, beyond_horizon, brief, reach
+from hertzwerk.runtime.integrate.loop import choose
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, STALLED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
@@ -18,11 +21,55 @@ from hertzwerk.runtime.integrate.step.layout import (
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
 )
-from hertzwerk.runtime.integrate.tableaux.methods import IMPLICIT
-from hertzwerk.runtime.solution.remedies import of_accuracy, of_steps
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.integrate.tableaux.methods import IMPLICIT, METHODS, SUNDIALS
+from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
+
+LAST = 200  # rows examined
+MOST = 0.5  # of these, for a cause to be recognised
+AUTO = 'take method="auto"'
+
+
+def _method_for_steps(method: str, history: History) -> str:
+    """Recommend a method in place of one whose steps were many or too small; "" if none need be better."""
+    (table, *others) = (table() for table in METHODS[method])
+    if others or method in SUNDIALS or not len(history.rows):
+        return ""
+    rows = history.rows[-LAST:]
+    (found,) = _fastest(history.model)(history.controls, rows)
+    stiff = bool(np.mean(found[:, 0] > choose.STIFF / 2) > MOST)
+    explicit = isinstance(table, RungeKutta)
+    if explicit and stiff:
+        return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or {' or '.join(IMPLICIT)}"
+    if explicit and _alternates(found[:, 1:]):
+        return f"step after step of {method} crosses the layer in which friction reverses: {AUTO}, or {' or '.join(IMPLICIT)}"
+    if not explicit and not stiff:
+        return f"nothing is stiff there, and steps of {method} are shorter than those of dop853: {AUTO}"
+    return ""
+
+
+@per_model
+def _fastest(model: Model) -> Rowwise:
+    return Rowwise(choose.fastest(model), constant=1)
+
+
+def _method_for_accuracy(method: str) -> str:
+    """Recommend a method in place of one that cannot reach some error."""
+    if method in ("auto", "dop853"):
+        return ""
+    return f"many steps of {method} leave more rounding than the few of dop853, of higher order: {AUTO}"
+
+
+def _alternates(sliding: np.ndarray) -> bool:
+    """Return whether a sliding velocity (rows, n) changes its sign about every other step."""
+    turned = np.diff(np.sign(sliding), axis=0) != 0
+    return bool(turned.size and np.max(np.mean(turned, axis=0)) > MOST / 2)
+
 
 FRICTION_LOCKS = STALLED + 1  # which is found of a run that left the range of a law, or has come to a halt
 REACHED_END = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # names
@@ -122,7 +169,7 @@ def unreachable(
     tighter: outcome of a run with a smaller tolerance; foreseen: the floor is expected of a tolerance that was not tried;
     end: the error at the end, where that of the whole run was requested.
     """
-    better = of_accuracy(method)
+    better = _method_for_accuracy(method)
     gives = "is expected to give" if foreseen else "that was tried gives"
     falls = "" if foreseen else "errors no longer fall, as "
     by, why = (f" of {method}", "") if better else ("", f": {falls}the motion amplifies what rounding leaves")
@@ -175,7 +222,7 @@ def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> O
 def outcome(status: int, method: str, history: History, *, error: Exception | None = None, **facts: object) -> Outcome:
     """Return the outcome of a status of the engine, after the last of the kept rows."""
     name, message, remedy = _OUTCOMES[status]
-    better = of_steps(method, history) if status in STEPS else ""
+    better = _method_for_steps(method, history) if status in STEPS else ""
     if status == STALLED and not better:
         better = f"take {' or '.join(other for other in IMPLICIT if other != method)}"
     raised = "" if error is None else _raised(error)

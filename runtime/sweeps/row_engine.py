@@ -1,6 +1,6 @@
 """Engine of a batch: workers that do its tasks, wherever they are.
 
-sweeps/processes    on this machine
+sweeps/batch        on this machine
 sweeps/cluster      on many, by Dask
 """
 

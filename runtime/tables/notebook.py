@@ -1,15 +1,34 @@
-"""Runs as notebooks show them: outcome, warnings, given parameters, the first impacts."""
+"""Models and runs as notebooks show them: picture, parameters, effects; outcome, first impacts."""
 
 from __future__ import annotations
 
+import io
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from hertzwerk.derive.html.markup import Markup, joined, tag
-from hertzwerk.derive.html.plain_table import OTHER, heading, table
+from hertzwerk.derive.html.markup import Markup, embedded, joined, tag
+from hertzwerk.derive.html.plain_table import OTHER, heading, table, titled
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.solution import Solution
+
+
+def of_model(model: Model, picture: Figure) -> Markup:
+    """Return a model with the picture of its start."""
+    image = io.BytesIO()
+    picture.savefig(image, format="png", dpi=80)
+    sizes = f"{model.nq} coordinates, {model.k} contact pair{'s' if model.k != 1 else ''}, {len(model.units)} states"
+    parameters = [(name, f"{p.default:.6g}", p.unit, p.meaning) for name, p in model.parameters.items()]
+    return joined([
+        heading(model.name, model.module.SUMMARY, f" ({sizes}; every history: model.histories)", good=True),
+        embedded(image.getvalue(), f"The mechanism {model.name} at its start"),
+        titled("Effects", ("effect", "kind", "what it is"), model.module.EFFECTS),
+        titled("Parameters", ("parameter", "value", "unit", "meaning"), parameters),
+    ])  # fmt: skip
+
 
 SHOWN = 8  # impacts of a run
 

@@ -37,7 +37,7 @@ BARS = {2: ("<= 1.6", "<= 1.6"), 20: ("<= 1.15", "<= 1.3")}
 def sweep() -> Iterator[Ratio]:
     """A row of a stored, compiled sweep of slider_crank over its clearance against the bare loop of its run, by processor time."""
     from hertzwerk.runtime import load
-    from hertzwerk.runtime.sweeps.processes import cores
+    from hertzwerk.runtime.sweeps.batch import cores
 
     model = load("slider_crank")
     sets = [{"clearance": f"{0.1 + 0.3 * i / ROWS:.9g} mm"} for i in range(ROWS)]

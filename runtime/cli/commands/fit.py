@@ -178,8 +178,7 @@ def _fitted(
 ) -> tuple[Fitted, Ranking | None]:
     """Return the fit of a command line, and of several laws their ranking; raises InputError."""
     from hertzwerk.runtime.fitting.fitting import fitted, read_fit
-    from hertzwerk.runtime.fitting.law_ranking import ranked
-    from hertzwerk.runtime.fitting.law_variants import law_variants, read_laws, split_laws
+    from hertzwerk.runtime.fitting.law_ranking import law_variants, ranked, read_laws, split_laws
 
     values, given = varied.values(faults), assignments("--input", varied.inputs, faults)
     progress.stage("building")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -19,22 +19,143 @@ from hertzwerk.runtime.pictures.curves import Curves
 from hertzwerk.runtime.pictures.draw import force_symbols, insets
 from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.paper import INK, Paper
+from hertzwerk.runtime.pictures.draw.parts import Parts
 from hertzwerk.runtime.pictures.draw.picture import notes_on, spread
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark, Places
 from hertzwerk.runtime.pictures.motion.clock import Clock
-from hertzwerk.runtime.pictures.motion.contact_points import CONTACTS, Contact, contact_of
-from hertzwerk.runtime.pictures.motion.friction_force import friction_of, is_set_valued, slip_of, tangent_of
 from hertzwerk.runtime.pictures.motion.moving_paper import MovingPaper
 from hertzwerk.runtime.pictures.oil_films import films
 from hertzwerk.runtime.pictures.plot_panel import lines
 from hertzwerk.runtime.pictures.plot_style import GREY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.pictures.prefixes import scale_of
 from hertzwerk.runtime.pictures.title import differences, title_height, title_of, write_title
+from hertzwerk.runtime.solution.history import History
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from hertzwerk.runtime.solution.solution import Solution
+
+SLIDING = 1e-9  # of the fastest: slower surfaces have no direction
+
+
+def friction_of(curves: Curves, pair: str) -> Array:
+    """Return the size of the friction force of a pair over the curves' times [N].
+
+    That of a set-valued law is a history, also while it sticks. Of others by the power that friction takes, over the
+    sliding velocity; 0 where it does not slide, in a scene without a ledger, and in a run of which there are rows alone.
+    """
+    model, nothing = curves.run.model, np.zeros(len(curves.t))
+    if f"{pair}.sliding_velocity" not in curves.run.names or not isinstance(curves.sampled, History):
+        return nothing
+    if is_set_valued(curves, pair):
+        return np.abs(curves[f"{pair}.friction_force"])
+    velocity = np.abs(curves[f"{pair}.sliding_velocity"])
+    slides = velocity > SLIDING * np.max(velocity)
+    entries = [
+        f"{name}.dissipated"
+        for name, kind, text in model.module.EFFECTS
+        if kind == "friction" and text.endswith(f" at {pair}")
+    ]
+    rows = [model.memory.index(entry) for entry in entries if entry in model.memory]
+    if not rows:
+        return nothing
+    powers = curves.sampled.map(f"contact_{pair}", "t q u z m")[1][:, rows].sum(axis=1)
+    size: Array = np.divide(powers, velocity, out=nothing, where=slides)
+    return np.maximum(size, 0.0)
+
+
+def is_set_valued(curves: Curves, pair: str) -> bool:
+    """Return whether the friction force of a pair, along its tangent, is a history of the run."""
+    return f"{pair}.friction_force" in curves.run.names
+
+
+def tangent_of(parts: Parts, marks: Sequence[Landmark], normal: Array) -> Array | None:
+    """Return the tangent (3,) along which friction in plane motion counts; None in space."""
+    for k in (2, 1, 0):
+        if normal[k] == 0 and all(np.ptp(parts.positions[id(mark)][:, k]) == 0 for mark in marks[:2]):
+            return np.cross(np.eye(3)[k], normal)
+    return None
+
+
+def slip_of(places: Places, marks: Sequence[Landmark], at: Array, j: int) -> Array:
+    """Return the slip (3,) [m/s] of a pair at a point (3,): velocity of the first body less the second.
+
+    At a row, by differences between the rows beside it.
+    """
+    before, after = max(j - 1, 0), min(j + 1, len(places.t) - 1)
+    velocities = []
+    for mark in marks[:2]:
+        body = places.bodies.index(mark.body)
+        within = places.rotations[j, body].T @ (at - places.origins[j, body])
+        ends = [places.origins[k, body] + places.rotations[k, body] @ within for k in (before, after)]
+        velocities.append((ends[1] - ends[0]) / max(places.t[after] - places.t[before], 1e-300))
+    slip: Array = velocities[0] - velocities[1]
+    return slip
+
+
+Contact = tuple[Array, Array]
+"""Contact point (3,) [m], and the unit direction (3,) of the normal force on the first body."""
+
+
+def contact_of(parts: Parts, kind: str, marks: Sequence[Landmark], i: int) -> Contact | None:
+    """Return point and direction of a pair's force at an instant; None where landmarks do not tell."""
+    find = CONTACTS.get(kind)
+    return None if find is None else find(parts, marks, i)
+
+
+def _inside(parts: Parts, marks: Sequence[Landmark], i: int) -> Contact | None:
+    """Return the contact of a pin in a bush, or a ball in a socket: where the eccentricity points to."""
+    inner, outer = marks
+    way = _unit(_across(parts, marks, i, parts.positions[id(inner)][i] - parts.positions[id(outer)][i]))
+    return None if way is None else (parts.positions[id(inner)][i] + inner.size("radius") * way, -way)
+
+
+def _outside(parts: Parts, marks: Sequence[Landmark], i: int) -> Contact | None:
+    """Return the contact of two spheres, or parallel cylinders, beside each other."""
+    first, second = marks
+    way = _unit(_across(parts, marks, i, parts.positions[id(first)][i] - parts.positions[id(second)][i]))
+    return None if way is None else (parts.positions[id(second)][i] + second.size("radius") * way, way)
+
+
+def _on_plane(parts: Parts, marks: Sequence[Landmark], i: int) -> Contact | None:
+    """Return the contact of a sphere, a cylinder or a corner on a plane."""
+    first, second = marks
+    normal = parts.places.direction(second, "normal")[i]
+    radius = first.size("radius") if "radius" in first.beside else 0.0
+    return parts.positions[id(first)][i] - radius * normal, normal
+
+
+def _rim(parts: Parts, marks: Sequence[Landmark], i: int) -> Contact | None:
+    """Return the contact of a disc's lowest point on a plane."""
+    first, second = marks
+    normal, axis = parts.places.direction(second, "normal")[i], parts.places.direction(first, "axis")[i]
+    up = _unit(normal - (normal @ axis) * axis)
+    return None if up is None else (parts.positions[id(first)][i] - first.size("radius") * up, normal)
+
+
+def _across(parts: Parts, marks: Sequence[Landmark], i: int, vector: Array) -> Array:
+    """Return the part of a vector across the axis of a pair, if it has one."""
+    axis = parts.axis_of(marks, i)
+    return vector if axis is None else vector - (vector @ axis) * axis
+
+
+def _unit(vector: Array) -> Array | None:
+    length = float(np.linalg.norm(vector))
+    return vector / length if length > 0 else None
+
+
+CONTACTS: dict[str, Callable[[Parts, Sequence[Landmark], int], Contact | None]] = {
+    "pin_in_bush": _inside,
+    "ball_in_socket": _inside,
+    "sphere_on_sphere": _outside,
+    "parallel_cylinders": _outside,
+    "sphere_on_plane": _on_plane,
+    "cylinder_on_plane": _on_plane,
+    "corner_on_face": _on_plane,
+    "rim_on_plane": _rim,
+}
+
 
 PANEL = (6.0, 4.0)  # largest size of the mechanism, inches
 DPI = 100

@@ -7,8 +7,7 @@ from scipy.stats import norm
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit_laws, load, simulate
 from hertzwerk.runtime.fitting.fitting import read_fit
-from hertzwerk.runtime.fitting.law_ranking import ranked
-from hertzwerk.runtime.fitting.law_variants import split_laws
+from hertzwerk.runtime.fitting.law_ranking import ranked, split_laws
 
 NOISE = {"v": "0.01 m/s", "f": "100 N"}
 HOW = {

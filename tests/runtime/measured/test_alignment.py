@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime.measured import alignment_error
+from hertzwerk.runtime.measured import alignment
 from hertzwerk.runtime.measured.alignment import align
 
 SPACING = 1e-4
@@ -150,7 +150,7 @@ def test_standard_errors_cover_what_was_put_in(memory, drifts, signals, samples)
 
 def test_errors_that_take_correlated_noise_for_white_would_be_seen(monkeypatch):
     """Seeded fault."""
-    monkeypatch.setattr(alignment_error, "autocorrelations", lambda residual: np.zeros(0))
+    monkeypatch.setattr(alignment, "autocorrelations", lambda residual: np.zeros(0))
     z = scores(0.8, (0, 0), samples=2000)
     assert np.std(z) > 1.25
     assert np.mean(np.abs(z) < 1.96) < 0.88

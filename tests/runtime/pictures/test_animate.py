@@ -42,10 +42,8 @@ from hertzwerk.runtime.pictures.draw.picture import PANEL
 from hertzwerk.runtime.pictures.draw.places import Places
 from hertzwerk.runtime.pictures.motion import film as films
 from hertzwerk.runtime.pictures.motion.clock import Clock
-from hertzwerk.runtime.pictures.motion.contact_points import contact_of
-from hertzwerk.runtime.pictures.motion.friction_force import slip_of
 from hertzwerk.runtime.pictures.motion.moving_paper import MovingPaper
-from hertzwerk.runtime.pictures.motion.stage import LONGEST, RUBBING, Stage
+from hertzwerk.runtime.pictures.motion.stage import LONGEST, RUBBING, Stage, contact_of, slip_of
 from hertzwerk.runtime.pictures.motion.writers import _palette
 from hertzwerk.runtime.pictures.plot_style import CYCLE, VERMILLION
 

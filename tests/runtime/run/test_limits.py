@@ -155,10 +155,10 @@ def test_the_remedy_of_a_stall_names_a_method_once_and_not_its_own(monkeypatch):
         return outcome(STALLED, method, history, **given).remedy
 
     for stiff in ("", "take rodas or esdirk"):
-        monkeypatch.setattr("hertzwerk.runtime.solution.outcome.of_steps", lambda *_, stiff=stiff: stiff)
+        monkeypatch.setattr("hertzwerk.runtime.solution.outcome._method_for_steps", lambda *_, stiff=stiff: stiff)
         assert remedy("dopri5").count("esdirk") == remedy("dopri5").count("rodas") == 1
         assert remedy("dopri5").endswith("with a max_steps of your own it goes on")
-    monkeypatch.setattr("hertzwerk.runtime.solution.outcome.of_steps", lambda *_: "")
+    monkeypatch.setattr("hertzwerk.runtime.solution.outcome._method_for_steps", lambda *_: "")
     assert remedy("esdirk").startswith("take rodas; else take another tolerance")
 
 

@@ -17,7 +17,7 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Sweep, load, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.inputs.choices import NO_CHOICES
-from hertzwerk.runtime.sweeps import parameter_sweep, store, stored_rows, sweep_table, to_do
+from hertzwerk.runtime.sweeps import parameter_sweep, store, stored_rows, sweep_table
 from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.points.definition import Keys, as_text, axes_of, design_of, read_definition
 from hertzwerk.runtime.sweeps.points.design import Design, read_design
@@ -68,7 +68,7 @@ def begin(ball, folder, made, over=MILLION):
         found = sweep(ball, over, into=folder, workers=1, progress=stopped_after(3), **BALL)
         assert found.outcome.name == "interrupted"
         assert [row.index for row in found] == list(range(known + 3))
-        assert max(made.values()) < 3 * to_do.BATCH
+        assert max(made.values()) < 3 * parameter_sweep.BATCH
         made.clear()
 
 
@@ -79,7 +79,7 @@ def test_a_million_rows_begin_at_once_and_go_on(ball, tmp_path, made, how):
     elif how == "zip":
         over = {"drop_height": "0.5..1.5 m:1000000", "restitution": "0.5..0.9:1000000 log"}
         found = sweep(ball, over, zip=True, into=tmp_path / "a", workers=1, progress=stopped_after(2), **BALL)
-        assert len(found) == 2 and max(made.values()) < 3 * to_do.BATCH
+        assert len(found) == 2 and max(made.values()) < 3 * parameter_sweep.BATCH
     else:
         over = {"restitution": "0.5..0.9:1000", "drop_height": "0.5..1.5 m:1000"}
         how = {"continued": "down", "workers": 1, "progress": stopped_after(1), **BALL}
@@ -93,8 +93,8 @@ def test_a_million_rows_begin_at_once_and_go_on(ball, tmp_path, made, how):
 
 
 def test_keys_that_are_all_made_first_would_be_found(ball, tmp_path, made, monkeypatch):
-    missing = to_do.ToDo.missing
-    monkeypatch.setattr(to_do.ToDo, "missing", lambda self: iter(list(missing(self))))
+    missing = parameter_sweep.ToDo.missing
+    monkeypatch.setattr(parameter_sweep.ToDo, "missing", lambda self: iter(list(missing(self))))
     with pytest.raises(AssertionError):
         begin(ball, tmp_path / "a", made, {**MILLION, "restitution": "0.5..0.9:3"})
 

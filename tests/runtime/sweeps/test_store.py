@@ -20,7 +20,7 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.readings import readings
 from hertzwerk.derive.scenes import pendulum
 from hertzwerk.runtime import Sweep, load, sweep
-from hertzwerk.runtime.sweeps import processes, store
+from hertzwerk.runtime.sweeps import batch, store
 from hertzwerk.runtime.sweeps.kept.row import Row
 from hertzwerk.runtime.sweeps.points.design import Design
 from hertzwerk.runtime.sweeps.stored_rows import StoredRows
@@ -397,7 +397,7 @@ def survive(tmp_path, kills, fault="none"):
     heights = [height for _, height in again]
     assert len(set(heights)) == rows
     quickest = min(row.wall_s for row in rows_of(folder))
-    in_flight = 4 * max(int(processes.TOGETHER / quickest), 1)  # two tasks for each worker
+    in_flight = 4 * max(int(batch.TOGETHER / quickest), 1)  # two tasks for each worker
     assert len(heights) - rows <= in_flight * kills
     with sqlite3.connect(folder / store.ROWS) as database:
         assert database.execute("SELECT count(*), count(DISTINCT key) FROM rows").fetchone() == (rows, rows)
