@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import Variation, assignments, number
+from hertzwerk.runtime.cli.target import Variation, assignments, run_settings
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.design.minimum import Minimum
@@ -49,22 +49,8 @@ def definition(
 
 def _of_run(varied: Variation, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
     """Return the arguments of the runs, by default the scenario's."""
-    from hertzwerk.runtime.run.request import METHOD
-    from hertzwerk.runtime.validate import scenarios
-
-    numbers = scenarios.read(varied.target)
-    accuracy, tolerance = (
-        None if options[name] is None else number(options[name]) for name in ("accuracy", "tolerance")
-    )
-    default = None if tolerance is not None else numbers.get("accuracy")
-    return {
-        "values": varied.values(faults),
-        "inputs": assignments("--input", varied.inputs, faults) or None,
-        "duration": options["duration"] or numbers.get("duration"),
-        "accuracy": default if accuracy is None else accuracy,
-        "tolerance": tolerance,
-        "method": options["method"] or numbers.get("method", METHOD),
-    }
+    given = {"values": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
+    return {**given, **run_settings(varied.target, **options)}
 
 
 def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> dict[str, str]:

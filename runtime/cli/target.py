@@ -179,6 +179,29 @@ class Variation:
         return solve(model, settings, parameters, begin, progress=progress)
 
 
+def run_settings(
+    target: str,
+    *,
+    duration: str | None,
+    accuracy: str | None = None,
+    tolerance: str | None = None,
+    method: str | None = None,
+    **_: object,
+) -> dict[str, Any]:
+    """Return duration, accuracy, tolerance and method as options state them, else as the scenario does."""
+    from hertzwerk.runtime.run.request import METHOD
+    from hertzwerk.runtime.validate import scenarios
+
+    numbers = scenarios.read(target)
+    default = numbers.get("accuracy") if tolerance is None else None
+    return {
+        "duration": duration or numbers.get("duration"),
+        "accuracy": default if accuracy is None else number(accuracy),
+        "tolerance": None if tolerance is None else number(tolerance),
+        "method": method or numbers.get("method", METHOD),
+    }
+
+
 def with_given(
     model: AnyModel,
     texts: Sequence[str],

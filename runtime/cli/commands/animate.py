@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.runtime.cli.continue_run import output_of
-from hertzwerk.runtime.cli.target import BY_METHOD, DURATION, GRID, VARIATION, Variation, number
+from hertzwerk.runtime.cli.target import BY_METHOD, DURATION, GRID, VARIATION, Variation, number, run_settings
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
 if TYPE_CHECKING:
@@ -92,14 +92,11 @@ def _run(
     grid: str | None,
 ) -> Solution:
     """Run the model in its scenario; raises InputError with `faults` and those of every option."""
-    from hertzwerk.runtime.run.request import METHOD, Settings
-    from hertzwerk.runtime.validate import scenarios
+    from hertzwerk.runtime.run.request import Settings
 
-    numbers = scenarios.read(varied.target)
-    accurate = None if accuracy is None else number(accuracy)
-    tolerance = TOLERANCE if accuracy is None else None
-    until, by = duration or numbers.get("duration"), method or numbers.get("method", METHOD)
-    settled = Settings(until, accurate, tolerance, by, "auto", output_of(grid))
+    given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
+    given |= {"accuracy": None, "tolerance": TOLERANCE} if accuracy is None else {}
+    settled = Settings(**given, output=output_of(grid))
     run = varied.solved(settled, faults, progress)
     if run.outcome.name == "interrupted":
         raise KeyboardInterrupt

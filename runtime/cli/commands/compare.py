@@ -22,7 +22,7 @@ from hertzwerk.runtime.cli.target import (
     WALL_TIME,
     Variation,
     assignments,
-    number,
+    run_settings,
     unwritable_faults,
     with_given,
 )
@@ -148,20 +148,18 @@ def _compared(
 ) -> Compared:
     """Return the comparison of a command line; raises InputError with every fault before it runs."""
     from hertzwerk.runtime.measured.matching import match
-    from hertzwerk.runtime.run.request import METHOD, Settings, check
+    from hertzwerk.runtime.run.request import Settings, check
     from hertzwerk.runtime.simulation import solve
     from hertzwerk.runtime.start.start_values import split_values
-    from hertzwerk.runtime.validate import scenarios
 
     values = varied.values(faults)
-    numbers = scenarios.read(varied.target)
     stopping.stage("building")
     limits = limits_of(max_steps, wall_time, faults)
     model = varied.model(faults)
     asked = _asked(model, faults, **measured)
-    until = duration or (asked.lasts if asked is not None else numbers.get("duration", 1.0))
-    accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
-    settled = Settings(until, accurate, None, method or numbers.get("method", METHOD), **limits)
+    given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
+    until = given["duration"] = duration or (asked.lasts if asked is not None else given["duration"] or 1.0)
+    settled = Settings(**given, **limits)
     parameters, initial = split_values(model, values)
     model = with_given(model, varied.inputs, until, parameters, faults)
     check(model, settled, parameters, initial, faults)

@@ -15,7 +15,7 @@ from hertzwerk.runtime.cli.target import (
     DURATION,
     VARIATION,
     Variation,
-    number,
+    run_settings,
     together,
     with_given,
 )
@@ -61,10 +61,9 @@ def export(
     required.
     """
     from hertzwerk.runtime.export.export_request import Asked, with_zero_inputs
-    from hertzwerk.runtime.run.request import METHOD, Settings, check
+    from hertzwerk.runtime.run.request import Settings, check
     from hertzwerk.runtime.solution.history import unknown_histories
     from hertzwerk.runtime.start.start_values import split_values
-    from hertzwerk.runtime.validate import scenarios
 
     varied = Variation.taken(target, places)
     wanted = [(each, place) for each in FORMATS if (place := places[each.name])]
@@ -72,14 +71,8 @@ def export(
     if not wanted:
         options = ", ".join(f"{each.option} {each.place}".rstrip() for each in FORMATS)
         faults.append(Fault("export", "no format", f"one of {options}"))
-    numbers = scenarios.read(target)
-    accurate = number(accuracy) if accuracy is not None else None if tolerance is not None else numbers.get("accuracy")
-    asked = Settings(
-        duration or numbers.get("duration") or "1 s",
-        accurate,
-        None if tolerance is None else number(tolerance),
-        method or numbers.get("method", METHOD),
-    )
+    given = run_settings(target, duration=duration, accuracy=accuracy, tolerance=tolerance, method=method)
+    asked = Settings(**{**given, "duration": given["duration"] or "1 s"})
     values, model = varied.values(faults), varied.model(faults, asked.faults)
     parameters, initial = split_values(model, values)
     faults += unknown_histories(model, outputs)

@@ -25,7 +25,7 @@ from hertzwerk.runtime.cli.target import (
     WALL_TIME,
     Variation,
     command_line,
-    number,
+    run_settings,
     table_faults,
     unwritable_faults,
 )
@@ -225,17 +225,12 @@ def _simulate(
     sensitivities: Sequence[str],
 ) -> Solution:
     """Return the solution of a command line; raises InputError with `faults` and those of all its parts."""
-    from hertzwerk.runtime.run.request import METHOD, Settings
-    from hertzwerk.runtime.validate import scenarios
+    from hertzwerk.runtime.run.request import Settings
 
-    numbers = scenarios.read(varied.target)
-    accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
-    by = method or numbers.get("method", METHOD)
     stopping.stage("building")
-    limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
-    settled = Settings(
-        duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits, sensitivities=sensitivities
-    )
+    given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
+    limits = limits_of(max_steps, wall_time, faults)
+    settled = Settings(**given, output=output_of(grid), **limits, sensitivities=sensitivities)
     return varied.solved(settled, faults, stopping, histories=histories, at_rest=start is not None)
 
 

@@ -21,7 +21,7 @@ from hertzwerk.runtime.cli.target import (
     TOLERANCE,
     VARIATION,
     assignments,
-    number,
+    run_settings,
     table_faults,
 )
 from hertzwerk.runtime.cli.terminal import (
@@ -241,14 +241,6 @@ def _arguments(
 
 def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str, Any]:
     """Return the arguments of the sweep that options state; bad input is appended to `faults`."""
-    from hertzwerk.runtime.run.request import METHOD
-    from hertzwerk.runtime.validate import scenarios
-
-    numbers = scenarios.read(target)
-    accuracy, tolerance = (
-        None if text is None else number(text) for text in (options["accuracy"], options["tolerance"])
-    )
-    default = None if tolerance is not None else numbers.get("accuracy")
     sample, seed = (_whole(f"--{name}", options[name], faults) for name in ("sample", "seed"))
     return {
         "target": target,
@@ -265,10 +257,7 @@ def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str
         "outputs": options["outputs"],
         **{name: options[name] for name in ("section", "after", "histories", "continued")},
         "grid": int(options["grid"]) if (options["grid"] or "").isdecimal() else options["grid"],
-        "duration": options["duration"] or numbers.get("duration"),
-        "accuracy": default if accuracy is None else accuracy,
-        "tolerance": tolerance,
-        "method": options["method"] or numbers.get("method", METHOD),
+        **run_settings(target, **options),
         **limits_of(options["max_steps"], options["wall_time"], faults),
     }
 
