@@ -38,7 +38,7 @@ def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> Iterator[
     """Yield the names of consistent laws that fit a pair's form and geometry, in catalogue order."""
     for law in laws_of_form(form_of(pair)):
         fits = not law.pairs or pair.kind in law.pairs
-        if law.kind == kind and fits and all(quantity.name in offered for quantity in law.geometry()):
+        if law.kind == kind and fits and all(quantity.name in offered for quantity in law.geometry):
             yield law.name
 
 

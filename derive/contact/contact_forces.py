@@ -13,6 +13,7 @@ from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, scal
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.effect import together
 from hertzwerk.derive.effects.loads.resistances import Grip, Moment, PairResistance
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
@@ -45,10 +46,10 @@ class Forces:
 
     generalised: dict[str, Any]
     normal_power: Any
-    friction_power: Any
     normal_force: Any
-    sliding_velocity: Any
     in_range: Any
+    friction_power: Any = sp.S.Zero
+    sliding_velocity: Any = None
     bristle_rates: tuple[Any, ...] = ()
     grip: Grip | None = None
     rubbing: Mapping[str, Any] = field(default_factory=dict)
@@ -85,7 +86,7 @@ class PairKinematics:
         Definitions of unchecked laws have the dimension the law declares.
         """
         values: dict[sp.Symbol, Any] = {**known, **bound.binding}
-        for quantity in bound.law.geometry():
+        for quantity in bound.law.geometry:
             values[quantity] = self.let(self._geometry[quantity], quantity.name)
         for symbol, expression in bound.law.definitions:
             stated = self._stated(symbol, values) if unchecked else None
@@ -133,7 +134,7 @@ class PairKinematics:
         known = {F: elastic, v: self.touch.penetration_rate, d: self._depth(contact)}
         if approach_speed is not None:
             known[v0] = approach_speed
-        if k_t in law.quantities():
+        if k_t in law.quantities:
             stiffness = self._law(contact.stiffness, {d: self._depth(contact)}, contact.unchecked)
             tangent = sp.diff(contact.stiffness.law.force, d).xreplace(stiffness)
             known[k_t] = self.let(self._closed(tangent), "tangent_stiffness", STIFFNESS if contact.unchecked else None)
@@ -157,42 +158,38 @@ class PairKinematics:
         push = self._named(scale(normal_force, self.touch.normal), "push")
         generalised = self._on_joints(push, self.touch.position, "push")
         resistances = self.kin.scene.resistances(self.pair.name)
-        if friction is None and not resistances:
-            return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, self._in_range(contact))
         modes = friction is not None and bool(friction.law.law.modes)
         pulls = contact.damping is not None and contact.damping.law.release == "gap"
         pressing = normal_force
-        if pulls or modes or any(effect.has_modes for effect in resistances):
+        if (
+            (pulls and (friction is not None or resistances))
+            or modes
+            or any(effect.has_modes for effect in resistances)
+        ):
             pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force")
         acting = self.kin, self.touch, pressing
         moments = {effect: effect.moment(*acting) for effect in resistances if not effect.has_modes}
         turning = {effect: effect.grip(*acting) for effect in resistances if effect.has_modes}
-        for moment in moments.values():
-            _add_to(generalised, moment.generalised)
-        if friction is None or modes:
-            grip = None if friction is None else self._grip(friction, pressing)
-            in_range = self._in_range(contact)
-            given = generalised, normal_power, sp.S.Zero, normal_force, None, in_range
-            return Forces(*given, grip=grip, resistances=moments, turning=turning)
-        drag, sliding, opposing, friction_power, rates = self._drag(friction, pressing, bristle)
-        drag = self._named(drag, "drag")
-        rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
-        _add_to(generalised, rubbing)
+        rubs = {} if friction is None else self._rubbing(friction, pressing, bristle)
+        shares = (moment.generalised for moment in moments.values())
+        generalised = together(generalised, *shares, rubs.get("rubbing", {}))
         in_range = self._in_range(contact)
-        return Forces(
-            generalised,
-            normal_power,
-            friction_power,
-            normal_force,
-            sliding,
-            in_range,
-            rates,
-            rubbing=rubbing,
-            friction_force=-opposing,
-            drag=drag,
-            resistances=moments,
-            turning=turning,
-        )
+        return Forces(generalised, normal_power, normal_force, in_range, resistances=moments, turning=turning, **rubs)
+
+    def _rubbing(self, friction: Friction, pressing: Any, bristle: Sequence[Any]) -> dict[str, Any]:
+        """Part of `Forces` that friction adds: with modes its grip."""
+        if friction.law.law.modes:
+            return {"grip": self._grip(friction, pressing)}
+        drag, sliding, opposing, power, rates = self._drag(friction, pressing, bristle)
+        drag = self._named(drag, "drag")
+        return {
+            "drag": drag,
+            "rubbing": self._on_joints(drag, self.touch.contact_point, "drag"),
+            "sliding_velocity": sliding,
+            "friction_force": -opposing,
+            "friction_power": power,
+            "bristle_rates": rates,
+        }
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
         return self.kin.generalised(
@@ -347,8 +344,3 @@ class PairKinematics:
         ]
         along = tuple(self._on_joints(tangent, self.touch.contact_point, "grip") for tangent in tangents)
         return Grip(tangents, along, velocity, *forces)
-
-
-def _add_to(generalised: dict[str, Any], more: Mapping[str, Any]) -> None:
-    for joint, force in more.items():
-        generalised[joint] = generalised.get(joint, sp.S.Zero) + force

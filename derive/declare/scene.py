@@ -364,7 +364,7 @@ class Scene:
             for effect in self.effects
             for pair in effect.pairs
             for bound in effect.laws
-            for quantity in bound.law.geometry()
+            for quantity in bound.law.geometry
         }
         return tuple(slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
 

@@ -460,7 +460,7 @@ class PairEffect(Effect):
             return
         kind, offered = pairs[self.pair].kind, scene.geometry(self.pair)
         for law in (bound.law for bound in self.laws):
-            for quantity in law.geometry():
+            for quantity in law.geometry:
                 if offered and quantity.name not in offered:
                     yield Fault(self.where, f"a pair without {quantity.name}, {quantity.meaning}",
                                 f"one that has it, because {law.name} requires it",

@@ -194,7 +194,7 @@ class _Film:
             **bound.binding,
         }
         geometry = self.kin.scene.geometry(self.effect.pair)
-        values |= {quantity: geometry[quantity.name] for quantity in bound.law.geometry()}
+        values |= {quantity: geometry[quantity.name] for quantity in bound.law.geometry}
         for symbol, expression in bound.law.definitions:
             values[symbol] = self.let(expression.xreplace(values), symbol.name, symbol.unit)
         return [

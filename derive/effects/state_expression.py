@@ -251,25 +251,9 @@ def expression_faults(
             way_out = _WITHOUT_DERIVATIVES if isinstance(symbol, Input) else ""
             yield Fault(where, f"{value}, which depends on {symbol}", f"an expression of {of}", way_out)
             return
-        if symbol.what == STATE and symbol.joint not in scene.states:
-            expected = one_of(scene.states, "a state of an effect, of which the scene has none")
-            strange.append(Fault(where, f"state {symbol.joint!r}", expected))
-            yield strange[-1]
-        elif symbol.what in (COORDINATE, SPEED) and symbol.joint not in scene.scalars:
-            expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
-            strange.append(Fault(where, f"joint {symbol.joint!r}", expected))
-            yield strange[-1]
-        elif symbol.what == COORDINATE and symbol.joint in scene.uncounted:
-            strange.append(uncounted_fault(where, symbol.joint))
-            yield strange[-1]
-        elif symbol.what == REACTION and symbol.joint not in scene.carrying:
-            expected = one_of(scene.carrying, "a joint that carries its body along two directions or more")
-            strange.append(Fault(where, f"the reaction of {symbol.joint!r}", expected))
-            yield strange[-1]
-        elif symbol.what == NORMAL_FORCE and symbol.joint not in scene.pressed:
-            expected = one_of(scene.pressed, "a pair with a Contact, of which the scene has none")
-            strange.append(Fault(where, f"the normal force of {symbol.joint!r}", expected))
-            yield strange[-1]
+        unmet = list(_unmet(where, symbol, scene))
+        strange += unmet
+        yield from unmet
     others = [symbol for symbol in value.free_symbols if not isinstance(symbol, Parameter | StateSymbol)]
     if others:
         named = ", ".join(sorted(map(str, others)))
@@ -289,6 +273,27 @@ def expression_faults(
                     else fault.expected, fault.repair or fault.reason)  # fmt: skip
         return
     yield from smoothness_faults(slot, value)
+
+
+_NAMED = {
+    STATE: ("state {!r}", "states", "a state of an effect, of which the scene has none"),
+    REACTION: ("the reaction of {!r}", "carrying", "a joint that carries its body along two directions or more"),
+    NORMAL_FORCE: ("the normal force of {!r}", "pressed", "a pair with a Contact, of which the scene has none"),
+    **dict.fromkeys(
+        (COORDINATE, SPEED),
+        ("joint {!r}", "scalars", "a joint with one coordinate, of which the mechanism has none"),
+    ),
+}
+"""What a symbol names: how it is shown, those that a scene has, and what else is expected."""
+
+
+def _unmet(where: str, symbol: StateSymbol, scene: Scope) -> Iterator[Fault]:
+    """Fault of a symbol of what the scene does not have."""
+    text, names, otherwise = _NAMED.get(symbol.what, ("", "", ""))
+    if names and symbol.joint not in getattr(scene, names):
+        yield Fault(where, text.format(symbol.joint), one_of(getattr(scene, names), otherwise))
+    elif symbol.what == COORDINATE and symbol.joint in scene.uncounted:
+        yield uncounted_fault(where, symbol.joint)
 
 
 def uncounted_fault(where: str, key: str) -> Fault:

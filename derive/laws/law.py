@@ -175,28 +175,22 @@ class Law:
         """The expressions that are evaluated at every step."""
         raise NotImplementedError
 
-    def quantities(self) -> tuple[Quantity, ...]:
-        """List every symbol of the law's expressions and definitions, in order of appearance."""
-        return self._quantities
-
     @cached_property
-    def _quantities(self) -> tuple[Quantity, ...]:
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Every symbol of the law's expressions and definitions, in order of appearance."""
         texts = [*(e for _, e in self.definitions), *(e for _, e, _ in self.expressions())]
         found = (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, Quantity))
         return tuple(dict.fromkeys(found))
 
     def symbols(self) -> tuple[Quantity, ...]:
         """List the parameters, the defined symbols, and all other symbols of the expressions."""
-        return tuple(dict.fromkeys((*self.parameters, *(symbol for symbol, _ in self.definitions), *self.quantities())))
-
-    def geometry(self) -> tuple[Quantity, ...]:
-        """List the geometric quantities the law reads from its pair."""
-        return self._geometry
+        return tuple(dict.fromkeys((*self.parameters, *(symbol for symbol, _ in self.definitions), *self.quantities)))
 
     @cached_property
-    def _geometry(self) -> tuple[Quantity, ...]:
+    def geometry(self) -> tuple[Quantity, ...]:
+        """Geometric quantities the law reads from its pair."""
         own = {*self.parameters, *(symbol for symbol, _ in self.definitions)}
-        asked = {*self.quantities(), *(row.quantity for row in self.ranges)} - own
+        asked = {*self.quantities, *(row.quantity for row in self.ranges)} - own
         return tuple(quantity for quantity in GEOMETRY if quantity in asked)
 
 
@@ -317,7 +311,7 @@ class FrictionLaw(Law):
     @property
     def needs_contact(self) -> bool:
         """Whether it has meaning only between surfaces: it sticks, remembers, or asks for their geometry."""
-        return bool(self.modes or self.memory or self.geometry() or self.pairs)
+        return bool(self.modes or self.memory or self.geometry or self.pairs)
 
     @property
     def sliding(self) -> sp.Expr:

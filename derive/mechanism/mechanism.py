@@ -81,6 +81,13 @@ class Mechanism:
         """Joint that carries `body`; None for the ground."""
         return self._carriers.get(body)
 
+    def turned_by(self, body: Frame) -> Joint | None:
+        """Nearest joint on the way to the ground that turns `body`; None where nothing does."""
+        joint = self.joint_of(body)
+        while joint is not None and not joint.turning:
+            joint = self.joint_of(joint.parent.body)
+        return joint
+
     @cached_property
     def _carriers(self) -> dict[Frame, Joint]:
         return {joint.child.body: joint for joint in self.tree}

@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 from hertzwerk.derive.algebra.vectors import Vector, apply
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot, measured
-from hertzwerk.derive.mechanism.parameter import POSITIVE
+from hertzwerk.derive.mechanism.parameter import POSITIVE, is_number
 
 Components = tuple[Any, Any, Any]
 LENGTH = Slot.of("m", POSITIVE)
@@ -54,6 +54,15 @@ class Pair:
     def parts(self) -> tuple[Pair, ...]:
         """Pairs that it stands for in a mechanism, by default itself."""
         return (self,)
+
+    @property
+    def placed(self) -> bool:
+        """Whether its places are points and its quantities numbers; else the scene has faults."""
+        try:
+            points = all(isinstance(place, Point) for place in self.places)
+            return points and all(is_number(slot.value) for slot in self.slots())
+        except (AttributeError, TypeError, ValueError):
+            return False
 
     @property
     def places(self) -> tuple[Point, Point]:

@@ -127,7 +127,7 @@ def _base(mechanism: Mechanism, joint: Joint, held: bool) -> Base:
         raise TypeError(f"joint {joint.name} moves the ground")
     taken = [other.name for other in mechanism.joints]
     name = body.name if body.name not in taken else f"{body.name}_base"
-    turns, k = _turns(mechanism, body) or held, mechanism.plane
+    turns, k = mechanism.turned_by(body) is not None or held, mechanism.plane
     if k is None:
         return Base(name, Point(GROUND), Point(body, body.centre), turns, None)
     centre = _with(body.centre, k, 0)
@@ -138,14 +138,6 @@ def _with(triple: Triple, k: int, value: Any) -> Triple:
     """The triple with component k replaced."""
     x, y, z = (value if i == k else component for i, component in enumerate(triple))
     return (x, y, z)
-
-
-def _turns(mechanism: Mechanism, body: Frame) -> bool:
-    """Whether some joint on the path to a body turns it."""
-    joint = mechanism.joint_of(body)
-    if joint is None:
-        return False
-    return any(freedom.kind != "slide" for freedom in joint.freedoms) or _turns(mechanism, joint.parent.body)
 
 
 def _height(mechanism: Mechanism, body: Frame, k: int) -> Any:
@@ -211,11 +203,8 @@ def _welded_to(body: Frame, carried: list[Joint]) -> list[Body]:
 
 def _about_one_axis(mechanism: Mechanism, body: Frame) -> bool:
     """Whether the nearest joint that turns a body does so about one axis."""
-    joint = mechanism.joint_of(body)
-    if joint is None:
-        return False
-    turning = [freedom.kind for freedom in joint.freedoms if freedom.kind != "slide"]
-    return turning == ["turn"] if turning else _about_one_axis(mechanism, joint.parent.body)
+    joint = mechanism.turned_by(body)
+    return joint is not None and len(joint.turning) == 1 and joint.turning[0] is not None
 
 
 def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:

@@ -336,22 +336,13 @@ class Kinematics:
         if link.kind == "given":
             return self.given.motion(link)  # type: ignore[no-any-return]
         before = self.motion_of(link.parent)
-        w, alpha, arm = before.angular_velocity, before.angular_acceleration, self._arm(link)
-        spin = tape.vector(cross(w, arm), f"{name}_arm_rate")
-        velocity = add(before.velocity, spin)
-        acceleration = add(before.acceleration, cross(alpha, arm), cross(w, spin))
-        relative = [(row.speed, row.acceleration) for row in link.rows]
+        given = before.angular_acceleration, before.acceleration
+        spin, relative, alpha, acceleration = self._moved(link, *given, [row.acceleration for row in link.rows])
+        w, velocity = before.angular_velocity, add(before.velocity, spin)
         if link.kind == "slide":
-            axis, (u, a) = self.direction_of(link), relative[0]
-            velocity = add(velocity, scale(u, axis))
-            acceleration = add(acceleration, scale(2 * u, cross(w, axis)), scale(a, axis))
+            velocity = add(velocity, relative)
         else:
-            axes = (self.direction_of(link),) if link.kind == "turn" else transpose(self._turned(link))
-            turn = tape.vector(
-                add(*(scale(u, axis) for (u, _), axis in zip(relative, axes, strict=True))), f"{name}_turning"
-            )
-            alpha = add(alpha, cross(w, turn), *(scale(a, axis) for (_, a), axis in zip(relative, axes, strict=True)))
-            w = tape.vector(add(w, turn), f"{name}_rate")
+            w = tape.vector(add(w, relative), f"{name}_rate")
             alpha = tape.vector(alpha, f"{name}_angular_acceleration")
         origin = self.origin_of(link)
         velocity = tape.vector(velocity, f"{name}_velocity")
@@ -370,20 +361,28 @@ class Kinematics:
             return ZERO, ZERO
         if link.kind == "given":
             return self.given.bias(link)  # type: ignore[no-any-return]
-        tape, name, w = self.tape, link.name, self.motion_of(link.parent).angular_velocity
-        (alpha, bias), arm = self.bias_of(link.parent), self._arm(link)
-        bias = add(bias, cross(alpha, arm), cross(w, tape.vector(cross(w, arm), f"{name}_arm_rate")))
-        relative = [(row.speed, sp.S.Zero if row.free else row.acceleration) for row in link.rows]
-        if link.kind == "slide":
-            axis, (u, a) = self.direction_of(link), relative[0]
-            bias = add(bias, scale(2 * u, cross(w, axis)), scale(a, axis))
-        else:
-            axes = self.partial_turns(link)
-            turn = tape.vector(
-                add(*(scale(u, axis) for (u, _), axis in zip(relative, axes, strict=True))), f"{name}_turning"
-            )
-            alpha = add(alpha, cross(w, turn), *(scale(a, axis) for (_, a), axis in zip(relative, axes, strict=True)))
+        seconds = [sp.S.Zero if row.free else row.acceleration for row in link.rows]
+        _, _, alpha, bias = self._moved(link, *self.bias_of(link.parent), seconds)
+        tape, name = self.tape, link.name
         return tape.vector(alpha, f"{name}_angular_bias"), tape.vector(bias, f"{name}_bias")
+
+    def _moved(self, link: Link, alpha: Vector, acceleration: Vector, seconds: list[Any]) -> tuple[Vector, ...]:
+        """Rate of the arm, relative velocity, angular acceleration, acceleration of O.
+
+        `alpha` and `acceleration` are those of the parent, `seconds` the accelerations of the link's rows.
+        """
+        w, arm = self.motion_of(link.parent).angular_velocity, self._arm(link)
+        spin = self.tape.vector(cross(w, arm), f"{link.name}_arm_rate")
+        acceleration = add(acceleration, cross(alpha, arm), cross(w, spin))
+        slides = link.kind == "slide"
+        axes = [self.direction_of(link)] if slides else self.partial_turns(link)
+        relative = add(*(scale(row.speed, axis) for row, axis in zip(link.rows, axes, strict=True)))
+        along = [scale(a, axis) for a, axis in zip(seconds, axes, strict=True)]
+        if slides:
+            twice = scale(2 * link.rows[0].speed, cross(w, axes[0]))
+            return spin, relative, alpha, add(acceleration, twice, *along)
+        relative = self.tape.vector(relative, f"{link.name}_turning")
+        return spin, relative, add(alpha, cross(w, relative), *along), acceleration
 
     # -- bodies, points and paths ----------------------------------------------------------------------------------
 

@@ -150,7 +150,7 @@ def _values(law: StiffnessLaw, clearance: Any, exponent: float | None, units: Se
     numbers |= {} if exponent is None else {"n": mpf(repr(exponent))}
     values: dict[sp.Symbol, Any] = {
         s: numbers[s.name] / scale_factor(Dimension.from_unit(s.unit), units, {})
-        for s in (*law.parameters, *law.geometry())
+        for s in (*law.parameters, *law.geometry)
     }
     for symbol, expression in law.definitions:
         try:

@@ -13,7 +13,7 @@ from hertzwerk.derive.algebra.vectors import add, apply
 from hertzwerk.derive.contact.pairs.corner import CornerOnFace
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
 from hertzwerk.derive.mechanism.pair import LENGTH, Pair
-from hertzwerk.derive.mechanism.parameter import Scalar, is_number
+from hertzwerk.derive.mechanism.parameter import Scalar
 
 
 @dataclass(frozen=True)
@@ -39,11 +39,7 @@ class BoxOnPlane(Pair):
     @property
     def parts(self) -> tuple[Pair, ...]:
         """Corners, each a pair; the box itself where it cannot be placed, a fault the scene finds."""
-        try:
-            placed = isinstance(self.box, Point) and all(is_number(slot.value) for slot in self.slots())
-        except (AttributeError, TypeError, ValueError):
-            placed = False
-        return tuple(self._corners()) if placed else (self,)
+        return tuple(self._corners()) if self.placed else (self,)
 
     def _corners(self) -> Iterator[Pair]:
         a, b, c = (sp.sympify(size) / 2 for size in (self.x, self.y, self.z or 0))

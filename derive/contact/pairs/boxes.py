@@ -17,7 +17,7 @@ from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Point, Slot, X, Y
 from hertzwerk.derive.mechanism.pair import Pair, in_body
-from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar, is_number
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 from hertzwerk.derive.motion.kinematics import Kinematics
 
 METRE, PACE, ACCELERATION, PURE, PER_SECOND = (Dimension.from_unit(unit) for unit in ("m", "m/s", "m/s^2", "1", "1/s"))
@@ -60,12 +60,7 @@ class BoxOnBox(Pair):
     @property
     def parts(self) -> tuple[Pair, ...]:
         """Corners and edges, each a pair; itself where they cannot be made, a fault the scene finds."""
-        try:
-            placed = all(isinstance(place, Point) for place in self.places) and not any(self.faults())
-            placed = placed and all(is_number(slot.value) for slot in self.slots())
-        except (AttributeError, TypeError, ValueError):
-            placed = False
-        if not placed:
+        if not self.placed or any(self.faults()):
             return (self,)
         count = 4 if self.dimensions == 2 else 24
         return tuple(BoxFeature(f"{self.name}_{k}", self.first, self.second, k - 1, self) for k in range(1, count + 1))

@@ -137,8 +137,5 @@ def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:
 
     [None] if that is every axis; [] if nothing turns it.
     """
-    joint = mechanism.joint_of(body)
-    if joint is None:
-        return []
-    turning = [freedom.axis for freedom in joint.freedoms if freedom.kind != "slide"]
-    return turning[-1:] or _turning_axes(mechanism, joint.parent.body)
+    joint = mechanism.turned_by(body)
+    return [] if joint is None else [joint.turning[-1]]

@@ -11,7 +11,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, add, dot, scale, sub
 from hertzwerk.derive.effects.contacts import Friction
-from hertzwerk.derive.effects.effect import Declared, Turning
+from hertzwerk.derive.effects.effect import Declared, Turning, together
 from hertzwerk.derive.effects.loads.resistances import DrillingResistance, Grip, Moment, PairResistance
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
@@ -148,9 +148,10 @@ class PatchFriction(PairResistance):
         per_speed, per_spin = let(pull * force_share, "per_speed"), let(radius**2 * pull * moment_share, "per_spin")
         force = tape.vector(scale(-per_speed, slip), f"{self.name}_force")
         vector = tape.vector(scale(-per_spin * spin, normal), f"{self.name}_moment")
-        generalised = kin.generalised(force, touch.contact_point, *bodies, f"{self.name}_force")
-        for joint, part in kin.generalised_moment(vector, *bodies, f"{self.name}_moment").items():
-            generalised[joint] = generalised.get(joint, sp.S.Zero) + part
+        generalised = together(
+            kin.generalised(force, touch.contact_point, *bodies, f"{self.name}_force"),
+            kin.generalised_moment(vector, *bodies, f"{self.name}_moment"),
+        )
         return Moment(vector, generalised, let(per_speed * slides + per_spin * spin**2, "power"))
 
 

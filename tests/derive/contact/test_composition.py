@@ -125,7 +125,7 @@ def test_a_law_without_memory_adds_no_state_and_no_latch(name):
             Start(position={"slide": CLEARANCE}),
         )
     )
-    latches = [("joint.approach_speed", "m/s", 0)] if damping and v0 in law.quantities() else []
+    latches = [("joint.approach_speed", "m/s", 0)] if damping and v0 in law.quantities else []
     assert list(model.LATCHES) == latches
     assert [row[0] for row in model.MEMORY] == (["drag.bristle"] if not damping and law.memory else [])
     assert ("SLIPS" in model.names) == (not damping and bool(law.modes))
@@ -165,7 +165,7 @@ def check_forces(pair, stiffness, damping, friction):
         got = model.call("contact_joint", q=q, u=np.array([rate, slip]), m=np.full(len(model.LATCHES), latched))
         F_e = evaluate(elastic.force, values | {d: penetration})
         known = law_numbers(damp, pair) | {F: F_e, d: penetration, v: mpf(rate), v0: mpf(latched)}
-        if k_t in damp.quantities():
+        if k_t in damp.quantities:
             known[k_t] = evaluate(elastic.force.diff(d), values | {d: penetration})
         normal = F_e + evaluate(damp.resistance, known)
         assert got[2][0] == pytest.approx(float(normal), rel=1e-8, abs=1e-9 * float(F_e))

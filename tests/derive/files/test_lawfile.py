@@ -110,7 +110,7 @@ def test_a_stiffness_law(file):
         (dR, "defined", 5e-6, 1e-3), (dR, "recommended", 1e-6, None),
     ]  # fmt: skip
     assert (law.title, law.source, law.grade, law.verdict) == ("Foam pad", "measured, 2024", "C", "consistent")
-    assert law.geometry() == (dR,)
+    assert law.geometry == (dR,)
     values = {K: 3.0, n: 2.0, h: 0.02, d: 1e-3}
     work = sp.Integral(law.force.subs({K: 3, n: 2, h: sp.Rational(1, 50)}), (d, 0, sp.Rational(1, 1000))).doit()
     assert float(law.work.subs(values)) == pytest.approx(float(work), rel=1e-12)  # stored is integrated numerically
@@ -124,7 +124,7 @@ def test_definitions_and_the_built_in_law_they_retype(file):
     assert stiffness == sp.Rational(4, 3) * E_eff * sp.sqrt(named(law, "R_eff"))
     assert law.force == K * d ** sp.Rational(3, 2)
     assert law.exponent == sp.Rational(3, 2)
-    assert law.geometry() == LAWS["hertz_point"].geometry()
+    assert law.geometry == LAWS["hertz_point"].geometry
 
 
 def test_damping_laws(file):

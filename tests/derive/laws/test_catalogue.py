@@ -86,7 +86,7 @@ def test_record_is_complete(name):
     if law.verdict != "consistent":
         assert LAWS[law.repair].verdict == "consistent"
     if isinstance(law, DampingLaw):
-        assert (v0 in law.quantities()) == (v0 in law.memory)
+        assert (v0 in law.quantities) == (v0 in law.memory)
         assert law.release in ("force", "gap")
         assert (law.factor is None) != (law.term is None)
         assert (law.defined is None) == (e not in law.parameters)

@@ -47,7 +47,7 @@ def test_every_law_has_a_sheet_that_is_json(sheets):
         assert found.formulas
         assert all(f.text and f.latex for f in (*found.formulas, *found.definitions))
         explained = {entry.name for entry in found.symbols} | {f.symbol for f in found.definitions}
-        assert {q.name for q in LAWS[name].quantities()} <= explained
+        assert {q.name for q in LAWS[name].quantities} <= explained
 
 
 @pytest.mark.parametrize("name", STEEL_TABLE)
