@@ -24,10 +24,10 @@ def page_of(place: Path, target: str, scene: str | None) -> str:
     if place.is_dir():
         kinds: dict[str, Callable[[Path, str | None], str]] = {
             "run.json": _of_run_folder,
-            "study.json": _of_study,
-            "fit.json": _of_fit,
-            "propagation.json": partial(_of_design, "propagation", "propagate"),
-            "minimum.json": partial(_of_design, "minimum", "minimise"),
+            "study.json": partial(_of_record, "study", "study"),
+            "fit.json": partial(_of_record, "fit", "fit"),
+            "propagation.json": partial(_of_record, "propagation", "propagate"),
+            "minimum.json": partial(_of_record, "minimum", "minimise"),
             "definition.json": _of_sweep,
         }
         for file, make in kinds.items():
@@ -51,42 +51,13 @@ def _of_run_folder(folder: Path, scene: str | None) -> str:
     return _of_run(folder / "states.npz", _told(folder / "run.json"), scene)
 
 
-def _of_study(folder: Path, _: str | None) -> str:
-    from hertzwerk.runtime.report.study_report import study_page
+def _of_record(name: str, command: str, folder: Path, _: str | None) -> str:
+    from hertzwerk.runtime.report import record_pages
 
-    record = _told(folder / "study.json")
+    record = _told(folder / f"{name}.json")
+    make: Callable[[Mapping[str, Any], Path, Origin], str] = getattr(record_pages, f"{name}_page")
     try:
-        paths = [str(figure["path"]) for figure in record["figures"]]
-        beside = [path for path in paths if Path(path).name == path and (folder / path).is_file()]  # nothing outside
-        figures = {path: (folder / path).read_text(encoding="utf-8") for path in beside}
-        return study_page(record, figures, _origin(record, str(record.get("command", "hertzwerk study"))))
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        found = f"{folder / 'study.json'}: {type(error).__name__}: {error}"
-        raise InputError("report", [Fault("STUDY", found, "a record that `hertzwerk study` wrote")]) from error
-
-
-def _of_fit(folder: Path, _: str | None) -> str:
-    from hertzwerk.runtime.report.fit_report import fit_page
-
-    record, beside = _told(folder / "fit.json"), folder / "laws.json"
-    picture = folder / "fit.png"
-    try:
-        laws = _told(beside) if beside.is_file() else None
-        png = picture.read_bytes() if picture.is_file() else None
-        return fit_page(record, png, laws, _origin(record, str(record.get("command", "hertzwerk fit"))))
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        found = f"{folder / 'fit.json'}: {type(error).__name__}: {error}"
-        raise InputError("report", [Fault("FIT", found, "a record that `hertzwerk fit` wrote")]) from error
-
-
-def _of_design(name: str, command: str, folder: Path, _: str | None) -> str:
-    from hertzwerk.runtime.report.design_report import minimum_page, propagation_page
-
-    record, picture = _told(folder / f"{name}.json"), folder / f"{name}.png"
-    try:
-        png = picture.read_bytes() if picture.is_file() else None
-        origin = _origin(record, str(record.get("command", f"hertzwerk {command}")))
-        return (minimum_page if name == "minimum" else propagation_page)(record, png, origin)
+        return make(record, folder, _origin(record, str(record.get("command", f"hertzwerk {command}"))))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         found = f"{folder / name}.json: {type(error).__name__}: {error}"
         raise InputError("report", [Fault("RUN", found, f"a record that `hertzwerk {command}` wrote")]) from error

@@ -16,13 +16,18 @@ BESIDE, KEYS = 7, 3  # columns of a table beside each other, and those at most t
 
 
 def table(
-    columns: Sequence[tuple[str, str]], rows: Sequence[Sequence[Cell]], *, marked: Collection[int] = (), digits: int = 5
+    heads: Sequence[str | tuple[str, str]],
+    rows: Sequence[Sequence[Cell]],
+    *,
+    marked: Collection[int] = (),
+    digits: int = 5,
 ) -> Markup:
-    """Return a table under (name, unit) heads; `marked` rows stand out, missing cells are empty.
+    """Return a table under heads, names or (name, unit); `marked` rows stand out, missing cells are empty.
 
     Columns whose cells are numbers are set to the right, with so many significant digits. Where there are more than fit
     beside each other further tables have the others, beside the first ones that tell the rows apart, or their numbers.
     """
+    columns = [(head, "") if isinstance(head, str) else head for head in heads]
     if len(columns) > BESIDE:
         keys = _telling(rows)
         if keys > KEYS:

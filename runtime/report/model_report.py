@@ -21,7 +21,7 @@ def model_page(model: Model, origin: Origin | None = None) -> str:
     readable, why = scene_sections.readable_of(model)
     advice = tuple(getattr(model.module, "ADVICE", ()))
     own = {name: (port.default, port.unit) for name, port in model.parameters.items()}
-    states = table([("state", ""), ("unit", "")], [[name, unit_markup(unit)] for name, unit in model.units.items()])
+    states = table(("state", "unit"), [[name, unit_markup(unit)] for name, unit in model.units.items()])
     shown = scene_sections.drawn(
         lambda: picture.of_start(model, None, None), "mechanism", f"The mechanism {model.name} at its start"
     )

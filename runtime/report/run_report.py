@@ -164,11 +164,11 @@ def _accuracy(run: Solution) -> Section:
         )
     s = run.statistics
     counts = table(
-        [(name, "") for name in ("accepted steps", "rejected", "retaken for events", "evaluations", "contacts begun")],
+        ("accepted steps", "rejected", "retaken for events", "evaluations", "contacts begun"),
         [[s.steps, s.rejected, s.retaken, s.rhs_evaluations, s.events]],
     )
     choices = table(
-        [("from", "s"), ("steps", ""), ("because", "")], [[c.t, c.method, c.reason] for c in run.choices]
+        (("from", "s"), "steps", "because"), [[c.t, c.method, c.reason] for c in run.choices]
     ) if len(run.choices) > 1 else None  # fmt: skip
     return Section("Accuracy and cost", joined([paragraphs(told), counts, choices]))
 
@@ -193,7 +193,11 @@ def _impacts(run: Solution, whole: str) -> Section:
     told = f"{len(impacts):,} in all; an empty duration is that of a contact which had not ended."
     if len(shown) < len(impacts):
         told = f"The first {len(shown)} of {len(impacts):,}; all of them are in {whole}."
-    heads = [("no.", ""), ("contact", ""), *((name, s.unit) for (name, _, _), s in zip(columns, scales, strict=True))]
+    heads: list[str | tuple[str, str]] = [
+        "no.",
+        "contact",
+        *((name, s.unit) for (name, _, _), s in zip(columns, scales, strict=True)),
+    ]
     return Section("Impacts", joined([paragraphs([told]), table(heads, rows)]))
 
 
@@ -205,7 +209,7 @@ def _averages(run: Solution) -> Markup:
     if not any(row[-1] for row in rows):
         rows, heads = [row[:-1] for row in rows], heads[:-1]
     told = "A tenth of the run is left out as transient; intervals come from the means of blocks of whole periods."
-    return joined([paragraphs([told]), table([(head, "") for head in heads], rows)])
+    return joined([paragraphs([told]), table(heads, rows)])
 
 
 def _states(run: Solution) -> Section:
@@ -215,7 +219,7 @@ def _states(run: Solution) -> Section:
     ]
     given = [] if run.checkpoint is None else [f"{name} = {value}" for name, value in run.checkpoint.initial.items()]
     told = [f"Given in place of the model's start: {', '.join(given)}."] if given else []
-    heads = [("state", ""), ("at the start", ""), ("at the end", ""), ("unit", "")]
+    heads = ("state", "at the start", "at the end", "unit")
     return Section("States", joined([paragraphs(told), table(heads, rows, digits=8)]))
 
 
@@ -230,7 +234,7 @@ def _sensitivities(run: Solution, found: Mapping[str, Any], whole: str) -> Secti
         parts += [
             tag("h3", f"By {name}"),
             paragraphs([until] if until else []),
-            table([("state at the end", ""), ("derivative", ""), ("unit", "")], end),
+            table(("state at the end", "derivative", "unit"), end),
         ]
         if run.impacts:
             impacts = {f"d({what.replace('_', ' ')})": told["impacts"][what] for what in OF_IMPACT}
@@ -239,7 +243,7 @@ def _sensitivities(run: Solution, found: Mapping[str, Any], whole: str) -> Secti
                 [n + 1, i.contact, *(values[n] for values in impacts.values())]
                 for n, i in enumerate(run.impacts[:MOST])
             ]
-            parts.append(table([("impact", ""), ("contact", ""), *heads], rows))
+            parts.append(table(["impact", "contact", *heads], rows))
     lead = "Exact derivatives, by the variational equations through every impact; in SI."
     if len(run.impacts) > MOST:
         lead += f" Of impacts the first {MOST}; all are in {whole}."

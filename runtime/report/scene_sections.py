@@ -50,7 +50,7 @@ def effects(model: Model, readable: Readable | None) -> Section:
         *(["source"] if sources else []),
         *(["unchecked because"] if refused else []),
     ]
-    return Section("Effects", table([(name, "") for name in columns], rows))
+    return Section("Effects", table(columns, rows))
 
 
 def parameters(model: Model, values: Mapping[str, tuple[float, str]], readable: Readable | None) -> Section:
@@ -68,7 +68,7 @@ def parameters(model: Model, values: Mapping[str, tuple[float, str]], readable: 
     columns = ["parameter", *(["symbol"] if symbols else []), "value", "unit"]
     columns += [*(["the model's own"] if changed else []), "meaning"]
     count = f"{len(changed)} of {len(values)} differ from the model's own." if changed else "All are the model's own."
-    shown = table([(name, "") for name in columns], rows, marked=changed, digits=9)
+    shown = table(columns, rows, marked=changed, digits=9)
     return Section("Parameters", joined([paragraphs([count]), shown]))
 
 
@@ -77,7 +77,7 @@ def equations(readable: Readable | None, why: str) -> Section:
     if readable is None:
         return Section("Equations", paragraphs([why], "note"))
     states = table(
-        [("symbol", ""), ("name", ""), ("unit", ""), ("meaning", "")],
+        ("symbol", "name", "unit", "meaning"),
         [[_symbol(s.latex), s.name, unit_markup(s.unit), s.meaning] for s in readable.states],
     )
     parts: list[Markup] = [tag("h3", "Coordinates, speeds, memory"), states]

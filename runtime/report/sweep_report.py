@@ -52,7 +52,7 @@ def sweep_page(
         Section("Picture", scene_sections.drawn(draw, "sweep", f"Outputs of {scene} over what was varied")),
         *([Section("Warnings", bullets([f"({i}) {text}" for i, text in enumerate(warnings, 1)]))] if warnings else []),
         Section("Rows", _table(columns, rows, count, whole)),
-        Section("Ranges", table([(head, "") for head in RANGES], ranges)),
+        Section("Ranges", table(RANGES, ranges)),
         Section("Definition", _definition(definition)),
     ]
     return page("sweep", scene, "", top, sections, origin)
@@ -73,4 +73,4 @@ def _definition(definition: Mapping[str, Any]) -> Markup:
         for name, value in definition.items()
         if value not in (None, [], {}, "", False)
     ]
-    return table([("setting", ""), ("value", "")], rows)
+    return table(("setting", "value"), rows)
