@@ -369,7 +369,7 @@ def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding
         for result in function.results:
             for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
                 if unit:
-                    expected = Dimension.from_unit(parse_unit(unit), {})
+                    expected = Dimension.from_unit(unit)
                     examine(f"output {function.name}.{result.name}[{label}]", sp.sympify(expression), expected)
     texts = {dimension: str(dimension) for dimension in dict.fromkeys(table.values())}
     return {symbol: texts[dimension] for symbol, dimension in table.items()}, tuple(findings)

@@ -22,14 +22,8 @@ from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.units import parse_unit
 
-NEWTON = Dimension.from_unit(parse_unit("N"), {})
-JOULE = Dimension.from_unit(parse_unit("J"), {})
-STIFFNESS = Dimension.from_unit(parse_unit("N/m"), {})
-DRAG = Dimension.from_unit(parse_unit("N s/m"), {})
-DECAY = Dimension.from_unit(parse_unit("1/s"), {})
-PACE = Dimension.from_unit(parse_unit("m/s"), {})
-METRE = Dimension.from_unit(parse_unit("m"), {})
-PURE = Dimension.from_unit(parse_unit("1"), {})
+NEWTON, JOULE, METRE, PURE = (Dimension.from_unit(unit) for unit in ("N", "J", "m", "1"))
+STIFFNESS, DRAG, DECAY, PACE = (Dimension.from_unit(unit) for unit in ("N/m", "N s/m", "1/s", "m/s"))
 
 
 @dataclass(frozen=True)

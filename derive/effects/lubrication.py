@@ -22,7 +22,6 @@ from hertzwerk.derive.effects.effect import Declared, Element, Kinematics, PairE
 from hertzwerk.derive.laws.law import BoundLaw, eps_c, eps_w
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Scalar, is_number
-from hertzwerk.derive.units import parse_unit
 
 QUANTITIES = {
     "axis": ("a", "", "axis of the bush"),
@@ -125,7 +124,7 @@ class _Film:
 
     def let(self, expression: Any, what: str, stated: str = "") -> Any:
         """Name a result on the tape; with an unchecked law it has the stated unit."""
-        dimension = Dimension.from_unit(parse_unit(stated), {}) if stated and self.effect.unchecked else None
+        dimension = Dimension.from_unit(stated) if stated and self.effect.unchecked else None
         return self.kin.tape.let(expression, f"{self.effect.name}_{what}", dimension)
 
     def named(self, vector: Vector, what: str) -> Vector:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
+from hertzwerk.derive.emit.printer import repeats
 from hertzwerk.derive.program.program import Program, Repeated
 
 _NUMBER = re.compile(r"(\d+)")
@@ -98,7 +99,7 @@ def table(program: Program, rows: Sequence[Any], literal: Literal) -> list[str]:
     texts: list[str] = []
     i = 0
     while i < len(rows):
-        run = next((k for k in range(i, len(rows)) if rows[k] != rows[i]), len(rows)) - i
+        run = repeats(rows, i, 1)
         if run > _LEAST:
             found = f"*[{literal(rows[i])}]*{run}", run
         else:

@@ -309,7 +309,7 @@ def _runs(texts: Sequence[str]) -> list[str]:
     begin = 0
     while begin < len(texts):
         size, count = next(
-            ((size, count) for size in range(1, _GROUP + 1) if (count := _repeats(texts, begin, size)) > _RUN), (1, 1)
+            ((size, count) for size in range(1, _GROUP + 1) if (count := repeats(texts, begin, size)) > _RUN), (1, 1)
         )
         group = ", ".join(texts[begin : begin + size])
         plain = count == 1 or "[" in group
@@ -318,8 +318,8 @@ def _runs(texts: Sequence[str]) -> list[str]:
     return parts
 
 
-def _repeats(texts: Sequence[str], begin: int, size: int) -> int:
-    """How often a group of texts follows itself."""
+def repeats(texts: Sequence[Any], begin: int, size: int) -> int:
+    """Number of times that a group of entries stands in a row."""
     end = begin + size
     while end < len(texts) and texts[end] == texts[end - size]:
         end += 1

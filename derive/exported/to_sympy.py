@@ -16,9 +16,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from hertzwerk.derive.algebra.functions import Where, with_pieces
 from hertzwerk.derive.algebra.vectors import scale
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.parameter import Parameter
-from hertzwerk.derive.module.results import dimension_of
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.absolute import absolute
 from hertzwerk.derive.motion.constraints import ON_SPEED
@@ -114,7 +114,7 @@ class _Export:
             "mass_matrix": matrix, "forcing": forcing, "kinematics": list(system.kin.rates), "holonomic_constraints": on_places,
             "nonholonomic_constraints": on_speeds,
         }  # fmt: skip
-        steps = self._steps(results)
+        steps = self.tape.needed(_flat(results))
         program = Straight(steps, results, self._instead([*_flat(results), *(e for _, e in steps)]))
         return self._written_out(program)
 
@@ -131,7 +131,7 @@ class _Export:
                     (f"friction_force{i}", way, touch.contact_point) for i, way in zip(numbers, tangents, strict=True)
                 ]
             for what, way, place in ways:
-                force = self.tape.input(f"{name}_{what}", "exported", dimension_of("N"))
+                force = self.tape.input(f"{name}_{what}", "exported", Dimension.from_unit("N"))
                 self.specified[force] = f"{what.replace('_', ' ')} of {name} on {touch.first.body.name}"
                 pushed = self.system.kin.generalised(
                     scale(force, way), place, touch.first.body, touch.second.body, f"{name}_{what}"
@@ -139,17 +139,6 @@ class _Export:
                 for row, share in pushed.items():
                     found[row] = found.get(row, sp.S.Zero) + share
         return found
-
-    def _steps(self, results: Mapping[str, Any]) -> tuple[tuple[sp.Symbol, Any], ...]:
-        """Assignments that results need, in order."""
-        needed: set[sp.Symbol] = set()
-        pending = symbols_in(*_flat(results))
-        while pending:
-            symbol = pending.pop()
-            if symbol not in needed and symbol in self.tape.assignments:
-                needed.add(symbol)
-                pending += symbols_in(self.tape.assignments[symbol])
-        return tuple((symbol, e) for symbol, e in self.tape.assignments.items() if symbol in needed)
 
     def _instead(self, expressions: list[Any]) -> dict[sp.Symbol, Any]:
         """Functions of time for coordinates, speeds, forces and inputs; symbols for parameters in use."""

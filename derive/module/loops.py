@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.module.joints import Joints
-from hertzwerk.derive.module.results import RATE_UNITS, VALUE_UNITS, dimension_of, of_loops
+from hertzwerk.derive.module.results import RATE_UNITS, VALUE_UNITS, of_loops
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.program import Function
@@ -32,7 +33,9 @@ def _closed(system: System, name: str, loops: tuple[Constraint, ...], arguments:
 def projection(system: System) -> Function:
     """Change of speeds that gives the constraints wanted rates."""
     wanted = [
-        system.tape.input(f"{row.name.replace('.', '_')}_wanted_rate", "wanted", dimension_of(RATE_UNITS[row.unit]))
+        system.tape.input(
+            f"{row.name.replace('.', '_')}_wanted_rate", "wanted", Dimension.from_unit(RATE_UNITS[row.unit])
+        )
         for row in system.loops
     ]
     return system.function(

@@ -6,8 +6,9 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.gravity import Gravity
-from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops, vector
+from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, of_loops, vector
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.carried import Carried, Solved
 from hertzwerk.derive.motion.kinematics import acceleration_of
@@ -51,7 +52,7 @@ def applied(system: System) -> Function:
 def accelerations(system: System) -> tuple[Function, ...]:
     """Equations of motion, solved for the accelerations, and loads by reactions where there are any."""
     symbols = {
-        row.key: system.tape.input(f"{row.key.replace('.', '_')}_force", "f", dimension_of(row.unit))
+        row.key: system.tape.input(f"{row.key.replace('.', '_')}_force", "f", Dimension.from_unit(row.unit))
         for row in system.rows
     }
     if system.carried is not None:
@@ -166,7 +167,7 @@ def balance(system: System) -> Function:
     mass = equations.mass_matrix()
     held = [
         system.tape.input(
-            f"{row.name.replace('.', '_')}_multiplier", "multipliers", dimension_of(MULTIPLIER_UNITS[row.unit])
+            f"{row.name.replace('.', '_')}_multiplier", "multipliers", Dimension.from_unit(MULTIPLIER_UNITS[row.unit])
         )
         for row in loops
     ]

@@ -6,12 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.program import Result
-from hertzwerk.derive.units import parse_unit
 
 VALUE_UNITS = {"m/s": "m"}  # value of a constraint, by its unit, where that is another: it is zero
 RATE_UNITS = {"m": "m/s", "1": "1/s", "m/s": "m/s"}  # its rate
@@ -36,8 +34,3 @@ def of_loops(name: str, loops: tuple[Constraint, ...], values: list[Any], units:
     """Result with one entry per constraint; `units` maps the constraint's unit to the entry's."""
     labels, of = tuple(row.name for row in loops), tuple(units.get(row.unit, row.unit) for row in loops)
     return Result(name, labels, of, tuple(values))
-
-
-def dimension_of(unit: str) -> Dimension:
-    """Dimension of a unit's text."""
-    return Dimension.from_unit(parse_unit(unit), {})

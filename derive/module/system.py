@@ -14,13 +14,14 @@ import sympy as sp
 from hertzwerk.derive.contact.contact_forces import PairKinematics
 from hertzwerk.derive.declare.periods import period
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, Rubbing, state_faults
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.module.joints import Joints
 from hertzwerk.derive.module.landmarks import Landmark, landmarks_of
-from hertzwerk.derive.module.results import dimension_of, ports_of, vector
+from hertzwerk.derive.module.results import ports_of, vector
 from hertzwerk.derive.module.surroundings import Surroundings
 from hertzwerk.derive.motion.absolute import Absolute
 from hertzwerk.derive.motion.carried import Carried, nonlinear_fault
@@ -48,7 +49,7 @@ class System:
         ]
         self.driven = [*self.equations.driven, *self.equations.prescribed] if scene.ledger else []
         self.supplied = [
-            self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", dimension_of(row.unit))
+            self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", Dimension.from_unit(row.unit))
             for row in self.driven
         ]
         found = {effect: effect.element(self.kin) for effect in scene.effects}
@@ -75,7 +76,7 @@ class System:
             raise InputError(f"scene {scene.name}", faults)
         self.bristles = {
             friction.name: {
-                name: self.tape.input(name.replace(".", "_"), "z", dimension_of("m"))
+                name: self.tape.input(name.replace(".", "_"), "z", Dimension.from_unit("m"))
                 for name in (f"{friction.name}.bristle{axis and '_'}{axis}" for axis in pair.bristle_axes)
             }
             for pair, _, friction in self.contacts
@@ -83,7 +84,7 @@ class System:
         }
         self.memory = self._memory()
         self.latches = {
-            contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", dimension_of("m/s"))
+            contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", Dimension.from_unit("m/s"))
             for _, contact, _ in self.contacts
             if contact.latches
         }

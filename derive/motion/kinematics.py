@@ -53,7 +53,6 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Port
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.motion.links import Link, Orientation, Row, Tree
 from hertzwerk.derive.program.program import Tape
-from hertzwerk.derive.units import parse_unit
 
 PIECE_DEGREE = 5
 """Degree of the pieces of an input, as of those of a table."""
@@ -97,7 +96,7 @@ class Kinematics:
         self.tape = tape
         self.scene = scene
         self.mechanism: Mechanism = scene.mechanism
-        self.t = tape.input("t", "t", Dimension.from_unit(parse_unit("s"), {}))
+        self.t = tape.input("t", "t", Dimension.from_unit("s"))
         tape.set_rate(self.t, sp.S.One)
         self.inputs = {name: self._given(name, given.unit) for name, given in scene.inputs.items()}
         free = scene.free
@@ -232,7 +231,7 @@ class Kinematics:
         return known[key]
 
     def _carried(self, name: str, unit: str) -> sp.Symbol:
-        return self.tape.input(name, "reactions", Dimension.from_unit(parse_unit(unit), {}))
+        return self.tape.input(name, "reactions", Dimension.from_unit(unit))
 
     def row(self, key: str) -> Row:
         """Row of a scalar freedom of the tree."""
@@ -276,7 +275,7 @@ class Kinematics:
 
     def _given(self, name: str, unit: str) -> Any:
         """Value of an input on the tape: a polynomial of the time since its piece began."""
-        of, per = Dimension.from_unit(parse_unit(unit), {}), Dimension.from_unit(parse_unit("s"), {})
+        of, per = Dimension.from_unit(unit), Dimension.from_unit("s")
         begin, *factors = self.tape.piece(name, [per, *(of / per**k for k in range(PIECE_DEGREE + 1))])
         since = self.tape.let(self.t - begin, f"{name}_since")
         value = sp.S.Zero
@@ -285,7 +284,7 @@ class Kinematics:
         return self.tape.let(value, name)
 
     def _input(self, port: Port, group: str) -> sp.Symbol:
-        return self.tape.input(port.name.replace(".", "_"), group, Dimension.from_unit(parse_unit(port.unit), {}))
+        return self.tape.input(port.name.replace(".", "_"), group, Dimension.from_unit(port.unit))
 
     # -- links in ground axes --------------------------------------------------------------------------------------
 

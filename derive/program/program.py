@@ -268,21 +268,24 @@ class Tape:
     def function(self, name: str, summary: str, arguments: tuple[str, ...], results: Iterable[Result]) -> Function:
         """Slice of the tape that `results` need; with `c` among the arguments it stops at the constants."""
         results = tuple(results)
-        stop = CONSTANT in arguments
-        needed: set[sp.Symbol] = set()
-        pending = [symbol for result in results for e in result.expressions for symbol in symbols_in(e)]
-        while pending:
-            symbol = pending.pop()
-            if symbol in needed or symbol not in self.assignments or (stop and self.is_constant(symbol)):
-                continue
-            needed.add(symbol)
-            pending.extend(symbols_in(self.assignments[symbol]))
-        body = tuple((symbol, self.assignments[symbol]) for symbol in sorted(needed, key=self._places.__getitem__))
+        body = self.needed((e for result in results for e in result.expressions), stop=CONSTANT in arguments)
         function = Function(name, summary, arguments, body, results)
         foreign = [s for s in function.reads if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
         if foreign:
             raise ValueError(f"{name}({', '.join(arguments)}) would read {', '.join(map(str, foreign))}")
         return function
+
+    def needed(self, expressions: Iterable[Any], *, stop: bool = False) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+        """Assignments that expressions need, in order; `stop` at those of parameters alone."""
+        found: set[sp.Symbol] = set()
+        pending = symbols_in(*expressions)
+        while pending:
+            symbol = pending.pop()
+            if symbol in found or symbol not in self.assignments or (stop and self.is_constant(symbol)):
+                continue
+            found.add(symbol)
+            pending.extend(symbols_in(self.assignments[symbol]))
+        return tuple((symbol, self.assignments[symbol]) for symbol in sorted(found, key=self._places.__getitem__))
 
     def constants(self, functions: Iterable[Function]) -> list[sp.Symbol]:
         """Entries of c: parameters, then constant results that `functions` read, in declared order."""

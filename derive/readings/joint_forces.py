@@ -20,10 +20,11 @@ from hertzwerk.derive.algebra.vectors import (
     sub,
     transpose,
 )
+from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Point
 from hertzwerk.derive.mechanism.joints.joint import Joint
-from hertzwerk.derive.module.results import MULTIPLIER_UNITS, dimension_of
+from hertzwerk.derive.module.results import MULTIPLIER_UNITS
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.equations import gravity_vector
 from hertzwerk.derive.motion.loops import Closure
@@ -53,7 +54,9 @@ class Forces:
         """Generalised forces of the contacts, of forces and points that are inputs."""
         found = []
         given = {
-            name: self.tape.input(name.replace(".", "_"), "touching", dimension_of(_UNITS[name.split(".")[1][:-2]]))
+            name: self.tape.input(
+                name.replace(".", "_"), "touching", Dimension.from_unit(_UNITS[name.split(".")[1][:-2]])
+            )
             for name in self.touching
         }
 
@@ -73,7 +76,7 @@ class Forces:
     def _multipliers(self) -> list[Any]:
         return [
             self.tape.input(
-                f"{row.name.replace('.', '_')}_held", "multipliers", dimension_of(MULTIPLIER_UNITS[row.unit])
+                f"{row.name.replace('.', '_')}_held", "multipliers", Dimension.from_unit(MULTIPLIER_UNITS[row.unit])
             )
             for row in self.equations.constraints
         ]

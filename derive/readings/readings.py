@@ -25,13 +25,13 @@ from hertzwerk.derive.algebra.vectors import (
     transpose,
 )
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.effect import DISSIPATED, Effect, Element
 from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.effects.loads.resistances import Moment
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Point
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.module.contents import with_constants
-from hertzwerk.derive.module.results import dimension_of
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.absolute import Absolute, quaternion_of
 from hertzwerk.derive.motion.equations import gravity_vector
@@ -215,7 +215,8 @@ class _Readings:
         force = tuple(sign * forces.generalised[key] for key in wrench_keys(on, "force"))
         if forces.grip is not None:
             given = [
-                self.tape.input(f"{name}_friction_in", "friction", dimension_of("N")) for _ in forces.grip.tangents
+                self.tape.input(f"{name}_friction_in", "friction", Dimension.from_unit("N"))
+                for _ in forces.grip.tangents
             ]
             drag = add(*(scale(part, way) for part, way in zip(given, forces.grip.tangents, strict=True)))
             power = total(*(-velocity * part for part, velocity in zip(given, forces.grip.velocity, strict=True)))
@@ -224,7 +225,7 @@ class _Readings:
                 force = add(force, tuple(sign * part * along[key] for key in wrench_keys(on, "force")))
         moments, drags = dict(forces.resistances), {}
         for effect, grip in forces.turning.items():
-            unit = dimension_of(effect.holds)
+            unit = Dimension.from_unit(effect.holds)
             given = [self.tape.input(f"{effect.name}_friction_in", "friction", unit) for _ in grip.tangents]
             pull, vector = effect.held(grip, given)
             if effect.holds == "N":

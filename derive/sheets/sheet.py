@@ -6,7 +6,7 @@ All are plain values, for people and for JSON.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -125,26 +125,19 @@ class Restitution:
     beside: str
 
 
+_STATED = ("name", "kind", "title", "grade", "verdict", "fitted_in", "source", "note", "repair", "pairs")
+
+
 @dataclass(frozen=True)
 class Sheet:
     """Everything the catalogue states of one law.
 
-    `form`: of contact, point, line, surface or any. `band`: candidates, for a reconstruction. `operations`: of the
+    `law` is the law itself. `form`: of contact, point, line, surface or any. `band`: candidates, for a reconstruction. `operations`: of the
     generated text, once per run and per evaluation.
     """
 
-    name: str
-    kind: str
-    title: str
-    grade: str
-    grade_meaning: str
-    verdict: str
-    fitted_in: str
-    source: str
-    note: str
-    repair: str
+    law: Any
     form: str
-    pairs: tuple[str, ...]
     formulas: tuple[Formula, ...]
     definitions: tuple[Formula, ...]
     symbols: tuple[Entry, ...]
@@ -159,9 +152,15 @@ class Sheet:
     restitution: Restitution | None
     operations: tuple[int, int]
 
+    @property
+    def grade_meaning(self) -> str:
+        """How well what the law states is known."""
+        return GRADES[self.law.grade]
+
     def record(self) -> dict[str, Any]:
         """The sheet as plain values for JSON."""
-        return asdict(self)
+        own = {name: getattr(self.law, name) for name in _STATED} | {"grade_meaning": self.grade_meaning}
+        return own | {name: value for name, value in asdict(replace(self, law=None)).items() if name != "law"}
 
 
 def laws_named(names: Iterable[str]) -> tuple[Law, ...]:
@@ -179,18 +178,8 @@ def sheet(law: Law) -> Sheet:
     example = _example(law) if elastic else {}
     exponent = getattr(law, "exponent", None)
     return Sheet(
-        name=law.name,
-        kind=law.kind,
-        title=law.title,
-        grade=law.grade,
-        grade_meaning=GRADES[law.grade],
-        verdict=law.verdict,
-        fitted_in=law.fitted_in,
-        source=law.source,
-        note=law.note,
-        repair=law.repair,
+        law=law,
         form="any" if set(law.forms) == set(FORMS) else " or ".join(law.forms),
-        pairs=law.pairs,
         formulas=tuple(_formulas(law)),
         definitions=tuple(_formula(s.name, s.unit, s.meaning, e, latex_name(s)) for s, e in _definitions(law)),
         symbols=tuple(_entries(law)),

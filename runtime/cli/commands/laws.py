@@ -123,7 +123,7 @@ def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
 
     faults = []
     if len(sheets) != 1 or sheets[0].band is None:
-        found = ", ".join(f"{sheet.name} of grade {sheet.grade}" for sheet in sheets) or "no law"
+        found = ", ".join(f"{sheet.law.name} of grade {sheet.law.grade}" for sheet in sheets) or "no law"
         faults.append(Fault("--picture", found, "one reconstruction, such as wang_liu_internal"))
     if picture.suffix != ".png":
         faults.append(Fault("--picture", str(picture), "a file FILE.png"))
@@ -140,23 +140,23 @@ def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
 
 
 def _print_sheet(sheet: Sheet) -> None:
-    line(sheet.name, sheet.title)
-    kind = f"{sheet.kind}, of {sheet.form} contact" if sheet.form != "any" else sheet.kind
-    line("kind", ", made for ".join(filter(None, (kind, ", ".join(sheet.pairs)))))
-    line("grade", f"{sheet.grade}: {sheet.grade_meaning}")
-    line("source", sheet.source)
-    fitted = f"; its constants are of {sheet.fitted_in}" if sheet.fitted_in else ""
-    line(sheet.verdict, f"units, as published{fitted}")
-    if sheet.repair:
-        line("repair", f"hertzwerk laws {sheet.repair}")
-    if sheet.note:
-        line("note", sheet.note)
+    line(sheet.law.name, sheet.law.title)
+    kind = f"{sheet.law.kind}, of {sheet.form} contact" if sheet.form != "any" else sheet.law.kind
+    line("kind", ", made for ".join(filter(None, (kind, ", ".join(sheet.law.pairs)))))
+    line("grade", f"{sheet.law.grade}: {sheet.grade_meaning}")
+    line("source", sheet.law.source)
+    fitted = f"; its constants are of {sheet.law.fitted_in}" if sheet.law.fitted_in else ""
+    line(sheet.law.verdict, f"units, as published{fitted}")
+    if sheet.law.repair:
+        line("repair", f"hertzwerk laws {sheet.law.repair}")
+    if sheet.law.note:
+        line("note", sheet.law.note)
     line("formula", "\n".join(_formula_texts(sheet.formulas)))
     if sheet.definitions:
         line("where", "\n".join(_formula_texts(sheet.definitions)))
     line("latex", "\n".join(f.latex for f in (*sheet.formulas, *sheet.definitions)))
     if sheet.exponent:
-        form = "n of K d^n" if sheet.kind == "stiffness" else "m of chi d^m v"
+        form = "n of K d^n" if sheet.law.kind == "stiffness" else "m of chi d^m v"
         line("exponent", f"{form} is {sheet.exponent}")
     if sheet.local_exponent:
         line("local", f"dlnF/dlnd = {sheet.local_exponent}, at every penetration")
@@ -190,7 +190,7 @@ def _print_sheet(sheet: Sheet) -> None:
     if sheet.restitution is not None:
         click.echo()
         _print_restitution(sheet.restitution)
-    elif sheet.kind == "damping":
+    elif sheet.law.kind == "damping":
         line("restitution", "takes no e; `hertzwerk laws --restitution` shows what it returns")
 
 
@@ -209,7 +209,7 @@ def _print_band(sheet: Sheet) -> None:
         "\nThe paper's own expression could not be had. The band of its candidates, forces in N, largest over smallest:"
     )
     table(("penetration [m]", *(candidate.law for candidate in band.candidates), "band"), rows)
-    print_prose(f"As a picture: hertzwerk laws {sheet.name} --picture {sheet.name}.png")
+    print_prose(f"As a picture: hertzwerk laws {sheet.law.name} --picture {sheet.law.name}.png")
 
 
 def _formula_texts(formulas: Sequence[Formula]) -> list[str]:

@@ -30,7 +30,7 @@ def figure(sheet: Sheet) -> Figure:
     """Draw forces over the penetration with the band between them, and the local exponents."""
     band = sheet.band
     if band is None:
-        raise ValueError(f"{sheet.name} is no reconstruction: it has no candidates")
+        raise ValueError(f"{sheet.law.name} is no reconstruction: it has no candidates")
     depths = np.array(band.penetrations) * 1e6
     forces = np.array([candidate.forces for candidate in band.candidates])
     with mpl.rc_context(STYLE):
@@ -54,7 +54,7 @@ def figure(sheet: Sheet) -> Figure:
         force.legend(loc="upper left")
         spread = band.spread
         page.suptitle(
-            f"{sheet.name}: a reconstruction (grade R). Its candidates differ by a factor of {min(spread):.1f} to {max(spread):.0f}",
+            f"{sheet.law.name}: a reconstruction (grade R). Its candidates differ by a factor of {min(spread):.1f} to {max(spread):.0f}",
             x=0.01, ha="left", fontweight="bold",
         )  # fmt: skip
         page.supxlabel(f"Example: {sheet.example}", x=0.01, ha="left", fontsize=9, color=GREY)

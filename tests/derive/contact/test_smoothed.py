@@ -128,8 +128,8 @@ def test_laws_that_begin_too_steeply_are_refused():
 
 
 def test_the_sheet_states_the_deviation():
-    found = {point.penetration: point.deviation for point in sheet(LAWS["johnson"]).smoothed}
+    found = {point.penetration: point.smoothed for point in sheet(LAWS["johnson"]).points}
     law = {point.penetration: point for point in sheet(LAWS["johnson"]).points}
     assert found[1e-8] < -0.999
     assert found[1e-4] == pytest.approx(-law[1e-4].exponent * 1e-2, rel=0.02)  # dF/F = -n epsilon/d
-    assert sheet(LAWS["power"]).smoothed == ()
+    assert sheet(LAWS["power"]).points == ()

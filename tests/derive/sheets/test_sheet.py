@@ -92,9 +92,9 @@ def test_what_the_paper_s_model_calls_n_and_what_it_is(sheets):
     """The models named after it have n = 1, at every penetration; the secant of Liu's law is stated so too, and is 3/2 at small penetration."""
     for name in ("wang_liu_internal", "wang_liu_external"):
         found = sheets[name]
-        assert (found.exponent, found.local_exponent, found.grade) == ("1", "1", "R")
+        assert (found.exponent, found.local_exponent, found.law.grade) == ("1", "1", "R")
     found = sheets["wang_liu_secant"]
-    assert (found.exponent, found.local_exponent, found.grade) == ("1", "", "R")
+    assert (found.exponent, found.local_exponent, found.law.grade) == ("1", "", "R")
     assert found.points[0].exponent == pytest.approx(1.5, abs=2e-5)
     assert sheets["galin_sneddon"].local_exponent == "(k + 1)/k"
 
