@@ -4,7 +4,7 @@
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
 in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
-matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size, rows and minute,
+matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size, rows, minute and bodies,
 issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
 """
 
@@ -24,6 +24,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from benchmarks.against_peers import exudyn, peers
 from benchmarks.automatic import automatic
+from benchmarks.bodies import bodies
 from benchmarks.chains import chains
 from benchmarks.contenders import hertzwerk, scipy
 from benchmarks.coordinates import coordinates
@@ -134,6 +135,7 @@ SECTIONS = {
     "size": size,
     "rows": rows,
     "minute": minute,
+    "bodies": bodies,
 }
 
 

@@ -1,5 +1,8 @@
 """Scenes of many contact pairs: spheres in a row, in a plane and in a box, and a slider-crank with guards that nothing reaches."""
 
+from dataclasses import dataclass
+
+import numpy as np
 import sympy as sp
 
 from hertzwerk.derive import (
@@ -24,7 +27,7 @@ from hertzwerk.derive import (
     Z,
     every_pair,
 )
-from hertzwerk.derive.laws import flores, hertz_point, hunt_crossley, power
+from hertzwerk.derive.laws import flores, hertz_point, hunt_crossley, power, power_damping
 from hertzwerk.derive.scenes import slider_crank
 
 
@@ -127,8 +130,57 @@ def spheres_in_box(n: int, across: int = 2) -> Scene:
     )
 
 
+@dataclass(frozen=True)
+class Ball:
+    """Numbers in SI of a ball that falls onto a plane: force K d (1 + loss d') of plane and other balls."""
+
+    mass: float = 1.0
+    radius: float = 0.05
+    stiffness: float = 1e5
+    loss: float = 0.2
+    gravity: float = 9.81
+
+    @staticmethod
+    def place(i: int) -> tuple[float, float, float]:
+        """Return where ball i starts: beside the others, with a height of its own."""
+        return 0.12 * (i % 10), 0.12 * (i // 10), 0.1 + 0.003 * i + 0.01 * (i % 4)
+
+
+FALLING = Ball()
+
+
+def falling_balls(n: int) -> Scene:
+    """n balls in space that fall beside one another onto a plane; each pair of them may touch."""
+    radius, stiffness = Parameter("radius", "m", FALLING.radius), Parameter("stiffness", "N/m", FALLING.stiffness)
+    density = Parameter("density", "kg/m^3", FALLING.mass / (4 / 3 * np.pi * FALLING.radius**3))
+    law = power(stiffness, n=1), power_damping(Parameter("loss", "s/m", FALLING.loss) * stiffness, 1)
+    balls = [Body.sphere(f"ball_{i}", radius, density=density) for i in range(n)]
+    ground = GROUND.at(0, 0, 0)
+    floors = [SphereOnPlane(f"floor_{i}", ball.at(0, 0, 0), radius, ground, normal=Z) for i, ball in enumerate(balls)]
+    starts = {
+        f"flight_{i}.{axis}": Parameter(f"{axis}_{i}", "m", x)
+        for i in range(n)
+        for axis, x in zip("xyz", FALLING.place(i), strict=True)
+    }
+    return Scene(
+        Mechanism(
+            f"falling_balls_{n}",
+            tuple(Free(f"flight_{i}", GROUND, ball) for i, ball in enumerate(balls)),
+            (*every_pair("balls", balls, radius), *floors),
+        ),
+        effects=(
+            Gravity("gravity", Parameter("gravity", "m/s^2", FALLING.gravity), direction=-Z),
+            Contact("balls", *law),
+            *(Contact(floor.name, *law) for floor in floors),
+        ),
+        start=Start(position=starts),
+        scales=Scales(length=radius / 10, arm=radius, speed=Parameter("pace", "m/s", 1)),
+        summary=f"{n} balls fall onto a plane",
+    )
+
+
 def guarded_crank(guards: int) -> Scene:
-    """The slider-crank with clearance, frictionless, and up to 9 spheres on its bodies, before planes that they never reach."""
+    """The slider-crank with clearance, frictionless, and up to 99 spheres on its bodies, before planes that they never reach."""
     scene = slider_crank.scene.without("slider_pin_friction")
     joints = {joint.name: joint for joint in scene.mechanism.joints}
     crank, rod, slider = (joints[name].child.body for name in ("main_bearing", "crank_pin", "guide"))
@@ -138,6 +190,7 @@ def guarded_crank(guards: int) -> Scene:
         *((rod.at(l / 2, 0, 0), normal) for normal in (Y, -Y)),
         (slider.at(0, 0, 0), -X),  # the crank's own last: their gaps are moved by the drive alone, which takes a state
         *((crank.at(part * r, 0, 0), normal) for part in (1, sp.Rational(1, 2)) for normal in (X, Y, -Y)),
+        *((rod.at(sp.Rational(k, 46) * l, 0, 0), normal) for k in range(1, 46) for normal in (Y, -Y)),
     ]
     planes = {X: (-away, 0, 0), -X: (away, 0, 0), Y: (0, -away, 0), -Y: (0, away, 0)}
     pairs = tuple(

@@ -121,3 +121,18 @@ def test_sensitivities_and_continuation_say_what_a_list_does_not_have(listed):
         simulate(listed, sensitivities=["radius"], **OPTIONS)
     run = simulate(listed, **{**OPTIONS, "duration": "1 ms"})
     assert run.checkpoint is None
+
+
+@pytest.mark.exhaustive
+def test_a_hundred_spheres_move_bit_for_bit_as_with_every_pair_in_every_step(monkeypatch):
+    model = load(scenes.spheres_in_box(100, 5))
+    options = {"duration": "25 ms", "tolerance": 1e-6, "method": "dopri5", "compiled": False, "output": "steps"}
+    assert near_model(model) is not None
+    run = simulate(model, **options)
+    monkeypatch.setattr(near_pairs, "WORTH", np.inf)
+    whole = Model(model.module, model.declaration)
+    assert near_model(whole) is None
+    every = simulate(whole, **options)
+    assert len(run.impacts) > 20 and begun(run) == begun(every)
+    moving = slice(0, model.nq + model.nu)
+    assert np.array_equal(run.history.part("y")[:, moving], every.history.part("y")[:, moving])
