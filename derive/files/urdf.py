@@ -24,8 +24,9 @@ from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.effects.couplings import Coupling
 from hertzwerk.derive.effects.effect import Effect
 from hertzwerk.derive.effects.springs import JointDamper
-from hertzwerk.derive.faults import Fault, InputError, unreadable
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.files.execute import beside
+from hertzwerk.derive.files.tomlfile import read_at_most
 from hertzwerk.derive.identifiers import repeated
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Point, Triple, X, Y, Z
 from hertzwerk.derive.mechanism.joints.axial import Prismatic, Revolute
@@ -113,17 +114,10 @@ def from_urdf(path: str | Path, base: Literal["fixed", "floating"] = "fixed") ->
 
 def _read(path: str | Path) -> ElementTree.Element:
     """Root element of a file. Raises InputError."""
+    raw = read_at_most(MAX_BYTES, path, _EXPECTED)
     try:
-        with Path(path).open("rb") as file:
-            raw = file.read(MAX_BYTES + 1)
-        if len(raw) > MAX_BYTES:
-            raise InputError(str(path), [Fault("file", f"more than {MAX_BYTES // 1_000_000} MB", _EXPECTED)])
         root = ElementTree.fromstring(raw)
-    except OSError as error:
-        raise InputError(str(path), [unreadable(path, error, _EXPECTED)]) from error
     except (ElementTree.ParseError, ValueError, LookupError) as error:
-        if isinstance(error, InputError):
-            raise
         raise InputError(str(path), [Fault("file", str(error), _EXPECTED)]) from error
     if root.tag != "robot":
         remedy = "Convert it first: xacro FILE > robot.urdf." if "xacro" in root.tag else ""

@@ -32,7 +32,7 @@ from hertzwerk.derive.mechanism.bodies import GROUND, Body, Material, Y, Z
 from hertzwerk.derive.mechanism.joints.axial import Prismatic
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.parameter import Parameter
-from hertzwerk.derive.sheets.sheet import EXAMPLE
+from hertzwerk.derive.sheets.sheet import EXAMPLE, values_of
 
 DIGITS = 30
 
@@ -148,16 +148,8 @@ def _values(law: StiffnessLaw, clearance: Any, exponent: float | None, units: Se
     numbers |= {symbol.name: mpf(repr(parameter.si)) for symbol, parameter in law.defaults}
     numbers |= {"R_2": pin, "R_min": pin, "dR": clearance, "R_eff": bush * pin / clearance}
     numbers |= {} if exponent is None else {"n": mpf(repr(exponent))}
-    values: dict[sp.Symbol, Any] = {
-        s: numbers[s.name] / scale_factor(Dimension.from_unit(s.unit), units, {})
-        for s in (*law.parameters, *law.geometry)
-    }
-    for symbol, expression in law.definitions:
-        try:
-            values[symbol] = evaluate(expression, values)
-        except ZeroDivisionError:  # ln(1000 dR) of a millimetre, put in in metres, is the logarithm of 1
-            values[symbol] = mp.nan
-    return values
+    symbols = (*law.parameters, *law.geometry)
+    return values_of(law, symbols, numbers, lambda unit: scale_factor(Dimension.from_unit(unit), units, {}))
 
 
 def _real(value: Any) -> float:

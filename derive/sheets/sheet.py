@@ -5,7 +5,7 @@ All are plain values, for people and for JSON.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -332,9 +332,22 @@ def _example(law: Law, pairs: tuple[str, ...] | None = None) -> dict[sp.Symbol, 
     if not all(symbol.name in numbers for symbol in asked):
         return {}
     with mp.workdps(30):
-        values: dict[sp.Symbol, Any] = {s: mpf(numbers[s.name]) / _unit_of(law, s.unit) for s in asked}
-        for symbol, expression in law.definitions:
+        return values_of(law, asked, numbers, lambda unit: _unit_of(law, unit))
+
+
+def values_of(
+    law: Law, symbols: Iterable[Quantity], numbers: Mapping[str, Any], size: Callable[[str], Any]
+) -> dict[sp.Symbol, Any]:
+    """Values of symbols by name, of `numbers` in SI, in units of a given size; and of definitions.
+
+    A definition that divides by zero is nan: ln(1000 dR) of a millimetre put in in metres is the logarithm of 1.
+    """
+    values: dict[sp.Symbol, Any] = {s: mpf(numbers[s.name]) / size(s.unit) for s in symbols}
+    for symbol, expression in law.definitions:
+        try:
             values[symbol] = evaluate(expression, values)
+        except ZeroDivisionError:
+            values[symbol] = mp.nan
     return values
 
 

@@ -138,7 +138,7 @@ def test_damping_laws(file):
     assert flores.memory == (APPROACH_SPEED,)
     assert (flores.defined, flores.recommended) == (Interval(0, 1, open_left=True), Interval(0.1, 1))
     assert (dashpot.memory, dashpot.release, dashpot.exponent) == ((), "gap", 0)
-    assert [symbol.name for symbol in dashpot.geometry()] == ["m_eff"]
+    assert [symbol.name for symbol in dashpot.geometry] == ["m_eff"]
 
 
 def test_a_friction_law_and_its_slope(file):
