@@ -37,6 +37,7 @@ REVERSAL = 2.0  # weight of a step across a friction reversal, in stiff steps
 PATIENCE = 10.0  # stiff steps, less the others, before the method changes; implicit steps lost before it changes back
 CREDIT = 20.0  # the same after implicit steps that paid: it takes a dozen short ones to enter a thin layer of friction
 WARY = 3.0  # times as many before the next change, where implicit steps were not worth their cost
+MOST_WARY = 1e9  # times as many at most: more attempts than any run makes
 # The same by what stages differ by: of 21 scenes at 1e-5 and 1e-8 those with nothing stiff get to 18 at most, the others to more than 250.
 SUSPICIOUS = 20.0
 
@@ -78,7 +79,8 @@ def choice(
     pressure = ca.fmax(old["pressure"] + ca.if_else(implicit, gain, against), 0)
     stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE)
     given_up = implicit * (1 - stays) * (old["pressure"] != PASSING)
-    wary = ca.if_else(given_up, WARY * (1 + wary) - 1, ca.if_else(pays, ca.fmax((1 + wary) / WARY - 1, 0), wary))
+    warier = ca.fmin(WARY * (1 + wary) - 1, MOST_WARY)
+    wary = ca.if_else(given_up, warier, ca.if_else(pays, ca.fmax((1 + wary) / WARY - 1, 0), wary))
     return {
         "method": ca.if_else(stays, IMPLICIT, EXPLICIT),
         "pressure": ca.fmin(pressure, ca.if_else(implicit, CREDIT, PATIENCE)),
