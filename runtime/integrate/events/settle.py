@@ -100,7 +100,9 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
         end, verdict, moved_floors = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta, known)
     decided, switched = decide(state, controls, end, verdict, theta, delta, moved_floors)
     if model.k and ca.mmax(ends_with_force(model)):
-        decided, switched = _without_pull(model, vectors, right, decide)(*given, known, decided, switched)
+        lowest = _lowest(model, vectors)(state, given[2], decided)
+        retake = _without_pull(model, vectors, right, decide)
+        decided, switched = retake(lowest[0] < NO_EVENT, *given, known, decided, switched, *lowest)
     changed = switch(model, vectors, right)
     before, after, run = changed.mx_in()
     keep = ca.Function("keep", [before, after, run], [after])
@@ -200,20 +202,19 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
 def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> Any:
     """Build the function that retakes a step within which a force pulls or a released contact closes.
 
-    Arguments: state, controls, next, verdict, floors, and state and switched as decided, which it returns. What falls through
-    zero and returns is seen at neither end of a step. There the step is cut, so that the next attempt sees the fall.
+    Arguments: whether it may, state, controls, next, verdict, floors, state and switched as decided, which it returns, and what
+    `_lowest` returns. What falls through zero and returns is seen at neither end of a step. There the step is cut, so that
+    the next attempt sees the fall.
     """
-    arguments = [*vectors.symbols("state controls next verdict", ca.MX)[0], ca.MX.sym("floors", 2 * model.k)]
-    state, controls, end, _, known = arguments
-    decided, switched = ca.MX.sym("decided", vectors.state.size), ca.MX.sym("switched")
-    theta, *levels = _lowest(model, vectors)(state, end, decided)
-    below = _if(theta < NO_EVENT, _below(model, vectors, right), 0.0, state, controls, end, theta, *levels)
-    given = [*arguments, decided, switched]
-    at = ca.MX.sym("at")
-    retaken = ca.Function("retaken", [at, *given], decide(*arguments[:4], at, 0, known))
-    kept = ca.Function("kept", [at, *given], [decided, switched])
-    found = ca.Function.if_else("unpulled", retaken, kept)(below, theta, *given)
-    return ca.Function("without_pull", given, found)
+    below = _below(model, vectors, right)
+    state, controls, end, theta, *levels = below.mx_in()
+    step = [state, controls, end, ca.MX.sym("verdict", vectors.verdict.size), ca.MX.sym("floors", 2 * model.k)]
+    given = [*step, *(ca.MX.sym(name, size) for name, size in (("decided", vectors.state.size), ("switched", 1)))]
+    given += [theta, *levels]
+    retaken = ca.Function("retaken", given, decide(*step[:4], theta, 0, step[4]))
+    kept = ca.Function("kept", given, given[5:7])
+    cut = ca.Function.if_else("unpulled", retaken, kept)(below(state, controls, end, theta, *levels), *given)
+    return ca.Function.if_else("without_pull", ca.Function("cut", given, cut), kept)
 
 
 def _lowest(model: Model, vectors: Layouts) -> Any:

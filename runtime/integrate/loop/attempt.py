@@ -95,8 +95,9 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     classes = contact_classes(model)
     tries = [advance(model, vectors, table, contacts, choosing) for table in taken for contacts in classes]
     advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
-    # other steps are to go on from a SUSPECT or CALM state
-    taking = state[vectors.state["class"]] * (state[vectors.state["status"]] >= RUNNING)
+    taking = state[vectors.state["class"]]
+    if len(tables) > 1 or isinstance(model, NearModel):  # others are to go on from a SUSPECT, CALM or STALE state
+        taking *= state[vectors.state["status"]] >= RUNNING
     end, verdict = advanced(_case(taking, method, len(classes)), state, controls)
     done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
     if isinstance(model, NearModel):

@@ -48,7 +48,7 @@ def test_a_step_does_little_beyond_its_evaluations(crank, contacts):
 
 def test_an_attempt_does_little_beyond_what_it_calls(crank):
     tables = tuple(table() for table in METHODS["dop853"])
-    assert integrator(crank, tables).attempt.n_instructions() <= 12  # 23 where it chooses among the cases of two tables
+    assert integrator(crank, tables).attempt.n_instructions() <= 9  # 23 where it chooses among the cases of two tables
 
 
 def counted(model, duration):
