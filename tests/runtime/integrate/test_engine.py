@@ -213,7 +213,9 @@ def test_dense_output_has_the_method_s_accuracy(ball):
         run.at([1.5])
 
 
-@pytest.mark.parametrize("norm", [lambda e: explicit._norm([e], 1.0), lambda e: implicit._norm(e, 1.0, 0 * e)])
+@pytest.mark.parametrize(
+    "norm", [lambda e: explicit._norm([e], 1.0, of_each=False), lambda e: implicit._norm(e, 1.0, 0 * e)]
+)
 def test_bodies_that_err_nothing_do_not_excuse_the_two_that_collide(norm):
     """Of few entries the error is the root of their mean square; more than eight dilute it no further."""
     few, more, many = (ca.vertcat(ca.DM([3.0, 4.0]), ca.DM.zeros(n)) for n in (0, 6, 98))
