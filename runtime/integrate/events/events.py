@@ -140,7 +140,7 @@ def no_event_possible(
     clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
     # cut to where a force runs out, but a little short of it: `next_modes` decides; or it may have run out in between
     least = end["force"] <= LANDING * run["tolerance"] * run["scales"][2]
-    faded = (start["retakes"] > 0) * least * (end["force_rate"] < 0) + turns_up(start, end, "force_rate")
+    faded = (start["retakes"] > 0) * least * (end["force_rate"] < 0) + _may_dip(start, end)
     clear *= 1 - (ends_with_force(model) * (mode == CONTACT) * faded)[pairs]
     if any(rubs_till_it_pulls(model)):
         clear *= 1 - (ca.DM(rubs_till_it_pulls(model)) * (start["force"] * end["force"] < 0))[pairs]
@@ -164,6 +164,13 @@ def rubs_till_it_pulls(model: Model) -> list[float]:
     """Return 1 (k) for pairs whose set-valued friction ends where their law begins to pull."""
     ends = ends_with_force(model)
     return [float(j in rubbing(model) and not ends[j]) for j in range(model.k)]
+
+
+def _may_dip(start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
+    """Return 1 (k) where a force may be among the `dips`: a cubic is above its Bernstein coefficients."""
+    f, f1 = start["force"], end["force"]
+    inner = f + start["h"] / 3 * start["force_rate"], f1 - start["h"] / 3 * end["force_rate"]
+    return turns_up(start, end, "force_rate") * (ca.fmin(*inner) < LOW * ca.fmax(ca.fmin(f, f1), 0))
 
 
 def turns_up(start: Mapping[str, Any], end: Mapping[str, Any], rate: str) -> Any:
