@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
@@ -86,47 +87,46 @@ class Goodness:
 
 
 @dataclass(frozen=True)
-class Fitted:
-    """Fit of parameters to measured runs.
+class Estimates(ABC):
+    """Fitted quantities of a scene, of whatever data.
 
-    values, nuisance    what was fitted by name; offsets and gains apart
-    known               singular values, combinations, correlation
-    untold              combinations of quantities that the data cannot tell, in words; their values are not to be used
-    goodness            None where no noise is stated
-    criterion           Akaike's, corrected for few data
-    share               part of the data that the fit rests on: what lies beyond the horizon is left out
-    offsets             run time less measured time [s] of each run
-    solutions           runs at the best fit, one of each measured run
+    values      what was fitted, by name
+    known       singular values, combinations, correlation
+    untold      combinations of quantities that the data cannot tell, in words; their values are not to be used
+    goodness    None where the deviations of the data are not stated, or nothing is left over
     """
 
-    observed: tuple[Observed, ...]
+    scene: str
     values: Mapping[str, FittedValue]
-    nuisance: Mapping[str, FittedValue]
     known: Identified
     untold: tuple[str, ...]
     goodness: Goodness | None
-    criterion: float
-    share: float
-    signals: tuple[FittedSignal, ...]
-    offsets: tuple[float, ...]
-    solutions: tuple[Solution, ...]
     runs_made: int
-    derivatives: str
     warnings: tuple[str, ...]
 
     @property
-    def scene(self) -> str:
-        """Name of the model."""
-        return self.observed[0].model.name
-
-    def __getitem__(self, name: str) -> FittedValue:
-        """Fitted quantity; raises KeyError for an unknown name."""
-        return {**self.values, **self.nuisance}[name]
+    def explained(self) -> bool | None:
+        """Return whether the stated deviations explain what differs, at 5 %; None where they are not judged."""
+        return None if self.goodness is None else self.goodness.p_value >= REJECTED
 
     @property
-    def explained(self) -> bool | None:
-        """Return whether the stated noise explains the residuals, at 5 %; None where none is stated."""
-        return None if self.goodness is None else self.goodness.p_value >= REJECTED
+    @abstractmethod
+    def verdict(self) -> str:
+        """Say whether the model explains the data, and whether they tell its parameters."""
+
+    @abstractmethod
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+
+    def __str__(self) -> str:
+        return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def _repr_html_(self) -> str:
+        word = {True: "explained", False: "rejected", None: "not judged"}[self.explained]
+        head = heading(self.scene, word, f": {self.verdict}", good=self.explained is not False)
+        rows = ((name, str(value), value.interval.how) for name, value in self.values.items())
+        told = (tag("p", text) for text in (*self.untold, *self.warnings))
+        return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *told])
 
     def distribution(self) -> Correlated:
         """Return how uncertain the quantities are, as `propagate` takes it.
@@ -134,7 +134,32 @@ class Fitted:
         Raises InputError where some are not told.
         Normal on the scale of the search, by the curvature of the least squares; cut at an end of the range that was searched.
         """
-        return joint(self.values, self.known, self.scene)
+        return _joint(self.values, self.known, self.scene)
+
+
+@dataclass(frozen=True)
+class Fitted(Estimates):
+    """Fit of parameters to measured runs.
+
+    nuisance            offsets and gains that were fitted, by name
+    criterion           Akaike's, corrected for few data
+    share               part of the data that the fit rests on: what lies beyond the horizon is left out
+    offsets             run time less measured time [s] of each run
+    solutions           runs at the best fit, one of each measured run
+    """
+
+    observed: tuple[Observed, ...]
+    nuisance: Mapping[str, FittedValue]
+    criterion: float
+    share: float
+    signals: tuple[FittedSignal, ...]
+    offsets: tuple[float, ...]
+    solutions: tuple[Solution, ...]
+    derivatives: str
+
+    def __getitem__(self, name: str) -> FittedValue:
+        """Fitted quantity; raises KeyError for an unknown name."""
+        return {**self.values, **self.nuisance}[name]
 
     @property
     def parameters(self) -> dict[str, tuple[float, str]]:
@@ -194,12 +219,6 @@ class Fitted:
                 if abs(correlation[i, j]) >= CLOSE:
                     yield f"{free[j].name} and {free[i].name} {correlation[i, j]:+.3f}"
 
-    def __str__(self) -> str:
-        return "\n".join(f"{label}: {text}" for label, text in self.lines())
-
-    def _repr_html_(self) -> str:
-        return notebook(self.scene, self.explained, self.verdict, self.values, self.untold, self.warnings)
-
     def csv(self) -> str:
         """Return every datum as CSV, with what is predicted, the residual, and whether it was used."""
         rows = ["run,column,unit,time [s] or number,measured,predicted,residual,used"]
@@ -254,18 +273,7 @@ class Fitted:
         }
 
 
-def notebook(
-    scene: str, explained: bool | None, verdict: str, values: Mapping[str, FittedValue], *notes: Sequence[str]
-) -> str:
-    """Return a fit as HTML for a notebook: verdict, values with their intervals, what is to be heeded."""
-    word = {True: "explained", False: "rejected", None: "not judged"}[explained]
-    head = heading(scene, word, f": {verdict}", good=explained is not False)
-    rows = ((name, str(value), value.interval.how) for name, value in values.items())
-    told = (tag("p", text) for texts in notes for text in texts)
-    return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *told])
-
-
-def joint(values: Mapping[str, FittedValue], known: Identified, scene: str) -> Correlated:
+def _joint(values: Mapping[str, FittedValue], known: Identified, scene: str) -> Correlated:
     """Return the distribution of fitted values; raises InputError where some are not told."""
     names = [free.name for free in known.free]
     lost = [name for name in values if known.concerned(names.index(name))]

@@ -209,6 +209,7 @@ def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
     exact = "exact, from the variational equations through every impact"
     reasons = "; ".join(sorted(forward.without_exact)[:3])
     return Fitted(
+        scene=asked.observed[0].model.name,
         observed=asked.observed,
         values={value.name: value for value in values[:count]},
         nuisance={value.name: value for value in values[count:]},

@@ -16,9 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault, InputError, shown
-from hertzwerk.runtime.design.correlated import Correlated
-from hertzwerk.runtime.fitting.fitted import REJECTED, FittedValue, Goodness, joint, notebook
-from hertzwerk.runtime.fitting.identified import Identified, identified
+from hertzwerk.runtime.fitting.fitted import Estimates, FittedValue, Goodness
+from hertzwerk.runtime.fitting.identified import identified
 from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.fitting.moments.measured_moments import MeasuredSeries, SeriesMoments, columns, read_series
 from hertzwerk.runtime.measured.series_moments import QUANTILE
@@ -67,31 +66,15 @@ class Profile:
 
 
 @dataclass(frozen=True)
-class FittedMoments:
-    """Fit of parameters to statistics of long runs; as `Fitted` otherwise."""
+class FittedMoments(Estimates):
+    """Fit of parameters to statistics of long runs."""
 
-    scene: str
-    values: Mapping[str, FittedValue]
     moments: tuple[Moment, ...]
-    known: Identified
-    untold: tuple[str, ...]
-    goodness: Goodness | None
-    runs_made: int
     profiles: Mapping[str, Profile]
-    warnings: tuple[str, ...]
 
     def __getitem__(self, name: str) -> FittedValue:
         """Fitted quantity; raises KeyError for an unknown name."""
         return self.values[name]
-
-    @property
-    def explained(self) -> bool | None:
-        """Return whether the stated deviations explain what differs; None where nothing is left over."""
-        return None if self.goodness is None else self.goodness.p_value >= REJECTED
-
-    def distribution(self) -> Correlated:
-        """Return how uncertain the quantities are, as of a `Fit`."""
-        return joint(self.values, self.known, self.scene)
 
     @property
     def verdict(self) -> str:
@@ -117,12 +100,6 @@ class FittedMoments:
         yield "verdict", self.verdict
         for warning in self.warnings:
             yield "warning", warning
-
-    def __str__(self) -> str:
-        return "\n".join(f"{label}: {text}" for label, text in self.lines())
-
-    def _repr_html_(self) -> str:
-        return notebook(self.scene, self.explained, self.verdict, self.values, self.untold, self.warnings)
 
     def record(self) -> dict[str, Any]:
         """Return everything as plain numbers, in SI."""
@@ -446,7 +423,7 @@ def _concluded(
     warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end(value.value)]
     untold = known.untold([value.value for value in values.values()], len(values))
     return FittedMoments(
-        asked.model.name, values, moments, known, tuple(untold), goodness, made, profiles, tuple(warnings)
+        asked.model.name, values, known, tuple(untold), goodness, made, tuple(warnings), moments, profiles
     )
 
 
