@@ -91,7 +91,7 @@ def scale_of(model: NearModel, scale: np.ndarray) -> np.ndarray:
 def latches_of(model: NearModel, latches: np.ndarray, c: np.ndarray) -> np.ndarray:
     """Return the latches of a run's places from those of all pairs; 0 for none."""
     near = c[model.whole.nc :][: model.k].astype(int)
-    rows = np.array(model.whole_latches)[near]  # (k, latches of a pair)
+    rows = np.array(model.whole_latches, dtype=int)[near]  # (k, latches of a pair)
     return np.where(near >= 0, latches[rows].T, 0.0).ravel()
 
 

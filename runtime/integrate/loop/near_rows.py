@@ -70,7 +70,7 @@ class NearRows:
             return found
         if part == "m":
             of_rows = [pair for *_, pair in whole.module.LATCHES]
-            return np.stack([self.latch(row, pair) for row, pair in enumerate(of_rows)], axis=1)
+            return np.array([self.latch(row, pair) for row, pair in enumerate(of_rows)]).reshape(-1, len(own)).T
         if part in ("y", "dy"):
             return np.hstack([own[:, : whole.nq + whole.nu], self._memory(own, summed=part == "y")])
         return own

@@ -123,6 +123,21 @@ def test_sensitivities_and_continuation_say_what_a_list_does_not_have(listed):
     assert run.checkpoint is None
 
 
+def test_pairs_that_latch_nothing_are_listed(monkeypatch):
+    """Damping by the stiffness alone needs no speed of approach: the run with a list did not start."""
+    monkeypatch.setattr(near_pairs, "WORTH", 0.0)
+    monkeypatch.setattr(near_pairs, "PLACES", 1)
+    listed = load(scenes.falling_balls(12))
+    assert near_model(listed) is not None and not listed.latches
+    run = simulate(listed, duration="0.2 s", tolerance=1e-7, method="dopri5", compiled=False)
+    monkeypatch.setattr(near_pairs, "WORTH", np.inf)
+    every = simulate(load(scenes.falling_balls(12)), duration="0.2 s", tolerance=1e-7, method="dopri5", compiled=False)
+    assert len(begun(every)) >= 5 and [pair for pair, _ in begun(run)] == [pair for pair, _ in begun(every)]
+    assert [t for _, t in begun(run)] == pytest.approx([t for _, t in begun(every)], abs=1e-9)
+    assert run["flight_3.z"][-1] == pytest.approx(every["flight_3.z"][-1], abs=1e-7)
+    assert run.history.part("m").shape == (len(run.history.t), 0)
+
+
 @pytest.mark.exhaustive
 def test_a_hundred_spheres_move_bit_for_bit_as_with_every_pair_in_every_step(monkeypatch):
     model = load(scenes.spheres_in_box(100, 5))
