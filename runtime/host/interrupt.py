@@ -18,13 +18,23 @@ if TYPE_CHECKING or sys.version_info >= (3, 12):
 else:  # what that wraps: before Python 3.12 it takes as long as 30 steps to see that a function is no constant
     from _signal import signal as handle
 
-_waiting: list[Callable[[], None]] = []
+_waiting: list[Callable[[], object]] = []
 
 
 def poll() -> None:
     """Deliver a SIGINT held back by `defer_interrupts`; for long operations without access to it."""
     if _waiting and threading.current_thread() is threading.main_thread():
         _waiting[-1]()
+
+
+@contextmanager
+def polled(by: Callable[[], object]) -> Iterator[None]:
+    """Have `poll` call a function, such as one that keeps to a limit of time."""
+    _waiting.append(by)
+    try:
+        yield
+    finally:
+        _waiting.remove(by)
 
 
 @contextmanager

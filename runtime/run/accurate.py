@@ -55,7 +55,8 @@ def run_to_accuracy(
         status = trace.ending.status
         given_up = given_up and status == TOO_MANY_STEPS
         end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
-        history, counted = trace.compared.history, trace.counted
+        stopped = checks is None and end is End.STOPPED  # it is not compared with another
+        history, counted = trace.kept.ends if stopped else trace.compared.history, trace.counted
         y = history.part("y")
         return Rung(tolerance, end, history.t, y, counted["steps"], counted["evaluations"], trace.ending.wall_s, trace)
 

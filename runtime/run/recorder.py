@@ -135,6 +135,8 @@ class Sampled:
     zero no shift in time accounts for an error: of a fast vibration it is seen there alone. Where effects have events,
     one at the end of a step may change a state at once, and another run may have that event slightly earlier or later:
     no sample lies so close to an end, and the shortest steps have none.
+
+    later    find them when `history` is read, of a run whose steps are kept: one that is stopped needs none
     """
 
     EVEN, BENT = 100, 60  # the former are between so many and twice as many
@@ -142,7 +144,9 @@ class Sampled:
     THROUGHOUT = 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, LATE  # where rates change at once it goes up and down several times
     SHORT = 100  # tolerances, as a shift in time by length over speed: shorter steps may be those between such events
 
-    def __init__(self, begin: float, end: float, count: int) -> None:
+    def __init__(self, begin: float, end: float, count: int, *, later: bool) -> None:
+        self._later = later
+        self._waiting: list[tuple[History, int]] = []
         between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
             end - begin
         )  # no event of a period meets them
@@ -152,6 +156,15 @@ class Sampled:
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
+        self._waiting.append((block, fresh))
+        if not self._later:
+            self._sample()
+
+    def _sample(self) -> None:
+        while self._waiting:
+            self._of(*self._waiting.pop(0))
+
+    def _of(self, block: History, fresh: int) -> None:
         self._grid.take(block, fresh)
         first = max(fresh - 1, 0)
         controls, layout = block.controls, block.engine.layouts.controls
@@ -167,6 +180,7 @@ class Sampled:
     @cached_property
     def history(self) -> History:
         """Histories at the times that the run reached, once it has ended."""
+        self._sample()
         grid = self._grid.history
         own = (
             rows.reshape(-1, grid.rows.shape[1])

@@ -128,11 +128,12 @@ class SingleRun:
             period=given.period,
             begin=self.begin,
         )
-        other = Sampled(self.begin, given.seconds, POINTS) if compared else kept
+        later = isinstance(kept, Steps)
+        other = Sampled(self.begin, given.seconds, POINTS, later=later) if compared else kept
         observers: list[Observer] = [kept, findings]
         if other is not kept:
             observers.append(other)
-        block = None if isinstance(kept, Steps) else BLOCK
+        block = None if later else BLOCK
         if other is kept and needs is Needs.ENDS and times is None:
             block = ENDS
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 GAP = ("gap", "gap_rate", "gap_acceleration")
 ROUNDINGS = 4  # times the bound of a gap's rounding: locating an event takes a few operations more
 DOUBT = 0.1  # of |quintic - cubic|: distance from zero below which a graze is in doubt
+AGREE = 0.25  # part by which what tells of a dip within a step may differ
 LOW = 0.1  # of the lower value at the ends of a step: a cubic that dips below may dip below zero
 NEAR = 1 / 64  # of a step: most by which its end is moved to land on a surface, by the classical method of order 4
 RESOLVED = 0.5  # of a gap and its way in a step: most that a step may leave open of its course
@@ -137,11 +138,13 @@ def no_event_possible(
     b = _quintic(before, after, h)
     between = _graze_margin(before, after, h)
     soon = b[5] + NEAR * h * after[1]
-    clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
-    # cut to where a force runs out, but a little short of it: `next_modes` decides; or it may have run out in between
+    # where the tangent at its start pulls, the force may run out and return: see `dips`
+    force = ca.fmin(end["force"], (mode == CONTACT) * (start["force"] + h * start["force_rate"]))
+    clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, force)[pairs])
+    # cut to where a force runs out, but a little short of it: `next_modes` decides
     least = end["force"] <= LANDING * run["tolerance"] * run["scales"][2]
-    faded = (start["retakes"] > 0) * least * (end["force_rate"] < 0) + _may_dip(start, end)
-    clear *= 1 - (ends_with_force(model) * (mode == CONTACT) * faded)[pairs]
+    faded = (mode == CONTACT) * (start["retakes"] > 0) * least * (end["force_rate"] < 0)
+    clear *= 1 - (ends_with_force(model) * faded)[pairs]
     if any(rubs_till_it_pulls(model)):
         clear *= 1 - (ca.DM(rubs_till_it_pulls(model)) * (start["force"] * end["force"] < 0))[pairs]
     for coefficient in b[1:5]:
@@ -166,31 +169,33 @@ def rubs_till_it_pulls(model: Model) -> list[float]:
     return [float(j in rubbing(model) and not ends[j]) for j in range(model.k)]
 
 
-def _may_dip(start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
-    """Return 1 (k) where a force may be among the `dips`: a cubic is above its Bernstein coefficients."""
-    f, f1 = start["force"], end["force"]
-    inner = f + start["h"] / 3 * start["force_rate"], f1 - start["h"] / 3 * end["force_rate"]
-    return turns_up(start, end, "force_rate") * (ca.fmin(*inner) < LOW * ca.fmax(ca.fmin(f, f1), 0))
+def dips(
+    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]
+) -> list[tuple[Any, Any]]:
+    """Return, for force and opening speed, the part of a step at which it is least, and what it is there.
 
-
-def turns_up(start: Mapping[str, Any], end: Mapping[str, Any], rate: str) -> Any:
-    """Return 1 (k) where what falls at the start of a step rises at its end."""
-    return ca.fmax(start[rate], -end[rate]) < 0
-
-
-def dips(model: Model, start: Mapping[str, Any], end: Mapping[str, Any]) -> list[tuple[Any, Any]]:
-    """Return, for force and opening speed, the part of a step at which it is least, and its zero there.
-
-    Each (k). They are those of cubics that go low between two higher values, NO_EVENT where there is none, and what counts as zero.
+    Each (k), by cubics that go low between two higher values; NO_EVENT where there is none, or a step is too long for the force,
+    as where one decays at once by damping: the trapezoidal rule then misses the change of speed. What begins within the tolerance is none.
     """
-    found, h = [], start["h"]
-    for counts, (mode, value, rate) in zip((ends_with_force(model), 1), RUNS_OUT, strict=True):
+    found, h, (_, speed, a), (_, speed1, a1) = [], start["h"], *([side[part] for part in GAP] for side in (start, end))
+    resolved = ca.fabs(speed1 - speed - h / 2 * (a + a1)) < AGREE * h / 2 * (ca.fabs(a) + ca.fabs(a1))
+    small = LANDING * run["tolerance"]
+    sizes = small * run["scales"][2], small * run["scales"][1]
+    for counts, size, (mode, value, rate) in zip((ends_with_force(model), 1), sizes, RUNS_OUT, strict=True):
         f, f1, rise, rise1 = start[value], end[value], h * start[rate], h * end[rate]
         square, cube = 3 * (f1 - f) - 2 * rise - rise1, 2 * (f - f1) + rise + rise1
         theta = -rise / (square + ca.sqrt(ca.fmax(square * square - 3 * cube * rise, 0)))
-        least, zero = f + theta * (rise + theta * (square + theta * cube)), LOW * ca.fmax(ca.fmin(f, f1), 0)
-        low = counts * (start["mode"] == mode) * turns_up(start, end, rate) * (least < zero)
-        found.append((ca.if_else(low, theta, NO_EVENT), zero))
+        least = f + theta * (rise + theta * (square + theta * cube))
+        low = (
+            counts
+            * (start["mode"] == mode)
+            * (start[rate] < 0)
+            * (end[rate] > 0)
+            * (ca.fmin(f, f1) > ca.fmax(least / LOW, size))
+        )
+        found.append(
+            (ca.if_else(low * resolved * (theta > NEAR) * (start["retakes"] < BELIEVED), theta, NO_EVENT), least)
+        )
     return found
 
 

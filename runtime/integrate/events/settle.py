@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import (
+    AGREE,
+    LOW,
     NEAR,
     NO_EVENT,
+    RUNS_OUT,
     dips,
     endings,
     ends_with_force,
@@ -100,7 +104,7 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
         end, verdict, moved_floors = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta, known)
     decided, switched = decide(state, controls, end, verdict, theta, delta, moved_floors)
     if model.k and ca.mmax(ends_with_force(model)):
-        lowest = _lowest(model, vectors)(state, given[2], decided)
+        lowest = _lowest(model, vectors)(state, controls, given[2], decided)
         retake = _without_pull(model, vectors, right, decide)
         decided, switched = retake(lowest[0] < NO_EVENT, *given, known, decided, switched, *lowest)
     changed = switch(model, vectors, right)
@@ -220,36 +224,42 @@ def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> A
 def _lowest(model: Model, vectors: Layouts) -> Any:
     """Build the function that returns the part of a step at which a contact may pull.
 
-    Arguments: state, next, decided; results: part, NO_EVENT if there is none, and levels (k each) of forces and opening speeds. Where a
-    contact opens it is just before the end, as the force returns to zero with the gap; elsewhere where a cubic is least.
+    Arguments: state, controls, next, decided; results: part, NO_EVENT if there is none, and (k each) the level below which a force pulls that ends,
+    and what others and opening speeds are by cubics, or infinite. Where a contact opens it is just before the end, as the force
+    returns to zero with the gap; elsewhere where a cubic is least.
     """
-    arguments, (old, end, new) = vectors.symbols("state next after")
+    arguments, (old, run, end, new) = vectors.symbols("state controls next after")
     ended = ends_with_force(model) * (old["mode"] == CONTACT) * (new["mode"] != CONTACT)
     most = ca.if_else(new["mode"] == RELEASED, ca.fmin(end["force"], 0), 0)  # where it runs out it is aimed below zero
-    (forces, low), (speeds, slow) = dips(model, old, end)
-    first = ca.mmin(ca.fmin(forces, speeds))
+    found = dips(model, run, old, end)
+    first = reduce(ca.fmin, (ca.mmin(at) for at, _ in found))
     theta = ca.if_else(any_of(ended), 1 - NEAR, ca.if_else(new["accepted"], first, NO_EVENT))
-    of_force = ca.if_else(ended, most, ca.if_else(forces == theta, low, -ca.inf))
-    results = [theta, of_force, ca.if_else(speeds == theta, slow, -ca.inf)]
+    least = (ca.if_else(at == theta, value, ca.inf) for at, value in found)
+    results = [theta, ca.if_else(ended, most, -ca.inf), *least]
     return ca.Function("lowest", arguments, ca.cse([*map(ca.densify, results)]))
 
 
 def _below(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """Build the function that returns 1 if a force or an opening speed is below its level within a step.
+    """Build the function that returns 1 if a force or an opening speed is below zero within a step.
 
-    Arguments: state, controls, next, part of the step, levels (k each). A force within its tolerance at the step's start has faded, as with
-    strong damping: it may have either sign.
+    Arguments: state, controls, next, and the results of `lowest`. A force within its tolerance at the step's start has faded, as
+    with strong damping: it may have either sign. What cubics of states give has to agree with the cubic of the force: in a
+    contact at rest an implicit step is too long for either.
     """
     arguments, (old, run, end) = vectors.symbols("state controls next", ca.MX)
-    theta, levels = ca.MX.sym("theta"), [ca.MX.sym(name, model.k) for name in ("forces", "speeds")]
+    theta, levels = ca.MX.sym("theta"), [ca.MX.sym(name, model.k) for name in ("most", "forces", "speeds")]
     back = (1 - theta) * old["h"]
     t, h, y0, y1 = end["t"] - back, old["h"], old["y"], end["y"]
     bent = theta * (2 * (y0 - y1) + h * (old["dy"] + end["dy"]))
     y = y0 + theta * (h * old["dy"] + theta * (3 * (y1 - y0) - h * (2 * old["dy"] + end["dy"]) + bent))
     inside = {"t": t, "y": y, **right.at(t, y, old["mode"], old["m"], run["c"])}
     tol, _, small = tolerances(model, run, inside)
-    found = (old["force"] > small) * (inside["force"] < levels[0]) + (inside["gap_rate"] < levels[1]) > 0
-    found = any_of(found * (inside["gap"] < -tol)) * (old["retakes"] < LOCATED)
+    pulls = inside["force"] < levels[0]
+    for (_, value, _), least in zip(RUNS_OUT, levels[1:], strict=True):
+        now, higher = inside[value], ca.fmin(old[value], end[value])
+        pulls += (now < LOW * higher) * (ca.fabs(now - least) < AGREE * (higher - least))
+    pressed = (old["mode"] == RELEASED) + (old["force"] > small)
+    found = any_of((pulls * pressed > 0) * (inside["gap"] < -tol)) * (old["retakes"] < LOCATED)
     return ca.Function("below", [*arguments, theta, *levels], [found])
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +11,7 @@ from typing import Any, Protocol
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.host.interrupt import defer_interrupts
+from hertzwerk.runtime.host.interrupt import defer_interrupts, polled
 from hertzwerk.runtime.integrate.alike.near_pairs import NearModel
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, PATIENCE
@@ -40,10 +41,15 @@ class TimeOverError(Exception):
     """The time that a call may take is over."""
 
 
-def keep_to(deadline: float) -> None:
-    """Raise TimeOverError after a time of `time.perf_counter` [s]."""
-    if time.perf_counter() > deadline:
+def keep_to(deadline: float, before: float = math.inf) -> float:
+    """Return the time [s] of `time.perf_counter`.
+
+    Raises TimeOverError where it is beyond the deadline, or as much time as since `before` leads beyond that.
+    """
+    now = time.perf_counter()
+    if now > deadline or 2 * now - before > deadline:
         raise TimeOverError
+    return now
 
 
 def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE, *, called: str = "chunk") -> Any:
@@ -108,6 +114,7 @@ class CallerProvider(Protocol):
     """
 
     callers: Callers
+    build_s: float  # s that it took to build what chooses between methods
 
     def begin(self) -> None:
         """Start a run: `callers` are those of its first steps."""
@@ -145,7 +152,8 @@ def march(
 
     keep    receives the states after the attempts in order, some at a time: rows (n, ns) that are overwritten after it returned,
             those that count are `accepted`
-    deadline   of `time.perf_counter` [s]: where it ends, after one call at least; a compiler is stopped
+    deadline   of `time.perf_counter` [s]: before which it ends, if another call takes as long as the last, but after one at least; what
+               is built or compiled is stopped
     with_choice   begin with steps that choose between methods
     schedule   of the inputs: where a piece ends a step does, and a row before it and one after it are kept
     departures   receives what pairs had that left a list of near ones
@@ -153,11 +161,13 @@ def march(
     pieces = None if schedule is None else Pieces(integrator, schedule, controls)
     run = _March(provider, integrator, Resume(state, with_choice), controls, pieces, departures)
     error: Exception | None = None
+    before = math.inf
 
     def poll() -> None:
+        nonlocal before
         interrupts()
         if run.status == RUNNING:
-            keep_to(deadline)
+            before = keep_to(deadline, before)
         if progress is not None:
             progress(run.done)
 
@@ -309,7 +319,8 @@ class _March:
         if not turned:
             return
         if chooses:
-            self._provider.use_choice(poll)
+            with polled(poll):
+                self._provider.use_choice(poll)
         else:
             self._provider.begin()
         self._change_callers()
@@ -322,6 +333,7 @@ class _March:
         left = (deadline - time.perf_counter()) * min(
             self._spent / max(self._clocked, 1e-9), 1.0
         )  # others share the processor
+        left -= self._provider.build_s  # to write a text takes about as long as to build what it is of
         ahead = min(self._spent / pace - self._spent, COMPILER_PART * left)
         if self._provider.switch_if_faster(self._spent, ahead, poll):
             self._change_callers()
