@@ -105,7 +105,7 @@ def test_what_handles_events_calls_the_right_hand_side(text):
     functions = {found["name"]: found for found in c_files._FUNCTION.finditer(text)}
     (ends,) = (name for name, found in functions.items() if found["said"] == "ends")
     callers = [found["said"] for found in functions.values() if f"{ends}(" in found["body"]]
-    assert {"moved", "switch", "below"} <= set(callers)
+    assert {"moved", "switch", "cut"} <= set(callers)
 
 
 def test_a_variable_that_is_not_handed_on_is_noticed(small, monkeypatch):

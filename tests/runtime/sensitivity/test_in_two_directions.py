@@ -19,6 +19,7 @@ pytestmark = pytest.mark.by_turns(4)  # methods that run the same code
 MU = 0.2
 METHODS = ("dop853", "dopri5", "rodas", "esdirk")
 SHOT = {"v_x": 2.0, "w_x": 40.0}
+CLOSE = 2e-6  # of the largest derivative
 PLACES = ("flight.x", "flight.z", "flight.x_speed", "flight.z_speed")
 
 
@@ -54,7 +55,7 @@ def test_a_ball_that_slid_rolls_as_its_shot_and_friction_say(method):
     for k, name in enumerate(("mu_k", "v_x", "w_x")):
         expected = slope(after, (MU, SHOT["v_x"], SHOT["w_x"]), k)
         values = np.array([found[place, name][-1] for place in PLACES])
-        assert values == pytest.approx(expected, abs=2e-6 * np.max(np.abs(expected)))
+        assert values == pytest.approx(expected, abs=CLOSE * np.max(np.abs(expected)))
 
 
 def test_the_instant_of_a_stop_has_no_derivative_and_says_so():
@@ -83,7 +84,7 @@ def test_a_stop_along_the_slip_alone_would_leave_the_ball_sliding_across(monkeyp
     expected = slope(after, (MU, SHOT["v_x"], SHOT["w_x"]), 0)
     found = shot("dop853").sensitivities("mu_k")
     values = np.array([found[place, "mu_k"][-1] for place in PLACES])
-    assert np.max(np.abs(values - expected)) > 1e-4 * np.max(np.abs(expected))
+    assert np.max(np.abs(values - expected)) > 10 * CLOSE * np.max(np.abs(expected))
 
 
 # ---- onset -----------------------------------------------------------------------------------------------------------
