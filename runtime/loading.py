@@ -9,18 +9,18 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.integrate.loop.attempt import integrator
-from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
-from hertzwerk.runtime.model import model as plain
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.engine.integration.loop.attempt import integrator
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
+from hertzwerk.runtime.engine.model import model as plain
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.derive.declare.scene import Scene
-    from hertzwerk.runtime.model.binding import Value
-    from hertzwerk.runtime.tables.meanings import Histories
+    from hertzwerk.derive.declare.scene.scene import Scene
+    from hertzwerk.runtime.engine.model.binding import Value
+    from hertzwerk.runtime.output.tables.history_meanings import Histories
 
 
 OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  # functions beside the module's
@@ -32,7 +32,7 @@ class Model(plain.Model):
     @property
     def histories(self) -> Histories:
         """All histories of a run by name, unit and meaning, shown as a table; readings are derived here."""
-        from hertzwerk.runtime.tables.meanings import entries
+        from hertzwerk.runtime.output.tables.history_meanings import entries
 
         return entries(self)
 
@@ -58,7 +58,7 @@ class Model(plain.Model):
         return made.step() if name == "step" else getattr(made, name)
 
     def _repr_html_(self) -> str:
-        from hertzwerk.runtime.tables.notebook import of_model
+        from hertzwerk.runtime.output.tables.notebook import of_model
 
         return of_model(self, self.draw())
 
@@ -69,7 +69,7 @@ class Model(plain.Model):
 
         `Solution.draw` shows how it moves.
         """
-        from hertzwerk.runtime.pictures.draw import picture
+        from hertzwerk.runtime.output.drawings import picture
 
         return picture.of_start(self, parameters, initial)
 
@@ -110,7 +110,7 @@ def load(
         name = f"hertzwerk.generated.{target}"
         if importlib.util.find_spec(name) is not None:
             return Model(importlib.import_module(name), plain.Declaration(target))
-    from hertzwerk.runtime.model import build
+    from hertzwerk.runtime.engine.model import build
 
     laws = {effect: build.located_laws(law, Path.cwd()) for effect, law in (laws or {}).items()}
     how = tuple(without), tuple(laws.items()), coordinates

@@ -1,10 +1,10 @@
 """Pipeline of a run: model and numbers -> bound -> start -> run -> solution.
 
 1. model     a generated module, loaded; its functions are built once                         loading, model/
-2. bound     parameters in SI, and everything else asked for, read and checked                run/request
+2. bound     parameters in SI, and everything else asked for, read and checked                engine/run/run_request
 3. start     positions and speeds with loops closed, journals seated                          start/
-4. run       the engine of model and method, its accepted steps                               run/single_run, integrate/
-             for an accuracy as many runs as it takes to know the error of one                run/accurate, accuracy/
+4. run       the engine of model and method, its accepted steps                               engine/run/single_run, integrate/
+             for an accuracy as many runs as it takes to know the error of one                engine/run/accurate_run, accuracy/
 5. solution  histories, impacts, balance, outcome, warnings                                   solution/
 """
 
@@ -17,20 +17,17 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.accuracy.ladder import LadderResult
-from hertzwerk.runtime.host.stages import Stages, in_stages
-from hertzwerk.runtime.inputs.given import Input, given_inputs
-from hertzwerk.runtime.integrate.step.layout import FINISHED
-from hertzwerk.runtime.loading import Model
-from hertzwerk.runtime.model import model as plain
-from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.run.accurate import run_to_accuracy, verdict_of
-from hertzwerk.runtime.run.continuation import parameters_of, resumable
-from hertzwerk.runtime.run.output_times import Output
-from hertzwerk.runtime.run.request import METHOD, Accuracy, Compiled, Request, Settings, read, steps_faults
-from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
-from hertzwerk.runtime.run.warnings import (
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.engine.accuracy.error_estimate import LadderResult
+from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
+from hertzwerk.runtime.engine.integration.step.layout import FINISHED
+from hertzwerk.runtime.engine.model import model as plain
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.run.accurate_run import run_to_accuracy, verdict_of
+from hertzwerk.runtime.engine.run.continuation import parameters_of, resumable
+from hertzwerk.runtime.engine.run.output_times import Output
+from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, Request, Settings, read, steps_faults
+from hertzwerk.runtime.engine.run.run_warnings import (
     floored,
     left_law,
     lost_grip,
@@ -41,28 +38,31 @@ from hertzwerk.runtime.run.warnings import (
     uncompiled,
     unsettled,
 )
-from hertzwerk.runtime.solution import solution as plain_solution
-from hertzwerk.runtime.solution.checkpoint import checkpoint_of
-from hertzwerk.runtime.solution.findings import Needs
-from hertzwerk.runtime.solution.history import History
-from hertzwerk.runtime.solution.outcome import not_closed
-from hertzwerk.runtime.solution.samples import Extremes, Samples
-from hertzwerk.runtime.solution.scales import Scales
-from hertzwerk.runtime.solution.solution import Statistics
-from hertzwerk.runtime.tables import notebook
-from hertzwerk.runtime.tables.data_frame import data_frame
-from hertzwerk.runtime.tables.dataset import dataset
-from hertzwerk.runtime.tables.history_table import history_table
-from hertzwerk.runtime.tables.table_file import write_table
+from hertzwerk.runtime.engine.run.single_run import SingleRun, Trace, set_up
+from hertzwerk.runtime.engine.solution import solution as plain_solution
+from hertzwerk.runtime.engine.solution.checkpoint import checkpoint_of
+from hertzwerk.runtime.engine.solution.dense_output import Extremes, Samples
+from hertzwerk.runtime.engine.solution.error_scales import Scales
+from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.engine.solution.outcome import not_closed
+from hertzwerk.runtime.engine.solution.solution import Statistics
+from hertzwerk.runtime.engine.solution.step_observers import Needs
+from hertzwerk.runtime.loading import Model
+from hertzwerk.runtime.output.tables import notebook
+from hertzwerk.runtime.output.tables.data_frame import data_frame
+from hertzwerk.runtime.output.tables.dataset import dataset
+from hertzwerk.runtime.output.tables.history_table import history_table
+from hertzwerk.runtime.output.tables.table_file import write_table
+from hertzwerk.runtime.system.stages import Stages, in_stages
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
     from xarray import Dataset
 
-    from hertzwerk.runtime.model.model import Bound
-    from hertzwerk.runtime.sensitivity.lyapunov import Lyapunov
-    from hertzwerk.runtime.sensitivity.sensitivities import Derivative, Sensitivities
+    from hertzwerk.runtime.engine.model.model import Bound
+    from hertzwerk.runtime.engine.sensitivity.lyapunov import Lyapunov
+    from hertzwerk.runtime.engine.sensitivity.sensitivities import Derivative, Sensitivities
 
 ACCURACY = Request(1e-6)  # where none is requested
 REPEATABLE = 100_000  # most steps of a run that is made again for a picture
@@ -343,9 +343,9 @@ class Solution(plain_solution.Solution):
         run's steps. Found from the steps, so that a run pays nothing until it is asked. Raises InputError for names that
         are neither, and for a run without its steps or start: a saved one, a continuation, one of SUNDIALS.
         """
-        from hertzwerk.runtime.sensitivity.sensitivities import (
-            Sensitivities,
-        )  # a run that is not asked imports none of it
+        from hertzwerk.runtime.engine.sensitivity.sensitivities import (
+            Sensitivities,  # a run that is not asked imports none of it
+        )
 
         history, bound, initial = self._from_its_start("sensitivities")
         return Sensitivities(history, bound, initial, names, compiled=self.compiled)
@@ -378,7 +378,7 @@ class Solution(plain_solution.Solution):
         finite-time spread, `horizon(error)` the time in which an error grows to 1 % of the scales. count: at most 8.
         Raises InputError as `sensitivities` does, and for a count beyond what the motion has.
         """
-        from hertzwerk.runtime.sensitivity.lyapunov import lyapunov
+        from hertzwerk.runtime.engine.sensitivity.lyapunov import lyapunov
 
         history, bound, initial = self._from_its_start("Lyapunov exponents")
         return lyapunov(history, bound, frozenset(initial), self.scales.state, count, compiled=self.compiled)
@@ -417,7 +417,7 @@ class Solution(plain_solution.Solution):
 
     def plot(self, *names: str) -> Figure:
         """Draw the overview, one contact pair, or the named histories; raises KeyError for an unknown name."""
-        from hertzwerk.runtime.pictures import plot
+        from hertzwerk.runtime.output.plots import plot_run as plot
 
         return plot.plot(self, *names)
 
@@ -437,7 +437,7 @@ class Solution(plain_solution.Solution):
 
         Raises InputError, for a saved run too. Ctrl-C writes the frames so far, and raises KeyboardInterrupt.
         """
-        from hertzwerk.runtime.pictures.motion.film import animate
+        from hertzwerk.runtime.output.films.film import animate
 
         film = animate(self, Path(path), fps=fps, slow=slow, overwrite=overwrite, progress=progress)
         if film.frames < film.of:
@@ -446,7 +446,7 @@ class Solution(plain_solution.Solution):
 
     def draw(self) -> Figure:
         """Draw the mechanism at its start and later, clearances enlarged; raises InputError for a saved run."""
-        from hertzwerk.runtime.pictures.draw import picture
+        from hertzwerk.runtime.output.drawings import picture
 
         return picture.of_run(self)
 
@@ -455,6 +455,6 @@ class Solution(plain_solution.Solution):
 
         model    of a saved run, for its equations: load("slider_crank")
         """
-        from hertzwerk.runtime.report.run_report import run_page
+        from hertzwerk.runtime.output.reports.run_report import run_page
 
         return plain_solution.write(Path(path), run_page(self, model=model).encode(), overwrite=overwrite)

@@ -32,7 +32,7 @@ def pytest_collection_finish():
 @pytest.fixture(scope="session")
 def restitutions(tmp_path_factory, worker_id):
     """The restitution study of all damping laws, computed by the first process that asks."""
-    from hertzwerk.runtime.validate.restitution import study
+    from hertzwerk.runtime.analysis.validation.restitution import study
 
     folder = tmp_path_factory.getbasetemp()
     file = (folder if worker_id == "master" else folder.parent) / "restitutions"

@@ -34,34 +34,50 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.audit.audit import audit_law
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
-from hertzwerk.derive.files.execute import names_defined_by
+from hertzwerk.derive.common.execute_file import names_defined_by
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 PAGE = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
 RECIPES = dict(re.findall(r"^## An? ([\w ]+)\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))
+RUNNING = (Path(__file__).parents[1] / "runtime" / "README.md").read_text(encoding="utf-8")
+STUDY = RUNNING.split("### A study of your own")[1].split("\n## ")[0]
 
 
 @pytest.fixture
 def made(tmp_path):
     """A recipe's files in a temporary folder, and the names that its Python file defines."""
 
-    def follow(recipe):
-        for file, text in re.findall(r"^```\w+\n# (\S+)\n(.*?)^```$", RECIPES[recipe], re.MULTILINE | re.DOTALL):
-            (tmp_path / file).write_text(text, encoding="utf-8")
-        (file,) = tmp_path.glob("*.py")
-        return names_defined_by(file)
+    def follow(text, file):
+        for name, content in re.findall(r"^```\w+\n# (\S+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+            (tmp_path / name).write_text(content, encoding="utf-8")
+        return names_defined_by(tmp_path / file)
 
     return follow
 
 
-def test_there_are_eight_recipes_of_fewer_than_ten_steps():
-    assert list(RECIPES) == ["law", "joint", "effect", "effect with states", "method", "command", "scene", "study"]
+def test_there_are_six_recipes_of_at_most_eight_lines():
+    assert list(RECIPES) == ["law", "joint", "effect", "scene", "method", "command"]
     for name, text in RECIPES.items():
+        doing = re.findall(
+            r"^(?:\d+\. |   ).*", re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL), re.MULTILINE
+        )
+        assert len(doing) <= 8, name
         steps = re.findall(r"^(\d+)\. ", text, re.MULTILINE)
-        assert 0 < len(steps) < 10, name
-        assert steps == [str(i + 1) for i in range(len(steps))]
+        assert steps == [str(i + 1) for i in range(len(steps))] != []
+
+
+def test_the_map_has_every_folder():
+    root = Path(__file__).parents[1]
+    drawn = PAGE.split("## Map")[1].split("\n## ")[0]
+    floors = {path.name for side in ("derive", "runtime") for path in (root / side).iterdir() if path.is_dir()} - {
+        "__pycache__"
+    }
+    rooms = {path.name for side in ("derive", "runtime") for path in (root / side).glob("*/*") if path.is_dir()} - {
+        "__pycache__"
+    }
+    assert [name for name in sorted(floors | rooms) if f" {name}/" not in drawn] == []
 
 
 @pytest.mark.parametrize("name", RECIPES)
@@ -78,7 +94,7 @@ def test_every_file_that_a_recipe_names_is_there(name):
 
 
 def test_a_law(made, monkeypatch):
-    law = made("law")["hardening"]
+    law = made(RECIPES["law"], "law.py")["hardening"]
     assert all(finding.verdict == "consistent" for finding in audit_law(law))
     assert list(faults_if_consistent(law)) == []
     softening = replace(law, name="softening", force=-law.force, stored=-law.stored)
@@ -100,7 +116,7 @@ def test_a_law(made, monkeypatch):
 @pytest.mark.parametrize("closing", [False, True])
 def test_a_joint(made, closing, coordinates):
     """In every role as a slide and a pin through a body without mass."""
-    kind = made("joint")["PinInSlot"]
+    kind = made(RECIPES["joint"], "joint.py")["PinInSlot"]
     size, pace = Parameter("size", "m", 0.3), Parameter("pace", "m/s", 1.0)
     body, between = (
         Body("body", Parameter("mass", "kg", 1), Parameter("J", "kg m^2", 0.02), (size, 0, 0)),
@@ -130,7 +146,7 @@ def test_a_joint(made, closing, coordinates):
 
 def test_an_effect(made):
     """Against the closed form of a body that drag alone slows, v0/(1 + c v0 t/m); and its units are proven."""
-    kind = made("effect")["AirDrag"]
+    kind = made(RECIPES["effect"], "effect.py")["AirDrag"]
     mass, pace, size = Parameter("mass", "kg", 2), Parameter("pace", "m/s", 5), Parameter("size", "m", 1)
     sled = Mechanism("sled", (Prismatic("slide", GROUND, Body("sled", mass), axis=X),))
 
@@ -148,7 +164,7 @@ def test_an_effect(made):
 
 def test_an_effect_with_states(made):
     """A satellite's attitude by a relay on x + lead v: its limit cycle in closed form, 4 h/(lead a) long, v to h/lead."""
-    kind = made("effect with states")["Relay"]
+    kind = made(RECIPES["effect"], "relay.py")["Relay"]
     h, lead, acceleration = 0.01, 0.1, 3 / 2
     signal = coordinate_of("slide") + Parameter("lead", "s", lead) * speed_of("slide")
     relay = kind("relay", "slide", Parameter("thrust", "N", 3), signal, Parameter("hysteresis", "m", h))
@@ -177,7 +193,7 @@ def test_an_effect_with_states(made):
 
 
 def test_a_method(made, monkeypatch):
-    monkeypatch.setitem(METHODS, "bogacki_shampine", (made("method")["bogacki_shampine"],))
+    monkeypatch.setitem(METHODS, "bogacki_shampine", (made(RECIPES["method"], "method.py")["bogacki_shampine"],))
     model = load("pendulum")
     errors = []
     for tolerance in (1e-6, 1e-9):
@@ -191,7 +207,7 @@ def test_a_method(made, monkeypatch):
 
 
 def test_a_command(made, monkeypatch):
-    command = made("command")["freedoms"]
+    command = made(RECIPES["command"], "command.py")["freedoms"]
     monkeypatch.setitem(main.commands, command.name, command)
     done = CliRunner().invoke(main, ["freedoms", "double_pendulum"])
     assert (done.exit_code, done.stdout) == (0, "double_pendulum: 2\n")
@@ -200,7 +216,7 @@ def test_a_command(made, monkeypatch):
 
 
 def test_a_scene(made, tmp_path, monkeypatch):
-    made("scene")
+    made(RECIPES["scene"], "my_pendulum.py")
     monkeypatch.chdir(tmp_path)
     written = CliRunner().invoke(main, ["derive", "my_pendulum.py", "--out", "generated"])
     assert written.exit_code == 0, written.output
@@ -213,7 +229,7 @@ def test_a_scene(made, tmp_path, monkeypatch):
 
 def test_a_study(made, tmp_path, monkeypatch):
     """Against Hertz; with a wrong one the command says so."""
-    made("study")
+    made(STUDY, "my_study.py")
     monkeypatch.chdir(tmp_path)
     done = CliRunner().invoke(main, ["study", "my_study.py", "--quick", "--out", "drops"])
     assert done.exit_code == 0, done.output

@@ -14,18 +14,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hertzwerk.derive.algebra.splines import Table
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.files.audit_text import audit_expression, declarations
-from hertzwerk.derive.files.execute import names_defined_by
-from hertzwerk.derive.files.lawfile import audit_laws_as_written, laws_from
-from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit
+from hertzwerk.derive.audit.audit_text import audit_expression, declarations
+from hertzwerk.derive.common.execute_file import names_defined_by
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.units import UnitError, parse_quantity, parse_unit
+from hertzwerk.derive.exchange.user_files.law_file import audit_laws_as_written, laws_from
+from hertzwerk.derive.expressions.algebra.splines import Table
 from hertzwerk.runtime import Solution, load, simulate, simulate_many
-from hertzwerk.runtime.cli.target import assignments
-from hertzwerk.runtime.integrate.loop import automatic
-from hertzwerk.runtime.model.binding import read_time
-from hertzwerk.runtime.run.output_times import times_of
-from hertzwerk.runtime.validate.scenario import load_scenario
+from hertzwerk.runtime.analysis.validation.scenario import load_scenario
+from hertzwerk.runtime.cli.target_options import assignments
+from hertzwerk.runtime.engine.integration.loop import automatic_compilation
+from hertzwerk.runtime.engine.model.binding import read_time
+from hertzwerk.runtime.engine.run.output_times import times_of
 
 PATIENCE = 30  # s of processor time for one text: no measurement, an end to what has none
 
@@ -395,30 +395,30 @@ def test_rows_of_a_batch_that_are_nothing_are_refused(tmp_path):
 )
 def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_told_of(cc, monkeypatch, tmp_path):
     """`CC=true` compiled nothing without a word, `CC="gcc -m64"` was passed over."""
-    from hertzwerk.runtime.integrate.loop import compiled
+    from hertzwerk.runtime.engine.integration.loop import c_compilation
 
     if cc.startswith("gcc") and not shutil.which("gcc"):
         pytest.skip("no gcc")
     monkeypatch.setenv("CC", cc)
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
-    compiled._compiler.cache_clear()
+    c_compilation._compiler.cache_clear()
     try:
         model = load("soft_ball")
         if cc.startswith("gcc -m64"):
-            assert compiled._compiler()[1:] == ("-m64", "-g0")
+            assert c_compilation._compiler()[1:] == ("-m64", "-g0")
             assert simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5").compiled
             return
         with pytest.raises(InputError, match="C compiler"):
             simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5")
-        monkeypatch.setattr(automatic, "LOOK", 0.0)
-        monkeypatch.setattr(automatic, "SURE", 0.0)
-        monkeypatch.setattr(compiled, "compile_seconds", lambda _: 0.0)
+        monkeypatch.setattr(automatic_compilation, "LOOK", 0.0)
+        monkeypatch.setattr(automatic_compilation, "SURE", 0.0)
+        monkeypatch.setattr(c_compilation, "compile_seconds", lambda _: 0.0)
         run = simulate(model, duration=3.0, tolerance=1e-10, method="dopri5")
         assert run.outcome.finished
         assert not run.compiled
         assert [text for text in run.warnings if text.startswith("not compiled")]
     finally:
-        compiled._compiler.cache_clear()
+        c_compilation._compiler.cache_clear()
 
 
 @pytest.mark.parametrize("closed", ["sys.stdout = None; os.close(1)", "sys.stderr = None; os.close(2)"])

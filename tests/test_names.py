@@ -55,7 +55,7 @@ def test_a_type_checker_sees_what_the_names_are(tmp_path):
     environment = {"MYPY_CACHE_DIR": str(tmp_path / "cache")} | dict(os.environ)  # what .ci/run has read of the package
     printed = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300).stdout
     for expected in (
-        "-> hertzwerk.derive.declare.scene.Scene",
+        "-> hertzwerk.derive.declare.scene.scene.Scene",
         "(name: str, parent: ",
         "hertzwerk.derive.laws.catalogue.Catalogue",
         "-> hertzwerk.runtime.loading.Model",

@@ -22,7 +22,7 @@ ALONE = (
     ".gitignore",
     ".pre-commit-config.yaml",
 )
-TOP = "runtime/package/"  # installed as hertzwerk/
+TOP = "runtime/cli/package/"  # installed as hertzwerk/
 
 
 def exported() -> list[str]:

@@ -14,11 +14,11 @@ import hertzwerk.derive
 from hertzwerk.derive.laws.law import Law
 from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.analysis.validation.scenario import Scenario, load_scenario
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.solution import outcome
-from hertzwerk.runtime.solution.history import units_of
-from hertzwerk.runtime.sweeps.sweep_file import read_sweep
-from hertzwerk.runtime.validate.scenario import Scenario, load_scenario
+from hertzwerk.runtime.engine.solution import outcome
+from hertzwerk.runtime.engine.solution.history import units_of
+from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = (
@@ -124,7 +124,7 @@ RUNS = [
 
 @pytest.mark.parametrize(("name", "long"), RUNS)
 def test_commands_run_as_written(name, long, tmp_path, monkeypatch):
-    """In the order they stand in, in one folder, but for those of other machines, see runtime/sweeps/test_cluster.py.
+    """In the order they stand in, in one folder, but for those of other machines, see runtime/studies/sweeps/rows/test_cluster.py.
 
     Pictures of a scene's run, which take four fifths of its time, are drawn once.
     """
@@ -158,7 +158,7 @@ def test_pictures_are_small_and_each_is_shown():
 def test_the_picture_of_all_mechanisms_has_them_all():
     from PIL import Image
 
-    from hertzwerk.runtime.model.build import built_in_scenes
+    from hertzwerk.runtime.engine.model.build import built_in_scenes
 
     with Image.open(ROOT / ".readme" / "mechanisms.png") as picture:
         assert picture.text["Description"].split() == list(built_in_scenes())

@@ -10,9 +10,10 @@ from typing import Any
 import sympy as sp
 from mpmath import mp, mpf
 
-from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.audit.numeric import evaluate
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.common.faults import Fault
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.laws.law import (
     STATE,
     DampingLaw,
@@ -30,7 +31,6 @@ from hertzwerk.derive.laws.law import (
     v,
     v0,
 )
-from hertzwerk.derive.units import parse_unit
 
 AGREEMENT = mpf("1e-9")  # relative tolerance of an expression against a finite difference
 DIFFERENCE = mpf("1e-12")  # relative step, far below the distance of the last point from a turning point

@@ -8,19 +8,19 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.audit.forms import advice
-from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
-from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault
-from hertzwerk.derive.dimension.frequencies import frequencies_as_angular
-from hertzwerk.derive.dimension.symbolic import Symbolic, reader, symbolic
-from hertzwerk.derive.dimension.walker import Walker, check, dimension_of
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.html.markup import tag
-from hertzwerk.derive.html.plain_table import coloured, heading, table
+from hertzwerk.derive.audit.contact_forms import advice
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.markup import tag
+from hertzwerk.derive.common.plain_table import coloured, heading, table
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.expressions.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
+from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault
+from hertzwerk.derive.expressions.dimension.frequencies import frequencies_as_angular
+from hertzwerk.derive.expressions.dimension.symbolic import Symbolic, reader, symbolic
+from hertzwerk.derive.expressions.dimension.walker import Walker, check, dimension_of
 from hertzwerk.derive.laws.law import GEOMETRY, STATE, BoundLaw, Law
 from hertzwerk.derive.program.program import Program
-from hertzwerk.derive.units import parse_unit
 
 
 @dataclass(frozen=True)

@@ -17,15 +17,15 @@ from mpmath import mp, mpf
 from hertzwerk.derive.audit.admissibility import Trial, Values, faults_of, with_definitions
 from hertzwerk.derive.audit.audit import audit_law, verdict
 from hertzwerk.derive.audit.numeric import lattice
-from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.expressions.parameter import default_value
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw, Law, R_min, StiffnessLaw
-from hertzwerk.derive.mechanism.parameter import default_value
-from hertzwerk.derive.units import parse_unit
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.derive.declare.scene.scene import Scene
 
 DIGITS = 30
 SETS = 3  # parameter sets over the ranges of a law, out of the eleven of the lattice

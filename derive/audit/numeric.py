@@ -9,23 +9,10 @@ from typing import Any
 import sympy as sp
 from mpmath import mp, mpf  # SymPy brings it
 
-from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.laws.law import (
-    R_1,
-    R_2,
-    L,
-    Law,
-    Quantity,
-    R_eff,
-    R_min,
-    dR,
-    eps_c,
-    eps_w,
-    s,
-    v,
-)
-from hertzwerk.derive.mechanism.parameter import Interval
-from hertzwerk.derive.units import parse_unit
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.expressions.parameter import Interval
+from hertzwerk.derive.laws.law import R_1, R_2, L, Law, Quantity, R_eff, R_min, dR, eps_c, eps_w, s, v
 
 DIGITS = 40
 STATES = 11  # prime: each argument takes every one of its eleven values, in an order of its own

@@ -1,1 +1,1 @@
-"""Declaration of a scene, and its checks."""
+"""Declaration of mechanisms, of the effects that act in them, and of scenes."""

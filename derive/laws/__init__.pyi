@@ -2,10 +2,10 @@
 
 from typing import overload
 
+from hertzwerk.derive.expressions.parameter import Scalar
 from hertzwerk.derive.laws.catalogue import LAWS as LAWS
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw, FilmLaw, FrictionLaw, StiffnessLaw
-from hertzwerk.derive.mechanism.bodies import Material
-from hertzwerk.derive.mechanism.parameter import Scalar
+from hertzwerk.derive.laws.material import Material
 
 class _StiffnessLaw_E_1_nu_1_E_2_nu_2(StiffnessLaw):
     @overload

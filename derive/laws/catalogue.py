@@ -42,7 +42,7 @@ class Catalogue(MutableMapping[str, Law]):
     def __getitem__(self, name: str) -> Law:
         found = self._laws[name]
         if found is None:
-            module = import_module(f".{self._files[name]}", __package__)
+            module = import_module(f".formulas.{self._files[name]}", __package__)
             found = {law.name: law for law in vars(module).values() if isinstance(law, Law)}[name]
             self._laws[name] = found
         return found

@@ -19,10 +19,10 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.tagged import Tagged
+from hertzwerk.derive.expressions.algebra.tagged import Tagged
+from hertzwerk.derive.expressions.parameter import POSITIVE, Interval, Parameter, Slot
 from hertzwerk.derive.laws.law_html import law_html
-from hertzwerk.derive.mechanism.bodies import Material, Slot
-from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Parameter
+from hertzwerk.derive.laws.material import Material
 
 
 class Quantity(Tagged):
@@ -447,6 +447,6 @@ def speed_limit(bounds: Iterable[BoundLaw]) -> sp.Expr | None:
     The least over the materials whose density is known: Johnson's limit of elastic impact, as used by Lankarani &
     Nikravesh (1994).
     """
-    materials = dict.fromkeys(m for bound in bounds for m in bound.materials if m.density is not None)
-    limits = [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials]
+    materials = dict.fromkeys(m for bound in bounds for m in bound.materials)
+    limits = [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials if m.density is not None]
     return sp.Min(*limits) if limits else None

@@ -6,10 +6,10 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.units import UnitError, parse_unit, split_quantity
+from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.laws.law import BoundLaw, Law
-from hertzwerk.derive.mechanism.parameter import Parameter
-from hertzwerk.derive.units import UnitError, parse_unit, split_quantity
 
 _CALL = re.compile(r"\s*([^()=]+?)\s*\((.*)\)\s*", re.DOTALL)
 _BETWEEN = re.compile(r"\s+x\s+(?![^()]*\))")  # as in the list of effects, and not within parentheses

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from hertzwerk.derive.algebra.notation import latex_name, latex_of, text_of
-from hertzwerk.derive.html.markup import Markup, joined, tag
-from hertzwerk.derive.html.mathml import inline, lines_of
-from hertzwerk.derive.html.plain_table import heading, table
+from hertzwerk.derive.common.markup import Markup, joined, tag
+from hertzwerk.derive.common.mathml import inline, lines_of
+from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.derive.expressions.algebra.notation import latex_name, latex_of, text_of
 
 _LETTERS = {"penetration": "d", "normal force": "F", "stored energy": "W", "damping force": r"F_{\mathrm{d}}",
             "friction force": r"F_{\mathrm{t}}"}  # fmt: skip

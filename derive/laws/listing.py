@@ -6,8 +6,8 @@ import textwrap
 from collections.abc import Iterator
 
 from hertzwerk.derive.laws.catalogue import LAWS
+from hertzwerk.derive.laws.formulas.stiffness import MATERIALS
 from hertzwerk.derive.laws.law import FORMS, GRADES, DampingLaw, FrictionLaw, Law, Quantity
-from hertzwerk.derive.laws.stiffness import MATERIALS
 
 _HEADINGS = {
     "stiffness": "Stiffness laws: the elastic normal force F(d)",
@@ -80,10 +80,10 @@ def stub() -> str:
         "",
         "from typing import overload",
         "",
+        "from hertzwerk.derive.expressions.parameter import Scalar",
         "from hertzwerk.derive.laws.catalogue import LAWS as LAWS",
         f"from hertzwerk.derive.laws.law import BoundLaw, {', '.join(kinds)}",
-        "from hertzwerk.derive.mechanism.bodies import Material",
-        "from hertzwerk.derive.mechanism.parameter import Scalar",
+        "from hertzwerk.derive.laws.material import Material",
         "",
     ]
     return "\n".join([*head, *(line for lines in classes.values() for line in lines), *variables]) + "\n"

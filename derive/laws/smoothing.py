@@ -18,8 +18,8 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.expressions.parameter import parameters_of
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw, F, Law, StiffnessLaw, d, gauss_legendre, k_t
-from hertzwerk.derive.mechanism.parameter import parameters_of
 
 NODES = 12  # of the energy stored on the way to 2 epsilon: to 1e-13 of it
 LEAST_GROWTH = sp.Rational(2, 3)  # exponent of d from which a force of the smoothed penetration has two derivatives

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import less, product
+from hertzwerk.derive.expressions.algebra.vectors import less, product
 from hertzwerk.derive.program.program import Tape
 
 

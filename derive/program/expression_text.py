@@ -12,9 +12,9 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.features import Features, Stacked
-from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.algebra.planar_curve import (
+from hertzwerk.derive.expressions.algebra.box_features import Features, Stacked
+from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.expressions.algebra.planar_curve import (
     Between,
     ChainPoints,
     Drawn,
@@ -25,8 +25,8 @@ from hertzwerk.derive.algebra.planar_curve import (
     Sampled,
     Support,
 )
-from hertzwerk.derive.algebra.splines import Spline
-from hertzwerk.derive.mechanism.parameter import CURVE, TABLE
+from hertzwerk.derive.expressions.algebra.splines import Spline
+from hertzwerk.derive.expressions.parameter import CURVE, TABLE
 
 _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(1, 6)
 

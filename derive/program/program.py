@@ -17,10 +17,10 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.planar_curve import PlanarChain, PlanarCurve, Sampled
-from hertzwerk.derive.algebra.vectors import Matrix, Vector
-from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.mechanism.parameter import TABLE
+from hertzwerk.derive.expressions.algebra.planar_curve import PlanarChain, PlanarCurve, Sampled
+from hertzwerk.derive.expressions.algebra.vectors import Matrix, Vector
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.expressions.parameter import TABLE
 
 PARAMETER = "p"
 CONSTANT = "c"

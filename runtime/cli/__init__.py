@@ -10,12 +10,14 @@ from pathlib import Path
 
 import click
 
-_OWN = (
-    "accuracy animate audit compare derive draw effects export fit hardcases laws minimise propagate run statics sweep"
-)
-FILES = {  # of commands/, by the names of commands
-    **{name: name for name in _OWN.split()},
-    **{"list": "derive", "modes": "statics", "report": "reports", "study": "studies", "validate": "run"},
+FILES = {  # by the names of commands
+    **{name: f"scene_commands.{name}" for name in ("audit", "derive", "draw", "export", "laws")},
+    **{name: f"run_commands.{name}" for name in ("animate", "report", "run", "statics")},
+    **{
+        name: f"study_commands.{name}"
+        for name in ["accuracy", "compare", "effects", "fit", "hardcases", "minimise", "propagate", "study", "sweep"]
+    },
+    **{"list": "scene_commands.derive", "modes": "run_commands.statics", "validate": "run_commands.run"},
 }
 
 TARGET = "TARGET is a built-in scene (`hertzwerk list`), or a Python file that defines `scene`, which is executed."
@@ -29,7 +31,7 @@ class _Commands(click.Group):
 
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
         if name in FILES and name not in self.commands:
-            there = vars(import_module(f"hertzwerk.runtime.cli.commands.{FILES[name]}")).values()
+            there = vars(import_module(f"hertzwerk.runtime.cli.{FILES[name]}")).values()
             found = next(found for found in there if isinstance(found, click.Command) and found.name == name)
             if any((each.metavar or str(each.name).upper()).strip("[].") == "TARGET" for each in found.params):
                 found.help = f"{cleandoc(str(found.help))}\n\n{TARGET}"
@@ -52,7 +54,7 @@ def _open_streams() -> None:
 
 def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
     if wanted:
-        from hertzwerk.runtime.host.versions import versions
+        from hertzwerk.runtime.system.versions import versions
 
         click.echo(", ".join(f"{name} {version}" for name, version in versions().items()))
         context.exit()

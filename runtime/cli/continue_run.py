@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import assignments, with_given
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.target_options import assignments, with_given
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.cli.stopping import Stopping
-    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.cli.stop_signals import Stopping
+    from hertzwerk.runtime.engine.model.model import Model
     from hertzwerk.runtime.simulation import Solution
 
 KEPT = "leave it out: a run goes on as it began"
@@ -35,9 +35,9 @@ def continue_run(
 
     Raises InputError with `faults` and more, also for options that differ from the original run.
     """
+    from hertzwerk.runtime.engine.run.continuation import parameters_of
+    from hertzwerk.runtime.engine.solution.history import unknown_histories
     from hertzwerk.runtime.loading import load
-    from hertzwerk.runtime.run.continuation import parameters_of
-    from hertzwerk.runtime.solution.history import unknown_histories
 
     before, request = _read(folder)
     limits = limits_of(max_steps, wall_time, faults)
@@ -66,7 +66,7 @@ def continue_run(
 
 def limits_of(max_steps: str | None, wall_time: str | None, faults: list[Fault]) -> dict[str, Any]:
     """Return the given limits; bad input is appended to `faults`."""
-    from hertzwerk.runtime.model.binding import read_time
+    from hertzwerk.runtime.engine.model.binding import read_time
 
     limits: dict[str, Any] = {}
     if max_steps is not None:
@@ -86,8 +86,8 @@ def output_of(grid: str | None) -> str | int:
 
 def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
     """Return the run in a folder and its request; raises InputError."""
-    from hertzwerk.runtime.host.sealed import read_sealed
     from hertzwerk.runtime.simulation import Solution
+    from hertzwerk.runtime.system.digests import read_sealed
 
     try:
         record = read_sealed(folder / "run.json")
@@ -120,8 +120,8 @@ def _differences(
     start: str | None,
 ) -> list[Fault]:
     """Return faults for the options of a command line that differ from the original run."""
-    from hertzwerk.runtime.inputs.given import located
-    from hertzwerk.runtime.model.build import is_file, located_laws
+    from hertzwerk.runtime.engine.inputs.input_values import located
+    from hertzwerk.runtime.engine.model.build import is_file, located_laws
 
     faults: list[Fault] = []
     if target is not None and is_file(target):
@@ -152,8 +152,8 @@ def _differences(
 
 def _value_differences(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
     """Return faults for parameters and initial states that differ from the run's."""
-    from hertzwerk.runtime.run.continuation import parameters_of
-    from hertzwerk.runtime.start.start_values import split_values
+    from hertzwerk.runtime.engine.run.continuation import parameters_of
+    from hertzwerk.runtime.engine.start.start_values import split_values
 
     faults: list[Fault] = []
     had = parameters_of(before, model)

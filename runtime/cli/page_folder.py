@@ -7,13 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.cli.run_folder import record_text
-from hertzwerk.runtime.host.folder import failures_of, made_folder, new_folder
-from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
-from hertzwerk.runtime.host.sealed import read_sealed
-from hertzwerk.runtime.host.versions import versions
-from hertzwerk.runtime.studies.page import Cell, Page, Table, Verdict
+from hertzwerk.runtime.studies.paper.study_page import Cell, Page, Table, Verdict
+from hertzwerk.runtime.system.atomic_files import scratch_folder, write_atomically
+from hertzwerk.runtime.system.digests import read_sealed
+from hertzwerk.runtime.system.result_folder import failures_of, made_folder, new_folder
+from hertzwerk.runtime.system.versions import versions
 
 ROWS, ASKED = "rows", "asked.json"
 COLUMNS = 80  # of prose
@@ -68,7 +68,7 @@ def asked_of(folder: Path) -> dict[str, Any]:
 
 
 def _fill(folder: Path, page: Page, about: Mapping[str, Any], missing: list[str]) -> list[str]:
-    from hertzwerk.runtime.pictures.studies.plot_page import save
+    from hertzwerk.runtime.studies.paper.plot_page import save
 
     files: list[str] = []
     for table in page.tables:

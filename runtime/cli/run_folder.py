@@ -14,16 +14,16 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from hertzwerk.runtime.host.folder import failures_of, new_folder
-from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
-from hertzwerk.runtime.host.sealed import sealed
-from hertzwerk.runtime.host.side_by_side import side_by_side
-from hertzwerk.runtime.host.versions import versions
+from hertzwerk.runtime.system.atomic_files import scratch_folder, write_atomically
+from hertzwerk.runtime.system.digests import sealed
+from hertzwerk.runtime.system.forked_tasks import side_by_side
+from hertzwerk.runtime.system.result_folder import failures_of, new_folder
+from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
-    from hertzwerk.runtime.solution.averages import Average
-    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
+    from hertzwerk.runtime.engine.solution.averages import Average
+    from hertzwerk.runtime.engine.solution.solution import Solution
 
 PICTURED = 24  # pairs up to which each gets a picture
 CSV_LIMIT = 50e6  # bytes: larger files are written only on request
@@ -245,16 +245,16 @@ class _Extras:
         drawn = cache(self.solution.with_steps)  # a run that kept a grid is made again for them, once
 
         def mechanism(at: Path) -> None:
-            from hertzwerk.runtime.pictures.draw import picture
-            from hertzwerk.runtime.pictures.saving import save_png
+            from hertzwerk.runtime.output.drawings import picture
+            from hertzwerk.runtime.output.plots.save_figure import save_png
 
             save_png(picture.of_run(drawn()), at / "mechanism.png")
 
         @cache
         def pages() -> Mapping[str, Callable[[Path], None]]:
-            from hertzwerk.runtime.pictures import plot  # slow to import: not after a stop
+            from hertzwerk.runtime.output.plots import plot_run  # slow to import: not after a stop
 
-            return plot.pages(drawn())
+            return plot_run.pages(drawn())
 
         def page(name: str, at: Path) -> None:
             pages()[name](at / f"{name}.png")

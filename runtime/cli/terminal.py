@@ -13,8 +13,8 @@ from typing import Any, Self, TypeVar
 
 import click
 
-from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime.cli import wrapping
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime.cli import line_wrapping
 
 Kept = TypeVar("Kept")
 
@@ -109,14 +109,14 @@ def report_missing(missing: Sequence[str]) -> int:
 
 def _report_error(error: Exception) -> None:
     width = shutil.get_terminal_size().columns if sys.stderr.isatty() else None
-    text = wrapping.wrapped(f"error  {error}", width, indent=4).removeprefix("error")
+    text = line_wrapping.wrapped(f"error  {error}", width, indent=4).removeprefix("error")
     click.echo(click.style("error", fg="red") + text, err=True)
 
 
 def line(label: str, text: str) -> None:
     """Print one line of a report, or several under one label."""
-    width, room = wrapping.columns(), max(len(label), 12)
-    first, *rest = wrapping.wrapped(text, None if width is None else width - room - 2).split("\n")
+    width, room = line_wrapping.columns(), max(len(label), 12)
+    first, *rest = line_wrapping.wrapped(text, None if width is None else width - room - 2).split("\n")
     click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}".rstrip())
     for line in rest:
         click.echo(f"{'':14}{line}".rstrip())
@@ -130,16 +130,16 @@ def report_damage(*found: str) -> None:
 
 def print_prose(text: str, indent: int = 0) -> None:
     """Print prose, broken between words where a terminal ends, each line's further ones indented."""
-    click.echo(wrapping.wrapped(text, wrapping.columns(), indent=indent))
+    click.echo(line_wrapping.wrapped(text, line_wrapping.columns(), indent=indent))
 
 
 def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Print aligned columns, in panels where a terminal is too narrow for them."""
-    for panel, lines in enumerate(wrapping.tabulated(columns, rows, wrapping.columns())):
+    for panel, lines in enumerate(line_wrapping.tabulated(columns, rows, line_wrapping.columns())):
         if panel:
             click.echo()
         for row in lines:
-            click.echo(wrapping.GAP.join(map(_coloured, row)).rstrip())
+            click.echo(line_wrapping.GAP.join(map(_coloured, row)).rstrip())
 
 
 def _coloured(cell: str) -> str:

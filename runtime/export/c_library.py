@@ -13,28 +13,28 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime.accuracy.ladder import LEAST
-from hertzwerk.runtime.export.exported import Contents, Row, contents, name_faults
-from hertzwerk.runtime.host.folder import new_folder
-from hertzwerk.runtime.host.versions import versions
-from hertzwerk.runtime.integrate.events.modes import enter
-from hertzwerk.runtime.integrate.loop.choose import PATIENCE
-from hertzwerk.runtime.integrate.loop.compiled import c_text
-from hertzwerk.runtime.integrate.loop.tally import tally
-from hertzwerk.runtime.integrate.step import layout
-from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.layout import CONTACT
-from hertzwerk.runtime.model.signal import WIDTH
-from hertzwerk.runtime.run.single_run import CLOSE, LEAST_STEPS
-from hertzwerk.runtime.sensitivity.readout import Expressions
-from hertzwerk.runtime.solution.outcome import FRICTION_LOCKS, said_of
-from hertzwerk.runtime.start.assembly import CLOSED, ITERATIONS, RANK, residuals
+from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
+from hertzwerk.runtime.engine.integration.events.mode_changes import enter
+from hertzwerk.runtime.engine.integration.loop.c_compilation import c_text
+from hertzwerk.runtime.engine.integration.loop.method_choice import PATIENCE
+from hertzwerk.runtime.engine.integration.loop.tally import tally
+from hertzwerk.runtime.engine.integration.step import layout
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.integration.step.layout import CONTACT
+from hertzwerk.runtime.engine.model.signal import WIDTH
+from hertzwerk.runtime.engine.run.single_run import CLOSE, LEAST_STEPS
+from hertzwerk.runtime.engine.sensitivity.readout import Expressions
+from hertzwerk.runtime.engine.solution.outcome import FRICTION_LOCKS, said_of
+from hertzwerk.runtime.engine.start.assembly import CLOSED, ITERATIONS, RANK, residuals
+from hertzwerk.runtime.export.export_contents import Contents, Row, contents, name_faults
+from hertzwerk.runtime.system.result_folder import new_folder
+from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
+    from hertzwerk.runtime.engine.model.model import Model
     from hertzwerk.runtime.export.export_request import Asked
-    from hertzwerk.runtime.integrate.loop.attempt import Integrator
-    from hertzwerk.runtime.model.model import Model
 
 ALL = (
     *("begin", "attempt", "attempt_choosing", "enter", "constants", "start", "scales_of", "joint_scales", "placed"),

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
-from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.model.signal import constant
-from hertzwerk.runtime.run.request import Settings
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.signal import constant
+from hertzwerk.runtime.engine.run.run_request import Settings
 
 AnyModel = TypeVar("AnyModel", bound=Model)
 

@@ -14,19 +14,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.units import Unit, parse_unit
-from hertzwerk.runtime.accuracy.ladder import LEAST
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.units import Unit, parse_unit
+from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
+from hertzwerk.runtime.engine.integration.loop.c_compilation import NoCompilerError, compile_files
 from hertzwerk.runtime.export.c_library import level, library, number, template
-from hertzwerk.runtime.export.exported import contents, name_faults
-from hertzwerk.runtime.host.folder import new_file_faults
-from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
-from hertzwerk.runtime.host.versions import versions
-from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError, compile_files
+from hertzwerk.runtime.export.export_contents import contents, name_faults
+from hertzwerk.runtime.system.atomic_files import scratch_folder, write_atomically
+from hertzwerk.runtime.system.result_folder import new_file_faults
+from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.export.export_contents import Contents, Row
     from hertzwerk.runtime.export.export_request import Asked
-    from hertzwerk.runtime.export.exported import Contents, Row
 
 BASES = ("kg", "m", "s", "K", "A")
 CATEGORIES = {"logStatusError": "errors", "logEvents": "impacts"}
@@ -122,7 +122,7 @@ def _abilities(found: Contents, name: str, fmi: int) -> Attributes:
 
 def _variables(found: Contents, fmi: int) -> Iterator[tuple[Attributes, bool, Row]]:
     """Yield (attributes, whether it has a start, row) of every variable by its value reference."""
-    from hertzwerk.runtime.export.exported import Row
+    from hertzwerk.runtime.export.export_contents import Row
 
     fixed = {"causality": "parameter", "variability": "fixed", "initial": "exact"}
     given = {"causality": "input", "variability": "continuous", **({"initial": "exact"} if fmi == 3 else {})}

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.faults import Fault
+    from hertzwerk.derive.common.faults import Fault
     from hertzwerk.runtime.export.export_request import Asked
 
 
@@ -19,9 +19,9 @@ def _latex(asked: Asked, _: Path) -> str:
 
 def _mathml(asked: Asked, _: Path) -> str:
     """Return the equations as an HTML page of MathML that fetches nothing; raises InputError."""
-    from hertzwerk.derive.html.markup import Markup
-    from hertzwerk.runtime.host.versions import versions
-    from hertzwerk.runtime.report import html_page, scene_sections
+    from hertzwerk.derive.common.markup import Markup
+    from hertzwerk.runtime.output.reports import html_page, scene_sections
+    from hertzwerk.runtime.system.versions import versions
 
     model, readable = asked.model, asked.model.equations()
     own = dict(asked.model.bind(asked.parameters).values)
@@ -81,7 +81,7 @@ def _new_fmu(file: Path) -> list[Fault]:
 
 
 def _new_folder(folder: Path) -> list[Fault]:
-    from hertzwerk.runtime.host.folder import destination_fault
+    from hertzwerk.runtime.system.result_folder import destination_fault
 
     fault = destination_fault(folder)
     return [] if fault is None else [replace(fault, where="--c", remedy="an export never overwrites: name another")]

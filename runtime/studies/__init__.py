@@ -1,1 +1,1 @@
-"""Comparisons as one command each: a sweep, its pictures and its verdicts."""
+"""Studies of many runs: sweeps, uncertainty, minimisation, measured data, the paper's studies."""

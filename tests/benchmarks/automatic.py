@@ -21,9 +21,9 @@ CHAIN = "falling_chain_of_8"
 def automatic() -> Iterator[Ratio]:
     """The default method, auto, against dop853 on every scene: runs in the virtual machine, by turns, of processor time."""
     from hertzwerk.runtime import load
-    from hertzwerk.runtime.hard_cases.runner import model_of
-    from hertzwerk.runtime.hard_cases.table import BY_NAME
-    from hertzwerk.runtime.validate import scenarios
+    from hertzwerk.runtime.analysis.hard_cases.case_table import BY_NAME
+    from hertzwerk.runtime.analysis.hard_cases.runner import model_of
+    from hertzwerk.runtime.analysis.validation import scenarios
 
     for name in scenarios.names():
         for tolerance in TOLERANCES:

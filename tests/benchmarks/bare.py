@@ -8,9 +8,9 @@ import casadi as ca
 import numpy as np
 from benchmarks.ratios import hot
 
-from hertzwerk.runtime.integrate.loop.compiled import Program
-from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.layout import CONTACT
+from hertzwerk.runtime.engine.integration.loop.c_compilation import Program
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 
 SIZE = (16, 16)  # evaluations per call, one waiting for the other
 TINY = 1e-22  # of a rate, added to the next state: too little to be seen, and yet to be waited for

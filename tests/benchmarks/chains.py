@@ -24,7 +24,7 @@ def chains() -> Iterator[Ratio]:
     from operations import CHAINS, of_chain
     from sympy.core.cache import clear_cache
 
-    from hertzwerk.derive.derivation import generate
+    from hertzwerk.derive.equations.derivation import generate
 
     def ours(scene: Any) -> None:
         clear_cache()

@@ -17,10 +17,10 @@ import numpy as np
 from random_mechanisms import KINDS, mechanisms
 
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.accuracy.ladder import LEAST, Ladder
-from hertzwerk.runtime.run.difference import impact_differences
-from hertzwerk.runtime.solution.scales import error
-from hertzwerk.runtime.validate import scenarios
+from hertzwerk.runtime.analysis.validation import scenarios
+from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST, Ladder
+from hertzwerk.runtime.engine.run.run_difference import impact_differences
+from hertzwerk.runtime.engine.solution.error_scales import error
 
 METHODS = ("dopri5", "dop853", "rodas", "esdirk", "auto")
 ACCURACIES = tuple(10.0**-k for k in range(3, 11))

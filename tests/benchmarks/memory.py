@@ -14,7 +14,7 @@ from pathlib import Path
 
 def main(name: str, steps: str, spacing: str, duration: str) -> None:
     from hertzwerk.runtime import load, simulate
-    from hertzwerk.runtime.integrate.loop.compiled import available
+    from hertzwerk.runtime.engine.integration.loop.c_compilation import available
 
     began = time.process_time()
     settings = {"duration": duration, "output": spacing, "tolerance": 1e-6, "max_events": 10**9}

@@ -14,7 +14,7 @@ from pathlib import Path
 from benchmarks.ratios import Measurement, Ratio, medians
 
 README = Path(__file__).parents[2] / "README.md"
-HERTZWERK = (sys.executable, "-c", "from hertzwerk.runtime.command_line import start; start()", "run")
+HERTZWERK = (sys.executable, "-c", "from hertzwerk.command_line import start; start()", "run")
 VARIED = ("slider_crank", "--without", "slider_pin_friction")
 
 

@@ -16,7 +16,7 @@ class Buffered:
 
     def __init__(self, function: Any, v0: np.ndarray, *, compiled: bool) -> None:
         if compiled:
-            from hertzwerk.runtime.integrate.loop.compiled import Program
+            from hertzwerk.runtime.engine.integration.loop.c_compilation import Program
 
             (function,) = Program(function).load()
         buffer, self.evaluate = function.buffer()

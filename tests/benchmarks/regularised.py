@@ -24,7 +24,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from benchmarks import programs
 
-from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import dop853
+from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import dop853
 from reference.slider_crank import reference
 
 INSTANTS = (0.008, 0.009, 0.010, 0.011, 0.012)  # s, at which the error is taken

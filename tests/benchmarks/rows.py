@@ -113,8 +113,8 @@ def process(script: str, *arguments: str) -> Taken:
 def fill(folder: Path, missing: int = MISSING) -> None:
     """Store all but the last rows of the sweep, by the store's own writer."""
     from hertzwerk.runtime import sweep
-    from hertzwerk.runtime.sweeps.points.definition import read_definition
-    from hertzwerk.runtime.sweeps.store import opened
+    from hertzwerk.runtime.studies.sweeps.points.sweep_definition import read_definition
+    from hertzwerk.runtime.studies.sweeps.sweep_store import opened
 
     def stop(fraction: float) -> None:
         if fraction:

@@ -46,7 +46,7 @@ from benchmarks.sweep import sweep
 
 def startup() -> Iterator[Ratio]:
     """A run from the shell, results written, nothing cached, against the imports nobody can avoid."""
-    command = [sys.executable, "-c", "from hertzwerk.runtime.command_line import start; start()"]  # as the script does
+    command = [sys.executable, "-c", "from hertzwerk.command_line import start; start()"]  # as the script does
     with tempfile.TemporaryDirectory() as folder:
         fresh = (Path(folder) / f"run{i}" for i in itertools.count())
 
@@ -96,7 +96,7 @@ def derivation() -> Iterator[Ratio]:
     from benchmarks.peers import kane_slider_crank
     from sympy.core.cache import clear_cache
 
-    from hertzwerk.derive.derivation import generate
+    from hertzwerk.derive.equations.derivation import generate
 
     spec = importlib.util.find_spec("hertzwerk.derive.scenes.slider_crank")
     assert spec is not None and spec.origin is not None

@@ -26,8 +26,8 @@ MEMORY = 600  # MB, most of a compiler
 def size() -> Iterator[Ratio]:
     """Lines of modules, C of the loop (dop853), processor time and memory of the compiler."""
     from hertzwerk.runtime import load
-    from hertzwerk.runtime.model.build import built_in_scenes
-    from hertzwerk.runtime.model.generated_text import text_of
+    from hertzwerk.runtime.engine.model.build import built_in_scenes
+    from hertzwerk.runtime.engine.model.generated_text import text_of
 
     models = {f"balls, {n * (n + 1) // 2} pairs": load(scenes.balls(n)) for n in BALLS}
     names = built_in_scenes()
@@ -58,10 +58,10 @@ def size() -> Iterator[Ratio]:
 
 def c_of(model: Any) -> str:
     """C text of the loop of a model by dop853."""
-    from hertzwerk.runtime.integrate.loop.attempt import integrator
-    from hertzwerk.runtime.integrate.loop.chunk import chunk
-    from hertzwerk.runtime.integrate.loop.compiled import c_text
-    from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+    from hertzwerk.runtime.engine.integration.loop.attempt import integrator
+    from hertzwerk.runtime.engine.integration.loop.c_compilation import c_text
+    from hertzwerk.runtime.engine.integration.loop.chunk import chunk
+    from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
     return c_text([chunk(integrator(model, tuple(table() for table in METHODS["dop853"])))])
 
@@ -73,8 +73,8 @@ class Compilation:
         self._text, self.megabytes = text, 0.0
 
     def __call__(self) -> float:
-        from hertzwerk.runtime.integrate.loop.c_files import c_files
-        from hertzwerk.runtime.integrate.loop.compiled import FLAGS
+        from hertzwerk.runtime.engine.integration.loop.c_compilation import FLAGS
+        from hertzwerk.runtime.engine.integration.loop.c_files import c_files
 
         seconds = 0.0
         for file in c_files(self._text):

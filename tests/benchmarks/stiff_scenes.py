@@ -36,8 +36,8 @@ def incline() -> Any:
         Z,
     )
     from hertzwerk.derive.laws import hunt_crossley, power, smooth_coulomb
-    from hertzwerk.runtime.model.build import build
-    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.engine.model.build import build
+    from hertzwerk.runtime.engine.model.model import Model
 
     radius, speed = Parameter("radius", "m", 0.1), Parameter("speed", "m/s", START)
     depth = Parameter("static_depth", "m", (PRESS / STIFFNESS) ** (2 / 3))

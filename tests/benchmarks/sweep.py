@@ -37,7 +37,7 @@ BARS = {2: ("<= 1.6", "<= 1.6"), 20: ("<= 1.15", "<= 1.3")}
 def sweep() -> Iterator[Ratio]:
     """A row of a stored, compiled sweep of slider_crank over its clearance against the bare loop of its run, by processor time."""
     from hertzwerk.runtime import load
-    from hertzwerk.runtime.sweeps.batch import cores
+    from hertzwerk.runtime.studies.sweeps.batch import cores
 
     model = load("slider_crank")
     sets = [{"clearance": f"{0.1 + 0.3 * i / ROWS:.9g} mm"} for i in range(ROWS)]
@@ -83,9 +83,9 @@ def rows(
 
 def bare_loop(model: Any, given: Mapping[str, str], duration: float) -> Callable[[], object]:
     """The march of a run by itself: compiled chunks until the end, nothing kept."""
-    from hertzwerk.runtime.run.recorder import ENDS
-    from hertzwerk.runtime.run.request import Settings, read
-    from hertzwerk.runtime.run.single_run import set_up
+    from hertzwerk.runtime.engine.run.recorder import ENDS
+    from hertzwerk.runtime.engine.run.run_request import Settings, read
+    from hertzwerk.runtime.engine.run.single_run import set_up
 
     settings = Settings(duration, None, TOLERANCE, compiled=True)
     inputs, _ = read(model, settings, given, {})

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from benchmarks.honesty import METHODS, Case, honesty, random_motions, scene
 
-from hertzwerk.runtime.accuracy import ladder as accuracy
+from hertzwerk.runtime.engine.accuracy import error_estimate as accuracy
 
 
 def within(cases):

@@ -15,9 +15,9 @@ from mpmath import mp, mpf
 from scipy.integrate import solve_ivp
 from scipy.special import lambertw
 
-from hertzwerk.derive.emit.helpers import HELPERS
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import F, StiffnessLaw, d, k_t, m_eff, v, v0
+from hertzwerk.derive.program.emit.helpers import HELPERS
 from hertzwerk.derive.program.expression_text import expression_text
 from reference.laws import STEEL
 

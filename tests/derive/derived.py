@@ -9,8 +9,8 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.derive import Scene, generate
+from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.program.program import OWN
-from hertzwerk.derive.units import parse_unit
 
 
 class Derived:

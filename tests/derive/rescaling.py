@@ -13,9 +13,9 @@ from typing import NamedTuple
 from mpmath import mp, mpf
 
 from hertzwerk.derive.audit.numeric import DIGITS, evaluate, lattice, scale_factor
-from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.laws.law import F, StiffnessLaw, d
-from hertzwerk.derive.units import parse_unit
 
 ROUNDING = mpf(10) ** -25  # 40 digits, less the cancellation in any law
 FACTORS = (2, 3, 5, 7, 11)

@@ -1,4 +1,4 @@
-"""Count the steps that every hard case takes with every method, and write them to runtime/hard_cases/measured.py; 5 minutes.
+"""Count the steps that every hard case takes with every method, and write them to runtime/analysis/hard_cases/tried_steps.py; 5 minutes.
 
     python tests/hard_cases/count.py [CASE...]     those cases anew; by default all
 
@@ -10,11 +10,11 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from hertzwerk.runtime.hard_cases.measured import TRIES
-from hertzwerk.runtime.hard_cases.runner import solve
-from hertzwerk.runtime.hard_cases.table import CASES
+from hertzwerk.runtime.analysis.hard_cases.case_table import CASES
+from hertzwerk.runtime.analysis.hard_cases.runner import solve
+from hertzwerk.runtime.analysis.hard_cases.tried_steps import TRIES
 
-FILE = Path(__file__).parents[2] / "runtime" / "hard_cases" / "measured.py"
+FILE = Path(__file__).parents[2] / "runtime" / "analysis" / "hard_cases" / "tried_steps.py"
 HEAD = '''"""Measured steps tried (accepted, rejected, retaken) by case and method.
 
 Written by tests/hard_cases/count.py.

@@ -5,10 +5,10 @@ import json
 import pytest
 from click.testing import CliRunner
 
+from hertzwerk.runtime.analysis.hard_cases import invariants, runner
+from hertzwerk.runtime.analysis.hard_cases.case_table import BY_NAME, CASES
+from hertzwerk.runtime.analysis.hard_cases.tried_steps import TRIES
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.hard_cases import invariants, runner
-from hertzwerk.runtime.hard_cases.measured import TRIES
-from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
 
 
 @pytest.fixture

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.runtime.hard_cases import closed
-from hertzwerk.runtime.hard_cases.cases import sliding
-from hertzwerk.runtime.hard_cases.table import BY_NAME
+from hertzwerk.runtime.analysis.hard_cases import closed_forms as closed
+from hertzwerk.runtime.analysis.hard_cases.case_table import BY_NAME
+from hertzwerk.runtime.analysis.hard_cases.cases import sliding
 from reference import closed_forms
 from reference.slider_crank import reference
 

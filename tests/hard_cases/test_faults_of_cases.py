@@ -7,10 +7,10 @@ import pytest
 from hertzwerk.derive import Coupling, InputError, Parameter
 from hertzwerk.derive.scenes.hard.coupled_shafts import geared_parallelogram
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.hard_cases import runner
-from hertzwerk.runtime.hard_cases.invariants import measure
-from hertzwerk.runtime.hard_cases.table import BY_NAME
-from hertzwerk.runtime.solution import watch
+from hertzwerk.runtime.analysis.hard_cases import runner
+from hertzwerk.runtime.analysis.hard_cases.case_table import BY_NAME
+from hertzwerk.runtime.analysis.hard_cases.invariants import measure
+from hertzwerk.runtime.engine.solution import contact_watch
 
 FAULTS = {
     "gear_beside_a_parallelogram": ({"pace": "10.00001 rad/s"}, {"final left.angle", "final right.angle"}),
@@ -32,8 +32,8 @@ def test_a_fault_is_found(name):
 
 
 def test_a_crest_beside_steps_of_rounding_is_not_found_at_the_steps(monkeypatch):
-    monkeypatch.setattr(watch, "AT_ONCE", 0.0)
-    monkeypatch.setattr(watch, "CREST", 0.0)  # nor is one looked for within steps
+    monkeypatch.setattr(contact_watch, "AT_ONCE", 0.0)
+    monkeypatch.setattr(contact_watch, "CREST", 0.0)  # nor is one looked for within steps
     case = BY_NAME["peak_beside_a_landing"]
     run = runner.solve(case, "dop853", compiled=False)
     assert runner.broken(case, run.outcome.name, measure(case, "dop853", run)) == ("error of peak forces",)

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from hertzwerk.runtime import simulate
-from hertzwerk.runtime.hard_cases import invariants, runner
-from hertzwerk.runtime.hard_cases.case import HardCase, Source, final
-from hertzwerk.runtime.hard_cases.measured import TRIES
-from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.solution.history import History
+from hertzwerk.runtime.analysis.hard_cases import invariants, runner
+from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Source, final
+from hertzwerk.runtime.analysis.hard_cases.tried_steps import TRIES
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.solution.history import History
 
 BALL = Source("bouncing_ball")
 CASE = HardCase("a_case", "none", "nothing", BALL, 1.2, 1e-8, known=(final("vertical.speed", 0.0, 100.0, "anything"),))

@@ -4,11 +4,11 @@ import pytest
 from each import each
 
 from hertzwerk.runtime import load
-from hertzwerk.runtime.hard_cases import runner
-from hertzwerk.runtime.hard_cases.case import METHODS
-from hertzwerk.runtime.hard_cases.measured import TRIES
-from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
-from hertzwerk.runtime.run.request import METHOD
+from hertzwerk.runtime.analysis.hard_cases import runner
+from hertzwerk.runtime.analysis.hard_cases.case import METHODS
+from hertzwerk.runtime.analysis.hard_cases.case_table import BY_NAME, CASES
+from hertzwerk.runtime.analysis.hard_cases.tried_steps import TRIES
+from hertzwerk.runtime.engine.run.run_request import METHOD
 
 SLOW = {case.name for case in CASES if case.long}
 ONE_ENGINE = {

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-SOURCE = Path(__file__).with_suffix(".c")
+SOURCE = Path(__file__).parent / "programs" / "body_on_plane.c"
 MOST = 400_000  # steps
 ELASTIC, HYSTERESIS, SECANT, SECANT_APPROACHING, TANGENT, POWER = range(6)
 

@@ -2,7 +2,7 @@
 
 A rod is as long as ever; the hinge across two rods that meet is square to both, and the hinges at the two ends of a rod are square to each other. A
 uniform rod is m/6 [[2, 1], [1, 2]] on its ends. Positions, speeds, multipliers by least squares; projected onto the constraints
-after every interval. Run as a script it prints the digits of runtime/validate/scenarios/bricard.toml (a minute and a half).
+after every interval. Run as a script it prints the digits of runtime/analysis/validation/scenarios/bricard.toml (a minute and a half).
 """
 
 from itertools import pairwise

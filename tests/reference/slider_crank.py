@@ -32,7 +32,7 @@ along n has 1/m_eff = n_x^2/m_s + (l n.u')^2/(J + m_r s^2).
 
 Start: phi = theta = 0, x = r + l, theta' = -w r/l, x' = 0, i.e. the ideal mechanism at its outer dead centre.
 
-The digits in slider_crank.json come from slider_crank_quad.cpp beside this file (g++ and libquadmath), run at two
+The digits in slider_crank.json come from programs/slider_crank_quad.cpp (g++ and libquadmath), run at two
 tolerances and two step limits; what the two runs differ by is stored as the uncertainty. Regenerate, 5 minutes:
 
     python tests/reference/slider_crank.py
@@ -53,7 +53,7 @@ from typing import NamedTuple
 
 HERE = Path(__file__).parent
 DATA = HERE / "slider_crank.json"
-PROGRAM = HERE / "slider_crank_quad.cpp"
+PROGRAM = HERE / "programs" / "slider_crank_quad.cpp"
 # (local error in the scene's scales, longest step [s]) of the two runs; the digits of the second are kept.
 TOLERANCES = (("1e-26", "1.7e-6"), ("1e-29", "1.1e-6"))
 TIMES = tuple(f"{ms}e-3" for ms in range(1, 25))

@@ -2,7 +2,7 @@
 
 Coordinates are height, tilt of the sleeve and pitch of the bird, both against the ground. Corners at the bar press with K d^1.5 (1 + 3/2 (1 - e)
 d'/v0), v0 the speed at the onset, until that is zero, and rub with mu N tanh(s/v_s). Run as a script it prints the digits of
-runtime/validate/scenarios/woodpecker.toml (ten seconds).
+runtime/analysis/validation/scenarios/woodpecker.toml (ten seconds).
 """
 
 from functools import partial

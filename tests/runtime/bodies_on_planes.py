@@ -37,7 +37,7 @@ from hertzwerk.derive import (  # fmt: skip
     laws,
 )
 from hertzwerk.derive import Body as RigidBody
-from hertzwerk.runtime.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import Solution
 from reference.body_on_plane import Body, Motion, motions, program
 
 SEED, GRAVITY, RUB_SPEED = 20261124, 9.81, 1e-3

@@ -2,10 +2,10 @@
 
 import pytest
 
-from hertzwerk.runtime.integrate.loop import compiled
+from hertzwerk.runtime.engine.integration.loop import c_compilation
 
 
 @pytest.fixture(autouse=True)
 def little_optimised(monkeypatch):
-    """Compile in a third of the time: what -O1 makes is compared in integrate/test_engine.py, what -O3 makes in hard_cases/."""
-    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # the last one counts
+    """Compile in a third of the time: what -O1 makes is compared in engine/integration/step/test_engine.py, what -O3 makes in hard_cases/."""
+    monkeypatch.setattr(c_compilation, "FLAGS", (*c_compilation.FLAGS, "-O0"))  # the last one counts

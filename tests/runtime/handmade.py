@@ -8,7 +8,7 @@ from types import ModuleType
 
 import casadi as ca
 
-from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.engine.model.model import Model
 
 Law = Callable[..., object]
 

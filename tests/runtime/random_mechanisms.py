@@ -46,7 +46,7 @@ from hertzwerk.derive import (  # fmt: skip
     laws,
 )
 from hertzwerk.runtime import load
-from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.engine.model.model import Model
 
 SEED = 20261126
 

@@ -1,7 +1,7 @@
 """Balls against closed forms and published numbers: free impact, fall, restitution of the damping laws, ten bounces, two spheres.
 
 The closed forms are those of tests/reference/closed_forms.py, in 60 digits; published numbers are those of shared/reference/scenarios.md. What
-tests/runtime/integrate/test_engine.py measures already (bouncing_ball at its own speed, Flores) is not measured again.
+tests/runtime/engine/integration/step/test_engine.py measures already (bouncing_ball at its own speed, Flores) is not measured again.
 """
 
 import math

@@ -28,7 +28,7 @@ from hertzwerk.derive import (
     laws,
 )
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 G = 9.81
 R = Parameter("r", "mm", 1)

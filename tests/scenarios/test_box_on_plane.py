@@ -26,7 +26,7 @@ from hertzwerk.derive import (
     laws,
 )
 from hertzwerk.runtime import equilibrium, load, simulate
-from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 G, MASS, K = 9.81, 7.0, 1e6
 W, H, D = (Parameter(name, "mm", value) for name, value in (("w", 100), ("h", 200), ("d", 60)))

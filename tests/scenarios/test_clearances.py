@@ -35,7 +35,7 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.pictures.curves import Curves
+from hertzwerk.runtime.output.plots.curves import Curves
 
 TIGHT = {"rtol": 1e-13, "atol": 1e-15, "method": "DOP853"}
 

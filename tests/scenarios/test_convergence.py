@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.integrate.tableaux import methods
+from hertzwerk.runtime.engine.integration.tableaux import methods
 from reference.slider_crank import SliderCrank, reference
 
 pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code

@@ -27,7 +27,7 @@ from hertzwerk.derive import (
     laws,
 )
 from hertzwerk.runtime import equilibrium, load, simulate
-from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 RADIUS, STROKE = Parameter("R", "mm", 20), Parameter("stroke", "mm", 1)
 RATE, STIFFNESS, MASSES = 100.0, 1e8, {"punch": 1.5, "die": 0.7}

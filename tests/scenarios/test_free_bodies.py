@@ -208,8 +208,8 @@ def test_friction_turns_a_free_ball_by_what_it_takes_from_its_flight(method):
 
 
 def test_a_run_on_quaternions_is_saved_read_and_drawn(tmp_path):
-    from hertzwerk.runtime.pictures.curves import Curves
-    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.output.plots.curves import Curves
 
     run = simulate(
         pendulum(lambda bob: Spherical("pin", GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2}, tolerance=1e-6

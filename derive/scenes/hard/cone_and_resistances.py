@@ -10,22 +10,22 @@ from collections.abc import Callable
 import sympy as sp
 
 from hertzwerk.derive import Where
-from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
-from hertzwerk.derive.declare.scales import Scales
-from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.declare.start import Start
-from hertzwerk.derive.effects.contacts import Contact, Friction
-from hertzwerk.derive.effects.energy_ledger import EnergyLedger
-from hertzwerk.derive.effects.forces import JointForce
-from hertzwerk.derive.effects.gravity import Gravity
-from hertzwerk.derive.effects.loads.resistances import DrillingResistance, RollingResistance
-from hertzwerk.derive.effects.state_expression import T
+from hertzwerk.derive.declare.effects.contacts import Contact, Friction
+from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.declare.effects.forces import JointForce
+from hertzwerk.derive.declare.effects.gravity import Gravity
+from hertzwerk.derive.declare.effects.state_expression import T
+from hertzwerk.derive.declare.effects.tribology.rolling_resistance import DrillingResistance, RollingResistance
+from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, X, Y, Z
+from hertzwerk.derive.declare.mechanism.joints.axial import Prismatic
+from hertzwerk.derive.declare.mechanism.joints.free import Free
+from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
+from hertzwerk.derive.declare.scene.scales import Scales
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.declare.scene.start import Start
+from hertzwerk.derive.equations.contact.pairs.on_plane import SphereOnPlane
+from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.laws import coulomb, flores, power
-from hertzwerk.derive.mechanism.bodies import GROUND, Body, X, Y, Z
-from hertzwerk.derive.mechanism.joints.axial import Prismatic
-from hertzwerk.derive.mechanism.joints.free import Free
-from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.parameter import Parameter
 
 _MASS, _RADIUS = Parameter("mass", "kg", 1), Parameter("radius", "m", 0.02)
 _GRAVITY = Parameter("gravity", "m/s^2", 9.81)

@@ -7,17 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from hertzwerk.derive.declare.scales import Scales
-from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.declare.start import Start
-from hertzwerk.derive.effects.couplings import Coupling
-from hertzwerk.derive.effects.energy_ledger import EnergyLedger
-from hertzwerk.derive.effects.springs import JointSpring
-from hertzwerk.derive.effects.state_expression import T, coordinate_of
-from hertzwerk.derive.mechanism.bodies import GROUND, Body, X, Z
-from hertzwerk.derive.mechanism.joints.axial import Prismatic, Revolute
-from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.parameter import Parameter
+from hertzwerk.derive.declare.effects.couplings import Coupling
+from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.declare.effects.springs import JointSpring
+from hertzwerk.derive.declare.effects.state_expression import T, coordinate_of
+from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, X, Z
+from hertzwerk.derive.declare.mechanism.joints.axial import Prismatic, Revolute
+from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
+from hertzwerk.derive.declare.scene.scales import Scales
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.declare.scene.start import Start
+from hertzwerk.derive.expressions.parameter import Parameter
 
 _SIZE, _BASE = Parameter("size", "m", 0.1, "of a crank"), Parameter("base", "m", 0.3, "between the shafts")
 _MASS, _PACE = Parameter("mass", "kg", 2), Parameter("pace", "rad/s", 10, "of the cranks at the start")

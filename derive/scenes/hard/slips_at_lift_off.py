@@ -9,19 +9,19 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
-from hertzwerk.derive.declare.scales import Scales
-from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.declare.start import Start
-from hertzwerk.derive.effects.contacts import Contact, Friction
-from hertzwerk.derive.effects.energy_ledger import EnergyLedger
-from hertzwerk.derive.effects.gravity import Gravity
+from hertzwerk.derive.declare.effects.contacts import Contact, Friction
+from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.declare.effects.gravity import Gravity
+from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
+from hertzwerk.derive.declare.mechanism.joints.free import Free
+from hertzwerk.derive.declare.mechanism.joints.planar import Planar
+from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
+from hertzwerk.derive.declare.scene.scales import Scales
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.declare.scene.start import Start
+from hertzwerk.derive.equations.contact.pairs.on_plane import SphereOnPlane
+from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.laws import coulomb, gonthier, hunt_crossley, kelvin_voigt, power, ristow
-from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
-from hertzwerk.derive.mechanism.joints.free import Free
-from hertzwerk.derive.mechanism.joints.planar import Planar
-from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.parameter import Parameter
 
 _GRAVITY = Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y)
 _PACE = Parameter("pace", "m/s", 1)

@@ -210,7 +210,7 @@ static void evaluate_loops(@n@ *s, const double *q, const double *u)
     call(s, loops, 4, given, 4, found);
 }
 
-/* Find what counts as closed of each constraint, as `runtime/start/assembly.py` does; return whether all are. */
+/* Find what counts as closed of each constraint, as `runtime/engine/start/assembly.py` does; return whether all are. */
 static int is_closed(@n@ *s, int rows, const double *jacobian, int columns, const double *values, const double *least,
                      const double *value)
 {

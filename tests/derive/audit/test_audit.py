@@ -9,22 +9,22 @@ import sympy as sp
 from derived import Derived
 
 from hertzwerk.derive import Contact, Parameter, audit_scene, derive, generate
-from hertzwerk.derive.algebra.vectors import dot, scale
 from hertzwerk.derive.audit.audit import InconsistentUnits, audit_program
-from hertzwerk.derive.contact.pairs.flat import Face
-from hertzwerk.derive.contact.pairs.round import RoundTouch
-from hertzwerk.derive.contact.touch import Touch
-from hertzwerk.derive.derivation import derivation_of
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.equations.contact.pairs.on_plane import Face
+from hertzwerk.derive.equations.contact.pairs.on_sphere_or_cylinder import RoundTouch
+from hertzwerk.derive.equations.contact.touch import Touch
+from hertzwerk.derive.equations.derivation import derivation_of
+from hertzwerk.derive.equations.module.equation_system import System
+from hertzwerk.derive.equations.motion.equations_of_motion import Equations
+from hertzwerk.derive.equations.motion.kinematics import Kinematics
+from hertzwerk.derive.expressions.algebra.vectors import dot, scale
 from hertzwerk.derive.laws import LAWS, hunt_crossley, lankarani_nikravesh, power
-from hertzwerk.derive.module.system import System
-from hertzwerk.derive.motion.equations import Equations
-from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.scenes import NAMES
 from hertzwerk.derive.scenes.ball_between_walls import scene as walls
 from hertzwerk.derive.scenes.bouncing_ball import scene as ball
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
-from hertzwerk.derive.units import parse_unit
-from hertzwerk.runtime.model.build import scene_from
+from hertzwerk.runtime.engine.model.build import scene_from
 
 cylinders = LAWS["lankarani_nikravesh_cylinders"]
 E_NU = slider_crank.effect("slider_pin").stiffness.values

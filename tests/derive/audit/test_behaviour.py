@@ -9,9 +9,11 @@ from each import each
 
 from hertzwerk.derive import Contact, Friction, InputError, Parameter, generate, laws_from
 from hertzwerk.derive.audit.behaviour import faults_if_consistent, law_faults, scene_faults
-from hertzwerk.derive.files.audit_files import audit_path
+from hertzwerk.derive.exchange.user_files.audit_files import audit_path
+from hertzwerk.derive.expressions.parameter import POSITIVE
 from hertzwerk.derive.laws import LAWS, flores, hertz_point, power
-from hertzwerk.derive.laws.friction import mu, v_s
+from hertzwerk.derive.laws.formulas.friction import mu, v_s
+from hertzwerk.derive.laws.formulas.lubrication import eta
 from hertzwerk.derive.laws.law import (
     FORMS,
     DampingLaw,
@@ -27,8 +29,6 @@ from hertzwerk.derive.laws.law import (
     v,
     v0,
 )
-from hertzwerk.derive.laws.lubrication import eta
-from hertzwerk.derive.mechanism.parameter import POSITIVE
 
 K = Quantity("K", "N/m^1.5", "stiffness", POSITIVE)
 K_1 = Quantity("K_1", "N/m", "stiffness", POSITIVE)

@@ -6,11 +6,11 @@ from expressions import CONSISTENT, INCONSISTENT, STATE, UNITS
 from mpmath import mp, mpf
 from rescaling import ROUNDING, rescale
 
-from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.audit.numeric import DIGITS
-from hertzwerk.derive.dimension.dimension import ONE, Dimension
-from hertzwerk.derive.dimension.expression import to_sympy
-from hertzwerk.derive.dimension.reader import read
+from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension
+from hertzwerk.derive.expressions.dimension.expression import to_sympy
+from hertzwerk.derive.expressions.dimension.reader import read
 
 SYMBOLS = {name: sp.Symbol(name, real=True) for name in UNITS}
 DIMENSIONS = {SYMBOLS[name]: Dimension.from_unit(unit, SYMBOLS) for name, unit in UNITS.items()}

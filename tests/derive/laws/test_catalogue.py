@@ -34,14 +34,14 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.audit.audit import audit_law, audit_laws, verdict
 from hertzwerk.derive.audit.numeric import STATES
-from hertzwerk.derive.dimension.dimension import Dimension, DimensionError
-from hertzwerk.derive.dimension.walker import dimension_of
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.expressions.dimension.dimension import Dimension, DimensionError
+from hertzwerk.derive.expressions.dimension.walker import dimension_of
 from hertzwerk.derive.laws import LAWS, flores, johnson, pereira_internal_si, power
-from hertzwerk.derive.laws.damping import e
+from hertzwerk.derive.laws.formulas.damping import e
+from hertzwerk.derive.laws.formulas.line import l_ref, p_ref
+from hertzwerk.derive.laws.formulas.stiffness import n
 from hertzwerk.derive.laws.law import FORMS, DampingLaw, F, FrictionLaw, L, N, Quantity, StiffnessLaw, d, s, v, v0, z
-from hertzwerk.derive.laws.line import l_ref, p_ref
-from hertzwerk.derive.laws.stiffness import n
-from hertzwerk.derive.units import parse_unit
 
 CONTACT_LAWS_MD = {
     # contact-laws.md, sections 1, 3, 4: every law, and the repairs and candidates issue 3 asks for

@@ -10,7 +10,7 @@ from hertzwerk.derive.laws.law_call import split_call
 from hertzwerk.derive.scenes.bouncing_ball import scene as ball
 from hertzwerk.derive.scenes.slider_crank import scene as crank
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.model.generated_text import text_of
+from hertzwerk.runtime.engine.model.generated_text import text_of
 from reference.closed_forms import collision
 
 CHI = "power_damping(chi=1e7 N s/m^2.5, m=1.5)"

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from hertzwerk.derive.laws import LAWS, exact, galin_sneddon, hertz_point, johnson, power
+from hertzwerk.derive.laws.formulas.stiffness import C, E_eff, k
 from hertzwerk.derive.laws.law import DampingLaw, F, FrictionLaw, N, StiffnessLaw, d, k_t, s, v, v0
-from hertzwerk.derive.laws.stiffness import C, E_eff, k
 from reference import laws as cited
 from reference.closed_forms import FACTORS, exact_factor, restitution
 

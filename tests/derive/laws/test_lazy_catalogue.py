@@ -17,10 +17,8 @@ def test_every_law_of_a_file_is_named_with_it_and_no_other():
     named = {}
     for file, names in FILES:
         named.setdefault(file, set()).update(names.split())
-    files = [
-        path.stem for path in Path(laws.__file__).parent.glob("*.py") if path.stem not in ("__init__", "catalogue")
-    ]
-    modules = {file: import_module(f"hertzwerk.derive.laws.{file}") for file in files}
+    files = [path.stem for path in (Path(laws.__file__).parent / "formulas").glob("*.py") if path.stem != "__init__"]
+    modules = {file: import_module(f"hertzwerk.derive.laws.formulas.{file}") for file in files}
     made = {
         file: {law.name for law in vars(module).values() if isinstance(law, Law)} for file, module in modules.items()
     }
@@ -38,7 +36,7 @@ def test_a_law_imports_its_file_alone(monkeypatch):
     assert len(fresh) == len(list(fresh)) == len(LAWS)
     assert imported == []
     assert fresh["flores"] is fresh["flores"] is known
-    assert imported == [".damping"]
+    assert imported == [".formulas.damping"]
     for none in ("nothing", "damping"):
         with pytest.raises(KeyError):
             fresh[none]
@@ -50,8 +48,8 @@ def test_a_law_imports_its_file_alone(monkeypatch):
 
 def test_a_derivation_imports_the_files_of_its_laws_alone():
     code = (
-        "import sys; from hertzwerk.runtime.model.build import derive_text, scene_from; derive_text(scene_from('bouncing_ball'), '');"
-        "from hertzwerk.derive.laws.catalogue import FILES; made = {f for f, _ in FILES if f'hertzwerk.derive.laws.{f}' in sys.modules};"
+        "import sys; from hertzwerk.runtime.engine.model.build import derive_text, scene_from; derive_text(scene_from('bouncing_ball'), '');"
+        "from hertzwerk.derive.laws.catalogue import FILES; made = {f for f, _ in FILES if f'hertzwerk.derive.laws.formulas.{f}' in sys.modules};"
         "sys.exit(str(made) if made != {'stiffness', 'damping'} else 0)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)

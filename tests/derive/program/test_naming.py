@@ -7,8 +7,8 @@ import pytest
 import sympy as sp
 
 from hertzwerk.derive import derive
-from hertzwerk.derive.emit.module_text import emit
 from hertzwerk.derive.program import naming
+from hertzwerk.derive.program.emit.module_text import emit
 from hertzwerk.derive.program.naming import LONGEST, names_in_words
 from hertzwerk.derive.scenes.slider_crank import scene
 

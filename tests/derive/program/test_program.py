@@ -9,10 +9,10 @@ import sympy as sp
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.dimension.dimension import ONE
-from hertzwerk.derive.emit.cost import operations
-from hertzwerk.derive.emit.printer import function_text
+from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.expressions.dimension.dimension import ONE
+from hertzwerk.derive.program.emit.cost import operations
+from hertzwerk.derive.program.emit.printer import function_text
 from hertzwerk.derive.program.program import (
     Function,
     Program,

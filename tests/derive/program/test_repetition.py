@@ -26,13 +26,13 @@ from hertzwerk.derive import (  # fmt: skip
     every_pair,
     laws,
 )
-from hertzwerk.derive.derivation import derive
-from hertzwerk.derive.emit.module_text import emit
-from hertzwerk.derive.emit.printer import function_text
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.equations.derivation import derive
+from hertzwerk.derive.program.emit.module_text import emit
+from hertzwerk.derive.program.emit.printer import function_text
 from hertzwerk.derive.program.repetition import Block, share, step_of
 from hertzwerk.derive.scenes import NAMES
-from hertzwerk.runtime.model.generated_text import module_of
+from hertzwerk.runtime.engine.model.generated_text import module_of
 
 STATES = 16  # of which some have each pair in contact
 

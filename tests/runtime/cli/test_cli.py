@@ -17,7 +17,7 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime import Solution
 from hertzwerk.runtime.cli import main, run_folder
-from hertzwerk.runtime.model.build import built_in_scenes
+from hertzwerk.runtime.engine.model.build import built_in_scenes
 
 SCENE = """
 from hertzwerk.derive import GROUND, Body, Contact, Gravity, Mechanism, Parameter, Prismatic, Scales, Scene, SphereOnPlane, Start, Y
@@ -147,7 +147,7 @@ def test_inside_the_repository_derive_writes_the_generated_folder(hertzwerk):
 def test_a_repository_is_not_overwritten_by_another_derivation(hertzwerk):
     Path("pyproject.toml").write_text('[project]\nname = "hertzwerk"\n')
     shutil.copytree(importlib.import_module("hertzwerk.derive").__path__[0], "derive")
-    with Path("derive/motion/kinematics.py").open("a") as stream:
+    with Path("derive/equations/motion/kinematics.py").open("a") as stream:
         stream.write("# changed\n")
     done = hertzwerk("derive", "soft_ball")
     assert done.exit_code == 2
@@ -294,7 +294,7 @@ def test_parameters_states_and_laws_can_be_set(hertzwerk):
 def test_a_variation_comes_from_the_cache_the_second_time_and_is_the_same(hertzwerk, monkeypatch):
     line = ("run", "two_spheres", "--json", "--without", "energy_ledger")
     first = json.loads(hertzwerk(*line).output)
-    monkeypatch.setitem(sys.modules, "hertzwerk.derive.derivation", None)  # an import now fails
+    monkeypatch.setitem(sys.modules, "hertzwerk.derive.equations.derivation", None)  # an import now fails
     second = json.loads(hertzwerk(*line).output)
     assert first["final"] == second["final"]
 
@@ -306,7 +306,7 @@ def test_a_run_in_other_coordinates_starts_by_the_joints_and_comes_from_the_cach
     assert {name.split(".")[0] for name in by_bodies} != {name.split(".")[0] for name in by_joints}
     turned = next(value for name, value in by_bodies.items() if name.endswith(".angle"))
     assert turned == pytest.approx(by_joints["hinge.angle"], abs=1e-5)
-    monkeypatch.setitem(sys.modules, "hertzwerk.derive.derivation", None)  # an import now fails
+    monkeypatch.setitem(sys.modules, "hertzwerk.derive.equations.derivation", None)  # an import now fails
     assert json.loads(hertzwerk(*line, "--coordinates", "absolute").output)["final"] == by_bodies
 
 

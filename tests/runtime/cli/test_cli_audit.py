@@ -70,7 +70,9 @@ def test_the_catalogue_has_the_verdicts_it_states(hertzwerk, monkeypatch):
     assert (
         "R" in hertzwerk("audit", "--laws").output.split("wang_liu_internal")[0].split()[-1]
     )  # the grade stands beside the name
-    monkeypatch.setattr("hertzwerk.derive.files.audit_files.differing_verdicts", lambda findings: ("hertz_point",))
+    monkeypatch.setattr(
+        "hertzwerk.derive.exchange.user_files.audit_files.differing_verdicts", lambda findings: ("hertz_point",)
+    )
     assert hertzwerk("audit", "--laws").exit_code == 1
 
 

@@ -9,8 +9,8 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime import load, read_measurement, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.measured.instrument import Instrument
-from hertzwerk.runtime.measured.seen_run import SeenRun
+from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+from hertzwerk.runtime.studies.comparison.instrument import Instrument
 
 HOW = ("--bandwidth", "2 kHz", "--offset", "-1..1 ms", "--noise", "force=20 N")
 

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 from pages import Outline
 
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.host.sealed import sealed
+from hertzwerk.runtime.system.digests import sealed
 
 FILE = """
 target = "bouncing_ball"

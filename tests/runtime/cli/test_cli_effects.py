@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from hertzwerk.runtime.analysis.effect_study import leaving_out
+from hertzwerk.runtime.analysis.effect_study.plot_effects import figure
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.effects import leaving_out
-from hertzwerk.runtime.pictures.studies.plot_effects import figure
 
 
 @pytest.fixture
@@ -83,7 +83,7 @@ def test_bad_input(hertzwerk, tmp_path, arguments, said):
 def test_a_scene_that_does_not_run_is_exit_code_1(hertzwerk, tmp_path, monkeypatch, study):
     from dataclasses import replace
 
-    from hertzwerk.runtime.solution.outcome import Outcome
+    from hertzwerk.runtime.engine.solution.outcome import Outcome
 
     lost = replace(study, outcome=Outcome("not_finite", "at t = 1 s", "look at the last states"), rows=())
     monkeypatch.setattr(leaving_out, "study_effects", lambda target, **options: lost)

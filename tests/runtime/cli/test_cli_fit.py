@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.host.sealed import sealed
+from hertzwerk.runtime.system.digests import sealed
 
 HOW = ("--map", "height=vertical.travel", "--noise", "height=1 mm", "--starts", "2")
 

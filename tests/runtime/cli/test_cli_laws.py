@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from hertzwerk.runtime.analysis.validation import restitution
+from hertzwerk.runtime.analysis.validation.plot_restitution import figure
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.pictures.studies.plot_laws import figure
-from hertzwerk.runtime.validate import restitution
 
 
 @pytest.fixture

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hertzwerk.runtime.cli import terminal, wrapping
-from hertzwerk.runtime.cli.wrapping import tabulated, wrapped
+from hertzwerk.runtime.cli import line_wrapping, terminal
+from hertzwerk.runtime.cli.line_wrapping import tabulated, wrapped
 
 WORDS = st.text(st.characters(codec="ascii", categories=("L", "N", "P")), min_size=1, max_size=12)
 TEXTS = st.lists(WORDS, max_size=12).map(" ".join)
@@ -93,7 +93,7 @@ def test_commands_fit_80_columns(command):
 
 
 def test_a_line_with_a_long_label_fits_a_terminal_too(monkeypatch, capsys):
-    monkeypatch.setattr(wrapping, "columns", lambda: 80)
+    monkeypatch.setattr(line_wrapping, "columns", lambda: 80)
     terminal.line("accuracy_unreachable", text := " ".join(["word"] * 60))
     terminal.print_prose(f"output\n    clearance: {text}", indent=4)
     lines = capsys.readouterr().out.split("\n")

@@ -14,11 +14,11 @@ import pytest
 import xarray as xr
 from click.testing import CliRunner
 
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.model.build import located_laws
-from hertzwerk.runtime.sweeps.sweep_file import SweepFile, read_sweep
+from hertzwerk.runtime.engine.model.build import located_laws
+from hertzwerk.runtime.studies.sweeps.sweep_file import SweepFile, read_sweep
 
 OPTIONS = [
     *("--over", "drop_height=0.5..1 m:3", "--over", "restitution=0.5,0.7", "--set", "radius=21 mm"),
@@ -310,7 +310,7 @@ def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
         "--tolerance",
         "1e-9",
     ]
-    code = "from hertzwerk.runtime.command_line import start; start()"
+    code = "from hertzwerk.command_line import start; start()"
     environment = {**os.environ, "COLUMNS": "80", "TERM": "xterm", "NO_COLOR": "1"}
     mine, its = pty.openpty()
     process = subprocess.Popen(

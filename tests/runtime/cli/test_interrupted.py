@@ -23,7 +23,7 @@ from click.testing import CliRunner
 from hertzwerk.runtime import Solution
 from hertzwerk.runtime.cli import main, run_folder
 
-START = [sys.executable, "-X", "importtime", "-c", "from hertzwerk.runtime.command_line import start; start()"]
+START = [sys.executable, "-X", "importtime", "-c", "from hertzwerk.command_line import start; start()"]
 IMPORTS = 40  # modules from a signal on; Matplotlib has 300
 WALL_S = 120.0  # of anything that hangs
 
@@ -199,7 +199,7 @@ def test_a_signal_at_any_moment(tmp_path, seed):
 def test_a_second_signal_later_drops_even_that(tmp_path, monkeypatch):
     """Whoever does not want what there is to be written gets away as well, and no half of it is left."""
     (tmp_path / "sitecustomize.py").write_text(
-        "import time\nfrom hertzwerk.runtime.solution.solution import Solution\nSolution.save = lambda *_: time.sleep(100)\n"
+        "import time\nfrom hertzwerk.runtime.engine.solution.solution import Solution\nSolution.save = lambda *_: time.sleep(100)\n"
     )
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     ended = signalled(tmp_path, LONG, BAR, signal.SIGINT, again=3.0)
@@ -232,9 +232,9 @@ def fails(*_, **__):
     [
         (Solution, "to_csv", {"states.csv"}),
         (Solution, "averages", set()),
-        ("hertzwerk.runtime.pictures.plot", "_overview", {"overview.png"}),
+        ("hertzwerk.runtime.output.plots.plot_run", "_overview", {"overview.png"}),
         pytest.param(
-            "hertzwerk.runtime.pictures.draw.picture", "of_run", {"mechanism.png"}, marks=pytest.mark.exhaustive
+            "hertzwerk.runtime.output.drawings.picture", "of_run", {"mechanism.png"}, marks=pytest.mark.exhaustive
         ),
     ],
 )
@@ -255,7 +255,7 @@ def test_what_fails_is_missing_alone_and_said_to_be(run, monkeypatch, place, nam
 
 
 def test_impacts_that_cannot_be_found_lose_no_data(run, monkeypatch):
-    monkeypatch.setattr("hertzwerk.runtime.solution.findings.Watch.impacts", fails)
+    monkeypatch.setattr("hertzwerk.runtime.engine.solution.step_observers.Watch.impacts", fails)
     code, said, told = run("--no-plots")
     assert code == 1
     assert told["impacts"] == []
@@ -308,8 +308,8 @@ def test_a_large_csv_is_not_written_unasked(run, monkeypatch):
 )
 def test_a_folder_that_cannot_be_written_is_refused_before_anything_is_computed(tmp_path, monkeypatch, command, out):
     monkeypatch.chdir(tmp_path)
-    for place in ("run.single_run.SingleRun.trace", "run.single_run.engine_for", "run.engine.engine_for"):
-        monkeypatch.setattr(f"hertzwerk.runtime.{place}", fails)
+    for place in ("single_run.SingleRun.trace", "single_run.engine_for", "built_engine.engine_for"):
+        monkeypatch.setattr(f"hertzwerk.runtime.engine.run.{place}", fails)
     Path("file").touch()
     Path("target").mkdir()
     Path("link").symlink_to("target")
@@ -326,7 +326,7 @@ def test_a_folder_that_cannot_be_written_is_refused_before_anything_is_computed(
 
 def test_a_stop_while_a_run_is_sampled_for_pictures_keeps_the_rest(tmp_path, monkeypatch):
     from hertzwerk.runtime import load, simulate
-    from hertzwerk.runtime.pictures import plot
+    from hertzwerk.runtime.output.plots import plot_run
 
     class Stop:
         asked = False
@@ -339,7 +339,7 @@ def test_a_stop_while_a_run_is_sampled_for_pictures_keeps_the_rest(tmp_path, mon
         stop.asked = True
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(plot, "pages", stopped)
+    monkeypatch.setattr(plot_run, "pages", stopped)
     run = simulate(load("two_spheres"), duration="1 ms", tolerance=1e-6)
     written = run_folder.write(run, tmp_path / "run", plots=True, stopping=stop)
     assert written.files == ["states.npz", "run.json", "states.csv"]

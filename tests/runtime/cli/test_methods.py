@@ -8,12 +8,12 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 ADDED = """
 from dataclasses import replace
-from hertzwerk.runtime.integrate.tableaux import methods
-from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import dopri5
+from hertzwerk.runtime.engine.integration.tableaux import methods
+from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import dopri5
 
 for known in (methods.EXPLICIT, methods.IN_GRAPH, methods.METHODS):
     known["own"] = (lambda: replace(dopri5(), name="own"),)
@@ -22,9 +22,9 @@ import inspect
 from click.testing import CliRunner
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.hard_cases import case
-from hertzwerk.runtime.validate.scenario import Scenario
-from hertzwerk.runtime.work_precision import reference, study
+from hertzwerk.runtime.analysis.hard_cases import case
+from hertzwerk.runtime.analysis.validation.scenario import Scenario
+from hertzwerk.runtime.analysis.work_precision import reference, study
 
 for command in ("run", "effects"):
     assert "own" in CliRunner().invoke(main, [command, "--help"]).output

@@ -34,10 +34,10 @@ from hertzwerk.derive import (
     speed_of,
 )
 from hertzwerk.derive.scenes.slider_crank import c, crank, l, mechanism, r, rod, slider, steel, w
+from hertzwerk.runtime.engine.run.run_request import Settings
+from hertzwerk.runtime.engine.solution.error_scales import error
 from hertzwerk.runtime.export import fmu
 from hertzwerk.runtime.export.export_request import Asked
-from hertzwerk.runtime.run.request import Settings
-from hertzwerk.runtime.solution.scales import error
 
 DURATION, TOLERANCE, STEPS = 6e-3, 1e-9, (30, 100, 300, 1000, 3000)
 STIFFNESS, DAMPING = 200.0, 0.05  # of the shaft [N m/rad, N m s/rad]

@@ -10,9 +10,9 @@ from libraries import Library, compile_c
 
 from hertzwerk import InputError, load, simulate
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import c_library
 from hertzwerk.runtime.export.export_request import Asked
-from hertzwerk.runtime.run.request import Settings
 
 TOLERANCE, DURATION = 1e-7, 2.0
 

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime.cli.commands.export import export
+from hertzwerk.runtime.cli.scene_commands.export import export
 
 
 def printed(*arguments):

@@ -31,9 +31,9 @@ from hertzwerk.derive import (
     X,
     laws,
 )
+from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import fmu
 from hertzwerk.runtime.export.export_request import Asked
-from hertzwerk.runtime.run.request import Settings
 
 TOLERANCE, DURATION, MASS = 1e-8, 1.0, 0.5
 HEADERS = Path(fmpy.__file__).parent / "c-code"

@@ -1,0 +1,1 @@
+"""Friction of joints, belts and patches, resistance to rolling, lubrication."""

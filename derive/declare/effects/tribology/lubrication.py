@@ -1,0 +1,201 @@
+"""Hydrodynamic lubrication of a pin in its bush, with transition to dry contact.
+
+The film is a force of its own, in flight as in contact. While it is thicker than two boundary layers (the height of
+the asperities) it is that of its law. Closer, the eccentricity passed to the law is limited, so that the film never
+gets thinner than one layer and its force stays finite. From contact on it fades, and vanishes at a penetration of one
+layer, where only the contact law acts: the transition of Flores, Lankarani, Ambrosio, Claro, Proc. IMechE K 218
+(2004) 183, whose dry force needs no weight here because it begins at zero by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.declare.effects.effect import Declared, Element, Kinematics, PairEffect, together
+from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.expressions.algebra.vectors import Vector, add, cross, dot, scale, sub
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.expressions.parameter import POSITIVE, Interval, Scalar, Slot, is_number
+from hertzwerk.derive.laws.law import BoundLaw, eps_c, eps_w
+
+QUANTITIES = {
+    "axis": ("a", "", "axis of the bush"),
+    "squeeze": ("w", "", "velocity of the pin against the bush, midway between their centres, across the axis"),
+    "squeeze_speed": ("w", "", "its size; where it is 0, the speed accuracy is measured by"),
+    "across": ("w", r"\perp", "the same a quarter turn on about the axis"),
+    "spin": (r"\Omega", "", "spin of the pin in the bush"),
+    "epsilon": (
+        r"\varepsilon",
+        "",
+        "eccentricity over clearance, or what leaves a film of two boundary layers if that is more",
+    ),
+    "thinning": ("x", "", "0 up to a film of two boundary layers, 1 from contact on"),
+    "limited": (r"\varepsilon", r"\mathrm{lim}", "the same, never less than a film of one boundary layer"),
+    "sinking": ("y", "", "0 up to contact, 1 at a penetration of one boundary layer"),
+    "per_e": (
+        r"\kappa",
+        "",
+        "what the eccentricity is multiplied by: the reciprocal of the clearance, less where the film is thin",
+    ),
+    "share": (r"\chi", "", "share of the film that is left in contact"),
+    "epsilon_w": (r"\varepsilon", "w", ""),
+    "epsilon_c": (r"\varepsilon", r"\perp", ""),
+    "drag_along": ("D", "w", "drag of the film along the squeeze velocity"),
+    "drag_across": ("D", r"\perp", "drag of the film across the squeeze velocity"),
+    "drag_spin": ("D", r"\Omega", "drag of the film against the spin"),
+    "force": ("F", r"\mathrm{film}", "force of the film on the pin"),
+    "couple": ("T", r"\mathrm{film}", "couple of the film on the pin"),
+}
+SOUGHT = (
+    "squeeze",
+    "spin",
+    "epsilon",
+    "thinning",
+    "limited",
+    "sinking",
+    "per_e",
+    "share",
+    "drag_along",
+    "drag_across",
+    "force",
+    "couple",
+)
+
+
+@dataclass(frozen=True)
+class Lubrication(PairEffect):
+    """Film of one pair; `boundary_layer` [m] is the thickness at which the asperities meet.
+
+    It is less than half the clearance.
+    """
+
+    name: str
+    pair: str
+    law: BoundLaw
+    boundary_layer: Scalar
+    unchecked: bool = False
+    kind: ClassVar[str] = "lubrication"
+    takes: ClassVar[Mapping[str, str]] = {"law": "film"}
+    quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = QUANTITIES
+    sought: ClassVar[tuple[str, ...]] = SOUGHT
+    measures: ClassVar[Mapping[str, Slot]] = {"boundary_layer": Slot.of("m", POSITIVE)}
+
+    @property
+    def text(self) -> str:
+        """Description for people."""
+        return f"{self.law.law.name} film at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
+
+    @property
+    def section(self) -> str:
+        """Title of the film's own section."""
+        return f"Film {self.name}"
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """Yield the parameters of the law, the boundary layer, and its ratio to the clearance."""
+        yield from super().slots(scene)
+        geometry = scene.geometry(self.pair)
+        if "dR" in geometry and is_number(self.boundary_layer):
+            yield Slot(
+                f"{self.where}, boundary layer over clearance", self.boundary_layer / geometry["dR"], "1",
+                Interval(0, 0.5, open_left=True, open_right=True),
+            )  # fmt: skip
+
+    def element(self, kin: Kinematics) -> Element:
+        """Element of the film; outputs: size of its force [N], least thickness [m].
+
+        The thickness is at least a boundary layer.
+        """
+        return _Film(self, kin).element()
+
+
+class _Film:
+    """Film on the tape: force midway between the centres, couple, and dissipated power."""
+
+    def __init__(self, effect: Lubrication, kin: Kinematics) -> None:
+        self.effect, self.kin = effect, kin
+        self.touch = kin.journal(effect.pair)
+        self.clearance = sp.sympify(self.touch.pair.clearance)
+        self.layer = sp.sympify(effect.boundary_layer) / self.clearance
+
+    def let(self, expression: Any, what: str, stated: str = "") -> Any:
+        """Name a result on the tape; with an unchecked law it has the stated unit."""
+        dimension = Dimension.from_unit(stated) if stated and self.effect.unchecked else None
+        return self.kin.tape.let(expression, f"{self.effect.name}_{what}", dimension)
+
+    def named(self, vector: Vector, what: str) -> Vector:
+        """Name a vector on the tape."""
+        return self.kin.tape.vector(vector, f"{self.effect.name}_{what}")
+
+    def element(self) -> Element:
+        """Forces, dissipated power, outputs."""
+        touch, kin = self.touch, self.kin
+        axis = self.named(kin.direction(touch.second, touch.pair.axis), "axis")
+        middle = add(touch.base, scale(sp.Rational(1, 2), touch.apart))
+        rate = self.named(touch.rate_at(middle), "squeeze")
+        squeeze = self.named(sub(rate, scale(self.let(dot(rate, axis), "along"), axis)), "squeeze")
+        across = self.named(cross(axis, squeeze), "across")
+        bodies = touch.first.body, touch.second.body
+        turning = sub(*map(kin.angular_velocity, bodies))
+        spin = self.let(dot(axis, turning), "spin")
+
+        near, faded = self._closeness()
+        along_drag, across_drag, spin_drag = self._drags(squeeze, across, near)
+        force = self.named(scale(-faded, add(scale(along_drag, squeeze), scale(across_drag, across))), "force")
+        couple = self.let(-faded * spin_drag * spin, "couple")
+
+        forces = together(
+            kin.generalised(force, middle, *bodies, self.effect.name),
+            kin.generalised_moment(scale(couple, axis), *bodies, f"{self.effect.name}_couple"),
+        )
+        power = self.let(-dot(force, squeeze) - couple * spin, "power")
+        thickness = self.let(self.clearance * (1 - near * self.let(sp.sqrt(self._squared), "e_size")), "thickness")
+        size = self.let(sp.sqrt(dot(force, force)), "force_size")
+        outputs = (f"{self.effect.name}.force", "N", size), (f"{self.effect.name}.thickness", "m", thickness)
+        return Element(forces, dissipated=power, outputs=outputs)
+
+    @property
+    def _squared(self) -> Any:
+        """Squared eccentricity [m^2]."""
+        return self.let(dot(self.touch.eccentricity, self.touch.eccentricity), "e_squared")
+
+    def _closeness(self) -> tuple[Any, Any]:
+        """Factor from eccentricity to its ratio [1/m], and the share of the film that remains in contact.
+
+        The factor is 1/clearance up to a film of two boundary layers, and less beyond, so that the film is never
+        thinner than one.
+        """
+        layer, clearance = self.layer, self.clearance
+        free = self.let(1 - 2 * layer, "free")
+        squared = self.let(self._squared / clearance**2, "epsilon_squared")
+        # not of the centre, where a root has no derivative
+        ratio = self.let(sp.sqrt(Where(squared > free**2, squared, free**2)), "epsilon")
+        thinning = self.let(Where(squared < 1, (ratio - free) / (2 * layer), 1), "thinning")
+        # from 1 - 2 layer to 1 - layer, with slope 1 at the one end and 0 at the other, and no curvature at either
+        limited = self.let(free + 2 * layer * thinning * (1 - thinning**2 * (1 - thinning / 2)), "limited")
+        sinking = self.let(Where(squared > 1, (ratio - 1) / layer, 0), "sinking")
+        share = Where(squared < (1 + layer) ** 2, 1 - sinking**2 * (3 - 2 * sinking), 0)
+        return self.let(limited / (ratio * clearance), "per_e"), self.let(share, "share")
+
+    def _drags(self, squeeze: Vector, across: Vector, near: Any) -> list[Any]:
+        """Drags by the law at the position of the pin: along, across, against the spin."""
+        bound, e = self.effect.law, self.touch.eccentricity
+        squared = self.let(dot(squeeze, squeeze), "squeeze_squared")
+        pace = sp.sympify(self.kin.scene.scales.speed)
+        nonzero = self.let(sp.sqrt(Where(squared > 0, squared, pace**2)), "squeeze_speed")
+        values: dict[sp.Symbol, Any] = {
+            eps_w: self.let(near * dot(e, squeeze) / nonzero, "epsilon_w"),
+            eps_c: self.let(near * dot(e, across) / nonzero, "epsilon_c"),
+            **bound.binding,
+        }
+        geometry = self.kin.scene.geometry(self.effect.pair)
+        values |= {quantity: geometry[quantity.name] for quantity in bound.law.geometry}
+        for symbol, expression in bound.law.definitions:
+            values[symbol] = self.let(expression.xreplace(values), symbol.name, symbol.unit)
+        return [
+            self.let(expression.xreplace(values), f"drag_{name}", unit)
+            for name, (_, expression, unit) in zip(("along", "across", "spin"), bound.law.expressions(), strict=True)
+        ]

@@ -1,0 +1,1 @@
+"""Declaration of a scene, and its checks."""

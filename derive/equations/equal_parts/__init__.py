@@ -1,0 +1,1 @@
+"""Parts of equal declarations: which they are, and the program of one of each kind."""

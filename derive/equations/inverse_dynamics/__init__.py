@@ -1,0 +1,1 @@
+"""Histories that follow from a motion: reactions, forces on bodies, momenta, energies."""

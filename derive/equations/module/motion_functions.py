@@ -1,0 +1,219 @@
+"""Equations of motion: kinematic equations, applied forces, accelerations; events of effects."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.declare.effects.gravity import Gravity
+from hertzwerk.derive.equations.module.equation_system import System
+from hertzwerk.derive.equations.module.labelled_results import MULTIPLIER_UNITS, SECOND_UNITS, of_loops, vector
+from hertzwerk.derive.equations.motion.kinematics import acceleration_of
+from hertzwerk.derive.equations.motion.reaction_loads import Carried, Solved
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.program.program import Function, Result
+
+
+def coordinate_rates(system: System) -> Function:
+    """Kinematic equations."""
+    names = system.coordinates
+    labels, units = (
+        tuple(port.name for port in names),
+        tuple("1/s" if unit == "1" else f"{unit}/s" for _, unit in names),
+    )
+    return system.function(
+        "coordinate_rates",
+        "Rates of the coordinates.",
+        "t q u c",
+        Result(
+            "dq",
+            labels,
+            units,
+            (*system.kin.rates, *(state.rate for state in system.kin.drive_states), *system.state_rates),
+        ),
+    )
+
+
+def applied(system: System) -> Function:
+    """Generalised forces other than contact forces."""
+    pressed = system.pressed.values()
+    weight = {row.key: sp.S.Zero if row in pressed else system.equations.gravity(row) for row in system.rows}
+    for gravity in system.scene.all(Gravity):
+        system.enter(gravity.name, weight)
+    for effect, e in system.elements.items():
+        system.enter(effect.name, e.forces)
+    f = [weight[row.key] + system.applied(row.key) for row in system.rows]
+    return system.function(
+        "applied", "Generalised forces other than contact forces.", "t q u c", system.of_rows("f", f)
+    )
+
+
+def accelerations(system: System) -> tuple[Function, ...]:
+    """Equations of motion, solved for the accelerations, and loads by reactions where there are any."""
+    symbols = {
+        row.key: system.tape.input(f"{row.key.replace('.', '_')}_force", "f", Dimension.from_unit(row.unit))
+        for row in system.rows
+    }
+    if system.carried is not None:
+        return _accelerations_under_loads(system, system.carried, symbols)
+    a, multipliers = system.equations.accelerations(symbols)
+    reactions = system.equations.reactions(symbols, a, multipliers) if system.scene.ledger else []
+    return (_accelerations(system, a, multipliers, reactions, []),)
+
+
+def _accelerations_under_loads(system: System, carried: Carried, symbols: dict[str, Any]) -> tuple[Function, ...]:
+    """Accelerations under loads by reactions, these loads, and how unique the reactions are."""
+    pressed = {symbol: symbols[row.key] for symbol, row in system.pressed.items()}
+    found = carried.solved({row: force for row, force in symbols.items() if row not in pressed.values()}, pressed)
+    a, multipliers, of_drives = found.accelerations, found.multipliers, []
+    if system.scene.ledger:
+        of_drives = system.equations.reactions(found.forces, a, multipliers)
+    names = [symbol.name for symbol in carried.read]
+    magnitudes = [*zip(names, found.magnitudes, strict=True), *((s.name, force) for s, force in pressed.items())]
+    by_input = dict(magnitudes)
+    own = [s.name for s, group in system.tape.inputs.items() if group == "reactions" and s not in system.supplied]
+    return (
+        _accelerations(system, a, multipliers, of_drives, [(name, by_input[name]) for name in own]),
+        system.function(
+            "loads", "Generalised forces that depend on reactions and normal forces.", "t q u reactions c",
+            system.of_rows("f", [carried.loads.get(row.key, sp.S.Zero) for row in system.rows])),
+        system.function(
+            "settling", "Margins of uniqueness of the reactions, positive where they are unique; residuals of their solution.",
+            "t q u f c", Result("margins", tuple(names), ("1",) * len(names), tuple(found.margins)),
+            Result("residuals", tuple(names), ("1",) * len(names), tuple(found.residuals))),
+        *([_unloaded(system, found, names)] if system.feeds else []),
+        *([_rubbing(system)] if system.rubbing else []),
+    )  # fmt: skip
+
+
+def _unloaded(system: System, found: Solved, names: list[str]) -> Function:
+    """Accelerations and reactions without loads that depend on these, linear in the forces."""
+    whose = [name for name in names for _ in range(3)]
+    parts = tuple(sp.sympify(part) for vector in found.parts for part in vector)
+    return system.function(
+        "unloaded",
+        "Accelerations without loads by reactions, and the three components of each of these.",
+        "t q u f c",
+        vector("a", [acceleration_of(port) for port in system.speeds], found.unloaded),
+        Result("parts", tuple(whose), ("N",) * len(parts), parts),
+    )
+
+
+def _rubbing(system: System) -> Function:
+    """Sliding velocities and limits of the set-valued frictions of joints."""
+    names = tuple(name for name, _ in system.rubbing)
+    fields = (("velocity", "m/s"), ("pressing", "N"), ("kinetic", "1"), ("static", "1"))
+    return system.function(
+        "rubbing",
+        "Set-valued frictions of joints, see RUBBING: sliding velocity, normal force, coefficients of sliding and of rest.",
+        "t q u reactions c",
+        *(
+            Result(
+                part, names, (unit,) * len(names), tuple(sp.sympify(getattr(rub, part)) for _, rub in system.rubbing)
+            )
+            for part, unit in fields
+        ),
+    )
+
+
+def _accelerations(
+    system: System, a: list[Any], multipliers: list[Any], reactions: list[Any], loads: list[tuple[str, Any]]
+) -> Function:
+    rates = [acceleration_of(port) for port in system.speeds]
+    units = {symbol.name: row.unit for symbol, row in system.pressed.items()}
+    return system.function(
+        "accelerations",
+        "Generalised accelerations a from M a = f - bias, and the reactions of the drives.",
+        "t q u f c",
+        vector("a", rates, a),
+        Result(
+            "reactions",
+            (*(f"{row.key}.reaction" for row in system.driven), *(name for name, _ in loads)),
+            (*(row.unit for row in system.driven), *(units.get(name, "N") for name, _ in loads)),
+            (*reactions, *(value for _, value in loads)),
+        ),
+        *((of_loops("multipliers", system.loops, multipliers, MULTIPLIER_UNITS),) if system.loops else ()),
+    )
+
+
+def margins(system: System) -> Function:
+    """Margins of the effects' events."""
+    names = tuple(f"{effect}.{event.name}" for effect, event in system.events)
+    values = tuple(sp.sympify(event.margin) / sp.sympify(event.size) for _, event in system.events)
+    return system.function(
+        "margins",
+        "Margin of every event of an effect, beside its size: positive until it happens, see EVENTS.",
+        "t q u c",
+        Result("margin", names, ("1",) * len(names), values),
+    )
+
+
+def jumps(system: System) -> Function:
+    """States after the effects' events."""
+    rows = [(f"{effect}.{name}", value) for effect, event in system.events for name, value in event.then.items()]
+    names, values = tuple(name for name, _ in rows), tuple(sp.sympify(value) for _, value in rows)
+    return system.function(
+        "jumps",
+        "Values of the states that each event changes, event by event, by the values before it.",
+        "t q u c",
+        Result("then", names, tuple(system.scene.states[name].unit for name in names), values),
+    )
+
+
+def balance(system: System) -> Function:
+    """Residuals of the equations of motion for given accelerations and multipliers."""
+    equations, loops = system.equations, system.loops
+    mass = equations.mass_matrix()
+    held = [
+        system.tape.input(
+            f"{row.name.replace('.', '_')}_multiplier", "multipliers", Dimension.from_unit(MULTIPLIER_UNITS[row.unit])
+        )
+        for row in loops
+    ]
+    inertia = []
+    for row in equations.free:
+        terms = [mass[row.key, f.key] * f.acceleration for f in equations.free if (row.key, f.key) in mass]
+        ties = [loop.column[row.key] * force for loop, force in zip(loops, held, strict=True) if row.key in loop.column]
+        inertia.append(sp.Add(*terms, equations.bias(row)) - sp.Add(*ties))
+    second = [
+        sp.Add(*(loop.column[f.key] * f.acceleration for f in equations.free if f.key in loop.column), loop.bias)
+        for loop in loops
+    ]
+    return system.function(
+        "balance",
+        "M a + bias - G^T multipliers, the forces that accelerations need, and G a + bias, the loops' second derivatives.",
+        "t q u a multipliers c",
+        Result(
+            "needed",
+            tuple(row.key for row in equations.free),
+            tuple(row.unit for row in equations.free),
+            tuple(inertia),
+        ),
+        of_loops("ddphi", loops, second, SECOND_UNITS),
+    )
+
+
+def motion(system: System) -> Function:
+    """Equations of motion before they are solved, for readers."""
+    free = [row.key for row in system.equations.free]
+    mass = system.equations.mass_matrix()
+    rows = [*system.equations.free, *(system.equations.driven if system.scene.ledger else [])]
+    keys = [(row.key, column) for row in rows for column in free if (row.key, column) in mass]
+    entries = tuple(mass[key] for key in keys)
+    held = {
+        f"{row.key} {loop.name}": loop.column[row.key]
+        for row in rows
+        for loop in system.loops
+        if row.key in loop.column
+    }
+    return system.function(
+        "motion",
+        "Mass matrix M, bias and the columns of G^T, by row, of M a + bias = f + G^T multipliers.",
+        "t q u",
+        Result("M", tuple(map(" ".join, keys)), ("",) * len(keys), entries),
+        Result(
+            "bias", tuple(r.key for r in rows), tuple(r.unit for r in rows), tuple(map(system.equations.bias, rows))
+        ),
+        Result("held", tuple(held), ("",) * len(held), tuple(held.values())),
+    )

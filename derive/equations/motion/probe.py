@@ -1,0 +1,101 @@
+"""Numerical evaluation of a tape at random states, to test a user's pair where symbols cannot tell."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.audit.numeric import evaluate
+from hertzwerk.derive.equations.motion.kinematics import Kinematics
+from hertzwerk.derive.expressions.parameter import Parameter
+from hertzwerk.derive.program.program import symbols_in
+
+STATES = 4
+_TRIES, _CORRECTIONS = 20, 30
+
+Numbers = dict[Any, Any]
+
+
+class Probe:
+    """Random states of a mechanism: parameters at their defaults, coordinates and speeds of order 1.
+
+    Lengths are of the order of `length` [m].
+    """
+
+    def __init__(self, kinematics: Kinematics, length: float) -> None:
+        self.kin = kinematics
+        self.length = length
+        self._random = random.Random(1)
+
+    def values(self, wanted: list[Any], given: Mapping[Any, Any]) -> list[float]:
+        """Values of expressions on the tape, with the values `given`."""
+        known: Numbers = dict(given)
+        return [float(self._value(expression, known)) for expression in wanted]
+
+    def _value(self, expression: Any, known: Numbers) -> Any:
+        expression = sp.sympify(expression)
+        for symbol in symbols_in(expression):
+            if symbol in known:
+                continue
+            if isinstance(symbol, Parameter):
+                known[symbol] = symbol.si
+            else:
+                known[symbol] = self._value(self.kin.tape.assignments[symbol], known)
+        return evaluate(expression, known)
+
+    def states(self) -> Iterator[Numbers]:
+        """Yield random coordinates and speeds, of drives too, without end."""
+        freedoms = [(freedom, self.kin.motion_of_freedom(freedom)) for freedom in self.kin.mechanism.freedoms]
+        while True:
+            state: Numbers = {self.kin.t: self._random.uniform(0, 1)}
+            for freedom, (coordinates, speeds) in freedoms:
+                size = self.length if freedom.kind == "slide" else 1.0
+                self._fill(state, coordinates, size)
+                self._fill(state, speeds, size)
+            yield self._normalised(state)
+
+    def _fill(self, state: Numbers, symbols: Any, size: float) -> None:
+        for symbol in symbols:
+            if isinstance(symbol, sp.Symbol) and not isinstance(symbol, Parameter) and symbol != self.kin.t:
+                state[symbol] = self._random.uniform(-size, size)
+
+    def _normalised(self, state: Numbers) -> Numbers:
+        for freedom in self.kin.mechanism.freedoms:
+            if freedom.kind == "ball":
+                quaternion, _ = self.kin.motion_of_freedom(freedom)
+                norm = sum(state[symbol] ** 2 for symbol in quaternion) ** 0.5
+                state.update({symbol: state[symbol] / norm for symbol in quaternion})
+        return state
+
+    def states_where(self, expression: Any, rate: Any, target: float) -> list[Numbers]:
+        """States at which an expression with the given rate has the value `target`, by Newton's method.
+
+        Several, or none where the iteration finds none.
+        """
+        source = self.states()
+        found = (self._solve(next(source), expression, rate, target) for _ in range(_TRIES))
+        return [state for state in found if state is not None][:STATES]
+
+    def _solve(self, state: Numbers, expression: Any, rate: Any, target: float) -> Numbers | None:
+        still = dict.fromkeys(self.kin.u, 0.0)
+        for _ in range(_CORRECTIONS):
+            try:
+                (value,) = self.values([expression], state)
+                slopes = [self.values([rate], {**state, **still, symbol: 1.0})[0] for symbol in self.kin.u]
+                drift = self.values([rate], {**state, **still})[0]
+                slopes = [slope - drift for slope in slopes]
+                if abs(value - target) <= 1e-12 * self.length:
+                    return state
+                length = sum(slope**2 for slope in slopes)
+                step = {s: (target - value) * k / length for s, k in zip(self.kin.u, slopes, strict=True)}
+                moves = self.values(list(self.kin.rates), {**state, **step})
+            except (ValueError, TypeError, ZeroDivisionError, OverflowError):
+                return None  # not defined there
+            state = dict(state)
+            for symbol, move in zip(self.kin.q, moves, strict=True):
+                state[symbol] += move
+            state = self._normalised(state)
+        return None

@@ -1,0 +1,110 @@
+"""Attribute equations and their terms to effects, by the marks on the effects' parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.declare.effects.contacts import Contact
+from hertzwerk.derive.declare.effects.effect import APPLIED, CONTACT, Effect, PairEffect
+from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.exchange.readable_equations.drafts import ENERGY, LEDGER, Draft, Part, pair_of
+from hertzwerk.derive.exchange.readable_equations.effect_marks import Marked
+from hertzwerk.derive.exchange.readable_equations.symbols import contact_title
+from hertzwerk.derive.program.program import symbols_in
+
+
+class Attribution:
+    """Attribution of the equations of one scene; `forms` are its intermediate results, with their marks."""
+
+    def __init__(self, scene: Scene, marked: Marked, forms: Mapping[sp.Symbol, Any]) -> None:
+        self._scene, self._marked, self._forms = scene, marked, forms
+        self._effects = {effect.name: effect for effect in scene.effects}
+        self._pairs = {effect.pair for effect in scene.all(Contact)}
+
+    def split_by_effect(self, draft: Draft) -> None:
+        """Split the generalised forces of an equation of motion by effect, in declared order."""
+        forces: dict[str, Part] = {}
+        for part in draft.parts:
+            if part.left:
+                continue
+            for term in sp.Add.make_args(part.expression) if part.source else (part.expression,):
+                if term == 0:
+                    continue
+                effect = part.effect or self._owner(part.source, term)
+                meaning = (effect if part.source else "") or part.meaning
+                known = forces.get(meaning)
+                total = term if known is None else known.expression + term
+                forces[meaning] = replace(part, meaning=meaning, expression=total, effect=effect)
+        order = list(self._effects)
+        known_last = sorted(forces.values(), key=lambda p: order.index(p.effect) if p.effect in order else len(order))
+        draft.parts = [*(part for part in draft.parts if part.left), *known_last]
+
+    def of(self, draft: Draft, drafts: list[Draft]) -> tuple[str, ...]:
+        """Names of the effects that an equation comes from.
+
+        These are the effects whose parameters it contains, whose term it has, whose contact it describes, and the
+        energy ledger.
+        """
+        found = {*draft.effects, *(name for part in draft.parts for name in part.effect.split(", "))}
+        for expression in draft.expressions():
+            found |= self._effects_in(expression)
+        found |= {self._of_contact(pair, draft, drafts) for pair in self._pairs if draft.section == contact_title(pair)}
+        if draft.section in (LEDGER, ENERGY):
+            found |= {effect.name for effect in self._scene.all(EnergyLedger)}
+        return tuple(name for name in self._effects if name in found)
+
+    # -- by the marks ----------------------------------------------------------------------------------------------
+
+    def _effects_in(self, expression: Any) -> set[str]:
+        """Effects whose parameters an expression contains."""
+        return {self._marked.effect_of[s] for s in symbols_in(expression) if s in self._marked.effect_of}
+
+    def _dependencies(self, expression: Any) -> set[str]:
+        """Effects that an expression depends on, directly or through intermediate results."""
+        reached, pending = set(), symbols_in(expression)
+        while pending:
+            symbol = pending.pop()
+            if symbol not in reached:
+                reached.add(symbol)
+                pending.extend(symbols_in(self._forms.get(symbol, sp.S.Zero)))
+        return {effect for mark, effect in self._marked.effect_of.items() if mark in reached}
+
+    def _owner(self, function: str, term: Any) -> str:
+        """The effect that a term of a generalised force comes from; several where they share one term."""
+        far, pair = self._dependencies(term), pair_of(function)
+        if pair:
+            return next((name for name in self._beside(pair) if name in far), pair)
+        return ", ".join(e.name for e in self._effects.values() if e.name in far and e.enters == APPLIED)
+
+    def _beside(self, pair: str) -> list[str]:
+        """Effects fed by the pair's normal force: friction, resistance to rolling and drilling."""
+        return [effect.name for effect in self._scene.all(PairEffect)
+                if effect.pair == pair and effect.enters == CONTACT and not isinstance(effect, Contact)]  # fmt: skip
+
+    def _of_contact(self, pair: str, draft: Draft, drafts: list[Draft]) -> str:
+        """Attribute an equation of a contact to the normal force, or to an effect fed by it.
+
+        To friction, for one, belongs what depends on it, and what is used for that alone.
+        """
+        beside, own = self._beside(pair), self._dependencies(draft.expression)
+        users = [other for other in drafts if draft.symbol in other.symbols()]
+        for effect in beside:
+            if effect in own:
+                return effect
+            if users and all(
+                user.expression is not None and effect in self._dependencies(user.expression) for user in users
+            ):
+                return effect
+        return pair
+
+
+def sources(scene: Scene) -> Iterator[tuple[Effect, str]]:
+    """Yield every effect with the sources of its laws as text."""
+    for effect in scene.effects:
+        laws = dict.fromkeys(bound.law for bound in effect.laws)
+        yield effect, "; ".join(f"{law.name}: {law.source}, grade {law.grade}" for law in laws)

@@ -1,0 +1,1 @@
+"""Scenes from models of SymPy's mechanics, and equations of a scene for SymPy."""

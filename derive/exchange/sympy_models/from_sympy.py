@@ -1,0 +1,372 @@
+"""Models of SymPy's mechanics as scenes.
+
+    model = from_sympy(kane, units={m: "kg", l: "m", q: "rad"}, values={m: 1, l: 0.3}, origin=O)
+    scene = model.scene(pairs=(SphereOnPlane("wall", sphere=model.at(P), ...),), effects=(Contact("wall", ...),), scales=...)
+
+Equations are taken as SymPy built them, as a straight-line program of what they share. Nothing is simplified, no
+matrix inverted. Every expression is audited for units, the author's own first.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy.physics.mechanics import ReferenceFrame
+from sympy.physics.vector import Point as SymPyPoint
+
+from hertzwerk.derive.audit.numeric import evaluate
+from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.identifiers import name_faults
+from hertzwerk.derive.declare.effects.effect import Effect
+from hertzwerk.derive.declare.effects.state_expression import Varying
+from hertzwerk.derive.declare.mechanism.bodies import Body, Point
+from hertzwerk.derive.declare.mechanism.pair import Pair
+from hertzwerk.derive.declare.scene.scales import Scales
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.declare.scene.start import Start
+from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import Given
+from hertzwerk.derive.exchange.sympy_models.model_equations import (
+    Reading,
+    frames_of,
+    mass_centre,
+    points_of,
+    reading_of,
+)
+from hertzwerk.derive.exchange.sympy_models.model_loads import Loads, ledger_faults
+from hertzwerk.derive.exchange.sympy_models.motion_description import Condition, Description, Equations, Linear, Placed
+from hertzwerk.derive.exchange.sympy_models.to_sympy import TIME
+from hertzwerk.derive.exchange.sympy_models.translation import Naming, atoms_of, name_of
+from hertzwerk.derive.exchange.sympy_models.unit_audit import unit_faults
+from hertzwerk.derive.expressions.algebra.vectors import IDENTITY, ZERO
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.expressions.dimension.walker import dimension_of
+from hertzwerk.derive.expressions.parameter import Parameter, Slot
+
+STILL: Linear = ({}, sp.S.Zero)
+
+
+def from_sympy(
+    method: Any, *, units: Mapping[Any, str], values: Mapping[Any, float], name: str = "model", origin: Any = None,
+    specified: Mapping[Any, Any] | None = None,
+) -> Model:  # fmt: skip
+    """Model of a KanesMethod, a LagrangesMethod or a System whose equations are formed.
+
+    Raises InputError, listing every fault, for symbols without unit or value and for expressions whose units part.
+
+    units      unit of every symbol, coordinate and function of time, and of speeds that are no derivatives, by symbol or name
+    values     value of every constant symbol in its unit; a run may set it anew
+    origin     fixed point from which positions are known; without one nothing has a place, and no pair may touch
+    specified  functions of time that are neither coordinates nor speeds: expressions of `T`, or an `Input`; of loads
+               also of coordinates, speeds and states
+    """
+    reading = reading_of(method, origin)
+    return Model(reading, name, Naming(reading, _expressions(reading), units, values, specified or {}))
+
+
+class Model:
+    """Model that was imported: its parameters by name, points of its bodies, and scenes of it."""
+
+    def __init__(self, reading: Reading, name: str, naming: Naming) -> None:
+        self.name, self._reading = name, reading
+        self._points, self._frames = points_of(reading), frames_of(reading)
+        self._names = names = naming.found()
+        faults = [*name_faults("model", name), *naming.faults]
+        faults += unit_faults(reading, names.table) if not faults else []
+        faults += naming.unused
+        if faults:
+            raise InputError(f"from_sympy, {name}", dict.fromkeys(faults))
+        self.parameters: Mapping[str, Parameter] = names.parameters
+        """The constants by name, for use in pairs and effects."""
+        self._bodies: dict[str, tuple[Body, Placed]] = {}
+        self._linear = cache(self._find_linear)
+        self.bodies: tuple[Body, ...] = tuple(self._body(body) for body in reading.bodies)
+        """The model's own bodies."""
+
+    def at(self, point: Any, frame: Any = None) -> Point:
+        """Point of the model, as pairs and effects take it, by itself or its name.
+
+        It is fixed in `frame`, which matters where surfaces slide; by default a body's whose mass centre it is, else
+        it keeps the axes of the ground. Raises InputError.
+        """
+        where, axes = self._find(point, self._points, "point"), self._find(frame, self._frames, "frame")
+        for body, own in zip(self.bodies, self._reading.bodies, strict=True):
+            centre, carrier = mass_centre(own)
+            if centre == where and axes in (None, carrier):
+                self._must_have_place(where)
+                return Point(body)
+        self._must_have_place(where)
+        name = where.name if axes is None else f"{where.name}_{axes.name}"
+        if name not in self._bodies:
+            self._bodies[name] = Body(name, mass=0), self._placed(where, axes)
+        return Point(self._bodies[name][0])
+
+    def scene(
+        self, *, scales: Scales, pairs: Sequence[Pair] = (), effects: Sequence[Effect] = (), start: Start | None = None,
+        summary: str = "",
+    ) -> Scene:  # fmt: skip
+        """Scene of the model with its loads, and pairs and effects in addition; raises InputError."""
+        faults = list(ledger_faults(tuple(effects), self._follows_time(), self._reading.alone))
+        if faults:
+            raise InputError(f"scene {self.name}", faults)
+        used = list(dict.fromkeys([*self.bodies, *_bodies_in((*pairs, *effects))]))
+        moved = tuple(body for body in used if body.name in self._bodies and self._bodies[body.name][0] == body)
+        mechanism = Given(self.name, (), tuple(pairs), moved=moved, description=self._description(moved))
+        return Scene(mechanism, (*self._loads(), *effects), scales, start or Start(), summary=summary)
+
+    # -- bodies and points ---------------------------------------------------------------------------------------------
+
+    def _find(self, given: Any, known: Mapping[str, Any], kind: str) -> Any:
+        if given is None and kind == "frame":
+            return None
+        if isinstance(given, str) and given in known:
+            return known[given]
+        if isinstance(given, SymPyPoint | ReferenceFrame) and given in known.values():
+            return given
+        name = given.name if isinstance(given, SymPyPoint | ReferenceFrame) else given
+        raise InputError(f"model {self.name}", [unknown(kind, name, known)])
+
+    def _must_have_place(self, point: Any) -> None:
+        try:
+            if self._reading.origin is not None:
+                point.pos_from(self._reading.origin)
+                return
+        except ValueError:
+            pass
+        found = (
+            "no position from the origin" if self._reading.origin is not None else "no position, for there is no origin"
+        )
+        raise InputError(f"model {self.name}", [Fault(f"point {point.name}", found, "a position from a fixed point",
+                         "Locate it in SymPy, P.set_pos(O, ...), and give from_sympy(..., origin=O).")])  # fmt: skip
+
+    def _body(self, body: Any) -> Body:
+        """A body of SymPy's, its frame at the mass centre."""
+        centre, frame = mass_centre(body)
+        made = Body(body.name, self._names.of(sp.sympify(body.mass, strict=True)))
+        self._bodies[body.name] = made, self._placed(centre, frame)
+        return made
+
+    def _placed(self, point: Any, frame: Any) -> Placed:
+        reading, of = self._reading, self._names.of
+        axes: Any = IDENTITY
+        turning: tuple[Linear, Linear, Linear] = (STILL, STILL, STILL)
+        if frame is not None:
+            matrix = reading.frame.dcm(frame)
+            axes = tuple(tuple(of(matrix[i, k]) for k in range(3)) for i in range(3))
+            turning = self._linear_vector(frame.ang_vel_in(reading.frame))
+        try:
+            position = point.pos_from(reading.origin).to_matrix(reading.frame) if reading.origin is not None else ZERO
+        except ValueError:
+            position = ZERO  # it has mass and velocity, and no place
+        x, y, z = (of(sp.sympify(value)) for value in position)
+        return Placed(axes, (x, y, z), self._linear_vector(reading.velocity(point)), turning)
+
+    def _linear_vector(self, vector: Any) -> tuple[Linear, Linear, Linear]:
+        """Components along the ground's axes.
+
+        Each part is differentiated along the axes in which it is written.
+        """
+        shares: tuple[dict[str, list[Any]], ...] = ({}, {}, {})
+        rests: tuple[list[Any], ...] = ([], [], [])
+        for values, frame in vector.args if vector != 0 else ():
+            matrix, parts = self._reading.frame.dcm(frame), [self._linear(value) for value in values]
+            for i in range(3):
+                for k, (share, rest) in enumerate(parts):
+                    turned = self._names.of(matrix[i, k])
+                    rests[i].append(turned * rest)
+                    for key, value in share.items():
+                        shares[i].setdefault(key, []).append(turned * value)
+        x, y, z = (
+            ({key: sp.Add(*terms) for key, terms in share.items()}, sp.Add(*rest))
+            for share, rest in zip(shares, rests, strict=True)
+        )
+        return x, y, z
+
+    def _find_linear(self, expression: Any) -> Linear:
+        """Coefficients of the speeds in an expression that is linear in them, and the rest."""
+        reading, names = self._reading, self._names
+        expression = expression.xreplace(reading.derivatives)
+        shares = {names.keys[u]: names.of(expression.diff(u)) for u in reading.u if expression.has(u)}
+        rest = names.of(expression.xreplace(dict.fromkeys(reading.u, sp.S.Zero)))
+        return {key: share for key, share in shares.items() if share != 0}, rest
+
+    # -- equations -----------------------------------------------------------------------------------------------------
+
+    def _description(self, moved: Iterable[Body]) -> Description:
+        """Everything that a mechanism is given by, with what its expressions share named once."""
+        reading, names = self._reading, self._names
+        of, rows = names.of, [names.keys[u] for u in reading.u]
+        n = range(len(rows))
+        mass = {(rows[i], rows[k]): of(reading.mass[i, k]) for i in n for k in n if reading.mass[i, k] != 0}
+        whole = (
+            {} if names.minimal else {name_of(q): self._linear(rate) for q, rate in reading.rates.items()},
+            {body.name: self._bodies[body.name][1] for body in moved},
+            mass, dict(zip(rows, map(of, reading.bias), strict=True)), of(reading.potential or sp.S.Zero), self._conditions(),
+        )  # fmt: skip
+        gathered: list[Any] = []
+        _each(whole, gathered.append)
+        steps, reduced = sp.cse(gathered, sp.numbered_symbols("step_"), order="none")
+        replacements = iter(reduced)
+        rates, places, mass, bias, potential, conditions = _each(whole, lambda e: next(replacements))
+        quantities = [Slot(f"symbol {p.name}", p, p.unit) for p in names.parameters.values()]
+        quantities += [Varying(f"function {name_of(f)}(t)", v, str(names.table[f])) for f, v in names.moving.items()]
+        return Description(
+            names.freedoms, names.measured, names.uncounted, rates, tuple(steps), places,
+            Equations(mass, bias, potential), conditions, tuple(quantities),
+        )  # fmt: skip
+
+    def _loads(self) -> tuple[Loads, ...]:
+        """The loads, as an effect."""
+        reading, names = self._reading, self._names
+        units = {port.name: port.unit for freedom in names.freedoms for port in freedom.forces}
+        named = [(names.keys[u], names.of(f)) for u, f in zip(reading.u, reading.force, strict=True)]
+        forces = tuple((key, units[key], force) for key, force in named if force != 0)
+        return (Loads("loads", forces, names.of(reading.stored)),) if forces else ()
+
+    def _conditions(self) -> tuple[Condition, ...]:
+        """Constraints, in metres, angles or metres a second: others are scaled by a length."""
+        reading, names = self._reading, self._names
+        found = []
+        for number, expression in enumerate(reading.holonomic, 1):
+            rate = expression.diff(TIME)
+            dimension = dimension_of(expression, names.table)
+            found.append(self._condition(f"holonomic_{number}", dimension, expression, rate))
+        for number, expression in enumerate(self._independent(), 1):
+            dimension = dimension_of(expression, names.table)
+            found.append(self._condition(f"nonholonomic_{number}", dimension, None, expression))
+        return tuple(found)
+
+    def _condition(self, name: str, dimension: Dimension, value: Any, rate: Any) -> Condition:
+        second, metre = Dimension.from_unit("s"), Dimension.from_unit("m")
+        length = dimension if value is not None else dimension * second
+        power = 0 if length.every else length.L
+        if length not in (metre**power, Dimension.from_unit("1")) and not length.every:
+            unit = "a length, an angle, or a power of a length" + ("" if value is not None else ", a second")
+            raise InputError(
+                f"model {self.name}", [Fault(name, f"{rate if value is None else value} [{dimension}]", unit)]
+            )
+        angle = value is not None and power == 0
+        factor = sp.S.One if angle else self._size ** (1 - power)
+        shares, rest = self._linear(rate)
+        scaled = {key: factor * share for key, share in shares.items()}, factor * rest
+        zero = sp.S.Zero if value is None else factor * self._names.of(value)
+        unit, what = ("m/s", "rate") if value is None else ("1", "turned") if angle else ("m", "off")
+        return Condition(f"{name}.{what}", unit, zero, scaled)
+
+    @property
+    def _size(self) -> Any:
+        """A length of the model, by which constraints are scaled."""
+        lengths = [
+            p for p in self.parameters.values() if Dimension.from_unit(p.unit) == Dimension.from_unit("m") and p.default
+        ]
+        return lengths[0] if lengths else sp.S.One
+
+    def _independent(self) -> list[Any]:
+        """Constraints on speeds that are no rates of those on coordinates, at the values and random states."""
+        reading, names = self._reading, self._names
+        if not reading.mixed:
+            return list(reading.nonholonomic)
+        kept: list[Any] = []
+        columns = [self._linear(expression.diff(TIME))[0] for expression in reading.holonomic]
+        for expression in reading.nonholonomic:
+            column = self._linear(expression)[0]
+            if not columns or not all(
+                _depends(columns, column, [names.keys[u] for u in reading.u], seed) for seed in (1, 2)
+            ):
+                kept.append(expression)
+        return kept
+
+    def _follows_time(self) -> bool:
+        """Whether the motion itself follows time, so that there is a drive whose force is not known."""
+        reading = self._reading
+        linear = [self._linear(rate) for rate in reading.rates.values()]
+        for _, place in self._bodies.values():
+            linear += [*place.velocity, *place.angular_velocity]
+        given = () if reading.lagrangian is None else (reading.lagrangian,)
+        functions = any(atom in self._names.moving for atom in atoms_of(given))
+        return functions or any(map(_bare, given)) or any(rest != 0 for _, rest in linear)
+
+
+def _bare(expression: Any) -> bool:
+    """Whether time stands in an expression by itself, not as the argument of a function or a derivative."""
+    pending = [expression]
+    while pending:
+        node = pending.pop()
+        if node == TIME:
+            return True
+        if not isinstance(node, sp.core.function.AppliedUndef | sp.Derivative):
+            pending.extend(node.args)
+    return False
+
+
+def _expressions(reading: Reading) -> list[Any]:
+    """Every expression in which symbols may stand."""
+    found: list[Any] = [*reading.rates.values(), *reading.mass, *reading.bias, *reading.force]
+    found += [*reading.holonomic, *reading.nonholonomic, reading.stored, *(body.mass for body in reading.bodies)]
+    found += [] if reading.lagrangian is None else [reading.lagrangian]
+    vectors = [v for _, v in reading.loads]
+    for point in points_of(reading).values():
+        vectors += point._pos_dict.values()
+    for body in reading.bodies:
+        vectors.append(reading.velocity(mass_centre(body)[0]))
+        found += [
+            entry for value, *_ in (body.inertia[0].args if hasattr(body, "inertia") else ()) for entry in (value,)
+        ]
+    for frame in frames_of(reading).values():
+        found += [entry for matrix in frame._dcm_dict.values() for entry in matrix]
+    found += [value for vector in vectors if vector != 0 for values, _ in vector.args for value in values]
+    return [sp.sympify(value, strict=True) for value in found]
+
+
+def _bodies_in(records: Iterable[Any]) -> Iterable[Body]:
+    """Yield the bodies that records refer to."""
+    for record in records:
+        for entry in fields(record) if is_dataclass(record) else ():
+            value = getattr(record, entry.name)
+            for each in value if isinstance(value, tuple) else (value,):
+                body = each.body if isinstance(each, Point) else each
+                if isinstance(body, Body):
+                    yield body
+
+
+def _each(value: Any, change: Callable[[Any], Any]) -> Any:
+    """A nested record with each of its expressions changed, in order."""
+    if isinstance(value, Placed):
+        return Placed(*(_each(getattr(value, entry.name), change) for entry in fields(value)))
+    if isinstance(value, Condition):
+        return Condition(value.name, value.unit, _each(value.value, change), _each(value.rate, change))
+    if isinstance(value, tuple):
+        return tuple(_each(part, change) for part in value)
+    if isinstance(value, Mapping):
+        return {key: _each(part, change) for key, part in value.items()}
+    return change(value)
+
+
+def _depends(columns: list[Mapping[str, Any]], column: Mapping[str, Any], rows: list[str], seed: int) -> bool:
+    """Whether a column is a combination of others, at a random state."""
+    source = random.Random(seed)
+    symbols = {s for c in (*columns, column) for e in c.values() for s in e.free_symbols}
+    state = {s: s.si if isinstance(s, Parameter) else source.uniform(0.1, 1) for s in sorted(symbols, key=str)}
+
+    def numbers(entries: Mapping[str, Any]) -> list[float]:
+        return [float(evaluate(entries[row], state)) if row in entries else 0.0 for row in rows]
+
+    basis: list[list[float]] = []
+    small = False
+    for entries in (*columns, column):
+        rest = given = numbers(entries)
+        for other in basis:
+            share = sum(a * b for a, b in zip(rest, other, strict=True))
+            rest = [a - share * b for a, b in zip(rest, other, strict=True)]
+        size, whole = (sum(x * x for x in part) ** 0.5 for part in (rest, given))
+        small = size <= 1e-9 * whole
+        if not small:
+            basis.append([x / size for x in rest])
+    return small
+
+
+__all__ = ["Model", "from_sympy"]

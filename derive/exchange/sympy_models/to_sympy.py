@@ -1,0 +1,202 @@
+"""Equations of a scene as SymPy's users have them: M du/dt = forcing, q' = rates, with dynamicsymbols.
+
+They are the program's own, before they are solved. A contact's forces are functions of time, along its normal and
+tangents, since its laws with their memory are no part of such equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+from sympy.physics.mechanics import dynamicsymbols
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.equations.module.equation_system import System
+from hertzwerk.derive.equations.motion.absolute_coordinates import absolute
+from hertzwerk.derive.equations.motion.constraints import ON_SPEED
+from hertzwerk.derive.expressions.algebra.functions import Where, with_pieces
+from hertzwerk.derive.expressions.algebra.vectors import scale
+from hertzwerk.derive.expressions.dimension.dimension import Dimension
+from hertzwerk.derive.expressions.parameter import Parameter
+from hertzwerk.derive.program.program import symbols_in
+
+TIME = dynamicsymbols._t  # SymPy's own symbol of time
+KNOWN = (sp.Add, sp.Mul, sp.Pow, sp.sin, sp.cos, sp.tan, sp.atan, sp.atan2, sp.asin, sp.acos, sp.exp, sp.log, sp.Abs,
+         sp.tanh, sp.sinh, sp.cosh, sp.sign, sp.Max, sp.Min, sp.Piecewise, Where)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class SymPyEquations:
+    """Equations mass_matrix u' = forcing + G^T multipliers, and q' = kinematics, as SymPy's matrices.
+
+    specified  function of time that is neither coordinate nor speed -> what it is: forces of contacts, inputs
+    names      name of a coordinate or a speed in the scene -> its function of time
+    steps      the equations as a straight-line program, which a file of them writes
+    """
+
+    q: sp.Matrix
+    u: sp.Matrix
+    kinematics: Mapping[Any, Any]
+    mass_matrix: sp.Matrix
+    forcing: sp.Matrix
+    holonomic_constraints: sp.Matrix
+    nonholonomic_constraints: sp.Matrix
+    specified: Mapping[Any, str]
+    units: dict[Any, str]
+    values: Mapping[Any, float]
+    names: Mapping[str, Any]
+    program: Straight = field(repr=False)
+
+    def kindiffdict(self) -> dict[Any, Any]:
+        """Derivatives of the coordinates, as a KanesMethod tells them."""
+        return dict(self.kinematics)
+
+
+@dataclass(frozen=True, eq=False)
+class Straight:
+    """Equations before what they share is written out: assignments in order, and results by name."""
+
+    steps: tuple[tuple[sp.Symbol, Any], ...]
+    results: Mapping[str, Any]
+    instead: Mapping[sp.Symbol, Any]
+    """Symbol of an input -> its symbol or function of time."""
+
+
+def to_sympy(scene: Scene) -> SymPyEquations:
+    """Equations of a scene as SymPy matrices.
+
+    Raises InputError, with every fault, for what has no such form.
+    """
+    found = _Export(System(absolute(scene) if scene.coordinates == "absolute" else scene))
+    return found.equations()
+
+
+class _Export:
+    """Equations of one system."""
+
+    def __init__(self, system: System) -> None:
+        self.system, self.tape, self.scene = system, system.tape, system.scene
+        faults = list(self._faults())
+        if faults:
+            raise InputError(f"scene {self.scene.name} to SymPy", faults)
+        self.specified: dict[sp.Symbol, str] = {}
+        self.unit: dict[sp.Symbol, str] = {}
+
+    def _faults(self) -> Iterator[Fault]:
+        """Yield faults of what SymPy's equations do not have."""
+        system = self.system
+        if system.carried is not None:
+            yield Fault(
+                "effects", "loads by reactions or normal forces", "loads of time, coordinates, speeds and inputs"
+            )
+        for name in (*(state.port.name for state in system.kin.drive_states), *self.scene.states):
+            yield Fault(f"state {name}", "a state that is no coordinate", "coordinates alone",
+                        "Leave out the effect or the drive that integrates it.")  # fmt: skip
+
+    def equations(self) -> SymPyEquations:
+        """The record."""
+        system, equations = self.system, self.system.equations
+        free = equations.free
+        mass = equations.mass_matrix()
+        matrix = [[mass.get((row.key, other.key), sp.S.Zero) for other in free] for row in free]
+        contacts = self._contacts()
+        forcing = [
+            equations.gravity(row) + system.applied(row.key) - equations.bias(row) + contacts.get(row.key, sp.S.Zero)
+            for row in free
+        ]
+        on_places = [loop.value for loop in system.loops if loop.unit != ON_SPEED and loop.value != 0]
+        on_speeds = [loop.rate for loop in system.loops if loop.unit == ON_SPEED or loop.value == 0]
+        results = {
+            "mass_matrix": matrix, "forcing": forcing, "kinematics": list(system.kin.rates), "holonomic_constraints": on_places,
+            "nonholonomic_constraints": on_speeds,
+        }  # fmt: skip
+        steps = self.tape.needed(_flat(results))
+        program = Straight(steps, results, self._instead([*_flat(results), *(e for _, e in steps)]))
+        return self._written_out(program)
+
+    def _contacts(self) -> dict[str, Any]:
+        """Generalised forces of the contacts, each force a function of time."""
+        found: dict[str, Any] = {}
+        for pair, _, friction in self.system.contacts:
+            name, touch = pair.pair.name, pair.touch
+            ways = [("normal_force", touch.normal, touch.position)]
+            if friction is not None:
+                tangents = touch.tangents
+                numbers = [""] if len(tangents) == 1 else [f"_{i}" for i, _ in enumerate(tangents, 1)]
+                ways += [
+                    (f"friction_force{i}", way, touch.contact_point) for i, way in zip(numbers, tangents, strict=True)
+                ]
+            for what, way, place in ways:
+                force = self.tape.input(f"{name}_{what}", "exported", Dimension.from_unit("N"))
+                self.specified[force] = f"{what.replace('_', ' ')} of {name} on {touch.first.body.name}"
+                pushed = self.system.kin.generalised(
+                    scale(force, way), place, touch.first.body, touch.second.body, f"{name}_{what}"
+                )
+                for row, share in pushed.items():
+                    found[row] = found.get(row, sp.S.Zero) + share
+        return found
+
+    def _instead(self, expressions: list[Any]) -> dict[sp.Symbol, Any]:
+        """Functions of time for coordinates, speeds, forces and inputs; symbols for parameters in use."""
+        kin = self.system.kin
+        instead: dict[sp.Symbol, Any] = {kin.t: TIME}
+        moving = [*kin.q, *kin.u, *self.specified]
+        for name, value in kin.inputs.items():
+            self.specified[value] = f"input {name}"
+            moving.append(value)
+        instead |= {symbol: dynamicsymbols(symbol.name) for symbol in moving if isinstance(symbol, sp.Symbol)}
+        return instead | {p: sp.Symbol(p.name) for p in symbols_in(*expressions) if isinstance(p, Parameter)}
+
+    def _written_out(self, program: Straight) -> SymPyEquations:
+        system, kin, instead = self.system, self.system.kin, dict(program.instead)
+        inputs = set(kin.inputs.values())
+        faults: list[Fault] = []
+        for symbol, expression in program.steps:
+            if symbol in inputs:
+                continue
+            strange = _strange(expression)
+            if strange is not None:
+                faults.append(
+                    Fault(f"expression {symbol}", strange, "functions that SymPy has", "Tables and curves have none.")
+                )
+            instead[symbol] = with_pieces(expression).xreplace(instead)
+        if faults:
+            raise InputError(f"scene {self.scene.name} to SymPy", faults)
+
+        def written(value: Any) -> Any:
+            return with_pieces(sp.sympify(value)).xreplace(instead)
+
+        r = program.results
+        q, u = [instead[s] for s in kin.q], [instead[s] for s in kin.u]
+        rates = {a.diff(TIME): written(rate) for a, rate in zip(q, r["kinematics"], strict=True)}
+        ports = [*zip(q, system.coordinates, strict=True), *zip(u, system.speeds, strict=True)]
+        units = {symbol: port.unit for symbol, port in ports}
+        constants = [p for p in instead if isinstance(p, Parameter)]
+        units |= {instead[p]: p.unit for p in constants}
+        units |= {instead[s]: "N" for s in self.specified if s not in inputs}
+        units |= {instead[value]: self.scene.inputs[name].unit for name, value in kin.inputs.items()}
+        return SymPyEquations(
+            sp.Matrix(q), sp.Matrix(u), rates, sp.Matrix([[written(v) for v in row] for row in r["mass_matrix"]]),
+            sp.Matrix([written(v) for v in r["forcing"]]), sp.Matrix([written(v) for v in r["holonomic_constraints"]]),
+            sp.Matrix([written(v) for v in r["nonholonomic_constraints"]]), {instead[s]: what for s, what in self.specified.items()},
+            units, {instead[p]: p.default for p in constants},
+            {port.name: symbol for symbol, port in ports}, program,
+        )  # fmt: skip
+
+
+def _flat(value: Any) -> list[Any]:
+    if isinstance(value, Mapping):
+        return [e for part in value.values() for e in _flat(part)]
+    return [e for part in value for e in _flat(part)] if isinstance(value, list) else [value]
+
+
+def _strange(expression: Any) -> str | None:
+    """A function that SymPy does not have, in an expression."""
+    for node in sp.preorder_traversal(expression):
+        if node.args and not (isinstance(node, KNOWN) or node.is_Relational or node.is_Boolean):
+            return f"{type(node).__name__}"
+    return None

@@ -1,0 +1,139 @@
+"""Audit of the catalogue, and of files and folders: scenes and laws in Python, laws in TOML."""
+
+from __future__ import annotations
+
+import ast
+import tomllib
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
+from hertzwerk.derive.audit.behaviour import faults_if_consistent
+from hertzwerk.derive.common.execute_file import names_defined_by
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.toml_file import MAX_BYTES
+from hertzwerk.derive.declare.scene.scene import Scene
+from hertzwerk.derive.equations.derivation import audit_scene
+from hertzwerk.derive.exchange.user_files.law_file import audit_laws_as_written
+from hertzwerk.derive.laws import LAWS
+from hertzwerk.derive.laws.law import Law
+
+__all__ = ["audit_catalogue", "audit_files", "audit_path", "differing_verdicts"]
+
+_RECORDS = ("StiffnessLaw", "DampingLaw", "FrictionLaw", "FilmLaw")
+
+
+def audit_catalogue() -> Findings:
+    """Audit every law of the catalogue: one finding if consistent, else one per inconsistent expression."""
+    return Findings(finding for law in LAWS.values() for finding in _of_law(law))
+
+
+def differing_verdicts(findings: Iterable[Finding]) -> tuple[str, ...]:
+    """Names of built-in laws whose verdict in `findings` differs from the catalogue's."""
+    by_law: dict[str, list[Finding]] = {}
+    for finding in findings:
+        by_law.setdefault(finding.law, []).append(finding)
+    return tuple(name for name, own in by_law.items() if verdict(own) != LAWS[name].verdict)
+
+
+def _of_law(law: Law) -> tuple[Finding, ...]:
+    findings = audit_law(law)
+    wrong = [finding for finding in findings if finding.verdict != "consistent"]
+    if not wrong:
+        asked = [finding for finding in findings if not finding.what.startswith("definition")]
+        return (asked or list(findings))[:1]  # type: ignore[return-value]
+    named = f"repaired as {law.repair}" if law.repair else None
+    return tuple(replace(finding, repair="; ".join(filter(None, (finding.repair, named))) or None) for finding in wrong)
+
+
+def audit_path(path: str | Path) -> Findings:
+    """All findings on a file or folder. Raises InputError."""
+    return Findings(finding for findings in audit_files(path).values() for finding in findings)
+
+
+def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
+    """Findings by file, on a file or on every file of a folder that has scenes or laws.
+
+    In a folder, Python files are parsed first, and executed only if they import hertzwerk and define `scene` or make
+    a law; a file given by name is executed. Raises InputError with the faults of all files, and where there is
+    nothing to audit.
+    """
+    path = Path(path)
+    files = list(_files(path)) if path.is_dir() else [path]
+    if not files:
+        expected = "Python files that define a scene or laws, or TOML files with tables [[law]]"
+        raise InputError(str(path), [Fault(str(path), "a folder without either", expected)])
+    findings: dict[Path, tuple[Finding, ...]] = {}
+    faults: list[Fault] = []
+    for file in files:
+        try:
+            findings[file] = audit_laws_as_written(file) if file.suffix == ".toml" else _audit_python(file)
+        except InputError as error:
+            if len(files) == 1:
+                raise
+            faults.extend(replace(fault, where=f"{file}: {fault.where}") for fault in error.faults)
+    if faults:
+        raise InputError(str(path), faults)
+    return findings
+
+
+def _audit_python(file: Path) -> tuple[Finding, ...]:
+    """Audit the laws made by a Python file, then its scenes."""
+    values = {id(value): value for value in names_defined_by(file).values()}.values()
+    built_in = {id(law) for law in LAWS.values()}
+    laws = [value for value in values if isinstance(value, Law) and id(value) not in built_in]
+    scenes = [value for value in values if isinstance(value, Scene)]
+    if not laws and not scenes:
+        expected = "a file that defines `scene = Scene(...)`, or laws"
+        raise InputError(str(file), [Fault(str(file), "neither a scene nor a law", expected)])
+    found = [finding for law in laws for finding in audit_law(law)]
+    faults = [fault for law in laws for fault in faults_if_consistent(law)]
+    if faults:
+        raise InputError(str(file), faults)
+    return (*found, *(finding for scene in scenes for finding in audit_scene(scene)))
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    """Yield the files of a folder that have scenes or laws, sorted; skips hidden ones, executes nothing."""
+    for file in sorted(folder.rglob("*")):
+        parts = file.relative_to(folder).parts
+        if any(part.startswith(".") or part == "__pycache__" for part in parts) or not file.is_file():
+            continue
+        if (file.suffix == ".toml" and _has_laws(file)) or (file.suffix == ".py" and _declares(file)):
+            yield file
+
+
+def _has_laws(file: Path) -> bool:
+    try:
+        if file.stat().st_size > MAX_BYTES:
+            return b"[[law]]" in file.read_bytes()  # refused later, with the reason
+        content = tomllib.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):  # not a file of laws
+        return False
+    laws = content.get("law")
+    return isinstance(laws, list) and bool(laws)
+
+
+def _declares(file: Path) -> bool:
+    try:
+        tree = ast.parse(file.read_bytes())
+    except (OSError, SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    imported = any(
+        (isinstance(node, ast.ImportFrom) and (node.module or "").startswith("hertzwerk"))
+        or (isinstance(node, ast.Import) and any(alias.name.startswith("hertzwerk") for alias in node.names))
+        for node in tree.body
+    )
+    return imported and (
+        any(isinstance(target, ast.Name) and target.id == "scene" for node in tree.body for target in _targets(node))
+        or any(
+            isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] in _RECORDS for node in ast.walk(tree)
+        )
+    )
+
+
+def _targets(node: ast.stmt) -> list[ast.expr]:
+    if isinstance(node, ast.Assign):
+        return node.targets
+    return [node.target] if isinstance(node, ast.AnnAssign) else []

@@ -1,0 +1,1 @@
+"""Parameters, and expressions of them: algebra and dimensions."""

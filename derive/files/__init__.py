@@ -1,1 +1,0 @@
-"""User files: laws in TOML, scenes in Python, and their audit."""

@@ -1,1 +1,0 @@
-"""HTML by construction, formulas as MathML, and plain tables: what notebooks and reports show."""

@@ -1,1 +1,0 @@
-"""Mechanisms whose motion is given by expressions, such as those of SymPy's mechanics."""

@@ -1,0 +1,1 @@
+"""Published contact laws, a file for each kind."""

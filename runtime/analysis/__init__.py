@@ -1,0 +1,1 @@
+"""Analyses of one scene: statics, effects, accuracy against time, validation, hard cases."""

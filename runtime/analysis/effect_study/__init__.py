@@ -1,0 +1,1 @@
+"""Study of effects: the cost of each effect of a scene, and the changes without it."""

@@ -1,0 +1,370 @@
+"""Study of a scene's effects by leaving out each in turn, and all that may go together.
+
+Without its drive a scene starts as the driven one, to compare the effect of the drive alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.runtime.analysis.effect_study.compared_outputs import (
+    PAST_HORIZON,
+    Output,
+    automatic,
+    chosen,
+    unknown_outputs,
+)
+from hertzwerk.runtime.analysis.effect_study.effect_study import BELOW_ERROR, GONE, NEW, Change, Row, Study
+from hertzwerk.runtime.analysis.effect_study.output_errors import EIGHTHS, LADDER, Bench, Case, Measurement
+from hertzwerk.runtime.analysis.effect_study.scene_cost import cost_of, shares
+from hertzwerk.runtime.analysis.effect_study.smallest_scene import smallest
+from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
+from hertzwerk.runtime.engine.model import build
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.model.signal import Signal
+from hertzwerk.runtime.engine.run.run_request import METHOD
+from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.loading import load
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene.scene import Scene
+    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.solution.solution import Solution
+
+CORRECTIONS = 20  # Gauss-Newton iterations of the positions
+AGREE = 1e-9  # relative: largest difference of equal poses and their rates
+
+
+def driven_start(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:
+    """Return the additional coordinates and speeds of a scene so that every body starts as in a run.
+
+    The others start as in the run. Empty where there are none, and where bodies cannot start so.
+    """
+    whole, joints = run.model, model.joints
+    q_free = [i for i, name in enumerate(joints.coordinates) if name not in whole.joints.coordinates]
+    u_free = [i for i, name in enumerate(joints.speeds) if name not in whole.joints.speeds]
+    if whole.module.BODIES != model.module.BODIES or not (q_free or u_free):
+        return {}
+    known = run.initial
+    start = (np.array([known[name] for name in names]) for names in (whole.coordinates, whole.speeds))
+    there = _flat(_motion(whole)(0.0, *start, run.history.controls[: whole.nc]))
+    bound = model.bind(parameters)
+    q, u = _flat(joints.function("start")(bound.p))
+    for values, names in ((q, joints.coordinates), (u, joints.speeds)):
+        values[:] = [known.get(name, value) for name, value in zip(names, values, strict=True)]
+    motion = _motion_of_joints(model)
+    for _ in range(CORRECTIONS):
+        poses, _, by_q, _ = motion(0.0, q, u, bound.c)
+        q[q_free] += _least_squares(by_q, q_free, there[0] - np.array(poses).ravel())
+    _, rates, _, by_u = motion(0.0, q, u, bound.c)
+    u[u_free] += _least_squares(by_u, u_free, there[1] - np.array(rates).ravel())
+    here = _flat(motion(0.0, q, u, bound.c)[:2])
+    if any(
+        np.max(np.abs(x - y)) > AGREE * max(1.0, float(np.max(np.abs(y)))) for x, y in zip(here, there, strict=True)
+    ):
+        return {}
+    found = [(joints.coordinates[i], q[i]) for i in q_free] + [(joints.speeds[i], u[i]) for i in u_free]
+    return {name: (float(value), joints.units[name]) for name, value in found}
+
+
+def _flat(results: Sequence[Any]) -> list[np.ndarray]:
+    return [np.array(result).ravel() for result in results]
+
+
+@per_model
+def _motion(model: Model) -> Any:
+    """Build the CasADi function (t, q, u, c) -> poses of all bodies, and their rates."""
+    t, q, u, c = symbols = model.symbols("t q u c")
+    poses = ca.vertcat(*model.function("poses")(t, q, c))
+    moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
+    return ca.Function("motion", symbols, [poses, ca.jtimes(poses, ca.vertcat(t, q), moves)])
+
+
+@per_model
+def _motion_of_joints(model: Model) -> Any:
+    """Build the function (t, q, u, c), q and u of joints -> poses, their rates, derivatives by q and u."""
+    t, q, u, c = symbols = model.symbols("t joints joint_speeds c")
+    placed = (q, u) if model.joints is model else model.function("placed")(t, q, u, c)
+    poses, rates = _motion(model)(t, *placed, c)
+    return ca.Function("motion_of_joints", symbols, [poses, rates, ca.jacobian(poses, q), ca.jacobian(rates, u)])
+
+
+def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.ndarray:
+    """Return the changes of the free variables that come closest to the wanted ones."""
+    changes: np.ndarray = np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
+    return changes
+
+
+HOPELESS = 6.0
+
+
+def study_effects(
+    target: str | Path | Scene,
+    *,
+    duration: str | float | None = None,
+    tolerance: float = 1e-6,
+    method: str = METHOD,
+    values: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
+    outputs: Sequence[str] = (),
+    within: float | None = None,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    compiled: bool = False,
+    progress: Callable[[float], object] = lambda fraction: None,
+) -> Study:
+    """Leave out each effect of a scene in turn and measure its cost and influence; raises InputError.
+
+    tolerance    of the coarsest runs and of those that are timed; finer ones show the error
+    values    parameters and initial states in place of the scene's
+    inputs    values of the scene's inputs, as `simulate` takes them
+    outputs    names, `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`; by default those that suit the scene
+    within    search the smallest scene whose outputs change by no more, relative
+    without, laws    of the whole scene, as `load` takes them
+    compiled    whether the timed runs are compiled
+    """
+    if within is not None and not 0 < within < 1:
+        raise InputError("effects", [Fault("--within", f"{within:g}", "a change above 0 and below 100 %")])
+    bench = Bench(duration, tolerance, method, dict(values or {}))
+    scenes = _Scenes(target, tuple(without), dict(laws or {}))
+    whole = scenes.model()
+    whole, wrong = given_inputs(whole, inputs, duration, bench.parameters(whole))
+    scenes = replace(scenes, signals=whole.signals)
+    wanted, first = _outputs(whole, bench, outputs, wrong)
+    study = Study(
+        scene=whole.name,
+        outcome=first.outcome,
+        duration=first.duration,
+        method=method,
+        tolerances=(bench.tolerance, bench.finest),
+        compiled=compiled,
+        effects=tuple(name for name, *_ in whole.module.EFFECTS),
+        cost=cost_of(whole),
+        within=within,
+    )
+    measured = bench.measure(Case(whole), wanted) if first.outcome.finished else None
+    if measured is None or not measured.outcome.finished:
+        return study if measured is None else replace(study, outcome=measured.outcome)
+    hidden = () if measured.past_horizon or outputs else PAST_HORIZON
+    wanted = tuple(output for output in wanted if output.name in measured.numbers and output.name not in hidden)
+    trials = _Trials(scenes, bench, first, wanted, measured)
+    rows = []
+    for i, effect in enumerate(study.effects):
+        rows.append(trials.row(effect))
+        progress(0.4 * (i + 1) / len(study.effects))
+    going = {row.effect: frozenset((row.effect, *row.along_with)) for row in rows if not row.fault}
+    found = None
+    if within is not None:
+        found = smallest(study.effects, within, going, lambda gone: trials.change(gone, within))
+    progress(0.7)
+    cases = {effect: trials.cases[gone] for effect, gone in going.items()}
+    if found is not None and found.left_out:
+        cases[_SMALLEST] = trials.cases[frozenset(found.left_out)]
+    timed = shares(
+        Case(whole),
+        cases,
+        bench,
+        compiled=compiled,
+        eighths=EIGHTHS if measured.past_horizon else LADDER[0],
+        progress=lambda part: progress(0.7 + 0.3 * part),
+    )
+    return replace(
+        study,
+        outcome=measured.outcome,
+        past_horizon=measured.past_horizon,
+        outputs=wanted,
+        numbers=measured.numbers,
+        rows=tuple(replace(row, share=timed.get(row.effect)) for row in rows),
+        smallest=found,
+        smallest_share=timed.get(_SMALLEST),
+        warnings=(
+            *first.warnings,
+            *(f"{name}: {why}" for name, why in measured.lacking.items() if name in outputs),
+        ),
+    )
+
+
+_SMALLEST = ""  # no effect has this name
+
+
+def _outputs(
+    whole: Model, bench: Bench, names: Sequence[str], before: Sequence[Fault]
+) -> tuple[tuple[Output, ...], Solution]:
+    """Return the outputs to be compared and the run they were found in.
+
+    Raises InputError with `before` and all faults of names and values.
+    """
+    known = (*whole.parameters, *whole.joints.coordinates, *whole.joints.speeds)
+    faults = [unknown("parameter or state", name, known) for name in bench.unknown_of(whole)]
+    bench.check(Case(whole), [*before, *faults, *unknown_outputs(whole, names)])
+    run = bench.simulate(Case(whole), compiled=False)
+    outputs, wrong = chosen(run, names) if names else (automatic(run), [])
+    if wrong:
+        raise InputError(whole.name, wrong)
+    return outputs, run
+
+
+@dataclass(frozen=True)
+class _Scenes:
+    """A scene and its variations; a built-in one is named, so that variations need no new derivation.
+
+    signals    values of the inputs, for those variations that have them
+    """
+
+    target: str | Path | Scene
+    without: tuple[str, ...]
+    laws: Mapping[str, str]
+    signals: Mapping[str, Signal] = field(default_factory=dict)
+    _scene: list[Scene] = field(default_factory=list)
+
+    @property
+    def scene(self) -> Scene:
+        """The whole scene."""
+        if not self._scene:
+            target = self.target
+            scene = build.scene_from(target) if isinstance(target, str | Path) else target
+            self._scene.append(build.vary(scene, self.without, self.laws))
+        return self._scene[0]
+
+    def model(self, *gone: str) -> Model:
+        """Return the scene without exactly these effects; raises InputError."""
+        if isinstance(self.target, str) and not build.is_file(self.target):
+            model = load(self.target, without=(*self.without, *gone), laws=self.laws)
+        else:
+            model = load(self.scene, without=gone)
+        return model.with_signals({name: signal for name, signal in self.signals.items() if name in model.inputs})
+
+    def leave_out(self, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], Model]:
+        """Return the scene without some of its effects and those that depend on them.
+
+        Such as friction without its contact. Raises InputError where the fault is of no effect.
+        """
+        gone = frozenset(names)
+        while True:
+            try:
+                return gone, self.model(*(name for name in effects if name in gone))
+            except InputError as error:
+                at_fault = {fault.where for fault in error.faults}
+                following = {name for name in effects if f"effect {name}" in at_fault} - gone
+                if not following:
+                    raise
+                gone |= following
+
+
+@dataclass(frozen=True)
+class _Trials:
+    """Scenes without some effects, measured against the whole one."""
+
+    scenes: _Scenes
+    bench: Bench
+    run: Solution  # of the whole scene
+    outputs: tuple[Output, ...]
+    measured: Measurement
+    cases: dict[frozenset[str], Case] = field(default_factory=dict)
+
+    @property
+    def whole(self) -> Model:
+        """The whole scene."""
+        return self.run.model
+
+    def row(self, effect: str) -> Row:
+        """Measure the scene without an effect."""
+        try:
+            gone, case = self._case(frozenset((effect,)))
+            along_with = tuple(name for name in self._effects if name in gone and name != effect)
+            found, changes = self._measured(case)
+        except InputError as error:
+            return Row(effect, fault=f"cannot be left out: {'; '.join(map(str, error.faults))}")
+        cost = cost_of(self.whole) - cost_of(case.model)
+        if not found.outcome.finished:
+            return Row(effect, along_with, cost, fault=f"without it {found.outcome.name}: {found.outcome.message}")
+        return Row(effect, along_with, cost, None, changes, notes=tuple(self._notes(case, found)))
+
+    def change(self, gone: frozenset[str], within: float) -> float:
+        """Return the largest change of an output without some effects, its error added.
+
+        Infinite where that is no scene, does not run or lacks an output. A change HOPELESS times too large in a
+        single run is not refined: it would stay too large.
+        """
+        try:
+            _, case = self._case(gone)
+            seen = self.bench.measure_once(case, self.outputs)
+            if seen is None:
+                return math.inf
+            known = {output.name: self.measured.numbers[output.name].value for output in self.outputs}
+            largest = max(
+                (abs(seen[name] - value) / (abs(value) or math.inf) for name, value in known.items()), default=0.0
+            )
+            if largest > HOPELESS * within:
+                return largest
+            _, changes = self._measured(case)
+        except InputError:
+            return math.inf
+        return max((change.bound for change in changes.values()), default=math.inf)
+
+    @property
+    def _effects(self) -> tuple[str, ...]:
+        return tuple(name for name, *_ in self.whole.module.EFFECTS)
+
+    def _case(self, names: frozenset[str]) -> tuple[frozenset[str], Case]:
+        """Return the scene without some effects, and the set of all effects it lacks."""
+        if names in self.cases:
+            return names, self.cases[names]
+        gone, model = self.scenes.leave_out(self._effects, names)
+        if gone not in self.cases:
+            self.cases[gone] = Case(model, driven_start(self.run, model, self.bench.parameters(model)))
+        return gone, self.cases[gone]
+
+    def _measured(self, case: Case) -> tuple[Measurement, dict[str, Change]]:
+        model, found = case.model, self.bench.measure(case, self.outputs)
+        if not found.outcome.finished:
+            return found, {}
+        if self.bench.same_motion(self.run, model):
+            same = Change(None, BELOW_ERROR, noise=0.0)
+            return found, {o.name: same if o.name in found.numbers else _missing_change(found, o) for o in self.outputs}
+        return found, {output.name: self._change(found, output) for output in self.outputs}
+
+    def _change(self, found: Measurement, output: Output) -> Change:
+        if output.name not in found.numbers:
+            return _missing_change(found, output)
+        here, there = self.measured.numbers[output.name], found.numbers[output.name]
+        difference, noise = there.value - here.value, there.error + here.error
+        size = abs(here.value)
+        if abs(difference) <= noise:
+            return Change(None, BELOW_ERROR, noise=noise / size if size else math.inf if noise else 0.0)
+        if size <= here.error:
+            return Change(None, NEW, f"it is {there.value:.3g} {output.unit} without it")
+        return Change(difference / size, noise=noise / size)
+
+    def _notes(self, case: Case, found: Measurement) -> Iterator[str]:
+        model, joints, of_whole = case.model, case.model.joints, self.whole.joints
+        freed = [
+            name
+            for name in (*joints.coordinates, *joints.speeds)
+            if name not in (*of_whole.coordinates, *of_whole.speeds)
+        ]
+        if case.start:
+            starts = ", ".join(f"{name} = {value:.4g} {unit}" for name, (value, unit) in case.start.items())
+            yield f"without it free to move, from {starts} as before"
+        elif freed:
+            yield f"without it {', '.join(freed)} are free, from the scene's own start: it may be another one than before"
+        if self.bench.same_motion(self.run, model):
+            yield "the equations of motion give the same accelerations without it, in every state of the run"
+        if found.past_horizon and not self.measured.past_horizon:
+            yield "without it runs at different tolerances part: its outputs are means of several runs"
+        if found.failed:
+            yield f"without it {len(found.failed)} of its runs did not finish and do not count: {'; '.join(found.failed)}"
+
+
+def _missing_change(found: Measurement, output: Output) -> Change:
+    return Change(None, GONE, f"without it {found.lacking[output.name]}")

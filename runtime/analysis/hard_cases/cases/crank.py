@@ -1,0 +1,107 @@
+"""Slider-crank with a clearance joint: extreme clearances and speeds, dead centres, long runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from hertzwerk.runtime.analysis.hard_cases.case import REFERENCED, HardCase, Known, Source, final
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.binding import Value
+
+SMOOTH, ROUGH = Source("slider_crank_frictionless"), Source("slider_crank")
+QUAD = "quadruple precision, tests/reference/programs/slider_crank_quad.cpp"
+
+
+def _state(travel: float, speed: float, clearance: float, tip_speed: float, part: float) -> tuple[Known, ...]:
+    """Expect the slider's state within a part of clearance and crank speed."""
+    return (
+        final("guide.travel", travel, part * clearance, QUAD),
+        final("guide.speed", speed, part * tip_speed, QUAD),
+    )
+
+
+def _clearance(name: str, hard: str, clearance: str, rpm: float, duration: float, known: tuple[Known, ...]) -> HardCase:
+    parameters: dict[str, Value] = {"clearance": clearance, "crank_speed": (rpm, "rpm")}
+    return HardCase(name, "slider-crank", hard, SMOOTH, duration, 1e-9, parameters=parameters, known=known)
+
+
+def _near_ideal(clearance: float) -> Known:
+    return final(
+        "guide.travel",
+        0.17,
+        1.2 * clearance,
+        "whole revolutions: the ideal mechanism, within clearance and penetration",
+    )
+
+
+CASES = (
+    HardCase(
+        name="centred_start",
+        theme="slider-crank",
+        hard="the journal starts exactly centred, where |e| - c has no derivative",
+        source=SMOOTH,
+        duration=0.002,
+        tolerance=1e-9,
+        methods=REFERENCED,
+        known=_state(0.1373416982226764233365, -25.73104758197984349727, 5e-4, 26.18, 1e-6),
+    ),
+    HardCase(
+        name="dead_centre",
+        theme="slider-crank",
+        hard="starts in the outer dead centre and ends exactly in the inner one; with friction",
+        source=ROUGH,
+        duration=0.006,
+        tolerance=1e-9,
+        known=_state(6.962904325573187284805e-2, 8.438369804113107325817e-1, 5e-4, 26.18, 1e-5),
+    ),
+    _clearance(
+        "clearance_1um",
+        "clearance 1 um at 10,000 rpm: one revolution in permanent contact, penetration twice the clearance",
+        "1 um",
+        10_000,
+        0.006,
+        _state(0.1700047189028763161343, 2.291411722586347894995e-6, 1e-6, 52.36, 1e-8),
+    ),
+    _clearance(
+        "clearance_5mm",
+        "clearance 5 mm at 10 rpm: forty ever weaker impacts, then permanent contact within 1 s",
+        "5 mm",
+        10,
+        1.0,
+        _state(0.1347839478063654505557734, -0.06263243468732951770999, 5e-3, 0.05236, 1e-8),
+    ),
+    HardCase(
+        name="thin_friction_layer",
+        theme="slider-crank",
+        hard="friction smoothed over 1e-7 m/s only, for two revolutions",
+        source=ROUGH,
+        duration=0.024,
+        tolerance=1e-6,
+        parameters={"friction_speed": "1e-7 m/s"},
+        known=(_near_ideal(5e-4),),
+        failures={
+            (
+                "dopri5",
+                "energy",
+            ): "its steps cross the layer, thinner than the tolerance, at every reversal of sliding: twice the limit"
+        },
+    ),
+    HardCase(
+        name="thousand_revolutions",
+        theme="slider-crank",
+        hard="1000 revolutions, some ten thousand impacts",
+        source=SMOOTH,
+        duration=12.0,
+        tolerance=1e-6,
+        known=(_near_ideal(5e-4),),
+        failures={
+            (
+                "dopri5",
+                "energy",
+            ): "in permanent contact its steps are as long as stability allows, and their small errors have one sign: "
+            "forty times the limit"
+        },
+        long=True,
+    ),
+)

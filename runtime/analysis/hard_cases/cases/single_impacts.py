@@ -1,0 +1,192 @@
+"""Single impacts: extreme restitutions, speeds, exponents, stiffnesses, damping and mass ratios."""
+
+from __future__ import annotations
+
+import math
+
+from hertzwerk.runtime.analysis.hard_cases import closed_forms
+from hertzwerk.runtime.analysis.hard_cases.case import METHODS, REFERENCED, HardCase, Source, contacts, final, impact
+
+RELATION = "h (1 + e) = ln((1 + h)/(1 - h e)), Hunt and Crossley 1975"
+TOLERANCE = 1e-8
+PART = 10 * TOLERANCE  # tolerance of a known speed or depth, relative to that of the impact
+FLORES, EXACT = Source("free_impact_flores", hard=True), Source("free_impact_exact", hard=True)
+PULLS, RELEASED = (Source(f"free_impact_{name}", hard=True) for name in ("kelvin_voigt", "kelvin_voigt_without_pull"))
+RISTOW, UNLIKE = Source("free_impact_ristow", hard=True), Source("unlike_masses", hard=True)
+
+
+def _nearly_plastic(law: str, source: Source, restitution: float) -> HardCase:
+    return HardCase(
+        name=f"impact_e001_{law}",
+        theme="impacts",
+        hard="restitution 0.01: damping a hundred times the elastic force, and a slow separation",
+        source=source,
+        duration=0.2,
+        tolerance=TOLERANCE,
+        methods=REFERENCED,
+        parameters={"e": 0.01},
+        known=(
+            contacts(1, "one impact"),
+            final("ball.speed", restitution, PART, RELATION),
+            final("wall.dissipated", (1 - restitution**2) / 2, PART, "energy before less energy after"),
+        ),
+    )
+
+
+def _slowest() -> HardCase:
+    speed, h = 1e-9, closed_forms.flores(0.5)
+    return HardCase(
+        name="slowest_approach",
+        theme="impacts",
+        hard="approach at 1e-9 m/s, the floor of the approach speed lowered to 1e-12 m/s: penetration of 0.04 nm",
+        source=FLORES,
+        duration=2.0,
+        tolerance=TOLERANCE,
+        methods=METHODS,
+        parameters={"e": 0.5, "approach": "1e-9 m/s", "approach_floor": "1e-12 m/s"},
+        known=(
+            contacts(1, "one impact"),
+            final("ball.speed", closed_forms.restitution_out(h) * speed, PART * speed, RELATION),
+            impact(
+                0,
+                "peak_penetration",
+                closed_forms.depth(1e8, 1.5, 1, speed, h),
+                PART * 5e-11,
+                "energy integral of F(d, v)",
+            ),
+        ),
+    )
+
+
+def _exponent(n: float, text: str, label: str) -> HardCase:
+    h = closed_forms.flores(0.7)
+    depth = closed_forms.depth(1e8, n, 1, 1, h)
+    return HardCase(
+        name=f"exponent_{label}",
+        theme="impacts",
+        hard=f"exponent n = {text}: "
+        + (
+            "the force has a kink at the surface"
+            if n == 1
+            else "the force is not smooth at the surface"
+            if n != 2
+            else "the force has a kink in its slope at the surface"
+        ),
+        source=FLORES,
+        duration=20 * depth,
+        tolerance=TOLERANCE,
+        methods=REFERENCED,
+        parameters={"e": 0.7, "exponent": n, "stiffness": (1e8, f"N/m^({text})")},
+        known=(
+            final("ball.speed", closed_forms.restitution_out(h), PART, RELATION + ": the same for every n"),
+            impact(0, "peak_penetration", depth, PART * depth, "energy integral of F(d, v)"),
+        ),
+    )
+
+
+def _stiffness(K: float, label: str) -> HardCase:
+    g, v0 = 9.81, math.sqrt(2 * 9.81)
+    depth = closed_forms.depth_under_gravity(K, 1.5, 1, v0, g)
+    return HardCase(
+        name=f"stiffness_{label}",
+        theme="impacts",
+        hard=f"K = {K:g} N/m^1.5: two elastic bounces {2.94 * depth / v0:.1g} s long in 1.5 s",
+        source=Source("bouncing_ball"),
+        duration=1.5,
+        tolerance=TOLERANCE,
+        methods=METHODS,
+        parameters={"restitution": 1.0, "stiffness": (K, "N/m^1.5")},
+        known=(
+            impact(0, "speed", v0, PART * v0, "free fall"),
+            impact(0, "peak_penetration", depth, PART * depth, "K d^2.5/2.5 = m v0^2/2 + m g d"),
+            impact(1, "speed", v0, PART * v0, "nothing is lost"),
+        ),
+    )
+
+
+def _jump(
+    name: str,
+    source: Source,
+    hard: str,
+    parameters: dict[str, float | str | tuple[float, str]],
+    xi: float,
+    *,
+    pulls: bool,
+) -> HardCase:
+    K = 1e6
+    e, duration = closed_forms.oscillator(K, 1.0, xi, pulls=pulls)
+    return HardCase(
+        name=name,
+        theme="impacts",
+        hard=hard,
+        source=source,
+        duration=0.01,
+        tolerance=TOLERANCE,
+        methods=REFERENCED,
+        parameters={"exponent": 1, "stiffness": (K, "N/m^1"), **parameters},
+        known=(
+            contacts(1, "one impact"),
+            final("ball.speed", e, PART, "damped oscillator"),
+            impact(0, "duration", duration, PART * duration, "damped oscillator"),
+        ),
+    )
+
+
+def _masses(striker: float, target: float, label: str, hard: str) -> HardCase:
+    e, share = 0.7, striker / (striker + target)
+    speeds = share - (1 - share) * e, share * (1 + e)
+    return HardCase(
+        name=f"masses_{label}",
+        theme="impacts",
+        hard=hard,
+        source=UNLIKE,
+        duration=0.02,
+        tolerance=TOLERANCE,
+        methods=REFERENCED,
+        parameters={"restitution": e, "striker_mass": (striker, "kg"), "target_mass": (target, "kg")},
+        known=(
+            final("striker_path.speed", speeds[0], PART, "momentum and restitution"),
+            final("target_path.speed", speeds[1], PART, "momentum and restitution"),
+        ),
+    )
+
+
+_XI = closed_forms.damping_ratio(0.5)
+_GAMMA = 2 * _XI * math.sqrt(1e6)
+
+CASES = (
+    _nearly_plastic("flores", FLORES, closed_forms.restitution_out(closed_forms.flores(0.01))),
+    _nearly_plastic("exact", EXACT, 0.01),
+    _slowest(),
+    *(
+        _exponent(n, text, label)
+        for n, text, label in ((1, "1", "1"), (10 / 9, "10/9", "10_9"), (1.5, "3/2", "3_2"), (2, "2", "2"))
+    ),
+    *(_stiffness(K, label) for K, label in ((1e4, "1e4"), (1e7, "1e7"), (1e10, "1e10"), (1e14, "1e14"))),
+    _jump(
+        "jump_and_pull",
+        PULLS,
+        "m = 0: the force jumps at the onset and pulls before the gap opens, where the contact ends",
+        {"e": 0.5},
+        _XI,
+        pulls=True,
+    ),
+    _jump(
+        "jump_without_pull",
+        RELEASED,
+        "m = 0: the force jumps at the onset; the contact ends, overlapping, where it would pull",
+        {"e": 0.5},
+        _XI,
+        pulls=False,
+    ),
+    _jump(
+        "jump_ristow",
+        RISTOW,
+        "m = 0 with a damping rate in place of a restitution; the contact ends where it would pull",
+        {"gamma": (_GAMMA, "1/s")},
+        _XI,
+        pulls=False,
+    ),
+    _masses(1e4, 1e-4, "heavy_striker", "mass ratio 1e8, the heavy one strikes"),
+    _masses(1e-4, 1e4, "light_striker", "mass ratio 1e8, the light one strikes"),
+)

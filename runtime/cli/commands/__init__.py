@@ -1,1 +1,0 @@
-"""The commands, one file each: thin, they import what they run when called."""

@@ -1,0 +1,81 @@
+"""Arguments that `hertzwerk propagate` and `hertzwerk minimise` share, of options or of a file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.target_options import Variation, assignments, run_settings
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.studies.minimisation.minimum import Minimum
+    from hertzwerk.runtime.studies.uncertainty.propagation_result import Propagated
+
+
+def definition(
+    target: str,
+    options: Mapping[str, Any],
+    own: Callable[[list[Fault]], dict[str, Any]],
+    function: Callable[..., Any],
+    required: tuple[str, ...],
+) -> dict[str, Any]:
+    """Return the arguments of a function, of a TOML file or of options; raises InputError.
+
+    own    returns the arguments of options that the command has alone; malformed ones are appended to its list
+    """
+    faults: list[Fault] = []
+    if target.endswith(".toml"):
+        from hertzwerk.runtime.cli.design_file import read_definition
+
+        given = [f"--{name.replace('_', '-')}" for name, value in options.items() if value not in (None, (), False)]
+        if given:
+            found, expected = f"{', '.join(given)} beside it", "the whole definition there"
+            raise InputError(target, [Fault(target, found, expected)])
+        arguments = read_definition(Path(target), function, required)
+        from hertzwerk.runtime.loading import load
+
+        variation = {name: arguments.pop(name) for name in ("without", "laws", "coordinates") if name in arguments}
+        return {"model": load(arguments.pop("target"), **variation), **arguments}
+    arguments = own(faults)
+    varied = Variation.taken(target, dict(options))
+    model = varied.model(faults)
+    arguments |= _of_run(varied, options, faults)
+    if faults:
+        raise InputError(target, faults)
+    return {"model": model, **arguments}
+
+
+def _of_run(varied: Variation, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
+    """Return the arguments of the runs, by default the scenario's."""
+    given = {"values": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
+    return {**given, **run_settings(varied.target, **options)}
+
+
+def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> dict[str, str]:
+    """Parse texts FORMULA SIGN VALUE, the sign kept with the value; malformed ones are faults."""
+    found = {}
+    for text in texts:
+        place = min((text.index(part) for part in sign.split() if part in text), default=0)
+        if not place or text[:place].strip() in found:
+            faults.append(
+                Fault(option, repr(text), f"a formula and its bound, once: FORMULA {' or '.join(sign.split())} VALUE")
+            )
+        else:
+            found[text[:place].strip()] = text[place:]
+    return found
+
+
+def keep(found: Propagated | Minimum, folder: Path, name: str) -> list[str]:
+    """Write the record and the picture of a result into a folder; return what could not be made."""
+    from hertzwerk.runtime.cli.run_folder import record_text
+    from hertzwerk.runtime.cli.target_options import command_line
+    from hertzwerk.runtime.engine.solution.solution import write
+    from hertzwerk.runtime.system.result_folder import failures_of
+    from hertzwerk.runtime.system.versions import versions
+
+    content = {**found.record(), "command": command_line(), "versions": versions()}
+    folder.mkdir(parents=True, exist_ok=True)
+    write(folder / f"{name}.json", record_text(content).encode(), overwrite=True)
+    return failures_of(f"{name}.png", lambda: found.plot().savefig(folder / f"{name}.png"))

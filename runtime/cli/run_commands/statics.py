@@ -1,0 +1,173 @@
+"""`hertzwerk statics`, `modes`: where a mechanism comes to rest, and its small vibrations about that."""
+
+from __future__ import annotations
+
+import cmath
+import io
+import math
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime.cli.target_options import JSON, VARIATION, Variation, assignments, together
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium
+    from hertzwerk.runtime.analysis.statics.vibrations import Modes
+
+MOVED = 1e-6  # part of a shape below which a coordinate is not printed
+EQUILIBRIUM = together(
+    click.argument("target"),
+    VARIATION,
+    click.option(
+        "--at",
+        metavar="TIME",
+        default="0",
+        help='Time at which drives and loads are held, such as "2 ms" (default: 0).',
+    ),
+    click.option(
+        "--nearest", is_flag=True, help="Find the equilibrium nearest to the start, stable or not, by Newton's method."
+    ),
+    click.option("--out", metavar="FILE", type=click.Path(path_type=Path), help="Draw into a new PNG file."),
+    JSON,
+)
+
+
+@click.command(epilog="Example: hertzwerk statics four_bar_clearance")
+@EQUILIBRIUM
+@reports_bad_input
+def statics(out: Path | None, as_json: bool, **options: Any) -> int:
+    """Find where TARGET comes to rest.
+
+    Drives are held. It prints position, contact and drive forces, and stability. Exit code 1: there is no position of
+    rest.
+    """
+    rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
+    if as_json:
+        from hertzwerk.runtime.cli.run_folder import json_text
+
+        record = {
+            "scene": rest.model.name,
+            "outcome": {"name": rest.outcome.name, "message": rest.outcome.message, "remedy": rest.outcome.remedy},
+            "stable": rest.stable,
+            "values": [dict(zip(("kind", "name", "value", "unit"), row, strict=True)) for row in rest.rows],
+            "indifferent": rest.indifferent,
+            "indeterminate": rest.indeterminate,
+            "notes": rest.notes,
+        }
+        click.echo(json_text(record))
+    else:
+        line(rest.model.name, rest.outcome.message)
+        if rest.outcome.remedy:
+            line("remedy", rest.outcome.remedy)
+        if rest.found:
+            table(("what", "name", "value", "unit"), [(kind, name, f"{x:.9g}", of) for kind, name, x, of in rest.rows])
+        for note in rest.notes:
+            line("note", note)
+    if rest.found:
+        _draw(out, rest.plot, told=not as_json)
+    return GOOD if rest.found else OTHER_OUTCOME
+
+
+@click.command(epilog="Example: hertzwerk modes double_pendulum")
+@EQUILIBRIUM
+@reports_bad_input
+def modes(out: Path | None, as_json: bool, **options: Any) -> int:
+    """Compute the small vibrations of TARGET about its rest.
+
+    Drives are held. It prints frequencies, damping ratios and shapes. Exit code 1: there is no position of rest.
+    """
+    from hertzwerk.runtime.analysis.statics.vibrations import modes as modes_of
+
+    rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
+    found = modes_of(rest) if rest.found else None
+    if as_json:
+        from hertzwerk.runtime.cli.run_folder import json_text
+
+        record = {
+            "scene": rest.model.name,
+            "equilibrium": rest.outcome.name,
+            "stable": found is not None and found.stable,
+            "modes": [
+                {
+                    "eigenvalue": [mode.eigenvalue.real, mode.eigenvalue.imag],
+                    "frequency": mode.frequency,
+                    "damping_ratio": mode.damping_ratio if mode.eigenvalue else None,
+                    "shape": {name: [x.real, x.imag] for name, x in mode.shape.items()},
+                }
+                for mode in found or ()
+            ],
+            "notes": found.notes if found else rest.outcome.remedy,
+        }
+        click.echo(json_text(record))
+    elif found is None:
+        line(rest.model.name, rest.outcome.message)
+        line("remedy", rest.outcome.remedy)
+    else:
+        count = f"{len(found)} mode{'' if len(found) == 1 else 's'}"
+        line(rest.model.name, f"{rest.outcome.message}; {count}")
+        for number, mode in enumerate(found, 1):
+            line(f"mode {number}", str(mode))
+        table(("mode", "coordinate", "amplitude", "unit", "phase [deg]"), list(_shapes(found)))
+        for note in found.notes:
+            line("note", note)
+    if found is None:
+        return OTHER_OUTCOME
+    if any(mode.eigenvalue for mode in found):
+        _draw(out, found.plot, told=not as_json)
+    return GOOD
+
+
+def _shapes(found: Modes) -> Iterator[tuple[str, ...]]:
+    """Yield mode, coordinate, amplitude, unit and phase [deg] of what moves in each mode."""
+    for number, mode in enumerate(found, 1):
+        moving = [name for name, x in mode.shape.items() if abs(x) > MOVED]
+        for i, name in enumerate(moving):
+            x = mode.shape[name]
+            phase = math.degrees(cmath.phase(x)) if abs(x.imag) > MOVED * abs(x) else 180.0 if x.real < 0 else 0.0
+            yield "" if i else str(number), name, f"{abs(x):.4g}", found.model.units[name], f"{phase:.4g}"
+
+
+def _read(
+    varied: Variation,
+    *,
+    at: str,
+    nearest: bool,
+    out: Path | None,
+) -> Equilibrium:
+    """Return the equilibrium of a target's variation; raises InputError with every fault."""
+    from hertzwerk.runtime.analysis.statics.equilibrium import equilibrium
+    from hertzwerk.runtime.engine.start.start_values import split_values
+    from hertzwerk.runtime.system.result_folder import new_file_faults
+
+    faults = [] if out is None else new_file_faults("--out", out)
+    values = varied.values(faults)
+    model = varied.model(faults)
+    parameters, initial = split_values(model, values)
+    try:
+        given = assignments("--input", varied.inputs, faults)
+        found = equilibrium(model, parameters=parameters, initial=initial, inputs=given, at=at, nearest=nearest)
+    except InputError as error:
+        raise InputError(error.subject, [*faults, *error.faults]) from error
+    if faults:
+        raise InputError(model.name, faults)
+    return found
+
+
+def _draw(out: Path | None, picture: Callable[[], Figure], *, told: bool) -> None:
+    """Write a picture as PNG, if a file is given."""
+    if out is None:
+        return
+    from hertzwerk.runtime.engine.solution.solution import write
+
+    content = io.BytesIO()
+    picture().savefig(content, format="png", dpi="figure")
+    path = write(out, content.getvalue(), overwrite=False)
+    if told:
+        line("written", str(path))

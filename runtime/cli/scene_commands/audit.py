@@ -1,0 +1,142 @@
+"""`hertzwerk audit`: units of scenes, files, folders, the catalogue of laws, or one expression."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.audit.audit import Finding
+
+
+@click.command(epilog='Example: hertzwerk audit --expr "K*d**n" --unit K=N/m^1.5 --unit d=m --value n=1.1 --expect N')
+@click.argument("targets", metavar="[SCENE|FILE|FOLDER]...", nargs=-1)
+@click.option("--laws", is_flag=True, help="Audit the catalogue of laws. Exit code 0: every verdict is the stated one.")
+@click.option("--expr", metavar="TEXT", help='Audit one expression in Python syntax: --expr "K*d**n".')
+@click.option("--unit", "units", metavar="NAME=UNIT", multiple=True, help="Unit of a name in --expr: --unit K=N/m^1.5.")
+@click.option(
+    "--value",
+    "values",
+    metavar="NAME=NUMBER",
+    multiple=True,
+    help="Value of a dimensionless name in --expr: --value n=1.1 (default: it is a symbol).",
+)
+@click.option("--expect", metavar="UNIT", help="Unit that --expr must have, such as N (default: any).")
+@click.option("--json", "as_json", is_flag=True, help='Print one JSON object, {"findings": [...]}.')
+@reports_bad_input
+def audit(
+    targets: tuple[str, ...],
+    laws: bool,
+    expr: str | None,
+    units: tuple[str, ...],
+    values: tuple[str, ...],
+    expect: str | None,
+    as_json: bool,
+) -> int:
+    """Check the units of scenes, files, laws or one expression.
+
+    Exit code 0: consistent, 1: inconsistent, 2: bad input. SCENE is a built-in scene, FILE a Python or TOML file of
+    scenes or laws, FOLDER a folder of them.
+    """
+    _must_name_one(targets, laws, expr, stray=bool(units or values or expect))
+    if expr is not None:
+        return _audit_expression(expr, units, values, expect, as_json)
+    if laws:
+        return _audit_laws(as_json)
+    from hertzwerk.runtime.engine.model.build import audit_targets
+
+    audited = audit_targets(targets)
+    findings = [finding for group in audited.values() for finding in group]
+    if as_json:
+        _print_json([{"file": target, **finding.record()} for target, group in audited.items() for finding in group])
+    for target, group in () if as_json else audited.items():
+        if len(audited) > 1:
+            click.echo(f"{target}:")
+        _report(group)
+    return GOOD if all(finding.sound for finding in findings) else OTHER_OUTCOME
+
+
+def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stray: bool) -> None:
+    faults = []
+    named = [bool(targets), laws, expr is not None]
+    if sum(named) != 1:
+        found = "nothing to audit" if not any(named) else "several things at once"
+        faults.append(Fault("audit", found, "scenes, files or folders; or --laws; or --expr"))
+    if stray and expr is None:
+        faults.append(Fault("audit", "--unit, --value or --expect without --expr", "--expr TEXT beside them"))
+    if faults:
+        raise InputError("audit", faults)
+
+
+def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], expect: str | None, as_json: bool) -> int:
+    from hertzwerk.runtime.engine.model.build import audit_text
+
+    finding = audit_text(text, units, values, expect)
+    if as_json:
+        _print_json([finding.record()])
+    else:
+        line(finding.verdict, finding.sentence)
+        _advise([finding])
+    return GOOD if finding.verdict == "consistent" else OTHER_OUTCOME
+
+
+def _audit_laws(as_json: bool) -> int:
+    from hertzwerk.runtime.engine.model.build import audit_catalogue
+
+    findings, differing = audit_catalogue()
+    if as_json:
+        _print_json([finding.record() for finding in findings])
+        return OTHER_OUTCOME if differing else GOOD
+    table(
+        ("verdict", "kind", "grade", "law", "unit", "what is wrong"),
+        [
+            (f.verdict, f.kind, f.grade, f.law, f.found if f.verdict == "consistent" else f"{f.found}, not {f.expected}",
+             "" if f.verdict == "consistent" else f"{f.subexpression}: {f.repair or f.reason}")
+            for f in findings
+        ],
+    )  # fmt: skip
+    if differing:
+        line("different", f"verdicts that the catalogue states otherwise: {', '.join(differing)}")
+        return OTHER_OUTCOME
+    line("consistent", f"{len({f.law for f in findings})} laws, each with the verdict its record states")
+    return GOOD
+
+
+def _report(every: Sequence[Finding]) -> None:
+    findings = [finding for finding in every if finding.verdict != "advice"]
+    table(
+        ("verdict", "checked", "law", "unit"),
+        [
+            (f.verdict, ", ".join(filter(None, (f.effect, f.what))), f.law,
+             f.found if f.found == f.expected else f"{f.found}, not {f.expected}")
+            for f in findings
+        ],
+    )  # fmt: skip
+    faulty = [finding for finding in findings if finding.verdict != "consistent"]
+    for finding in faulty:
+        click.echo(f"\n{finding}")
+    if faulty:
+        click.echo()
+        line("inconsistent", f"{len(faulty)} of {len(findings)} findings; an inconsistent scene is not derived")
+    else:
+        program = ", and every assignment and output of the program" if any(f.effect for f in findings) else ""
+        line("consistent", f"{len(findings)} law expression{'s' if len(findings) != 1 else ''}{program}")
+    _advise(every)
+
+
+def _advise(findings: Sequence[Finding]) -> None:
+    """Print what is to be heeded beside the units."""
+    for finding in findings:
+        text = finding.reason if finding.verdict == "advice" else finding.advice
+        if text:
+            line("advice", f"{finding.effect}: {text}" if finding.effect and finding.advice else text)
+
+
+def _print_json(records: list[dict[str, str | None]]) -> None:
+    click.echo(json.dumps({"findings": records}, indent=2, ensure_ascii=False))

@@ -1,0 +1,145 @@
+"""`hertzwerk list`, `derive`: the built-in scenes, and the text of generated modules."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.target_options import COORDINATES, LAW, WITHOUT, Variation
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.regenerate import Derived
+
+
+@click.command("list", epilog="Example: hertzwerk list slider_crank")
+@click.argument("target", required=False)
+@WITHOUT
+@LAW
+@COORDINATES
+@reports_bad_input
+def list_scenes(target: str | None, **options: Any) -> int:
+    """List the built-in scenes, or all histories of TARGET.
+
+    Scenes with their effects, histories with unit and meaning.
+    """
+    if target is not None:
+        return _list_histories(Variation.taken(target, options))
+    from hertzwerk.runtime.engine.model.regenerate import generated_names
+
+    rows = []
+    for name in generated_names():
+        module = importlib.import_module(f"hertzwerk.generated.{name}")
+        rows.append((name, module.SUMMARY, ", ".join(effect for effect, _, _ in module.EFFECTS)))
+    table(("scene", "summary", "effects"), rows)
+    return GOOD
+
+
+def _list_histories(varied: Variation) -> int:
+    """Print every history of a target: those always there, then those derived when asked for."""
+    from hertzwerk.runtime.output.tables.history_meanings import SECTIONS, entries
+
+    faults: list[Fault] = []
+    model = varied.model(faults)
+    if faults:
+        raise InputError("list", faults)
+    found = entries(model)
+    for derived, title in SECTIONS:
+        rows = [(entry.name, entry.unit, entry.meaning) for entry in found if entry.derived == derived]
+        click.echo(f"{model.name}: {title}")
+        table(("history", "unit", "meaning"), rows)
+    return GOOD
+
+
+@click.command(epilog="Example: hertzwerk derive my_ball.py --out modules")
+@click.argument("targets", metavar="TARGET...", nargs=-1)
+@click.option(
+    "--check", is_flag=True, help="Write nothing; compare with the existing modules (default: of all built-in scenes)."
+)
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="Folder to write to (default: generated/ of this repository)."
+)
+@click.option(
+    "--coordinates",
+    metavar="NAME",
+    help="Coordinates of the equations: tree (of the joints), absolute (of every body) or auto (default: the scene's).",
+)
+@click.option("--show", is_flag=True, help="Write nothing; print the equations as Markdown with LaTeX.")
+@click.option("--json", "as_json", is_flag=True, help="With --show, print one JSON object.")
+@reports_bad_input
+def derive(
+    targets: tuple[str, ...], check: bool, out: Path | None, coordinates: str | None, show: bool, as_json: bool
+) -> int:
+    """Derive the equations of TARGET and write its module.
+
+    Every unit is checked. Exit code 1: with --check, a module differs.
+    """
+    from hertzwerk.runtime.engine.model import regenerate
+    from hertzwerk.runtime.engine.model.build import built_in_scenes, require_targets
+    from hertzwerk.runtime.system.result_folder import unwritable
+
+    if show or as_json:
+        _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
+    elif coordinates is not None and out is None:
+        expected = "a folder for what are other modules than those of generated/"
+        raise InputError(
+            "derive", [Fault("--coordinates without --out", coordinates, expected, "name a folder: --out DIR")]
+        )
+    if check:
+        return _compare(regenerate.derived(targets or built_in_scenes(), coordinates), out, everything=not targets)
+    if not targets:
+        example = " ".join(built_in_scenes()[:2])
+        raise InputError("derive", [Fault("TARGET", "none", f"scenes or files, such as {example}")])
+    if show:
+        return _show(targets, coordinates, as_json=as_json)
+    require_targets(targets)
+    folder = out if out is not None else regenerate.repository_folder(targets)
+    hindrance = unwritable(folder)
+    if hindrance is not None:
+        raise InputError("derive", [Fault("--out", hindrance, "a folder that can be written to")])
+    for path in regenerate.write(regenerate.derived(targets, coordinates), folder):
+        line("written", str(path))
+    return GOOD
+
+
+def _refuse_beside_show(given: dict[str, bool]) -> None:
+    faults = [Fault("derive", option, "--show by itself, or with --json") for option, there in given.items() if there]
+    if faults:
+        raise InputError("derive", faults)
+
+
+def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> int:
+    """Print the equations of all targets or of none."""
+    from hertzwerk.runtime.engine.model import regenerate
+
+    shown = regenerate.shown(targets, coordinates)
+    if as_json:
+        click.echo(json.dumps({"equations": [each.record() for each in shown]}, indent=2, ensure_ascii=False))
+    else:
+        click.echo("\n".join(each.markdown() for each in shown))
+    return GOOD
+
+
+def _compare(modules: Sequence[Derived], folder: Path | None, *, everything: bool) -> int:
+    """Report for each module whether the one in place equals what its scene derives to."""
+    from hertzwerk.runtime.engine.model import regenerate
+
+    good = True
+    for module in modules:
+        found = regenerate.difference(module, folder)
+        if found is None:
+            line("consistent", f"{module.name}: the module in place is what the scene derives to")
+            continue
+        good = False
+        click.echo(found.diff, nl=False)
+        line("different", f"{found.name}: accept with `{found.accept}`")
+    orphans = set(regenerate.generated_names()) - {module.name for module in modules} if everything else set()
+    for name in sorted(orphans):
+        line("different", f"{name}: a generated module without a scene; remove generated/{name}.py")
+    return GOOD if good and not orphans else OTHER_OUTCOME

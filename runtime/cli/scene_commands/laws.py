@@ -1,0 +1,308 @@
+"""`hertzwerk laws`: the catalogue, the sheet of a law, and the restitution study."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.target_options import JSON, unwritable_faults
+from hertzwerk.runtime.cli.terminal import (
+    GOOD,
+    OTHER_OUTCOME,
+    Progress,
+    conclude,
+    line,
+    print_prose,
+    reports_bad_input,
+    table,
+)
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.exchange.law_sheets.law_sheet import Formula, Restitution, Sheet
+    from hertzwerk.runtime.analysis.validation.restitution import Curve, Study
+
+SHOWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # restitutions in the table; the files contain all
+SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
+
+
+@click.command(epilog="Example: hertzwerk laws flores")
+@click.argument("names", metavar="[NAME]...", nargs=-1)
+@click.option(
+    "--form",
+    type=click.Choice(["point", "line", "surface"]),
+    help="List only the consistent laws for this form of contact: a pin in a bush touches along a line.",
+)
+@click.option("--markdown", is_flag=True, help="Print the catalogue as Markdown, derive/laws/README.md.")
+@click.option("--stub", is_flag=True, help="Print the catalogue for type checkers, derive/laws/__init__.pyi.")
+@click.option(
+    "--restitution",
+    is_flag=True,
+    help="Compare the restitution that each damping law yields with the one it is given.",
+)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    help="New folder for picture and data of --restitution (default: the next runs/restitution-NNN).",
+)
+@click.option("--no-plots", is_flag=True, help="With --restitution, write the data without pictures.")
+@click.option(
+    "--picture",
+    type=click.Path(path_type=Path),
+    metavar="FILE.png",
+    help="Draw the candidates for one reconstructed law (grade R) into a new file.",
+)
+@JSON
+@reports_bad_input
+def laws(
+    names: tuple[str, ...],
+    form: str | None,
+    markdown: bool,
+    stub: bool,
+    restitution: bool,
+    out: Path | None,
+    no_plots: bool,
+    picture: Path | None,
+    as_json: bool,
+) -> int:
+    """List the contact laws, or print the sheet of each NAME.
+
+    A sheet has formula, units, ranges, source, behaviour and cost. Exit code 1: with --restitution, a simulation and
+    its closed form differ by more than 1e-9.
+    """
+    from hertzwerk.runtime.engine.model import build
+
+    if form and (names or markdown or stub or restitution or picture is not None):
+        raise InputError("laws", [Fault("--form", f"{form} with other arguments", "it alone, or --json beside it")])
+    if markdown or stub:
+        if names or picture is not None or sum((markdown, stub, restitution, as_json)) > 1:
+            found = f"--{'markdown' if markdown else 'stub'} with other arguments"
+            raise InputError("laws", [Fault("laws", found, "it alone: it prints the whole catalogue")])
+        click.echo(build.law_listing(stub=stub), nl=False)
+        return GOOD
+    if restitution:
+        return _study(names, out, plots=not no_plots, as_json=as_json)
+    if out is not None or no_plots:
+        raise InputError("laws", [Fault("laws", "--out or --no-plots alone", "--restitution beside it")])
+    if names or picture is not None:
+        sheets = build.law_sheets(names)
+        if picture is not None:
+            _draw(sheets, picture)
+        if as_json:
+            click.echo(json.dumps({"laws": [sheet.record() for sheet in sheets]}, indent=2, ensure_ascii=False))
+        else:
+            for i, sheet in enumerate(sheets):
+                click.echo("\n" if i else "", nl=False)
+                _print_sheet(sheet)
+            if picture is not None:
+                line("written", str(picture))
+        return GOOD
+    rows = build.law_summaries(form)
+    if as_json:
+        click.echo(json.dumps({"laws": rows}, indent=2, ensure_ascii=False))
+    else:
+        columns = (
+            ("law", "made for", "grade", "title") if form else ("law", "kind", "grade", "verdict", "memory", "title")
+        )
+        table(columns, [[row[name] for name in columns] for row in rows])
+        print_prose(
+            "Memory: v0 is the approach speed, latched at the onset of a contact; where contacts last, take a damping law without it."
+        )
+        print_prose("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
+    return GOOD
+
+
+def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
+    """Write the picture of one reconstruction; raises InputError if there is none or the file exists."""
+    from hertzwerk.runtime.system.result_folder import new_file_faults
+
+    faults = []
+    if len(sheets) != 1 or sheets[0].band is None:
+        found = ", ".join(f"{sheet.law.name} of grade {sheet.law.grade}" for sheet in sheets) or "no law"
+        faults.append(Fault("--picture", found, "one reconstruction, such as wang_liu_internal"))
+    if picture.suffix != ".png":
+        faults.append(Fault("--picture", str(picture), "a file FILE.png"))
+    faults += new_file_faults("--picture", picture)
+    if faults:
+        raise InputError("laws", faults)
+    from hertzwerk.runtime.engine.solution.solution import write
+    from hertzwerk.runtime.output.plots.plot_band import png
+
+    write(picture, png(sheets[0]), overwrite=False)
+
+
+# -- one law -----------------------------------------------------------------------------------------------------------
+
+
+def _print_sheet(sheet: Sheet) -> None:
+    line(sheet.law.name, sheet.law.title)
+    kind = f"{sheet.law.kind}, of {sheet.form} contact" if sheet.form != "any" else sheet.law.kind
+    line("kind", ", made for ".join(filter(None, (kind, ", ".join(sheet.law.pairs)))))
+    line("grade", f"{sheet.law.grade}: {sheet.grade_meaning}")
+    line("source", sheet.law.source)
+    fitted = f"; its constants are of {sheet.law.fitted_in}" if sheet.law.fitted_in else ""
+    line(sheet.law.verdict, f"units, as published{fitted}")
+    if sheet.law.repair:
+        line("repair", f"hertzwerk laws {sheet.law.repair}")
+    if sheet.law.note:
+        line("note", sheet.law.note)
+    line("formula", "\n".join(_formula_texts(sheet.formulas)))
+    if sheet.definitions:
+        line("where", "\n".join(_formula_texts(sheet.definitions)))
+    line("latex", "\n".join(f.latex for f in (*sheet.formulas, *sheet.definitions)))
+    if sheet.exponent:
+        form = "n of K d^n" if sheet.law.kind == "stiffness" else "m of chi d^m v"
+        line("exponent", f"{form} is {sheet.exponent}")
+    if sheet.local_exponent:
+        line("local", f"dlnF/dlnd = {sheet.local_exponent}, at every penetration")
+    for label, texts in (("memory", sheet.memory), ("modes", sheet.modes), ("release", (sheet.release,))):
+        if any(texts):
+            line(label, "\n".join(texts))
+    once, each = sheet.operations
+    line("operations", f"{each} per evaluation, and {once} once per run, in the generated text of the force")
+    click.echo()
+    table(
+        ("symbol", "unit", "given by", "defined for", "recommended", "meaning"),
+        [(s.name, s.unit, s.origin, s.defined, s.recommended, s.meaning) for s in sheet.symbols],
+    )
+    if sheet.points:
+        print_prose(f"\n{sheet.example}:")
+        forces = [point.force for point in sheet.points if point.force is not None]  # none where the units do not hold
+        columns = ("penetration [m]", *(("force [N]",) if forces else ()), "dlnF/dlnd", 'with smooth="1 um"')
+        rows = [
+            (
+                *(f"{p.penetration:g}", *([f"{p.force:.6g}"] if forces else []), f"{p.exponent:.4f}"),
+                f"{p.smoothed:+.2%}",
+            )
+            for p in sheet.points
+        ]
+        table(columns, rows)
+        print_prose(
+            "A contact with smooth=EPSILON has two derivatives at its onset; beyond 2 EPSILON the same force is EPSILON deeper."
+        )
+    if sheet.band is not None:
+        _print_band(sheet)
+    if sheet.restitution is not None:
+        click.echo()
+        _print_restitution(sheet.restitution)
+    elif sheet.law.kind == "damping":
+        line("restitution", "takes no e; `hertzwerk laws --restitution` shows what it returns")
+
+
+def _print_band(sheet: Sheet) -> None:
+    """Print the forces of all candidates of a reconstruction, at the penetrations of the example."""
+    band = sheet.band
+    if band is None:
+        return
+    shown = {point.penetration for point in sheet.points}
+    rows = [
+        (f"{depth:g}", *(f"{candidate.forces[k]:.6g}" for candidate in band.candidates), f"{band.spread[k]:.2f}")
+        for k, depth in enumerate(band.penetrations)
+        if any(abs(depth - other) < 1e-6 * other for other in shown)
+    ]
+    print_prose(
+        "\nThe paper's own expression could not be had. The band of its candidates, forces in N, largest over smallest:"
+    )
+    table(("penetration [m]", *(candidate.law for candidate in band.candidates), "band"), rows)
+    print_prose(f"As a picture: hertzwerk laws {sheet.law.name} --picture {sheet.law.name}.png")
+
+
+def _formula_texts(formulas: Sequence[Formula]) -> list[str]:
+    return [f"{f.symbol} = {f.text}{'' if f.unit == '1' else f'  [{f.unit}]'}  ({f.meaning})" for f in formulas]
+
+
+def _print_restitution(found: Restitution) -> None:
+    beside = f"beside K d^n with n = {found.beside}" if found.beside else "beside every elastic law"
+    if found.points:
+        print_prose(f"One free impact, {beside}; no other force, whatever the masses and the speed:")
+        table(
+            ("e in", found.coefficient, "e out", "e out - e in"),
+            [(f"{e:.2f}", f"{c:.5g}", f"{out:.4f}", f"{out - e:+.4f}") for e, c, out in found.points],
+        )
+    for limit, coefficient, out in (
+        ("e -> 1", found.coefficient_at_one, found.out_at_one),
+        ("e -> 0", found.coefficient_at_zero, found.out_at_zero),
+    ):
+        elastic = ", the elastic law" if coefficient == "0" else ", infinite damping" if coefficient == "oo" else ""
+        returned = "" if out is None else f"; e out -> {out:.4g}"
+        line(limit, f"{found.coefficient} -> {'infinity' if coefficient == 'oo' else coefficient}{elastic}{returned}")
+
+
+# -- all damping laws --------------------------------------------------------------------------------------------------
+
+
+def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
+    from hertzwerk.runtime.analysis.validation.restitution import study
+
+    wanted = out is not None or not as_json
+
+    faults = (
+        [Fault("laws", f"--restitution and {names[0]}", "one of them: the study is of every damping law")]
+        if names
+        else []
+    )
+    faults += unwritable_faults(out, wanted=wanted)
+    if faults:
+        raise InputError("laws", faults)
+    with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
+        found = study(progress)
+    code = conclude(
+        lambda missing: _write(found, out, missing, plots=plots),
+        found.record,
+        lambda: _report(found),
+        wanted=wanted,
+        as_json=as_json,
+    )
+    return code if found.agrees else OTHER_OUTCOME
+
+
+def _write(found: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
+    from hertzwerk.runtime.cli.run_folder import json_text, write_study
+
+    def save(file: Path) -> None:
+        from hertzwerk.runtime.analysis.validation import plot_restitution
+
+        plot_restitution.save(found, file)
+
+    texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
+    return write_study("restitution", out, texts, save if plots else None, missing)
+
+
+def _report(found: Study) -> None:
+    print_prose("Restitution out over restitution in, of one free impact; the best over all e first.\n")
+    table(
+        ("law", "grade", "recommended", *(f"e = {e:g}" for e in SHOWN), "worst there", "e -> 1", "e -> 0"),
+        [_row(curve) for curve in found.curves],
+    )
+    print_prose(
+        "\nworst there: the largest e_out - e of the recommended range, and where.  e -> 1: 1 is the elastic law.\n"
+        "e -> 0: above 0 the law never returns less, however small the e it is given.\n"
+    )
+    if found.others:
+        table(
+            ("law without e", "a number of its own", *(f"at {x:g}" for x in SHOWN_OWN)),
+            [(c.law, c.parameter, *(f"{_at(c, x):.4f}" for x in SHOWN_OWN)) for c in found.others],
+        )
+        click.echo()
+    known = sum(curve.closed is not None for curve in found.curves)
+    line(
+        "consistent" if found.agrees else "different",
+        f"simulated and closed form of {known} laws differ by at most {found.difference:.1e}",
+    )
+
+
+def _row(curve: Curve) -> tuple[str, ...]:
+    e, deviation = curve.worst(inside=True)
+    worst = f"{deviation:+.4f} at {e:g}" if abs(deviation) > 5e-5 else "none"
+    limits = ("" if limit is None else f"{limit:.4f}" for limit in (curve.out_at_one, curve.out_at_zero))
+    return (curve.law, curve.grade, curve.recommended_text, *(f"{_at(curve, e):.4f}" for e in SHOWN), worst, *limits)
+
+
+def _at(curve: Curve, value: float) -> Any:
+    """Return the restitution out at a value of the grid."""
+    return curve.simulated[abs(curve.given - value).argmin()]

@@ -1,0 +1,1 @@
+"""Commands of many runs, one file each: thin, they import what they run when called."""

@@ -1,0 +1,223 @@
+"""`hertzwerk compare`: a run beside measured data."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.continue_run import limits_of
+from hertzwerk.runtime.cli.stop_signals import Stopping
+from hertzwerk.runtime.cli.target_options import (
+    ACCURACY,
+    BY_METHOD,
+    DURATION,
+    JSON,
+    MAX_STEPS,
+    VARIATION,
+    WALL_TIME,
+    Variation,
+    assignments,
+    run_settings,
+    unwritable_faults,
+    with_given,
+)
+from hertzwerk.runtime.cli.terminal import (
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    report_missing,
+    reports_bad_input,
+    table,
+    written_or_none,
+)
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.studies.comparison.comparison_request import Asked
+    from hertzwerk.runtime.studies.comparison.comparison_result import Compared
+    from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated
+
+
+@click.command(epilog="Example: hertzwerk compare slider_crank --measured bench.csv --map acc=guide.acceleration")
+@click.argument("target")
+@click.option(
+    "--measured",
+    metavar="FILE",
+    required=True,
+    help="CSV file with headings `name [unit]` and a time column `t [s]`; a missing sample is empty or nan.",
+)
+@click.option(
+    "--map",
+    "columns",
+    metavar="COLUMN=HISTORY",
+    multiple=True,
+    help="Column and the history it is compared with: acceleration=guide.acceleration (default: the one of equal name).",
+)
+@click.option(
+    "--bandwidth",
+    metavar="FREQUENCY",
+    help='Cut-off frequency of the instrument, by which the run is filtered too: "5 kHz" (default: none).',
+)
+@click.option("--order", type=int, default=4, show_default=True, help="Order of its Butterworth low-pass.")
+@click.option(
+    "--zero-phase",
+    is_flag=True,
+    help="Filter forwards and backwards, 6 dB down at the cut-off (default: causal, 3 dB down).",
+)
+@click.option(
+    "--offset",
+    metavar="RANGE",
+    default="0 s",
+    help='Run time less measured time: a range to search, "-2..2 ms", or a value, "1 ms" (default: 0 s).',
+)
+@click.option(
+    "--drift",
+    metavar="RANGE",
+    default="0",
+    help='Drift of the measured clock: a range to search, "-1e-4..1e-4", or a value (default: 0).',
+)
+@click.option(
+    "--noise",
+    metavar="COLUMN=SIZE",
+    multiple=True,
+    help='Standard deviation of the noise of a column, by which residuals are judged: acceleration="5 m/s^2" (default: not judged).',
+)
+@VARIATION
+@DURATION
+@ACCURACY
+@BY_METHOD
+@MAX_STEPS
+@WALL_TIME
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-compare-NNN)."
+)
+@click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
+@JSON
+@reports_bad_input
+def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
+    """Compare a run of TARGET with measured data.
+
+    By residuals, spectra, statistics and a picture. Without --duration the run is as long as the data. Trajectories
+    are compared as long as the numerical error of the run is within 0.1 % of its scales, statistics after that. The
+    measurement in the paper of Wang and Liu (2020) is not to be had; provide your own data. Exit code 1: run and data
+    differ by more than the stated noise.
+    """
+    from hertzwerk.runtime.cli.run_folder import json_text
+    from hertzwerk.runtime.system.result_folder import new_folder
+
+    wanted = out is not None or not as_json
+    with (
+        Progress(f"comparison of {target}", shown=not as_json and sys.stderr.isatty()) as progress,
+        Stopping(progress) as stopping,
+    ):
+        found = _compared(Variation.taken(target, options), unwritable_faults(out, wanted=wanted), stopping, **options)
+    missing: list[str] = []
+    folder = written_or_none(
+        lambda: new_folder(
+            f"{found.solution.model.name}-compare", out, lambda at: _write(found, at, missing, plots=not no_plots)
+        ),
+        missing,
+        wanted=wanted,
+    )
+    if as_json:
+        click.echo(json_text(found.record()))
+    else:
+        _report(found)
+        if folder is not None:
+            line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
+    code = report_missing(missing)
+    return OTHER_OUTCOME if found.differs or found.solution.t_end < found.solution.duration else code
+
+
+def _compared(
+    varied: Variation,
+    faults: list[Fault],
+    stopping: Stopping,
+    *,
+    duration: str | None,
+    accuracy: str | None,
+    method: str | None,
+    max_steps: str | None,
+    wall_time: str | None,
+    **measured: Any,
+) -> Compared:
+    """Return the comparison of a command line; raises InputError with every fault before it runs."""
+    from hertzwerk.runtime.engine.run.run_request import Settings, check
+    from hertzwerk.runtime.engine.start.start_values import split_values
+    from hertzwerk.runtime.simulation import solve
+    from hertzwerk.runtime.studies.comparison.matching import match
+
+    values = varied.values(faults)
+    stopping.stage("building")
+    limits = limits_of(max_steps, wall_time, faults)
+    model = varied.model(faults)
+    asked = _asked(model, faults, **measured)
+    given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
+    until = given["duration"] = duration or (asked.lasts if asked is not None else given["duration"] or 1.0)
+    settled = Settings(**given, **limits)
+    parameters, initial = split_values(model, values)
+    model = with_given(model, varied.inputs, until, parameters, faults)
+    check(model, settled, parameters, initial, faults)
+    if asked is None:  # its faults are among those that `check` raises
+        raise InputError(model.name, faults)
+    run = solve(model, settled, parameters, initial, progress=stopping)
+    if run.outcome.name == "interrupted" and not run.statistics.steps:
+        raise KeyboardInterrupt
+    stopping.stage("comparing")
+    return match(run, asked)
+
+
+def _asked(
+    model: Model, faults: list[Fault], *, measured: str, columns: Sequence[str], noise: Sequence[str], **how: Any
+) -> Asked | None:
+    """Return what is compared; None with its faults appended."""
+    from hertzwerk.runtime.engine.solution.history import units_of
+    from hertzwerk.runtime.studies.comparison.comparison_request import read_asked
+
+    mapped, sizes = assignments("--map", columns, faults), assignments("--noise", noise, faults)
+    try:
+        return read_asked(units_of(model, None), measured, mapped or None, noise=sizes, **how)
+    except InputError as error:
+        faults += error.faults
+        return None
+
+
+def _write(found: Compared, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.cli.run_folder import json_text, record
+    from hertzwerk.runtime.system.result_folder import failures_of
+
+    content = {**found.record(), "run": record(found.solution)}
+    (folder / "comparison.json").write_text(json_text(content) + "\n", encoding="utf-8")
+    (folder / "comparison.csv").write_text(found.csv(), encoding="utf-8")
+    files = ["comparison.json", "comparison.csv"]
+    if not plots:
+        return files
+    from hertzwerk.runtime.studies.comparison.plot_comparison import save
+
+    missing += failures_of("comparison.png", lambda: save(found, folder / "comparison.png"))
+    return files if missing else [*files, "comparison.png"]
+
+
+def _report(found: Compared) -> None:
+    """Print the sentences, then the statistics as a table."""
+    for label, text in found.lines(statistics=False):
+        line(label, text)
+    rows = [
+        [signal.channel.column, each.name, each.unit, _cell(each.measured), _cell(each.run), each.verdict]
+        for signal in found.signals
+        for each in signal.statistics
+    ]
+    if rows:
+        click.echo()
+        table(("beyond the horizon", "statistic", "unit", "measured", "run", ""), rows)
+
+
+def _cell(value: Estimated) -> str:
+    if value.low is None or value.high is None:
+        return f"{value.value:.4g}"
+    return f"{value.value:.4g} ({value.low:.4g} to {value.high:.4g})"

@@ -1,0 +1,390 @@
+"""`hertzwerk fit`: parameters from measurements."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.target_options import (
+    BY_METHOD,
+    DURATION,
+    JSON,
+    VARIATION,
+    Variation,
+    assignments,
+    number,
+    unwritable_faults,
+)
+from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.studies.fitting.fit_result import Fitted
+    from hertzwerk.runtime.studies.fitting.law_ranking import Ranking
+    from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments
+
+
+OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics that are computed
+
+
+@click.command(epilog="Example: hertzwerk fit bouncing_ball --measured drop.csv --free restitution=0.3..1")
+@click.argument("target")
+@click.option(
+    "--measured",
+    metavar="FILE",
+    multiple=True,
+    help="CSV file with headings `name [unit]`: histories with a column `t [s]`, or impacts with a column `impact [1]`. "
+    "Several files are fitted at once.",
+)
+@click.option(
+    "--map",
+    "columns",
+    metavar="COLUMN=HISTORY",
+    multiple=True,
+    help="Column and the history it is compared with: height=vertical.travel; of impacts t=impacts.t, v=floor.impacts.speed, "
+    "rise=impacts.rebound.vertical.travel (default: the one of equal name).",
+)
+@click.option(
+    "--free",
+    metavar="NAME=RANGE",
+    multiple=True,
+    required=True,
+    help='Parameter or initial state to fit, and its range: restitution=0.3..1, stiffness="1e6..1e9 N/m log", clearance=log; NAME alone takes the '
+    "range of its law.",
+)
+@click.option(
+    "--noise",
+    metavar="COLUMN=SIZE",
+    multiple=True,
+    help='Standard deviation of the noise of a column: height="0.1 mm" (default: estimated from the residuals, and the fit is not judged).',
+)
+@click.option(
+    "--at",
+    "made_at",
+    metavar="FILE:NAME=VALUE",
+    multiple=True,
+    help='Value at which one measured run was made: --at second.csv:drop_height="0.5 m".',
+)
+@click.option(
+    "--offset",
+    metavar="RANGE",
+    default="0 s",
+    help='Run time less measured time: a range to fit for each run, "-2..2 ms", or a value (default: 0 s).',
+)
+@click.option(
+    "--gain",
+    metavar="COLUMN=RANGE",
+    multiple=True,
+    help="Gain of the sensor of a column, to be fitted: height=0.95..1.05 (default: 1).",
+)
+@click.option(
+    "--laws",
+    "among",
+    metavar="EFFECT=LAW,LAW",
+    multiple=True,
+    help="Fit with each of several laws, and rank them: floor=flores,hunt_crossley.",
+)
+@click.option(
+    "--moment",
+    "moments",
+    metavar="NAME[=VALUE +- SIZE]",
+    multiple=True,
+    help="Statistic of a run beyond its horizon, with its standard deviation: "
+    'slider_pin.impact_rate="412 +- 5 1/s", named as in `hertzwerk sweep --output`. Without a value it is computed from '
+    "a column of --measured: acceleration.rms; also .mean, .norm8, .norm32, .largest, .excursions, and of impacts .rate.",
+)
+@click.option(
+    "--bandwidth",
+    metavar="FREQUENCY",
+    help='Cut-off frequency of the instrument of --moment: "5 kHz" (default: none).',
+)
+@click.option("--order", type=int, help="Order of its Butterworth low-pass (default: 4).")
+@click.option(
+    "--zero-phase",
+    is_flag=True,
+    help="Filter forwards and backwards, 6 dB down at the cut-off (default: causal, 3 dB down).",
+)
+@click.option(
+    "--skip", metavar="TIME", help="Transient that --moment leaves out of data and runs (default: a tenth of each)."
+)
+@VARIATION
+@DURATION
+@click.option("--tolerance", metavar="NUMBER", help="Local tolerance of the runs (default: 1e-9).")
+@BY_METHOD
+@click.option(
+    "--starts", type=int, help="Number of starts, points of a Latin hypercube, beside the model's values (default: 16)."
+)
+@click.option("--seed", type=int, help="Seed of the hypercube (default: 0).")
+@click.option(
+    "--profile",
+    type=click.Choice(["auto", "all", "none"]),
+    default="auto",
+    show_default=True,
+    help="Quantities whose intervals come from the profile likelihood; auto: those that the data determine badly.",
+)
+@click.option(
+    "--into", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-fit-NNN)."
+)
+@click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
+@JSON
+@reports_bad_input
+def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
+    """Fit parameters of TARGET to measured data.
+
+    The search takes exact derivatives, through impacts too. It reports values with intervals and how each was
+    obtained, combinations that the data do not determine, and the goodness of fit. With --laws every law is fitted,
+    and they are ranked by AICc and by measured runs held out. Exit code 1: the model is rejected at 5 %, a
+    combination is not determined, or the data do not discriminate between the laws.
+    """
+    wanted = into is not None or not as_json
+    faults = [replace(fault, where="--into", remedy="name another: --into FOLDER") if fault.where == "--out" else fault
+              for fault in unwritable_faults(into, wanted=wanted)]  # fmt: skip
+    moments, varied = options.pop("moments"), Variation.taken(target, options)
+    found: Fitted | FittedMoments
+    ranking: Ranking | None
+    result: Fitted | FittedMoments | Ranking
+    with Progress(f"fit of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
+        if moments or not options["measured"]:
+            found, ranking = _of_moments(varied, moments, faults, progress, **options), None
+        else:
+            of_series = {f"--{name.replace('_', '-')}": options.pop(name) for name in OF_SERIES}
+            faults += [Fault(option, "without --moment", "one beside it") for option, text in of_series.items() if text]
+            found, ranking = _fitted(varied, faults, progress, **options)
+    result = found if ranking is None else ranking
+    code = conclude(
+        lambda missing: _write(found, ranking, into, missing, plots=not no_plots),
+        result.record,
+        lambda: _report(result),
+        wanted=wanted,
+        as_json=as_json,
+    )
+    in_doubt = found.untold or found.explained is False or (ranking is not None and ranking.alike)
+    return OTHER_OUTCOME if in_doubt else code
+
+
+def _fitted(
+    varied: Variation,
+    faults: list[Fault],
+    progress: Progress,
+    *,
+    among: Sequence[str],
+    **options: Any,
+) -> tuple[Fitted, Ranking | None]:
+    """Return the fit of a command line, and of several laws their ranking; raises InputError."""
+    from hertzwerk.runtime.studies.fitting.fitting import fitted, read_fit
+    from hertzwerk.runtime.studies.fitting.law_ranking import law_variants, ranked, read_laws, split_laws
+
+    values, given = varied.values(faults), assignments("--input", varied.inputs, faults)
+    progress.stage("building")
+    model = varied.model(faults)
+    arguments = _arguments(model, values, given, faults, **options)
+    if among:
+        several = {effect: split_laws(text) for effect, text in assignments("--laws", among, faults).items()}
+        variants, wrong = law_variants(model, several)
+        asked = read_laws(variants, arguments["data"], arguments["free"], arguments, [*faults, *wrong])
+        progress.stage("fitting")
+        ranking = ranked(asked, progress)
+        return ranking.best.fitted, ranking
+    one = read_fit(model, **arguments, before=faults)
+    progress.stage("fitting")
+    return fitted(one, progress), None
+
+
+def _of_moments(
+    varied: Variation,
+    moments: Sequence[str],
+    faults: list[Fault],
+    progress: Progress,
+    *,
+    free: Sequence[str],
+    duration: str | None,
+    tolerance: str | None,
+    method: str | None,
+    seed: int | None,
+    measured: Sequence[str],
+    columns: Sequence[str],
+    noise: Sequence[str],
+    made_at: Sequence[str],
+    bandwidth: str | None,
+    order: int | None,
+    zero_phase: bool,
+    skip: str | None,
+    **others: Any,
+) -> FittedMoments:
+    """Return the fit of statistics; raises InputError with every fault."""
+    from hertzwerk.runtime.studies.fitting.moments.measured_moments import MeasuredSeries
+    from hertzwerk.runtime.studies.fitting.moments.moment_fit import fitted_moments, read_moment_fit
+
+    if not moments:
+        faults.append(
+            Fault("--measured", "none, and no --moment", "measured data: --measured FILE, or --moment NAME=VALUE")
+        )
+    computed = [text for text in moments if "=" not in text]
+    of_series: dict[str, object] = {
+        "--measured": measured,
+        "--map": columns,
+        "--noise": noise,
+        "--at": made_at,
+        "--bandwidth": bandwidth,
+    }
+    of_series |= {"--order": order, "--zero-phase": zero_phase, "--skip": skip}
+    of_histories = {"--gain": "gain", "--laws": "among"}
+    of_histories_alone = {"--offset": ("offset", "0 s"), "--starts": ("starts", None), "--profile": ("profile", "auto")}
+    beside = [option for option, name in of_histories.items() if others[name]]
+    beside += [option for option, (name, default) in of_histories_alone.items() if others[name] != default]
+    beside += [option for option, given in of_series.items() if given and not computed]
+    faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
+    twice = sorted({name for name in computed if computed.count(name) > 1})
+    faults += [Fault("--moment", f"{name} twice", "each once") for name in twice]
+    values, given, stated, mapped, noisy = (
+        assignments(option, texts, faults)
+        for option, texts in (
+            ("--set", varied.settings),
+            ("--input", varied.inputs),
+            ("--moment", [text for text in moments if "=" in text]),
+            ("--map", columns),
+            ("--noise", noise),
+        )
+    )
+    series = [
+        MeasuredSeries(
+            file, mapped or None, noisy, bandwidth, 4 if order is None else order, zero_phase, skip=skip, values=own
+        )
+        for file, own in _made_at(measured, made_at, faults).items()
+        if computed
+    ]
+    progress.stage("building")
+    model = varied.model(faults)
+    chosen = {
+        "values": values,
+        "inputs": given or None,
+        "duration": duration,
+        "tolerance": tolerance and number(tolerance),
+        "method": method,
+    }
+    chosen = {name: value for name, value in chosen.items() if value}
+    wanted = {**stated, **dict.fromkeys(computed)}
+    asked = read_moment_fit(model, wanted, _ranges(free, faults), chosen, seed or 0, faults, series)
+    progress.stage("fitting")
+    return fitted_moments(asked, progress)
+
+
+def _made_at(measured: Sequence[str], made_at: Sequence[str], faults: list[Fault]) -> dict[str, dict[str, str]]:
+    """Return the values of --at by measured file; malformed ones are appended to `faults`."""
+    own: dict[str, list[str]] = {file: [] for file in measured}
+    for text in made_at:
+        file, _, assigned = text.partition(":")
+        if file in own:
+            own[file].append(assigned)
+        else:
+            faults.append(Fault("--at", repr(text), f"FILE:NAME=VALUE, FILE one of {', '.join(measured)}"))
+    twice = sorted({file for file in measured if list(measured).count(file) > 1})
+    faults += [Fault("--measured", f"{file} twice", "each measured run once") for file in twice]
+    return {file: assignments("--at", texts, faults) for file, texts in own.items()}
+
+
+def _ranges(free: Sequence[str], faults: list[Fault]) -> dict[str, str | None]:
+    """Return the ranges by name of --free; None for a name alone."""
+    ranged = assignments("--free", [text for text in free if "=" in text], faults)
+    names = [text.partition("=")[0].strip() for text in free]
+    return {name: ranged.get(name) for name in names}
+
+
+def _arguments(
+    model: Model,
+    values: dict[str, str],
+    inputs: dict[str, str],
+    faults: list[Fault],
+    *,
+    measured: Sequence[str],
+    columns: Sequence[str],
+    free: Sequence[str],
+    noise: Sequence[str],
+    made_at: Sequence[str],
+    offset: str,
+    gain: Sequence[str],
+    duration: str | None,
+    tolerance: str | None,
+    method: str | None,
+    starts: int | None,
+    seed: int | None,
+    profile: str,
+) -> dict[str, Any]:
+    """Return the arguments of a fit; malformed options are appended to `faults`."""
+    from hertzwerk.runtime.engine.run.run_request import METHOD
+    from hertzwerk.runtime.engine.start.start_values import split_values
+    from hertzwerk.runtime.studies.fitting.experiment import Experiment
+    from hertzwerk.runtime.studies.fitting.parameter_fit import STARTS, TOLERANCE
+
+    parameters, initial = split_values(model, values)
+    return {
+        "data": [Experiment(file, own) for file, own in _made_at(measured, made_at, faults).items()],
+        "free": _ranges(free, faults),
+        "map": assignments("--map", columns, faults) or None,
+        "noise": assignments("--noise", noise, faults),
+        "parameters": parameters,
+        "initial": initial,
+        "inputs": inputs or None,
+        "duration": duration,
+        "offset": offset,
+        "gain": assignments("--gain", gain, faults),
+        "tolerance": TOLERANCE if tolerance is None else number(tolerance),
+        "method": method or METHOD,
+        "starts": STARTS if starts is None else starts,
+        "seed": seed or 0,
+        "profile": {"auto": "auto", "all": True, "none": False}[profile],
+    }
+
+
+def _write(
+    found: Fitted | FittedMoments, ranking: Ranking | None, into: Path | None, missing: list[str], *, plots: bool
+) -> tuple[Path, list[str]]:
+    from hertzwerk.runtime.cli.run_folder import record_text
+    from hertzwerk.runtime.cli.target_options import command_line
+    from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments
+    from hertzwerk.runtime.system.result_folder import failures_of, new_folder
+    from hertzwerk.runtime.system.versions import versions
+
+    def fill(folder: Path) -> list[str]:
+        about = {"command": command_line(), "versions": versions()}
+        texts = {
+            "fit.json": record_text({**found.record(), **about}),
+        }
+        if isinstance(found, FittedMoments):
+            texts["fit.md"] = "".join(f"- {label}: {text}\n" for label, text in found.lines())
+        else:
+            texts |= {"fit.csv": found.csv(), "fit.md": found.markdown()}
+        if ranking is not None:
+            texts |= {"laws.json": record_text({**ranking.record(), **about}), "laws.md": ranking.markdown()}
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8")
+        if not plots:
+            return list(texts)
+        from hertzwerk.runtime.studies.fitting import plot_fit
+        from hertzwerk.runtime.studies.fitting.moments import plot_moments
+
+        def draw() -> None:
+            if isinstance(found, FittedMoments):
+                plot_moments.save(found, folder / "fit.png")
+            else:
+                plot_fit.save(found, folder / "fit.png")
+
+        failures = failures_of("fit.png", draw)
+        missing.extend(failures)
+        return [*texts, *([] if failures else ["fit.png"])]
+
+    try:
+        return new_folder(f"{found.scene}-fit", into, fill)
+    except InputError as error:
+        raise InputError("fit", [replace(fault, where="--into") for fault in error.faults]) from error
+
+
+def _report(found: Fitted | FittedMoments | Ranking) -> None:
+    for label, text in found.lines():
+        line(label, text)

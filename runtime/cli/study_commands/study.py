@@ -1,0 +1,126 @@
+"""`hertzwerk study`: comparisons with figures, tables and verdicts, the paper's and users' own."""
+
+from __future__ import annotations
+
+import shlex
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.target_options import JSON, unwritable_faults
+from hertzwerk.runtime.cli.terminal import (
+    GOOD,
+    OTHER_OUTCOME,
+    Progress,
+    conclude,
+    line,
+    report_damage,
+    reports_bad_input,
+)
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.studies.paper.study_page import Page
+
+
+@click.command(epilog="Example: hertzwerk study bouncing --quick")
+@click.argument("name", required=False)
+@click.option("--quick", is_flag=True, help="Run fewer cases for a shorter time: seconds instead of minutes.")
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/NAME-study-NNN)."
+)
+@click.option(
+    "--measured",
+    type=click.Path(path_type=Path),
+    metavar="FILE.csv",
+    help="CSV file of signals to draw over the figures, its columns named as histories: t [s], guide.acceleration [m/s^2].",
+)
+@click.option(
+    "--resume",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Continue a study that was stopped; rows in this folder are not computed again.",
+)
+@JSON
+@reports_bad_input
+def study(
+    name: str | None, quick: bool, out: Path | None, measured: Path | None, resume: Path | None, as_json: bool
+) -> int:
+    """Run the study NAME and write figures, tables and verdicts.
+
+    NAME is a built-in study, or a Python file that defines `study`, which is executed; without it the built-in
+    studies are listed. The rows of its sweeps are stored in the folder as they are computed; --resume continues,
+    whatever ended it. Ctrl-C between other cases ends the study with a page of those computed so far. Exit code 1: it
+    was stopped, or a number differs from its independent reference.
+    """
+    from hertzwerk.runtime.cli import page_folder
+    from hertzwerk.runtime.engine.inputs.measurement_csv import read_measurement
+    from hertzwerk.runtime.engine.model.build import is_file
+    from hertzwerk.runtime.studies.paper.known_studies import NAMES, study_of
+    from hertzwerk.runtime.studies.paper.overlay import laid_over
+    from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps, SweepStoppedError
+
+    if resume is not None:
+        beside = {"NAME": name, "--quick": quick, "--out": out, "--measured": measured}
+        name, quick, measured = _asked(resume, [option for option, value in beside.items() if value])
+    if name is None:
+        for known in NAMES:
+            line(known, study_of(known).question)
+        return GOOD
+    wanted = resume is not None or out is not None or not as_json
+    found = study_of(name)
+    if resume is None and (faults := unwritable_faults(out, wanted=wanted)):
+        raise InputError("study", faults)
+    laid = None if measured is None else read_measurement(measured)
+    target = str(Path(name).absolute()) if is_file(name) else name
+    asked = {"study": target, "quick": quick, "measured": None if measured is None else str(measured.absolute())}
+    folder = page_folder.StudyFolder(found.name, resume or out, asked, begun=resume is not None)
+    sweeps = Sweeps(folder.rows if wanted else None)
+    try:
+        with Progress(f"study {found.name}", shown=not as_json and sys.stderr.isatty()) as progress:
+            page = found.run(quick, progress, sweeps)
+    except SweepStoppedError as stopped:
+        report_damage(*sweeps.damage)
+        line("stopped", str(stopped))
+        if folder.path is not None:
+            line("remedy", f"hertzwerk study --resume {folder.path}")
+        return OTHER_OUTCOME
+    page = page if laid is None else laid_over(page, laid)
+    about = {"study": found.name, "question": found.question, "quick": quick, "damage": sweeps.damage}
+    given = [*(["--quick"] if quick else []), *([] if measured is None else ["--measured", str(measured)])]
+    about |= {"command": shlex.join(["hertzwerk", "study", name, *given])}
+    code = conclude(
+        lambda missing: folder.write(page, about, missing),
+        lambda: {**about, **page.record()},
+        lambda: _report(page, sweeps.damage),
+        wanted=wanted,
+        as_json=as_json,
+    )
+    return code if page.holds and not page.missing else OTHER_OUTCOME
+
+
+def _asked(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
+    """Return name, extent and measurement of the study that was stopped in a folder; raises InputError."""
+    from hertzwerk.runtime.cli.page_folder import asked_of
+
+    if given:
+        expected = "the same options as there; beside them --json"
+        raise InputError("study", [Fault("--resume", f"{', '.join(given)} beside it", expected)])
+    asked = asked_of(folder)
+    return asked["study"], asked["quick"], None if asked["measured"] is None else Path(asked["measured"])
+
+
+def _report(page: Page, damage: Sequence[str]) -> None:
+    """Print the verdicts of a page, what its sources lack, and what was damaged among its rows."""
+    from hertzwerk.runtime.cli.page_folder import MARKS
+
+    if page.missing:
+        line("interrupted", page.missing)
+    for verdict in page.verdicts:
+        line(MARKS[verdict.holds], f"{verdict.text} ({verdict.source})")
+    for text in page.lacking:
+        line("lacking", text)
+    report_damage(*damage)

@@ -1,0 +1,377 @@
+"""`hertzwerk sweep`: a run for every point of a design, stored row by row, resumed where it ended."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from contextlib import AbstractContextManager, ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.cli.continue_run import limits_of
+from hertzwerk.runtime.cli.target_options import (
+    ACCURACY,
+    BY_METHOD,
+    DURATION,
+    JSON,
+    TABLE,
+    TOLERANCE,
+    VARIATION,
+    assignments,
+    run_settings,
+    table_faults,
+)
+from hertzwerk.runtime.cli.terminal import (
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    report_damage,
+    report_missing,
+    reports_bad_input,
+    table,
+    written_or_none,
+)
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+    from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
+
+_OPTIONS = {
+    **{"settings": "--set", "laws": "--law", "outputs": "--output"},
+    **{"histories": "--history", "continued": "--continue", "max_steps": "--max-steps", "wall_time": "--wall-time"},
+}  # where they are not called as their arguments
+
+
+@click.command(epilog='Example: hertzwerk sweep slider_crank --over clearance="0.05..0.5 mm:10"')
+@click.argument("target", required=False)
+@click.option(
+    "--over",
+    metavar="NAME=VALUES",
+    multiple=True,
+    help='Vary a parameter or an initial state: clearance="0.05..0.5 mm:10", stiffness="1e6..1e9 N/m:7 log", restitution=0.5,0.7,0.9. '
+    "An input takes files, torque=calm.csv,gusty.csv:load, or a factor, torque.scale=0.5..1.5:5.",
+)
+@click.option(
+    "--zip", is_flag=True, help="Combine the first values of all, then the second, and so on (default: each with each)."
+)
+@click.option(
+    "--sample", metavar="NUMBER", help='Number of points spread over ranges such as clearance="0.05..0.5 mm".'
+)
+@click.option(
+    "--sampler",
+    metavar="NAME",
+    help="How points are spread: latin, a hypercube, or sobol, a power of two of them (default: latin).",
+)
+@click.option("--seed", metavar="NUMBER", help="Seed of the samples (default: 0).")
+@click.option(
+    "--output",
+    "outputs",
+    metavar="NAME",
+    multiple=True,
+    help="Output of each row: final.guide.travel, slider_pin.peak_force, slider_pin.impact_rate, guide.travel.max (default: final states).",
+)
+@click.option(
+    "--section",
+    metavar="PLACE",
+    help='Keep the states at which a condition holds: "main_bearing.angle = 0" (every return), "phase = 90 deg", "floor.gap = 0 m falling".',
+)
+@click.option(
+    "--grid", metavar="SPACING", help='Keep histories at this number of points, or at a spacing such as "0.1 ms".'
+)
+@click.option(
+    "--after", metavar="TIME", help='Transient that --section and --grid leave out, such as "100 rev" (default: none).'
+)
+@click.option(
+    "--history",
+    "histories",
+    metavar="NAME",
+    multiple=True,
+    help="History that --section and --grid keep (default: coordinates and speeds).",
+)
+@click.option(
+    "--continue",
+    "continued",
+    metavar="up|down",
+    help="Increase or decrease the first parameter, each run starting from the final state of the one before.",
+)
+@VARIATION
+@DURATION
+@ACCURACY
+@TOLERANCE
+@BY_METHOD
+@click.option(
+    "--max-steps", metavar="NUMBER", help="Stop a row after this number of accepted steps (default: 1000000)."
+)
+@click.option(
+    "--wall-time", metavar="TIME", help='Stop a row after this time by the clock, such as "10 min" (default: none).'
+)
+@click.option(
+    "--into",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Folder of the rows, new or of the same sweep (default: the next runs/SCENE-sweep-NNN).",
+)
+@click.option(
+    "--resume",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Compute the rows that are missing in this folder of a sweep.",
+)
+@click.option(
+    "--widen", is_flag=True, help="Change the definition of the folder's sweep; rows that both have are kept."
+)
+@click.option("--plot", is_flag=True, help="Draw curves, maps, or the bifurcation diagram of a section.")
+@click.option("--workers", metavar="NUMBER", help="Number of processes (default: one per core).")
+@click.option("--cluster", metavar="ADDRESS", help="Dask scheduler whose workers compute the rows: tcp://host:8786.")
+@TABLE
+@JSON
+@reports_bad_input
+def sweep(
+    target: str | None,
+    resume: Path | None,
+    into: Path | None,
+    widen: bool,
+    workers: str | None,
+    cluster: str | None,
+    plot: bool,
+    file: Path | None,
+    as_json: bool,
+    **options: Any,
+) -> int:
+    """Simulate TARGET at every point of a design, on all cores.
+
+    Each row is stored as soon as it is computed; --resume continues a sweep, whatever ended it. A TOML file with the
+    same keys may take the place of TARGET and options. Exit code 1: a row has another outcome than `finished`, or is
+    missing.
+    """
+    from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep as swept
+    from hertzwerk.runtime.studies.sweeps.sweep_store import PICTURE
+    from hertzwerk.runtime.system.interrupt import raise_interrupts
+    from hertzwerk.runtime.system.result_folder import failures_of, made_folder, remove_if_empty
+
+    faults = table_faults(file)
+    processes = _whole("--workers", workers, faults)
+    if plot and as_json and into is None and resume is None:
+        faults.append(Fault("--plot", "without a folder, as --json writes none", "--into DIR beside it"))
+    arguments = _arguments(target, resume, into, options, faults)
+    folder = resume or into
+    with ExitStack() as stack:
+        if folder is None and not as_json:
+            folder = made_folder(f"{Path(arguments['target']).stem}-sweep", None)
+            stack.callback(remove_if_empty, folder)  # where the definition is refused
+        progress = stack.enter_context(Progress(str(arguments["target"]), shown=not as_json and sys.stderr.isatty()))
+        client = stack.enter_context(_connected(cluster)) if cluster is not None else None
+        progress.stage("building")
+        begun: list[float] = []
+
+        def rows(fraction: float) -> None:
+            if not begun:
+                begun.append(fraction)
+                progress.stage("rows", fraction)
+                stack.enter_context(raise_interrupts())  # from here on there is something to tell when it is stopped
+            progress(fraction)
+
+        found = swept(**arguments, into=folder, widen=widen, workers=processes, client=client, progress=rows)
+    missing: list[str] = []
+    if file is not None:
+        written_or_none(lambda: found.to_file(file), missing, wanted=True)
+    if plot and folder is not None:
+        missing += failures_of(PICTURE, lambda: _draw(found, folder / PICTURE))
+    whole = found.outcome.finished and set(found.counts()) <= {"finished"}
+    if as_json:
+        from hertzwerk.runtime.cli.run_folder import json_text
+
+        click.echo(json_text({**_record(found), "into": folder and str(folder)}))
+    else:
+        _report(found, folder, None if missing else file)
+    code = report_missing(missing)
+    return code if whole else OTHER_OUTCOME
+
+
+def _connected(address: str) -> AbstractContextManager[Client]:
+    """Connect to a Dask scheduler; raises InputError where there is none, or no Dask."""
+    from hertzwerk.runtime.system.optional_packages import required
+
+    required("distributed", "cluster")
+    from hertzwerk.runtime.studies.sweeps.rows.cluster import connected
+
+    return connected(address)
+
+
+def _arguments(
+    target: str | None, resume: Path | None, into: Path | None, options: dict[str, Any], faults: list[Fault]
+) -> dict[str, Any]:
+    """Return the arguments of the sweep, of a folder, a file or the command line; raises InputError."""
+    file = target is not None and target.endswith(".toml")
+    if resume is not None or file:
+        where = "--resume" if resume is not None else str(target)
+        given = [_OPTIONS.get(name, f"--{name}") for name, value in options.items() if value not in (None, (), False)]
+        given += ["TARGET"] if resume is not None and target is not None else []
+        given += ["--into"] if resume is not None and into is not None else []
+        if given:
+            found, expected = (
+                f"{', '.join(given)} beside it",
+                "the whole definition there; beside it --workers, --cluster, --widen, --table, --json",
+            )
+            faults.append(Fault(where, found, expected))
+        if faults:
+            raise InputError("sweep", faults)
+        if resume is None:
+            from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
+
+            return read_sweep(Path(str(target)))
+        from hertzwerk.runtime.studies.sweeps.points.sweep_definition import arguments_of, read_definition
+
+        definition = read_definition(resume)
+        if definition is None:
+            raise InputError("sweep", [Fault("--resume", f"{resume}, without a sweep", "the folder of a sweep")])
+        return arguments_of(definition, resume)
+    if target is None:
+        expected = "a scene, a file, or --resume DIR"
+        faults.append(Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes"))
+    arguments = _read(str(target), options, faults)
+    if faults:
+        raise InputError("sweep", faults)
+    return arguments
+
+
+def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str, Any]:
+    """Return the arguments of the sweep that options state; bad input is appended to `faults`."""
+    sample, seed = (_whole(f"--{name}", options[name], faults) for name in ("sample", "seed"))
+    return {
+        "target": target,
+        "over": assignments("--over", options["over"], faults),
+        "zip": options["zip"],
+        "sample": sample,
+        "sampler": options["sampler"] or "latin",
+        "seed": seed or 0,
+        "values": assignments("--set", options["settings"], faults),
+        "inputs": assignments("--input", options["inputs"], faults),
+        "without": options["without"],
+        "laws": assignments("--law", options["laws"], faults),
+        "coordinates": options["coordinates"],
+        "outputs": options["outputs"],
+        **{name: options[name] for name in ("section", "after", "histories", "continued")},
+        "grid": int(options["grid"]) if (options["grid"] or "").isdecimal() else options["grid"],
+        **run_settings(target, **options),
+        **limits_of(options["max_steps"], options["wall_time"], faults),
+    }
+
+
+def _whole(option: str, text: str | None, faults: list[Fault]) -> int | None:
+    """Return the whole number that an option states; bad input is appended to `faults`."""
+    if text is None:
+        return None
+    if text.isdecimal() and len(text) < 16:
+        return int(text)
+    faults.append(Fault(option, repr(text), "a whole number"))
+    return None
+
+
+def _draw(found: Sweep, file: Path) -> None:
+    """Write the picture of a sweep."""
+    import io
+
+    from hertzwerk.runtime.system.atomic_files import write_atomically
+
+    content = io.BytesIO()
+    found.plot().savefig(content, format="png", dpi=160)
+    write_atomically(file, content.getvalue())
+
+
+# -- as people and programs read it ------------------------------------------------------------------------------------
+
+
+def _record(found: Sweep) -> dict[str, Any]:
+    """Return the table and how the sweep ended as plain data, without a table too large for memory."""
+    from hertzwerk.runtime.studies.sweeps.sweep_table import memory_faults
+
+    table, arrays = {}, {}
+    if not memory_faults(len(found)):
+        table = {name: column.tolist() for name, column in found.read(*found.names).items()}
+        arrays = {name: found.arrays_of(name).record() for name in found.arrays}
+    return {
+        "scene": found.scene,
+        "outcome": found.outcome.name,
+        "message": found.outcome.message,
+        "remedy": found.outcome.remedy,
+        "damage": found.damage,
+        "rows": len(found),
+        "outcomes": found.counts(),
+        "units": dict(found.columns),
+        "table": table,
+        "arrays": arrays,
+        "wall_s": found.wall_s,
+        "workers": found.workers,
+    }
+
+
+def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
+    """Print a sweep in a few lines."""
+    line(
+        found.scene,
+        f"{len(found)} rows over {', '.join(found.varied)}, in {_time(found.wall_s)} on {found.workers} processes",
+    )
+    summary = found.summary
+    for outcome, count in found.counts().items():
+        rows = "1 row" if count == 1 else f"{count} rows"
+        why = "" if outcome == "finished" else f"{'' if count == 1 else ', as the first'}: {summary.messages[outcome]}"
+        line(outcome, rows + why)
+    outputs = [name for name in found.columns if name not in ("outcome", "message", "warnings", *found.varied)]
+    if len(found) and outputs:
+        click.echo()
+        table(("output", "unit", "least", "largest"), [_extremes(found, name) for name in outputs])
+        click.echo()
+        _report_undetermined(found, outputs)
+    for name in found.arrays:
+        arrays = found.arrays_of(name)
+        line(name, f"{arrays.points:,} points of {', '.join(arrays.units)}")
+    warned = summary.warned
+    if warned:
+        line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} warnings (column `warnings`)")
+    report_damage(found.damage)
+    if not found.outcome.finished:
+        line(found.outcome.name, found.outcome.message)
+        line("remedy", found.outcome.remedy)
+    if folder is not None:
+        beside = ("section.csv", "histories.csv", "sweep.png")
+        tables = [name for name in beside if (folder / name).exists()]
+        line(
+            "written", f"{folder}/ ({', '.join(['table.csv', *tables, 'rows.sqlite', 'definition.json', 'model.py'])})"
+        )
+    if file is not None:
+        line("written", str(file))
+        if found.arrays and file.suffix.lower() == ".csv":
+            line(
+                "left out",
+                f"{' and '.join(found.arrays)}, as CSV has no lists: --table FILE.parquet or FILE.nc has them",
+            )
+
+
+def _extremes(found: Sweep, name: str) -> Sequence[str]:
+    spread = found.summary.spreads[name]
+    ends = (f"{spread.least:.6g}", f"{spread.largest:.6g}") if spread.count else ("-", "-")
+    return (name, found.unit(name), *ends)
+
+
+def _report_undetermined(found: Sweep, outputs: Sequence[str]) -> None:
+    """Print each reason why outputs have no number in any row that ran, once."""
+    from hertzwerk.runtime.output.tables.column_meanings import reason_of_none
+
+    if not found.summary.ran:
+        return
+    reasons: dict[str, list[str]] = {}
+    for name in outputs:
+        if not found.summary.spreads[name].count:
+            reasons.setdefault(reason_of_none(name), []).append(name)
+    for reason, names in reasons.items():
+        line("output", f"{', '.join(names)} not determined{reason and f': {reason}'}")
+
+
+def _time(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{seconds:.3g} s" if seconds < 60 else f"{minutes // 60}:{minutes % 60:02d}:{rest:02d} h"

@@ -1,1 +1,0 @@
-"""Uncertainty of a run's numbers, and the best parameters for one."""

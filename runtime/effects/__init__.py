@@ -1,1 +1,0 @@
-"""Study of effects: the cost of each effect of a scene and the changes without it."""

@@ -1,0 +1,1 @@
+"""Engine: a model, one run of it, its error, its solution and its derivatives."""

@@ -1,0 +1,192 @@
+"""Inputs that differ from row to row of many runs: choices by label, constants, factors.
+
+{"torque": {"calm": "calm.csv:load", "gusty": Samples(...)}}    choices by labels of one's own
+{"torque": ["calm.csv:load", "gusty.csv:load", "0.5 N m"]}      choices that are their own labels, as text with commas too
+{"torque": "0.1..0.5 N m:5"}                                    constants
+{"torque.scale": "0.5..1.5:5"}                                  factors on what the input is otherwise
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, TypeVar
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.units import UnitError
+from hertzwerk.runtime.engine.inputs.input_values import COLUMN, FILE, input_text, located, signal_of
+from hertzwerk.runtime.engine.model.binding import Value, read, read_state
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.si_values import si_of, si_text
+from hertzwerk.runtime.engine.model.signal import Signal
+
+SCALE = ".scale"
+AnyModel = TypeVar("AnyModel", bound=Model)
+
+
+class Labels(tuple[str, ...]):
+    """Labels that rows choose by, in their order."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True)
+class Choices:
+    """Signals by the name of an input and label, and the texts that they are read from.
+
+    None is the text of one made in Python.
+    """
+
+    signals: Mapping[str, Mapping[str, Signal]] = field(default_factory=dict)
+    texts: Mapping[str, Mapping[str, str | None]] = field(default_factory=dict)
+
+    def of(self, model: AnyModel, values: Mapping[str, Value]) -> tuple[AnyModel, dict[str, Value]]:
+        """Return the model with the inputs of a row, and its values that are of no input; raises InputError."""
+        mine = {name: value for name, value in values.items() if str(name).removesuffix(SCALE) in model.inputs}
+        if not mine:
+            return model, dict(values)
+        faults: list[Fault] = []
+        signals = dict(model.signals)
+        for name in sorted(mine, key=lambda name: name.endswith(SCALE)):
+            base = name.removesuffix(SCALE)
+            if name == base:
+                label = mine[name]
+                found = self.signals.get(name, {}).get(label) if isinstance(label, str) else None
+                found = found or signal_of(name, label, model.inputs[name][0], 0.0, faults)
+                signals |= {} if found is None else {name: found}
+            else:
+                factor, fault = read_state(name, "1", mine[name])
+                faults += [] if fault is None else [fault]
+                signals |= {base: signals[base].scaled(factor)} if fault is None and base in signals else {}
+        if faults:
+            raise InputError(model.name, faults)
+        return model.with_signals(signals), {name: value for name, value in values.items() if name not in mine}
+
+    def digests(self) -> dict[str, str]:
+        """Digest of everything that rows choose among, by input and label."""
+        return {
+            f"{name}.{label}": signal.digest
+            for name, signals in self.signals.items()
+            for label, signal in signals.items()
+        }
+
+
+NO_CHOICES = Choices()
+
+
+def units_of_inputs(model: Model) -> dict[str, str]:
+    """Return the SI unit text of what rows may have of inputs: each, and its factor."""
+    units = {name: si_text(unit) for name, (unit, _) in model.inputs.items()}
+    return {**units, **{f"{name}{SCALE}": "" for name in units}}
+
+
+def numbers_of(model: Model, values: Mapping[str, Value]) -> dict[str, float]:
+    """Return the values of a row in SI, without the labels of choices."""
+    labels = {name for name, value in values.items() if isinstance(value, str) and name in model.inputs}
+    return {name: si_of(model, name, value) for name, value in values.items() if name not in labels}
+
+
+def read_choices(
+    model: Model, over: Mapping[str, Any], seconds: float, faults: list[Fault]
+) -> tuple[dict[str, Any], Choices]:
+    """Return what is varied with the labels of choices, and those; faults are appended.
+
+    seconds    [s], up to which functions are sampled
+    """
+    found, signals, texts = dict(over), {}, {}
+    for name in model.inputs:
+        choices = _listed(over[name]) if name in over else None
+        if choices is None:
+            continue
+        read: dict[str, Signal] = {}
+        for label, value in choices.items():
+            signal = signal_of(name, value, model.inputs[name][0], seconds, faults)
+            read |= {} if signal is None else {label: signal}
+        found[name], signals[name] = Labels(choices), read
+        texts[name] = {label: input_text(value) for label, value in choices.items()}
+    return found, Choices(signals, texts)
+
+
+def located_choices(given: Any, folder: Path) -> Any:
+    """Return what is varied with its files as seen from a folder, labels as they are; others stay."""
+    choices = _listed(given) or {}
+    if not any(isinstance(x, str) and (COLUMN.fullmatch(x) or FILE.fullmatch(x)) for x in choices.values()):
+        return given
+    return {label: located(x, folder) if isinstance(x, str) else x for label, x in choices.items()}
+
+
+def read_rows(
+    model: Model, rows: Sequence[Mapping[str, Any]], seconds: float
+) -> tuple[list[dict[str, Value]], Choices]:
+    """Return the rows of many runs with labels, and their choices; raises InputError with every fault."""
+    faults: list[Fault] = []
+    found = [dict(row) for row in rows]
+    signals: dict[str, dict[str, Signal]] = {}
+    for name in model.inputs:
+        mine = [row for row in found if name in row]
+        if all(map(_plain, (row[name] for row in mine))):
+            for row in mine:
+                number, _, unit = read(row[name])
+                row[name] = number, unit
+            continue
+        there = signals.setdefault(name, {})
+        for row in mine:
+            signal = signal_of(name, row[name], model.inputs[name][0], seconds, faults)
+            if signal is not None:
+                row[name] = _label(_name(row[name]), signal, there)
+    if faults:
+        raise InputError(model.name, list(dict.fromkeys(faults)))
+    return found, Choices(MappingProxyType(signals))
+
+
+def _listed(given: Any) -> dict[str, Any] | None:
+    """Return choices by label; None for constants, which are numbers."""
+    if isinstance(given, Mapping):
+        return {str(label): value for label, value in given.items()}
+    if isinstance(given, str):
+        parts = [part.strip() for part in given.split(",")]
+        return {part: part for part in parts} if any(COLUMN.fullmatch(x) or FILE.fullmatch(x) for x in parts) else None
+    alone = not isinstance(given, list | tuple) or _plain(given)
+    values: Iterable[Any] = [given] if alone else given
+    return None if all(map(_plain, values)) else _by_name(values)
+
+
+def _by_name(values: Iterable[Any]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for value in values:
+        found[_free(_name(value), found)] = value
+    return found
+
+
+def _plain(value: Any) -> bool:
+    """Return whether a value is a constant."""
+    try:
+        read(value)
+    except UnitError:
+        return False
+    return True
+
+
+def _name(value: Any) -> str:
+    """Return what a choice is called that has no label of its own."""
+    text = input_text(value) if not isinstance(value, str) else value.strip()
+    of_its_own = getattr(value, "source", "") or getattr(value, "name", "") or getattr(value, "__name__", "")
+    return text or of_its_own or "samples"
+
+
+def _free(label: str, taken: Iterable[str]) -> str:
+    known = set(taken)
+    others = (f"{label} {n}" for n in range(2, len(known) + 3))
+    return label if label not in known else next(other for other in others if other not in known)
+
+
+def _label(name: str, signal: Signal, there: dict[str, Signal]) -> str:
+    """Return the label of a signal among those that are there, of which equal ones share one."""
+    for label, other in there.items():
+        if other.digest == signal.digest:
+            return label
+    label = _free(name, there)
+    there[label] = signal
+    return label

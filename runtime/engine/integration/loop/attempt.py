@@ -1,0 +1,143 @@
+"""One attempt, state -> state: try a step, then accept, shorten, or retake it to land on an event."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.engine.integration.events.event_landing import reject, settle
+from hertzwerk.runtime.engine.integration.events.mode_changes import begin, enter
+from hertzwerk.runtime.engine.integration.loop.method_choice import Choosing
+from hertzwerk.runtime.engine.integration.loop.near_list import keeps_to_list
+from hertzwerk.runtime.engine.integration.loop.plain_attempt import advance, lean, no_event_of_any_pair
+from hertzwerk.runtime.engine.integration.loop.turning_slip import implicit_near_rest, passes_by_implicit_steps
+from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
+from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, contact_classes
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.integration.step.layout import REJECTED, RUNNING, Layouts, layouts
+from hertzwerk.runtime.engine.integration.step.singular_positions import explicit_near
+from hertzwerk.runtime.engine.integration.step.stepper import stepper
+from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta, dopri5
+from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import esdirk54
+from hertzwerk.runtime.engine.integration.tableaux.methods import Table
+from hertzwerk.runtime.engine.model.per_model import per_model
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.model import Model
+
+
+FINISH = "finish"  # name of the function that completes an attempt, by an event or a rejection
+
+
+@dataclass(frozen=True, eq=False)
+class Integrator:
+    """CasADi functions of one model and method: initial state, attempt, dense output.
+
+    asked    tables that `integrator` was given
+    tables   by the state's `method`; a run whose `attempt` uses only the first may continue with the integrator `with_choice`
+    """
+
+    layouts: Layouts
+    begin: Any  # (t, q, u, latches, controls) -> state
+    attempt: Any  # (state, controls) -> state
+    enter: Any  # (state, controls) -> state with other pieces of the inputs; None without inputs
+    model: Model
+    tables: tuple[Table, ...]
+    asked: tuple[Table, ...] = ()
+    with_choice: Callable[[], Integrator] | None = None
+    _steps: dict[int, Any] = field(default_factory=dict)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle and copy what it was made of; it is built anew."""
+        return integrator, (self.model, self.asked)
+
+    def step(self, method: int = 0) -> Any:
+        """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
+        if method not in self._steps:
+            h = self.layouts.kind.sym("h")
+            given, (start, run) = self.layouts.symbols("state controls")
+            trial = self.layouts.trial.join(stepper(self.model, self.tables[method], BY_MODE)(start, run, h))
+            names = ["state", "controls", "h"]
+            self._steps[method] = lean("step", [*given, h], [trial], names, ["trial"])
+        return self._steps[method]
+
+
+def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
+    """Build the attempt of a model with a method of one table, or of two to choose from (`method_choice`).
+
+    With two, the attempt steps by the first and watches for stiffness; `with_choice` chooses in every step. For closed
+    loops an implicit table is joined by an explicit one to pass singular positions, and an explicit one by an implicit one where
+    directions of sliding turn too fast for it.
+    """
+    alone, explicit = len(tables) == 1, isinstance(tables[0], RungeKutta)
+    if alone and not (passes_by_implicit_steps(model, tables) if explicit else model.nl):
+        return replace(_integrator(model, tables, tables, Choosing.NONE), asked=tables)
+    asked, tables = tables, (*tables, esdirk54() if explicit else dopri5()) if alone else tables
+    first, later = (Choosing.NONE,) * 2 if alone else (Choosing.ON_SUSPICION, Choosing.EVERY_STEP)
+    with_choice = cache(lambda: _integrator(model, tables, tables, later))
+    return replace(_integrator(model, tables[:1], tables, first), asked=asked, with_choice=with_choice)
+
+
+def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing) -> Integrator:
+    """Build an attempt that steps by some (`taken`) of a method's tables."""
+    vectors, right = layouts(model), flow(model)
+    # called with MX, so that one branch of each is evaluated; SX would evaluate all
+    ends = [after for table in taken for after in _completions(model, table)]
+    state, controls, end, verdict = ends[0].mx_in()
+    method = state[vectors.state["method"]] if len(taken) > 1 else None
+    plain = _unchanged(ends[0])
+    finish = ca.Function.conditional(FINISH, [plain, *ends[:-1]], ends[-1])
+    idle = ca.Function("idle", [state, controls], [state, ca.MX.zeros(vectors.verdict.size)])
+    classes = contact_classes(model)
+    tries = [advance(model, vectors, table, contacts, choosing) for table in taken for contacts in classes]
+    advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
+    taking = state[vectors.state["class"]]
+    if len(tables) > 1 or isinstance(model, NearModel):  # others are to go on from a SUSPECT, CALM or STALE state
+        taking *= state[vectors.state["status"]] >= RUNNING
+    end, verdict = advanced(_case(taking, method, len(classes)), state, controls)
+    done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
+    if isinstance(model, NearModel):
+        done = keeps_to_list(model, vectors)(done, controls)
+    if passes_by_implicit_steps(model, tables):
+        done = implicit_near_rest(model, tables, taken, alone=choosing is Choosing.NONE)(done, controls)
+    if model.nl and not all(isinstance(table, RungeKutta) for table in taken):
+        done = explicit_near(vectors.state, tables, taken)(done)
+    return Integrator(
+        layouts=vectors,
+        begin=begin(model, vectors, right),
+        enter=enter(model, vectors, right) if model.inputs else None,
+        attempt=ca.Function("attempt", [state, controls], [done], ["state", "controls"], ["next"]),
+        model=model,
+        tables=tables,
+    )
+
+
+@per_model
+def _completions(model: Model, table: Table) -> tuple[Any, Any, Any]:
+    """Return the functions that complete a step that is NEAR, SPECIAL, REJECTED."""
+    vectors = layouts(model)
+    special = settle(model, vectors, table, flow(model))
+    near = special
+    if model.k > 1:  # one pair is always asked
+        given = special.mx_in()
+        judge = ca.Function.if_else("judge", _unchanged(special), special)
+        near = ca.Function("asked", given, [judge(no_event_of_any_pair(model, vectors)(*given[:3]), *given)])
+    return near, special, reject(vectors, table)
+
+
+def _unchanged(like: Any) -> Any:
+    """Return the function that leaves a step as it is; arguments as of another."""
+    given = like.mx_in()
+    return ca.Function("plain", given, [given[2]])
+
+
+def _case(number: Any, method: Any, count: int) -> Any:
+    """Return the index among the cases: 0, those of the first table, those of the second.
+
+    method: None where there is one table.
+    """
+    return number if method is None else number + count * method * (number > 0)

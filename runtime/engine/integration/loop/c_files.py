@@ -1,0 +1,195 @@
+"""Division of the C text of CasADi functions into files and functions that compile fast.
+
+A compiler takes a time, and a memory, that grow with the square of a function's length, and every condition costs it a
+branch. What is compiled gives the same bits.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from hertzwerk.runtime.engine.integration.loop.attempt import FINISH
+
+# Characters of a function beyond which it is made of parts, and of a part. At 150,000 an implicit step in two parts takes a sixth longer and compiles
+# no faster; one of 780,000 takes 4 % longer and compiles in half the time.
+LONG, PART = 300_000, 100_000
+FILE = 500_000  # characters of a file: its compiler takes up to 250 MB
+BESIDE = (
+    10_000  # characters of a function up to which it stays in the file of those that call it, where it may be inlined
+)
+OFTEN, SELDOM = "-O3", "-O1"  # level by how often a function runs; of steps with events alone -O3 makes no run faster
+# characters of what an exported function needs, up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
+LARGE = 1_500_000
+# conditions of a function beyond which each is a mask of bits, not a branch: ball_bearing's `decide`, of 819, compiles in half the time
+CHOICES = 60
+EXPORTED = ""  # stands for the functions that a library shows, which call the others
+
+_ARGUMENTS = "(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem)"
+_HEAD = r"^(?:/\* (?P<said>\w+):.* \*/\n)?"
+_STATEMENT = r"  a\d+=.*;\n|  if \(res\[\d+\]!=0\) res\[\d+\]\[\d+\]=.*;\n"
+_PLAIN = re.compile(
+    rf"^static int (casadi_f\d+){re.escape(_ARGUMENTS)} \{{\n(?:  casadi_real a.*;\n)+((?:{_STATEMENT})+)  return 0;\n\}}\n",
+    re.MULTILINE,
+)
+_FUNCTION = re.compile(
+    _HEAD + r"static (?P<head>.*\b(?P<name>casadi_f\w+)\(.*\)) \{\n(?P<body>(?:.*\n)*?)\}\n", re.MULTILINE
+)
+_HELPER = re.compile(r"^((?:casadi_real|casadi_int|void) casadi_\w+\()", re.MULTILINE)
+_EXPORTED = re.compile(r"^CASADI_SYMBOL_EXPORT .*\{(?:.*\}|\n(?:.*\n)*?\})\n", re.MULTILINE)
+_CHOICE = re.compile(r"\((a\d+)\?(a\d+):0\)")
+_CHOSEN = """typedef double casadi_two __attribute__((vector_size(16)));
+typedef long long casadi_mask __attribute__((vector_size(16)));
+static inline double casadi_chosen(double condition, double x) {
+  casadi_mask holds = (casadi_two){condition, 0} != 0;
+  return ((casadi_two)(holds & (casadi_mask)(casadi_two){x, 0}))[0];
+}
+"""
+_GIVEN = re.compile(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0")
+_RESULT = re.compile(r"if \(res\[(\d+)\]!=0\) res\[\1\]\[(\d+)\]=")
+_VARIABLE = re.compile(r"\ba\d+\b")
+_CALLED = re.compile(r"\bcasadi_f\d\w*\b")
+
+
+@dataclass(frozen=True)
+class CFile:
+    """C text of one file, and the level of optimisation that it is worth."""
+
+    text: str
+    level: str
+
+
+def c_files(text: str) -> list[CFile]:
+    """Return what CasADi generated as files, the first with what is exported."""
+    text = _CHOSEN + _PLAIN.sub(_straight, text)
+    functions = {found["name"]: found for found in _FUNCTION.finditer(text)}
+    calls = {name: set(_CALLED.findall(found["body"])) & functions.keys() for name, found in functions.items()}
+    finishing = {name for name, found in functions.items() if found["said"] == FINISH}
+    if not functions:
+        return [CFile(text, OFTEN)]
+    exported = [set(_CALLED.findall(found[0])) & functions.keys() for found in _EXPORTED.finditer(text)]
+    calls[EXPORTED] = set().union(*exported)
+    often: set[str] = set()
+    for entry in exported:
+        if sum(len(functions[name][0]) for name in _reached(entry, calls, set())) <= LARGE:
+            often |= _reached(entry, calls, finishing)
+    large = [name for name, found in functions.items() if len(found[0]) > BESIDE]
+    moved = [
+        *((OFTEN, names) for names in _shares([name for name in large if name in often], functions)[1:]),
+        *((SELDOM, names) for names in _shares([name for name in large if name not in often], functions)),
+    ]
+    return _apart(text, functions, calls, OFTEN if often else SELDOM, moved)
+
+
+def _reached(names: set[str], calls: dict[str, set[str]], last: set[str]) -> set[str]:
+    """Return the functions called by some, and by those in turn; of the last ones nothing further."""
+    found, new = set(names), names
+    while new:
+        new = {other for name in new - last for other in calls[name]} - found
+        found |= new
+    return found
+
+
+def _shares(names: list[str], functions: dict[str, re.Match[str]]) -> list[list[str]]:
+    """Return functions as shares of one file each, of about the same length, in their order."""
+    lengths = [len(functions[name][0]) for name in names]
+    count = math.ceil(sum(lengths) / FILE)
+    shares: list[list[str]] = [[] for _ in range(count)]
+    before = 0
+    for name, length in zip(names, lengths, strict=True):
+        shares[min(count - 1, int((before + length / 2) * count / sum(lengths)))].append(name)
+        before += length
+    return shares
+
+
+def _apart(
+    text: str,
+    functions: dict[str, re.Match[str]],
+    calls: dict[str, set[str]],
+    first_level: str,
+    moved: list[tuple[str, list[str]]],
+) -> list[CFile]:
+    """Return a text and, in files of their own, the functions moved out of it."""
+    if not moved:
+        return [CFile(text, first_level)]
+    home = {name: i for i, (_, names) in enumerate(moved, 1) for name in names}
+    shared = {other for name in calls for other in calls[name] if home.get(other, 0) != home.get(name, 0)}
+    heads = "".join(f"{functions[name]['head']};\n" for name in functions if name in shared)
+    first = next(iter(functions.values())).start()
+    common = _HELPER.sub(r"static \1", text[:first])
+
+    def own(found: re.Match[str]) -> str:
+        return found[0].replace("static ", "", 1) if found["name"] in shared else found[0]
+
+    first_file = _FUNCTION.sub(lambda found: "" if found["name"] in home else own(found), text[first:])
+    others = ("\n".join(own(functions[name]) for name in names) for _, names in moved)
+    levels = first_level, *(level for level, _ in moved)
+    bodies = (first_file, *others)
+    alone = _EXPORTED.sub("", common)
+    before = (common, *[alone] * len(moved))
+    return [CFile(head + heads + body, level) for head, body, level in zip(before, bodies, levels, strict=True)]
+
+
+# -- functions of scalars ----------------------------------------------------------------------------------------------
+
+
+def _straight(function: re.Match[str]) -> str:
+    """Return a function with few branches, which calls parts if it is long."""
+    name, body = function.groups()
+    if len(_CHOICE.findall(body)) > CHOICES:
+        body = _CHOICE.sub(r"casadi_chosen(\1, \2)", body)
+    body = _RESULT.sub(r"y\1[\2]=", _GIVEN.sub(r"x\1[\2]", body))
+    head = f"static int {name}{_ARGUMENTS} {{\n"
+    if len(body) <= LONG:
+        return f"{head}{_declared(body)}{body}  return 0;\n}}\n"
+    parts, size = _parts(body)
+    given = "const casadi_real** arg, casadi_real** res, casadi_real* v"
+    made = "".join(
+        f"static __attribute__((noinline)) void {name}_{i}({given}) {{\n{_declared(part)}{part}}}\n\n"
+        for i, part in enumerate(parts)
+    )
+    calls = "".join(f"  {name}_{i}(arg, res, v);\n" for i in range(len(parts)))
+    return f"{made}{head}  casadi_real v[{size}];\n{calls}  return 0;\n}}\n"
+
+
+def _declared(body: str) -> str:
+    """Return the declarations of a body; absent arguments read as 0, absent results are discarded."""
+    sizes: dict[str, int] = {}
+    for vector, place in re.findall(r"\b([xy]\d+)\[(\d+)\]", body):
+        sizes[vector] = max(sizes.get(vector, 0), int(place) + 1)
+    lines = [f"  casadi_real {', '.join(_variables(_VARIABLE.findall(body)))};\n"]
+    for vector, size in sizes.items():
+        constant, initial, given = ("const ", " = {0}", "arg") if vector[0] == "x" else ("", "", "res")
+        where = f"{given}[{vector[1:]}]"
+        lines.append(f"  {'static ' if constant else ''}{constant}casadi_real none_{vector}[{size}]{initial};\n")
+        lines.append(f"  {constant}casadi_real* {vector} = {where} ? {where} : none_{vector};\n")
+    return "".join(lines)
+
+
+def _parts(body: str) -> tuple[list[str], int]:
+    """Return the statements in parts of equal length, which hand variables on in an array v, and its size."""
+    lines = body.splitlines(keepends=True)
+    each = math.ceil(len(lines) / math.ceil(len(body) / PART))
+    needed: set[str] = set()  # by what follows
+    parts, size = [], 0
+    for begin in reversed(range(0, len(lines), each)):
+        piece = lines[begin : begin + each]
+        read: set[str] = set()
+        written: set[str] = set()
+        for line in piece:
+            names = _VARIABLE.findall(line)
+            target = names[:1] if line.startswith("  a") else []
+            read.update(name for name in names[len(target) :] if name not in written)
+            written.update(target)
+        taken = "".join(f"  {name}=v[{int(name[1:])}];\n" for name in _variables(read))
+        kept = "".join(f"  v[{int(name[1:])}]={name};\n" for name in _variables(written & needed))
+        size = max([size, *(int(name[1:]) + 1 for name in read)])
+        needed = read | (needed - written)
+        parts.append(taken + "".join(piece) + kept)
+    return parts[::-1], size
+
+
+def _variables(names: Iterable[str]) -> list[str]:
+    return sorted(set(names), key=lambda name: int(name[1:]))

@@ -1,0 +1,55 @@
+"""One step of any method."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import casadi as ca
+
+from hertzwerk.runtime.engine.integration.step import explicit_step, implicit_step
+from hertzwerk.runtime.engine.integration.step.redundant_constraints import relax_redundant
+from hertzwerk.runtime.engine.integration.step.set_valued_friction import unresolved_grips
+from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
+    from hertzwerk.runtime.engine.integration.tableaux.methods import Table
+    from hertzwerk.runtime.engine.model.model import Model
+
+INLINED = 3000  # instructions of all stages of a step; more are called: inlined they take long to build and to compile
+Take: TypeAlias = Callable[[Mapping[str, Any], Mapping[str, Any], Any], dict[str, Any]]
+
+
+def stages_inlined(model: Model, table: Table, contacts: Contacts) -> bool:
+    """Return whether a step contains its stages; else each calls the right-hand side."""
+    if not isinstance(table, RungeKutta):
+        return not implicit_step.uses_calls(model)
+    return bool(table.stages * explicit_step.flow(model, contacts).rates.n_instructions() <= INLINED)
+
+
+def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
+    """Return (start, run, h) -> trial: one step of h [s] with the forces of these contacts.
+
+    `seen` as in `explicit.explicit_step`.
+    """
+    right, within = explicit_step.flow(model, contacts), relax_redundant(model)
+    if isinstance(table, RungeKutta):
+
+        def take(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
+            return explicit_step.explicit_step(table, right, start, within(start, run), h, seen)
+    else:
+        implicitly = implicit_step.stepper(model, table, right, contacts)
+
+        def take(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
+            return implicitly(start, within(start, run), h, seen)
+
+    if not model.ns:
+        return take
+
+    def resolved(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
+        trial = take(start, run, h)
+        unseen = unresolved_grips(model, run, start, trial, h)
+        return {**trial, "error": ca.if_else(unseen > ca.fmax(trial["error"], 1), unseen, trial["error"])}
+
+    return resolved

@@ -1,0 +1,441 @@
+"""Access to `derive`: from a scene to a loaded module.
+
+Derivation imports SymPy, so every import of derive stands inside a function: a run of a committed scene never comes
+here. Variations of the built-in scenes are cached on disk under the hash of everything their text depends on, and
+found again without SymPy.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, partial
+from importlib import metadata, resources
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.runtime.engine.model.generated_text import module_of
+from hertzwerk.runtime.system import cache as disk
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.audit.audit import Finding
+    from hertzwerk.derive.declare.scene.scene import Scene
+    from hertzwerk.derive.exchange.law_sheets.free_impact import Trial
+    from hertzwerk.derive.exchange.law_sheets.law_comparison import ExponentUnit, ForceCurve
+    from hertzwerk.derive.exchange.law_sheets.law_sheet import Sheet
+    from hertzwerk.derive.exchange.readable_equations.readable_record import Readable
+    from hertzwerk.derive.expressions.dimension.tree import Node
+    from hertzwerk.derive.laws.law import Law
+
+
+def built_in_scenes() -> tuple[str, ...]:
+    """Names of the scenes that `hertzwerk.derive.scenes` declares, sorted; imports no SymPy."""
+    from hertzwerk.derive.scenes import NAMES
+
+    return NAMES
+
+
+def is_file(target: str | Path) -> bool:
+    """Return whether a target names a Python file rather than a built-in scene."""
+    return isinstance(target, Path) or target.endswith(".py") or "/" in target or "\\" in target
+
+
+def scene_from(target: str | Path) -> Scene:
+    """Return the scene of a built-in name, or of a Python file that defines `scene`; raises InputError.
+
+    The file is executed, as `python file.py` would.
+    """
+    from hertzwerk.derive.declare.scene.scene import Scene
+
+    if is_file(target):
+        content = defined_by(Path(target))
+        scene = content.get("scene")
+        if not isinstance(scene, Scene):
+            found = "no `scene`" if scene is None else f"`scene` of type {type(scene).__name__}"
+            raise InputError(str(target), [Fault(str(target), found, "a file that defines `scene = Scene(...)`")])
+        return scene
+    require_targets([str(target)])
+    module = __import__(f"hertzwerk.derive.scenes.{target}", fromlist=["scene"])
+    built_in: Scene = module.scene
+    return built_in
+
+
+def defined_by(path: Path) -> dict[str, Any]:
+    """Return the names that a Python file defines, which is executed; raises InputError."""
+    from hertzwerk.derive.common.execute_file import names_defined_by
+
+    return names_defined_by(path)
+
+
+def source_of(target: str | Path) -> str:
+    """Return the origin as stated in a generated module's header, without folders of this machine."""
+    return Path(target).name if is_file(target) else f"derive/scenes/{target}.py"
+
+
+def vary(
+    scene: Scene,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> Scene:
+    """Return the scene without some effects, with other laws (effect -> law) or coordinates.
+
+    Raises InputError with all faults.
+    """
+    faults: list[Fault] = []
+    for effect, law in (laws or {}).items():
+        try:
+            scene = _with_law(scene, effect, law)
+        except InputError as error:
+            faults.extend(error.faults)
+    try:
+        scene = scene.without(*without) if without else scene
+    except InputError as error:
+        faults.extend(error.faults)
+    try:
+        scene = scene.with_coordinates(coordinates) if coordinates is not None else scene
+    except InputError as error:
+        faults.extend(error.faults)
+    if faults:
+        raise InputError(scene.name, faults)
+    return scene
+
+
+def held(scene: Scene) -> Scene:
+    """Return the scene with its drives held where they are at the parameter `held_time`."""
+    from hertzwerk.derive.declare.scene.held_drives import with_drives_held
+
+    return with_drives_held(scene)
+
+
+_IN_FILE = re.compile(r"(?P<file>[^()=]+?\.toml)(?::(?P<law>\w+))?")
+_NOT_IN_FILE = re.compile(r"[()=]| x ")
+
+
+def _with_law(scene: Scene, effect: str, text: str) -> Scene:
+    """Return the scene with another law for an effect, of the catalogue or of `FILE.toml:NAME`."""
+    from hertzwerk.derive.laws import LAWS
+    from hertzwerk.derive.laws.law_call import split_call, split_laws
+
+    known: dict[str, Law] = dict(LAWS)
+    for part in split_laws(text) if ".toml" in text else ():
+        name, _ = split_call(part)
+        place = _IN_FILE.fullmatch(name)
+        if place is not None:
+            known[name] = _law_of_file(place["file"], place["law"], effect)
+    return scene.with_law(effect, text, known)
+
+
+def _law_of_file(file: str, name: str | None, effect: str) -> Law:
+    """Return a law of a TOML file, by its name where there are several; raises InputError."""
+    from hertzwerk.derive.exchange.user_files.law_file import laws_from
+
+    found = laws_from(file)
+    if name is None and len(found) == 1:
+        return next(iter(found.values()))
+    if name in found:
+        return found[name]
+    said = "no name of a law" if name is None else f"law {name!r}"
+    offered = ", ".join(f"{file}:{each}" for each in found)
+    raise InputError(file, [Fault(f"effect {effect}", f"{said} of {file}", f"one of {offered}")])
+
+
+def located_laws(text: str, folder: Path) -> str:
+    """Return laws as text, also "EFFECT=LAW", with their files as seen from a folder."""
+
+    def seen(place: re.Match[str]) -> str:
+        before, joint, file = place["file"].rpartition(" x ")
+        whole = str(folder / file.strip())
+        readable = place["file"] if _NOT_IN_FILE.search(whole) else f"{before}{joint}{whole}"
+        return readable + place[0][len(place["file"]) :]
+
+    return _IN_FILE.sub(seen, text)
+
+
+def law_files(laws: Mapping[str, str]) -> dict[str, str]:
+    """Return the digests of the files that laws by effect are of, by the files as they are named."""
+    named = [place["file"].rpartition(" x ")[2].strip() for text in laws.values() for place in _IN_FILE.finditer(text)]
+    return {file: hashlib.sha256(Path(file).read_bytes()).hexdigest() for file in named if Path(file).is_file()}
+
+
+def _laws_as_they_are(laws: Mapping[str, str] | None) -> tuple[tuple[tuple[str, str], ...], tuple[str, ...]]:
+    """Return laws by effect, and the content of the files they are of: what a cached text depends on."""
+    given = laws or {}
+    return tuple(sorted(given.items())), tuple(law_files(given).values())
+
+
+def build(scene: Scene, source: str = "a scene") -> ModuleType:
+    """Derive a scene, generate its module and execute it; raises InputError if it is inconsistent."""
+    return module_of(scene.name, derive_text(scene, source))
+
+
+def derive_text(scene: Scene, source: str) -> str:
+    """Return the text of the generated module of a scene; raises InputError."""
+    from hertzwerk.derive.equations.derivation import generate
+
+    return generate(scene, source)
+
+
+def equations(scene: Scene) -> Readable:
+    """Return the equations of a scene for people; raises InputError if it is inconsistent.
+
+    Also where an effect enters no equation.
+    """
+    from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
+
+    return equations_of(scene)
+
+
+def sympy_file(scene: Scene, values: Mapping[str, tuple[float, str]]) -> str:
+    """Return a file of Python that makes the equations of a scene with SymPy; raises InputError."""
+    from hertzwerk.derive.exchange.sympy_models.sympy_script import python_file
+    from hertzwerk.derive.exchange.sympy_models.to_sympy import to_sympy
+
+    return python_file(to_sympy(scene), scene.name, values)
+
+
+def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
+    """Return findings on built-in scenes, files and folders, by target or file.
+
+    Raises InputError where one is unsound.
+    """
+    from hertzwerk.derive.equations.derivation import audit_scene
+    from hertzwerk.derive.exchange.user_files.audit_files import audit_files
+
+    audited: dict[str, tuple[Finding, ...]] = {}
+    for target in targets:
+        if target in built_in_scenes():
+            audited[target] = audit_scene(scene_from(target))
+        elif is_file(target) or target.endswith(".toml") or Path(target).is_dir():
+            audited.update((str(path), found) for path, found in audit_files(Path(target)).items())
+        else:
+            require_targets([target])
+    return audited
+
+
+def audit_text(text: str, units: Sequence[str], values: Sequence[str], expect: str | None) -> Finding:
+    """Return the finding on one expression; raises InputError.
+
+    Its names are declared as "NAME=UNIT" and "NAME=NUMBER".
+    """
+    from hertzwerk.derive.audit import audit_text as of_text
+
+    return of_text.audit_expression(text, *of_text.declarations(units, values), expect)
+
+
+def read_expression(text: str, units: Mapping[str, str]) -> tuple[Node, Finding]:
+    """Return the tree of an expression, and the finding on it; raises InputError.
+
+    units    of its names
+    """
+    from hertzwerk.derive.audit.audit_text import audit_expression
+    from hertzwerk.derive.expressions.dimension.reader import read
+
+    finding = audit_expression(text, units)
+    return read(text).root, finding
+
+
+def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
+    """Return findings on every law of the catalogue, and the laws whose recorded verdict differs."""
+    from hertzwerk.derive.exchange.user_files.audit_files import audit_catalogue as audited
+    from hertzwerk.derive.exchange.user_files.audit_files import differing_verdicts
+
+    findings = audited()
+    return findings, differing_verdicts(findings)
+
+
+def law_summaries(form: str | None) -> tuple[dict[str, str], ...]:
+    """Return kind, law, title, what it is made for, grade, verdict and memory of laws of the catalogue.
+
+    form    only consistent laws made for this form of contact
+    """
+    from hertzwerk.derive.audit.contact_forms import laws_of_form
+    from hertzwerk.derive.laws import LAWS
+    from hertzwerk.derive.laws.listing import made_for, remembered
+
+    laws = LAWS.values() if form is None else laws_of_form(form)
+    return tuple(
+        {"kind": law.kind, "law": law.name, "title": law.title, "made for": made_for(law), "grade": law.grade,
+         "verdict": law.verdict, "memory": ", ".join(symbol.name for symbol in remembered(law))} for law in laws
+    )  # fmt: skip
+
+
+def law_listing(*, stub: bool) -> str:
+    """Return the catalogue as Markdown, or as a stub for type checkers."""
+    from hertzwerk.derive.laws import listing
+
+    return listing.stub() if stub else listing.markdown()
+
+
+def law_sheets(names: Sequence[str]) -> tuple[Sheet, ...]:
+    """Return the sheets of the named laws; raises InputError with every unknown name."""
+    from hertzwerk.derive.exchange.law_sheets.law_sheet import laws_named, sheet
+
+    return tuple(sheet(law) for law in laws_named(names))
+
+
+def impact_trials() -> tuple[Trial, ...]:
+    """Return the free impact of every damping law: its scene and closed form."""
+    from hertzwerk.derive.exchange.law_sheets.free_impact import trials
+
+    return tuple(trials())
+
+
+def exponent_unit(exponent: float) -> ExponentUnit:
+    """Return the unit of Hertz's K d^n with another exponent."""
+    from hertzwerk.derive.exchange.law_sheets import law_comparison
+
+    return law_comparison.exponent_unit(exponent)
+
+
+def force_curve(
+    law: str, penetrations: Sequence[float], clearances: Sequence[float], exponent: float | None = None
+) -> ForceCurve:
+    """Return forces of a stiffness law at penetrations and clearances [m]: `comparison.force_curve`."""
+    from hertzwerk.derive.exchange.law_sheets import law_comparison
+
+    return law_comparison.force_curve(law, penetrations, clearances, exponent)
+
+
+def restitution_out(damping: str, e: float, exponent: float) -> float | None:
+    """Return the restitution of a free impact in closed form, beside K d^n; None where there is none."""
+    from hertzwerk.derive.exchange.law_sheets import free_impact
+    from hertzwerk.derive.laws import LAWS
+    from hertzwerk.derive.laws.law import DampingLaw
+
+    law = LAWS[damping]
+    if not isinstance(law, DampingLaw):
+        raise TypeError(f"found {damping}, a {law.kind} law, expected a damping law")
+    known = law.factor is not None or float(free_impact.published_exponent(law)) == exponent
+    return free_impact.restitution_out(law, e) if known else None
+
+
+def build_compared(name: str, contact: str, law: str | None) -> ModuleType:
+    """Return the module of a built-in scene with another stiffness law, from the cache if possible.
+
+    Laws with inconsistent units run unchecked. None is Hertz's stiffness with a free `exponent`.
+    """
+
+    def scene() -> Scene:
+        from hertzwerk.derive.exchange.law_sheets import law_comparison
+
+        base = scene_from(name)
+        if law is None:
+            return law_comparison.with_open_exponent(base, contact)
+        return law_comparison.with_stiffness(base, contact, law)
+
+    return module_of(name, _cached_text(("compared", name, contact, law), scene, source_of(name)))
+
+
+def build_dropped(form: str, damping: str) -> ModuleType:
+    """Return the module of a sphere or a cylinder dropped on another, from the cache if possible."""
+
+    def scene() -> Scene:
+        from hertzwerk.derive.exchange.law_sheets.law_comparison import dropped
+
+        return dropped(form, damping)
+
+    return module_of(
+        f"dropped_{form}",
+        _cached_text(("dropped", form, damping), scene, "derive/exchange/law_sheets/law_comparison.py"),
+    )
+
+
+def build_built_in(
+    name: str,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> ModuleType:
+    """Return the module of a variation of a built-in scene, from the cache if possible."""
+    require_targets([name])
+    variation = name, tuple(without), _laws_as_they_are(laws), coordinates
+    scene = partial(_varied, name, without, laws, coordinates)
+    return module_of(name, _cached_text(variation, scene, source_of(name)))
+
+
+def _varied(name: str, *variation: Any) -> Scene:
+    return vary(scene_from(name), *variation)
+
+
+def readings_text(
+    target: str | Scene,
+    without: Sequence[str],
+    laws: Mapping[str, str],
+    coordinates: str,
+    scene: Callable[[], Scene],
+) -> str:
+    """Return the text of a scene's readings, from the cache if possible; raises InputError.
+
+    The others say how the scene was made.
+    """
+
+    def text(scene: Scene, source: str) -> str:
+        from hertzwerk.derive.equations.derivation import generate_readings
+
+        return generate_readings(scene, source)
+
+    if not isinstance(target, str) or is_file(target):
+        return text(scene(), "a scene")
+    variation = "readings", target, tuple(without), _laws_as_they_are(laws), coordinates
+    return _cached_text(variation, scene, source_of(target), text)
+
+
+def build_hard_scene(name: str) -> ModuleType:
+    """Return the module of a scene of the hard cases, from the cache if possible.
+
+    Raises KeyError for an unknown name.
+    """
+
+    def scene() -> Scene:
+        from hertzwerk.derive.scenes.hard.hard_scenes import HARD_SCENES
+
+        return HARD_SCENES[name]()
+
+    return module_of(name, _cached_text(("hard", name), scene, "derive/scenes/hard/hard_scenes.py"))
+
+
+def _cached_text(
+    variation: tuple[object, ...],
+    scene: Callable[[], Scene],
+    source: str,
+    derived: Callable[[Scene, str], str] | None = None,
+) -> str:
+    """Return the text of a module from the cache, or derive and keep it."""
+    key = f"generated-{_key(variation)}"
+    text = disk.read(key, ".py")
+    if text is None:
+        text = (derived or derive_text)(scene(), source)
+        disk.keep(key, ".py", text.encode())
+    return text
+
+
+def require_targets(targets: Sequence[str]) -> None:
+    """Raise InputError with every target that is neither a Python file nor a built-in scene."""
+    known = built_in_scenes()
+    way_out = "or a Python file (its name ends in .py)"
+    faults = [unknown("scene", name, known, way_out) for name in targets if not is_file(name) and name not in known]
+    if faults:
+        raise InputError(f"scene {faults[0].where}" if len(faults) == 1 else "scenes", faults)
+
+
+def _key(variation: tuple[object, ...]) -> str:
+    """Return the hash of everything a variation's text depends on: derive's source, SymPy, the variation."""
+    parts = repr((derive_digest(), metadata.version("sympy"), sys.version_info[:2], *variation))
+    return hashlib.sha256(parts.encode()).hexdigest()[:32]
+
+
+@cache
+def derive_digest(folder: Path | None = None) -> str:
+    """Return the hash of derive's sources: of those in use, or of those in a folder."""
+    if folder is None:
+        with resources.as_file(resources.files("hertzwerk.derive")) as installed:
+            return derive_digest(installed)
+    digest = hashlib.sha256()
+    for file in sorted(folder.rglob("*.py")):
+        digest.update(file.relative_to(folder).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    return digest.hexdigest()

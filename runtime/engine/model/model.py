@@ -1,0 +1,456 @@
+"""Model of a generated module: names, units and defaults, CasADi functions, bound parameters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass
+from types import ModuleType, SimpleNamespace
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.runtime.engine.model.binding import Declared, Port, Value, quantity_text, read_parameters
+from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.direct_sx import direct
+from hertzwerk.runtime.engine.model.generated_text import module_of, text_of
+from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.model.signal import WIDTH, Schedule, Signal
+from hertzwerk.runtime.engine.model.undefined_constants import origin
+from hertzwerk.runtime.system.lazy import cached_property
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene.scene import Scene
+    from hertzwerk.derive.exchange.readable_equations.readable_record import Readable
+
+
+@dataclass(frozen=True)
+class Bound:
+    """Numbers for one run: p (np,) and c (nc,) in SI, and each parameter's value in its given unit."""
+
+    p: np.ndarray
+    c: np.ndarray
+    values: Mapping[str, tuple[float, str]]
+    warnings: tuple[str, ...]
+
+    def __getitem__(self, name: str) -> float:
+        """SI value of a parameter."""
+        return float(self.p[list(self.values).index(name)])
+
+
+Dependent: TypeAlias = tuple[tuple[int, ...], int]
+"""Constraints that imply each other, and how many of them are independent."""
+
+SOLVING = ("accelerations", "settling", "unloaded", "projection")  # functions that solve for the constraint forces
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """Origin of a model: a built-in scene's name or a scene, with its variation."""
+
+    target: str | Scene
+    without: tuple[str, ...] = ()
+    laws: tuple[tuple[str, str], ...] = ()
+    coordinates: str | None = None
+
+    def scene(self) -> Scene:
+        """Return the scene of the model; raises InputError."""
+        from hertzwerk.runtime.engine.model import build
+
+        scene = build.scene_from(self.target) if isinstance(self.target, str) else self.target
+        return build.vary(scene, self.without, dict(self.laws), self.coordinates)
+
+    def readings(self, coordinates: str) -> str:
+        """Return the text of the module of the scene's readings in these coordinates, derived once."""
+        known: dict[str, str] = self.__dict__.setdefault("_readings", {})  # pickled with the model
+        if coordinates not in known:
+            from hertzwerk.runtime.engine.model import build
+
+            known[coordinates] = build.readings_text(
+                self.target,
+                self.without,
+                dict(self.laws),
+                coordinates,
+                lambda: self.scene().with_coordinates(coordinates),
+            )
+        return known[coordinates]
+
+
+class Model:
+    """Model of a scene. `declaration` is its origin; a saved run has none."""
+
+    def __init__(
+        self,
+        module: ModuleType | SimpleNamespace,
+        declaration: Declaration | None = None,
+        dependent: tuple[Dependent, ...] = (),
+        signals: Mapping[str, Signal] | None = None,
+    ) -> None:
+        self.module = module
+        self.declaration = declaration
+        self.dependent = dependent
+        self.signals: Mapping[str, Signal] = {} if signals is None else signals
+        """Values of the inputs over time, by name, as a run was given them."""
+        self.name: str = module.NAME
+        self.parameters: dict[str, Port] = {row[0]: Port(*row) for row in module.PARAMETERS}
+        self.coordinates, self.speeds, self.memory, self.latches, self.pairs, self.outputs = (
+            tuple(row[0] for row in rows)
+            for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY, module.LATCHES, module.PAIRS, module.OUTPUTS)
+        )
+        self.nq, self.nu, self.nz = len(self.coordinates), len(self.speeds), len(self.memory)
+        self.slips: tuple[tuple[str, str, int], ...] = getattr(module, "SLIPS", ())
+        self.ns, self.k, self.nc = len(self.slips), len(self.pairs), len(module.CONSTANTS)
+        self.nm = len(self.latches) + self.ns
+        self.events: tuple[tuple[str, tuple[int, ...]], ...] = getattr(module, "EVENTS", ())
+        """Events of effects, by name, and the rows of q that each changes."""
+        self.ne = len(self.events)
+        self.loads: tuple[str, ...] = getattr(module, "LOADS", ())
+        """Reactions that loads depend on; empty without such loads."""
+        self.fed = hasattr(module, "FED")
+        """Whether set-valued friction changes loads that it depends on."""
+        self.carried: tuple[int, ...] = getattr(module, "FED", ())
+        """Places of the loads' magnitudes among the reactions, where it does."""
+        self.rubbing: tuple[tuple[str, int, int, int], ...] = getattr(module, "RUBBING", ())
+        """Set-valued frictions of joints: places of coefficient and holding force among the forces, of the former among the reactions."""
+        self.nr = self.k + bool(self.loads or self.rubbing)
+        """Number of ranges that a run must not leave: of each pair's law, and of loads by reactions."""
+        rows: dict[str, list[int]] = {}
+        for i, name in enumerate(self.outputs):
+            pair, _, part = name.rpartition(".")
+            if part.startswith("eccentricity_"):
+                rows.setdefault(pair, []).append(i)
+        self.journals: dict[str, tuple[int, ...]] = {pair: tuple(rows[pair]) for pair in self.pairs if pair in rows}
+        """Rows of the outputs that are the eccentricity of a pair, by the name of a pair that is a joint with clearance."""
+        self.guides: tuple[str, ...] = getattr(module, "GUIDES", ())
+        """Names of pairs that guide a body with clearance, together in place of a joint."""
+        self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
+        """Rows of q where one begins."""
+        self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))
+        self.nl = len(self.constraints)
+        self.is_length = tuple(row[1] != "1" for row in getattr(module, "CONSTRAINTS", ()))
+        """Whether each constraint is a length [m], not an angle's sine [1]."""
+        self.inputs: dict[str, tuple[str, str]] = {row[0]: row[1:] for row in getattr(module, "INPUTS", ())}
+        """Unit and meaning of the inputs by name; the last `npieces` entries of c are their pieces, see `Signal`."""
+        self.smooth: dict[str, tuple[int, str]] = {row[0]: row[1:] for row in getattr(module, "SMOOTH_INPUTS", ())}
+        """Continuous derivatives that inputs must have, and for what, of those that must."""
+        self.lists: tuple[int, ...] = getattr(module, "LISTS", ())
+        """Sizes of the parts of a list of near pairs, which is among the constants as pieces of inputs are; empty without one."""
+        self.npieces = WIDTH * len(self.inputs) + sum(self.lists)
+        self.has_ledger = hasattr(module, "ledger")
+        self.on_speeds = np.array([float(row[1] == "m/s") for row in getattr(module, "CONSTRAINTS", ())])
+        self.rolling: tuple[tuple[str, bool], ...] = getattr(module, "ROLLING", ())
+        self.speed_limited: tuple[str, ...] = getattr(module, "SPEED_LIMITED", ())
+        """Pairs whose law limits how fast contacts may begin."""
+        self.known: dict[Hashable, Any] = {}
+        """Results of functions that are `per_model`."""
+
+    def __repr__(self) -> str:
+        return f"Model({self.name}: {self.nq} coordinates, {self.k} contact pairs, {len(self.parameters)} parameters)"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle and copy text and tables; functions are built anew where they are wanted."""
+        text = text_of(self.module)
+        tables = {} if text else {name: x for name, x in vars(self.module).items() if not name.startswith("__")}
+        return _restored, (type(self), self.name, text, tables, self.declaration, self.dependent, self.signals)
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Unit text of every state by name, in the order q, u, z."""
+        module = self.module
+        return {row[0]: row[1] for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY) for row in rows}
+
+    @cached_property
+    def declared(self) -> Declared:
+        """Parameters and their limits, with the defaults in SI."""
+        return Declared(self.parameters, self.module.LIMITS, getattr(self.module, "SUM_LIMITS", ()))
+
+    @cached_property
+    def joints(self) -> Model:
+        """Model by the joints' coordinates, in which starts are given: itself, unless in absolute coordinates."""
+        module = self.module
+        if not hasattr(module, "JOINT_COORDINATES"):
+            return self
+        given = {
+            name: getattr(module, name) for name in ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "start")
+        }
+        given |= {name: getattr(module, name, ()) for name in ("INPUTS", "SUM_LIMITS")}
+        given |= {
+            name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
+        }
+        given |= dict.fromkeys(("MEMORY", "LATCHES", "PAIRS", "OUTPUTS"), ())
+        given |= {"scales": module.joint_scales, "GIVEN": getattr(module, "GIVEN", ())}
+        if module.JOINT_CONSTRAINTS:
+            given["constraints"] = module.joint_constraints
+        return Model(SimpleNamespace(**given))
+
+    def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
+        """Return the model with these redundant constraints relaxed in every step; itself if none."""
+        return _with_dependent(self, dependent).with_signals(self.signals) if dependent else self
+
+    def with_signals(self, signals: Mapping[str, Signal]) -> Self:
+        """Return the model with these values of its inputs; both share everything that is built."""
+        if signals == self.signals:
+            return self
+        other = type(self)(self.module, self.declaration, self.dependent, signals)
+        other.known = self.known
+        return other
+
+    def schedule(self) -> Schedule | None:
+        """Return the pieces of the inputs in the order of a run; None for a scene without inputs."""
+        return Schedule([self.signals[name] for name in self.inputs]) if self.inputs else None
+
+    def function(self, name: str) -> Any:
+        """Return the CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin".
+
+        Inputs and outputs as the module documents them. Raises InputError for an unknown name.
+        """
+        if not isinstance(name, str) or not self.has(name):
+            known = [*filter(self.has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
+            raise InputError(self.name, [unknown("function", name, known)])
+        return self._build(name)
+
+    def evaluate(self, name: str, *arguments: float | np.ndarray) -> list[np.ndarray]:
+        """Evaluate one of the module's functions on numbers and vectors, in SI; its results as vectors."""
+        return self._callers(name)(*arguments)
+
+    @per_model
+    def _callers(self, name: str) -> Callers:
+        return Callers(self.function(name))
+
+    def has(self, name: str) -> bool:
+        """Return whether the module has a builder of this name."""
+        listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
+        return listed and callable(getattr(self.module, name, None))
+
+    def placed(self, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the coordinates and speeds at the start from those of the joints."""
+        if self.joints is self:
+            return q, u
+        q, u = self.evaluate("placed", 0.0, q, u, bound.c)
+        return q, u
+
+    def symbols(self, names: str, kind: Any = ca.SX) -> list[Any]:
+        """Return CasADi symbols of arguments of the module's functions, as in "t q u c"; y is (q, u, z)."""
+        return [kind.sym(name, self._size(name)) for name in names.split()]
+
+    def parts(self, y: Any) -> list[Any]:
+        """Return the parts (q, u, z) of a vector of states, or of their errors."""
+        return ca.vertsplit(y, [0, self.nq, self.nq + self.nu, y.numel()])
+
+    def _size(self, name: str) -> int:
+        if name == "f":
+            return int(self.function("applied").size1_out(0))
+        if name == "reactions":
+            return int(self.function("accelerations").size1_out(1))
+        return {
+            "t": 1,
+            "q": self.nq,
+            "u": self.nu,
+            "z": self.nz,
+            "y": self.nq + self.nu + self.nz,
+            "mode": self.k,
+            "m": self.nm,
+            "c": self.nc,
+            "p": len(self.parameters),
+            "a": self.nu,
+            "wanted": self.nl,
+            "multipliers": self.nl,
+            "joints": self.joints.nq,
+            "joint_speeds": self.joints.nu,
+        }[name]
+
+    def expressions(self, name: str, *given: Any) -> list[Any]:
+        """Return the results of one of the module's builders, columns in its arguments (SX)."""
+        results = getattr(self.module, name)(*(direct(ca.SX(x)) for x in given))
+        return [ca.vec(ca.SX(x)) for x in (results if isinstance(results, tuple) else (results,))]
+
+    @per_model
+    def _build(self, name: str) -> Any:
+        inputs = _INPUTS["contact" if name.startswith("contact_") else name]
+        symbols = self.symbols(inputs)
+        given = dict(zip(inputs.split(), symbols, strict=True))
+        if name in SOLVING and self.nl and not self.dependent:
+            # a softness that never changes is a number, and what it multiplies is made once
+            last = self.nc - self.npieces
+            softness = self.module.constants(*self.symbols("p"))[last - self.nl : last]
+            given["c"] = ca.vertcat(given["c"][: last - self.nl], softness, given["c"][last:])
+        columns = [*map(ca.densify, self.expressions(name, *given.values()))]
+        return ca.Function(name, symbols, ca.cse(columns), inputs.split(), [f"o{i}" for i in range(len(columns))])
+
+    @cached_property
+    def members(self) -> list[tuple[Any, ...]]:
+        """Kind of each pair, and its rows of q, u, z and the latches; empty without `FAMILIES`."""
+        return [(kind, *row[1:]) for kind, rows in getattr(self.module, "FAMILIES", ()) for row in rows]
+
+    def landmarks(self, p: np.ndarray) -> list[np.ndarray]:
+        """Return what `landmarks` returns: a row of LANDMARKS each, of which many spheres have thousands."""
+        function, ends = self._landmarks()
+        return np.split(np.array(function(p)).ravel(), ends)
+
+    @per_model
+    def _landmarks(self) -> tuple[Any, np.ndarray]:
+        symbols = self.symbols("p")
+        columns = self.expressions("landmarks", *symbols)
+        whole = ca.Function("landmarks", symbols, [ca.densify(ca.vertcat(*columns))])
+        return whole, np.cumsum([column.numel() for column in columns])[:-1]
+
+    def with_pieces(self, function: Any, constant: int) -> Any:
+        """Return a function whose argument c, in a place, has the pieces of the inputs from one more argument.
+
+        The function itself for a scene without inputs.
+        """
+        if not self.inputs:
+            return function
+        symbols = list(function.mx_in() if function.is_a("MXFunction") else function.sx_in())
+        pieces = type(symbols[0]).sym("pieces", self.npieces)
+        given = list(symbols)
+        given[constant] = ca.vertcat(symbols[constant][: symbols[constant].numel() - self.npieces], pieces)
+        return ca.Function(function.name(), [*symbols, pieces], function.call(given))
+
+    def period(self, bound: Bound) -> float | None:
+        """Return the period [s] of everything that depends on time; None where nothing does."""
+        found = float(self.evaluate("period", bound.p)[0][0]) if hasattr(self.module, "period") else math.inf
+        return found if math.isfinite(found) else None  # a drive that stands still has none
+
+    def speed_limits(self, bound: Bound) -> np.ndarray:
+        """Return the limits [m/s] of approach speeds by pair (k,), infinite for none; (0,) if all have none."""
+        if not self.speed_limited:
+            return np.zeros(0)
+        limits = np.full(self.k, math.inf)
+        limits[[self.pairs.index(pair) for pair in self.speed_limited]] = self.evaluate("speed_limits", bound.p)[0]
+        return limits
+
+    def equations(self) -> Readable:
+        """Return the equations of the model for people, derived anew from its scene.
+
+        Markdown with LaTeX, typeset in a notebook. Raises InputError for a model without its scene, as a saved run
+        has it.
+        """
+        from hertzwerk.runtime.engine.model import build
+
+        return build.equations(self._scene())
+
+    def sympy_file(self, values: Mapping[str, tuple[float, str]]) -> str:
+        """Return a file of Python that makes the model's equations with SymPy; raises InputError.
+
+        values  parameter -> value and unit, in place of its default
+        """
+        from hertzwerk.runtime.engine.model import build
+
+        return build.sympy_file(self._scene(), values)
+
+    def _scene(self) -> Scene:
+        """Return the model's scene; raises InputError where it has none."""
+        if self.declaration is None:
+            fault = Fault("equations", "a model without its scene", "a model that `load` returned",
+                          f"load({self.name!r}).equations(), or hertzwerk derive {self.name} --show")  # fmt: skip
+            raise InputError(self.name, [fault])
+        return self.declaration.scene()
+
+    @property
+    def reads(self) -> bool:
+        """Whether the model has its scene, from which readings are derived."""
+        return self.declaration is not None
+
+    @per_model
+    def reading_module(self) -> ModuleType:
+        """Return the module of the readings, derived from the scene; raises InputError for a model without it."""
+        if self.declaration is None:
+            fault = Fault(
+                "readings", "a model without its scene", "a model that `load` returned", f"load({self.name!r})"
+            )
+            raise InputError(self.name, [fault])
+        coordinates = "tree" if self.joints is self else "absolute"
+        return module_of(f"{self.name}_readings", self.declaration.readings(coordinates))
+
+    def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
+        """Return the defaults overridden by `parameters`, in SI; raises InputError with every fault."""
+        bound, faults = self.check({} if parameters is None else parameters)
+        if bound is None:
+            raise InputError(self.name, faults)
+        return bound
+
+    def check(self, parameters: Mapping[str, Value]) -> tuple[Bound | None, list[Fault]]:
+        """Bind parameters, returning the faults as a value: no Bound where there is one."""
+        reading = read_parameters(self.declared, parameters)
+        if reading.faults:
+            return None, list(reading.faults)
+        p = np.array(list(reading.si.values()))
+        (c,) = self.evaluate("constants", p)
+        for i, signal in enumerate(map(self.signals.get, self.inputs)):
+            if signal is not None:  # without a value it is zero, as where a scene is drawn
+                c[self.nc - self.npieces + WIDTH * i :][:WIDTH] = signal.pieces(np.zeros(1))[0]
+        faults = [] if np.isfinite(c).all() else self._undefined(p, c, reading.texts)
+        return (None, faults) if faults else (Bound(p, c, reading.texts, reading.warnings), [])
+
+    def _undefined(self, p: np.ndarray, c: np.ndarray, texts: Mapping[str, tuple[float, str]]) -> list[Fault]:
+        """Return the faults of constants that are not finite: one for each unchecked law, one for all others."""
+        rows = [(*row, float(x)) for row, x in zip(self.module.CONSTANTS, c, strict=True) if not math.isfinite(x)]
+        remedy = ("an unchecked law takes SI values as they are, and its formula has no value for them: take its consistent form, "
+                  "whose hidden units are named (`hertzwerk laws NAME` says which)")  # fmt: skip
+        faults = {}
+        for name, unit, value in rows:
+            law = next(((e, text) for e, text in self.module.UNCHECKED if name.startswith(f"{e}_")), None)
+            if law is not None:
+                found = f"{law[1]} without a value at these parameters"
+                faults[law[0]] = Fault(f"effect {law[0]}", found, "a law that has one", remedy)
+            elif "" not in faults:
+                faults[""] = Fault(name, f"{value!r} {unit}", "a finite constant", "It follows from the parameters.")
+        source = origin(self.module, p) if "" in faults else None
+        if source is not None:
+            at = ", ".join(f"{name} = {value:.6g}" for name, value in source.operands.items())
+            given = ", ".join(f"{name} = {quantity_text(*texts[name])}" for name in source.parameters)
+            found = f"{source.value!r}, the value of {source.expression} at {at}"
+            faults[""] = Fault(source.name, found, "a finite constant", f"It follows from {given}.")
+        return list(faults.values())
+
+
+def _restored(
+    kind: type[Model],
+    name: str,
+    text: str,
+    tables: Mapping[str, Any],
+    declaration: Declaration | None,
+    dependent: tuple[Dependent, ...],
+    signals: Mapping[str, Signal] | None = None,
+) -> Model:
+    """Return a model that was pickled: by its text, or of a saved run by its tables."""
+    return kind(module_of(name, text) if text else SimpleNamespace(**tables), declaration, dependent, signals)
+
+
+@per_model
+def _with_dependent(model: Model, dependent: tuple[Dependent, ...]) -> Model:
+    return Model(model.module, model.declaration, dependent)
+
+
+_INPUTS = {
+    "constants": "p",
+    "start": "p",
+    "placed": "t joints joint_speeds c",
+    "scales": "p",
+    "coordinate_rates": "t q u c",
+    "gaps": "t q u c",
+    "gap_accelerations": "t q u a c",
+    "contact": "t q u z m c",
+    "applied": "t q u c",
+    "accelerations": "t q u f c",
+    "loads": "t q u reactions c",
+    "settling": "t q u f c",
+    "unloaded": "t q u f c",
+    "rubbing": "t q u reactions c",
+    "constraints": "t q u c",
+    "balance": "t q u a multipliers c",
+    "projection": "t q wanted c",
+    "margins": "t q u c",
+    "jumps": "t q u c",
+    "ledger": "t q u reactions c",
+    "energy": "t q u c",
+    "poses": "t q c",
+    "outputs": "t q u c",
+    "speed_limits": "p",
+    "rolling_limits": "p",
+    "period": "p",
+    "landmarks": "p",
+}

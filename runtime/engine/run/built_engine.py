@@ -1,0 +1,102 @@
+"""Engine: the functions that run one model by one method, built once and compiled on request."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.engine.integration.loop.attempt import Integrator, integrator
+from hertzwerk.runtime.engine.integration.loop.automatic_compilation import Code, compiled_together, use_compiled
+from hertzwerk.runtime.engine.integration.loop.chunk import Ending, chunk, march
+from hertzwerk.runtime.engine.integration.loop.near_list import listing
+from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS, SUNDIALS
+from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.run.run_request import Compiled
+from hertzwerk.runtime.engine.solution.step_observers import Needs, finders
+from hertzwerk.runtime.engine.start.start_values import dependent, read_start
+
+COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored", "unsettled")  # parts of a state
+
+
+@dataclass(frozen=True)
+class Engine:
+    """Functions of one model and method: chunks, or a loop of its own (SUNDIALS).
+
+    counters    rows of the state
+    code        of the chunk
+    march       ([gear, integrator where there is code,] state, controls, keep, *, deadline, progress)
+    """
+
+    integrator: Integrator
+    begin: Callers
+    counters: Mapping[str, int]
+    code: Code | None
+    march: Callable[..., Ending]
+
+
+def engine_for(model: Model, method: str, compiled: Compiled, poll: Callable[[], object] = lambda: None) -> Engine:
+    """Return the engine of a model and method, compiled if requested.
+
+    poll: called meanwhile. Raises InputError without a compiler, and what `poll` raises.
+    """
+    engine = _engine(model, method)
+    if compiled is True and engine.code is not None:
+        from hertzwerk.runtime.engine.integration.loop.c_compilation import NoCompilerError
+
+        try:
+            engine.code.compile(poll)
+        except NoCompilerError as error:
+            way_out = "compiled=False runs the same functions, slower"
+            raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
+    return engine
+
+
+@per_model
+def _engine(model: Model, method: str) -> Engine:
+    tables = tuple(table() for table in METHODS[method])
+    near = listing(model, tables)
+    made = integrator(model, tables) if near is None else integrator(near, tables[:1])
+    rows = made.layouts.state
+    counters = {name: rows[name].start for name in COUNTERS}
+    if method in SUNDIALS:  # never in the graph
+        from hertzwerk.runtime.engine.integration import sundials
+
+        reference = sundials.reference(model, made.layouts, method)
+        return Engine(made, Callers(made.begin), counters, None, partial(sundials.march, reference))
+    with_choice = made.with_choice
+    name = f"chunk_{method}"  # of which a program may have several
+    chosen = None if with_choice is None else (lambda: Code(chunk(with_choice(), called=f"{name}_choosing")))
+    return Engine(made, Callers(made.begin), counters, Code(chunk(made, called=name), chosen), march)
+
+
+def compile_together(models: Iterable[tuple[Model, str]]) -> None:
+    """Compile what runs of models by methods have built as one program, in which methods share functions.
+
+    A model is without redundant constraints, as the one of `History.engine`. What fails to compile stays as it is.
+    """
+    engines = (_engine(model, method) for model, method in models)
+    codes = [code for engine in engines if engine.code is not None for code in engine.code.built]
+    for code, native in zip(codes, compiled_together([code.function for code in codes]), strict=False):
+        code.native = Callers(native)
+
+
+def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0, needs: Needs = Needs.ENDS) -> bool:
+    """Build what runs of a model need before they are made side by side; return whether to compile.
+
+    As `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. What finds what is
+    needed of the runs is compiled as well. Raises InputError without a compiler.
+    """
+    bound, _ = model.check({})
+    q, _ = read_start(model, bound, {}, [])
+    typical = model if bound is None else model.without_redundancy(dependent(model, bound, q))
+    engine = engine_for(typical, method, compiled)
+    code = engine.code
+    if code is None or not (code.compiled_if_faster(math.inf, ahead) if compiled == "auto" else compiled):
+        return False
+    use_compiled(finders(model, engine.integrator, needs))
+    return True

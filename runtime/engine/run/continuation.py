@@ -1,0 +1,61 @@
+"""Continuation of a run: what it takes over from the run before, and whether it can go on."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.engine.integration.step.layout import layouts
+from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
+from hertzwerk.runtime.engine.solution.checkpoint import Checkpoint, digest
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.solution.solution import Solution
+
+# How a run may have ended that goes on where it is asked for more: any other would end so again.
+CONTINUABLE = (
+    "finished",
+    "interrupted",
+    "wall_time_limit",
+    "too_many_steps",
+    "exception",
+    "event_limit",
+    "accuracy_unreachable",
+    "energy_not_closed",
+)
+
+
+def parameters_of(run: Solution, model: Model) -> dict[str, tuple[float, str]]:
+    """Return the parameters of a run that differ from the model's own."""
+    ports = model.parameters
+    return {
+        name: (value, unit)
+        for name, (value, unit) in run.parameters.items()
+        if name not in ports or (value, unit) != (ports[name].default, ports[name].unit)
+    }
+
+
+def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
+    """Return the checkpoint of a run; raises InputError where it cannot be continued."""
+    faults, kept = [], run.checkpoint
+    if saved:
+        remedy = f'name it: model=load("{run.model.name}")'
+        faults.append(Fault("model", "a saved run, which has no functions", "the model that was run", remedy))
+    if run.outcome.name not in CONTINUABLE:
+        expected = f"one of {', '.join(CONTINUABLE)}"
+        faults.append(
+            Fault("outcome", run.outcome.name, expected, "it would end so again: change the model or its parameters")
+        )
+    if kept is None:
+        expected = f"a run of the engine itself: {', '.join(IN_GRAPH)}"
+        faults.append(Fault("method", f"{run.method}, or a run without a checkpoint", expected))
+    elif not saved:
+        sizes = dict(layouts(model).state.sizes)
+        if kept.model != digest(model) or kept.layout != sizes or kept.resume.state.shape != (sum(sizes.values()),):
+            expected = "the model that was run, derived by the same version"
+            found = f"{model.name} with other equations{' or inputs' if model.inputs else ''}"
+            faults.append(Fault("model", found, expected, "run it anew from its start"))
+    if faults or kept is None:
+        raise InputError(f"going on with {run.model.name}", faults)
+    return kept

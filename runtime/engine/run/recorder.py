@@ -1,0 +1,250 @@
+"""Accepted steps of a run, passed to observers block by block to bound the memory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.runtime.system.heap import available
+from hertzwerk.runtime.system.lazy import cached_property
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.solution.history import History
+    from hertzwerk.runtime.engine.solution.step_observers import Observer
+
+BLOCK = 2**23  # bytes: enough rows that costs per block are negligible
+ENDS = 0  # bytes: the first and the last state alone
+MANY, AGAIN = 2**28, 1.1  # bytes kept from which the memory left is looked at, and how much more until the next look
+OVERLAP = 2  # known rows repeated at a block's start: events show between rows
+
+
+class Recorder:
+    """Gathers rows into blocks of about `block` bytes and passes them to observers; None: one block.
+
+    view    makes a History of rows
+    error    what an observer raised, the first of them; it is raised again once all have seen the block
+    """
+
+    def __init__(
+        self, view: Callable[[np.ndarray], History], observers: Sequence[Observer], block: int | None = BLOCK
+    ) -> None:
+        self._view, self._observers, self._block = view, list(observers), block
+        self.error: Exception | None = None
+        self._parts: list[np.ndarray] = []
+        self._known = self._new = self._bytes = 0
+        self._look: float = MANY
+
+    def keep(self, rows: np.ndarray) -> None:
+        """Take the next accepted rows (n, ns); raises MemoryError before they fill the memory."""
+        self._parts.append(rows)
+        self._new += len(rows)
+        self._bytes += rows.nbytes
+        if self._block is not None and self._bytes >= self._block:
+            self.flush()
+        elif self._block is None and self._bytes > self._look:
+            self._look = AGAIN * self._bytes
+            if available() < self._bytes:  # to join them takes as much again
+                raise MemoryError(f"{self._bytes / 1e9:.1f} GB of steps are kept, more than are left")
+
+    def flush(self) -> None:
+        """Pass the gathered rows to the observers; call once more at the end."""
+        if not self._new:
+            return
+        known, rows = self._known, self._gathered()
+        self._parts = [rows[-OVERLAP:].copy()]
+        self._known, self._new, self._bytes = len(self._parts[0]), 0, 0
+        block = self._view(rows)
+        for observer in tuple(self._observers):
+            try:
+                observer.take(block, known)
+            except Exception as error:  # the others lose no row for it, and it sees no more, as it would not see all
+                self._observers.remove(observer)
+                self.error = self.error or error
+        if self.error is not None:
+            raise self.error
+
+    def _gathered(self) -> np.ndarray:
+        """Join the gathered rows in one array; if memory does not suffice, as many of the first as fit."""
+        while True:
+            try:
+                return np.concatenate(self._parts)
+            except MemoryError as error:
+                if len(self._parts) < 2:
+                    raise
+                self.error = error
+                del self._parts[len(self._parts) // 2 :]
+
+
+class Steps:
+    """Observer that keeps every step."""
+
+    history: History
+
+    def take(self, block: History, fresh: int) -> None:
+        """Take all steps of a run, in one block; see `Observer`."""
+        self.history = block
+
+    @property
+    def ends(self) -> History:
+        """Histories whose first and last row are those of the run."""
+        return self.history
+
+
+class Grid:
+    """Observer that keeps the states at given increasing times [s], by dense output.
+
+    At a time of an event the state just after it; without times the ends of the run alone.
+    """
+
+    def __init__(self, times: np.ndarray) -> None:
+        self._times, self._count = times, 0
+        self._kept: list[np.ndarray] = []
+        self._first: np.ndarray
+        self._last: History  # of one row
+
+    def take(self, block: History, fresh: int) -> None:
+        """Take the next accepted steps; see `Observer`."""
+        if not fresh:
+            self._first = block.rows[:1].copy()
+        self._last = block.of(block.rows[-1:].copy())
+        stop = int(np.searchsorted(self._times, block.t[-1]))  # the last row has to wait: an event may change it yet
+        if stop > self._count:
+            self._kept.append(block.at(self._times[self._count : stop]).rows)
+            self._count = stop
+
+    @cached_property
+    def history(self) -> History:
+        """Histories at the times that the run reached, once it has ended."""
+        arrived = self._last.t[0] in self._times[self._count : self._count + 1]
+        return self._last.of(np.concatenate([*self._kept, self._last.rows[: int(arrived)]]))
+
+    @property
+    def ends(self) -> History:
+        """Histories whose first and last row are those of the run."""
+        return self._last.of(np.concatenate([self._first, self._last.rows]))
+
+
+class Sampled:
+    """Observer that keeps the states at which a run is compared with others.
+
+    That is at its start and end, at `count` times between, and within its own steps, which lie close where much
+    happens: towards the end of all, or of every second, fourth, ... where they are many, of those through which a rate
+    is zero there, and throughout those in which the rates change most, as where friction turns round. Where a rate is
+    zero no shift in time accounts for an error: of a fast vibration it is seen there alone. Where effects have events,
+    one at the end of a step may change a state at once, and another run may have that event slightly earlier or later:
+    no sample lies so close to an end, and the shortest steps have none.
+
+    later    find them when `history` is read, of a run whose steps are kept: one that is stopped needs none
+    """
+
+    EVEN, BENT = 100, 60  # the former are between so many and twice as many
+    LATE = 0.99  # of a step: its error grows towards its end
+    THROUGHOUT = 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, LATE  # where rates change at once it goes up and down several times
+    SHORT = 100  # tolerances, as a shift in time by length over speed: shorter steps may be those between such events
+
+    def __init__(self, begin: float, end: float, count: int, *, later: bool) -> None:
+        self._later = later
+        self._waiting: list[tuple[History, int]] = []
+        between = begin + (np.arange(count) + (3 - 5**0.5) / 2) / count * (
+            end - begin
+        )  # no event of a period meets them
+        self._grid = Grid(np.concatenate([[begin], between, [end]]))
+        self._seen = self._turns = 0
+        self._even, self._turned, self._bent = _Within(self.EVEN), _Within(self.EVEN), _Within(self.BENT)
+
+    def take(self, block: History, fresh: int) -> None:
+        """Take the next accepted steps; see `Observer`."""
+        self._waiting.append((block, fresh))
+        if not self._later:
+            self._sample()
+
+    def _sample(self) -> None:
+        while self._waiting:
+            self._of(*self._waiting.pop(0))
+
+    def _of(self, block: History, fresh: int) -> None:
+        self._grid.take(block, fresh)
+        first = max(fresh - 1, 0)
+        controls, layout = block.controls, block.engine.layouts.controls
+        (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
+        short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
+        begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
+        self._even.take(block, begins, _evenly(self._seen, len(begins)), np.array([[self.LATE]]))
+        self._bent.take(block, begins, _bends(block, begins), np.array([self.THROUGHOUT]))
+        turned, zeros = _turns(block, begins, speed / length)
+        self._turned.take(block, begins[turned], _evenly(self._turns, len(zeros)), zeros)
+        self._seen, self._turns = self._seen + len(begins), self._turns + len(zeros)
+
+    @cached_property
+    def history(self) -> History:
+        """Histories at the times that the run reached, once it has ended."""
+        self._sample()
+        grid = self._grid.history
+        own = (
+            rows.reshape(-1, grid.rows.shape[1])
+            for within in (self._even, self._turned, self._bent)
+            for rows in within.rows
+        )
+        rows = np.concatenate([*own, grid.rows])
+        column = grid.columns("t").start
+        return grid.of(rows[np.unique(rows[:, column], return_index=True)[1]])
+
+
+class _Within:
+    """States at parts of those steps of a run whose scores are largest."""
+
+    def __init__(self, most: int) -> None:
+        self._most, self._scores = most, np.zeros(0)
+        self.rows: list[np.ndarray] = []  # (steps, parts, ns), in one piece
+
+    def take(self, block: History, begins: np.ndarray, scores: np.ndarray, parts: np.ndarray) -> None:
+        """Take the steps that begin at rows (n,), with scores (n,); drop those no longer among the largest.
+
+        parts    of the steps at which the states are kept, (n or 1, parts)
+        """
+        known, scores = len(self._scores), np.append(self._scores, scores)
+        kept = (scores >= np.sort(scores)[-self._most :][:1]) & (scores > 0)
+        self._scores, (before, fresh) = scores[kept], np.split(kept, [known])
+        begins, parts = begins[fresh], np.broadcast_to(parts, (len(fresh), parts.shape[1]))[fresh]
+        h = block.t[begins + 1] - block.t[begins]
+        rows = np.stack([block.between(begins, part * h).rows for part in parts.T], axis=1)
+        self.rows = [np.concatenate([*(piece[before] for piece in self.rows), rows])]
+
+
+def _evenly(before: int, count: int) -> np.ndarray:
+    """Return scores of further things, the largest those of every second, fourth, ... of all."""
+    numbers = before + 1 + np.arange(count)
+    found: np.ndarray = numbers & -numbers  # the power of 2 that a number has as a factor
+    return found
+
+
+def _turns(block: History, begins: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return through which steps a rate is zero, and at which parts of those (n, 1), by cubics.
+
+    It is the one that changes most in the scales; one that changes less than by `pace` [1/s] makes no shift in time count.
+    """
+    n = block.model.nq + block.model.nu
+    before, after = (block.part("dy")[begins + i, :n] for i in (0, 1))
+    changes = np.where(np.sign(before) * np.sign(after) < 0, np.abs(after - before), 0.0)
+    changes /= block.controls[block.engine.layouts.controls["scale"]][:n]
+    turned = np.flatnonzero(np.max(changes, axis=1, initial=0.0) > pace)
+    one = turned, np.argmax(changes[turned], axis=1) if len(turned) else turned
+    h, y = (block.t[begins + 1] - block.t[begins])[turned], block.part("y")
+    start, end, way = h * before[one], h * after[one], (y[begins + 1, :n] - y[begins, :n])[one]
+    square, cube = 3 * way - 2 * start - end, start + end - 2 * way
+    with np.errstate(all="ignore"):  # of a run that left all scales
+        parts = np.abs(start) / (np.sqrt(square * square - 3 * cube * start) - np.sign(start) * square)
+    return turned, np.clip(np.nan_to_num(parts), 1 - Sampled.LATE, Sampled.LATE)[:, None]
+
+
+def _bends(block: History, begins: np.ndarray) -> np.ndarray:
+    """Return how much rates change in steps (n,): the error of the trapezoidal rule, in the scales."""
+    n = block.model.nq + block.model.nu
+    y, dy = (block.part(name)[:, :n] for name in ("y", "dy"))
+    h = (block.t[begins + 1] - block.t[begins])[:, None]
+    scale = block.controls[block.engine.layouts.controls["scale"]][:n]
+    bent = y[begins + 1] - y[begins] - h / 2 * (dy[begins] + dy[begins + 1])
+    found: np.ndarray = np.max(np.abs(bent) / scale, axis=1, initial=0.0)
+    return found

@@ -1,0 +1,352 @@
+"""Request for a run, read and checked: method, limits, duration, parameters, start."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final, Literal, TypeAlias
+
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.units import UnitError, parse_quantity
+from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
+from hertzwerk.runtime.engine.integration.loop.near_list import listing
+from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
+from hertzwerk.runtime.engine.model.binding import Value, read_time
+from hertzwerk.runtime.engine.model.free_quantities import quantities
+from hertzwerk.runtime.engine.model.model import Bound, Dependent, Model
+from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.engine.model.si_values import si_of, si_units
+from hertzwerk.runtime.engine.model.signal import digest_of
+from hertzwerk.runtime.engine.run.drive_speed import drive_speed
+from hertzwerk.runtime.engine.run.output_times import Output, times_of
+from hertzwerk.runtime.engine.solution import error_scales as scaling
+from hertzwerk.runtime.engine.solution.error_scales import Scales
+from hertzwerk.runtime.engine.start.start_values import dependent, overlaps, start_of
+from hertzwerk.runtime.system.lazy import cached_property
+
+ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
+METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
+REMEMBERED = 64  # inputs of a model kept as read
+
+Compiled: TypeAlias = bool | Literal["auto"]
+Accuracy: TypeAlias = float | str
+"""Largest error of a whole run, 1e-6, or of its end alone, "1e-6 at the end", in the scene's scales."""
+AT_END = " at the end"
+
+
+@dataclass(frozen=True)
+class Request:
+    """Accuracy as read: the largest error, and whether it is requested at the end alone."""
+
+    error: float
+    at_end: bool = False
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of steps and of contacts of a run, and of wall time [s] of a call; infinite by default.
+
+    whose    who limits the steps
+    """
+
+    max_steps: float
+    max_events: float
+    wall_time: float
+    whose: str = "max_steps"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Arguments of `simulate` but for parameters and start, as given by the user."""
+
+    duration: str | float | None
+    accuracy: Accuracy | None
+    tolerance: float | None
+    method: str = METHOD
+    compiled: Compiled = "auto"
+    output: Output = "steps"
+    max_steps: int | None = None
+    max_events: int | None = None
+    wall_time: float | None = None
+    sensitivities: Sequence[str] = ()
+
+    @property
+    def request(self) -> Request | None:
+        """The accuracy as read; None where there is none, or no sound one."""
+        return None if self.accuracy is None else read_accuracy(self.accuracy)
+
+    @property
+    def limits(self) -> Limits:
+        """Limits of steps and contacts of each run, of the wall time of all runs together."""
+        steps, events, wall_time = (math.inf if limit is None else limit for _, limit in self._given_limits)
+        return Limits(steps, events, wall_time)
+
+    @property
+    def _given_limits(self) -> list[tuple[str, float | None]]:
+        return [("max_steps", self.max_steps), ("max_events", self.max_events), ("wall_time", self.wall_time)]
+
+    def check(self, model: Model) -> None:
+        """Raise InputError for input that is bad whatever the parameters of the run."""
+        faults = self.faults()
+        times_of(self.output, read_duration(model, {}, self.duration, faults), faults)
+        faults += self.sensitivity_faults(model)
+        if faults:
+            raise InputError(model.name, faults)
+
+    def sensitivity_faults(self, model: Model) -> list[Fault]:
+        """Return the faults of what derivatives are asked for by."""
+        asked = self.sensitivities
+        if isinstance(asked, str) or not isinstance(asked, Sequence):
+            expected = 'names of parameters and initial states, such as ("restitution",)'
+            return [Fault("sensitivities", shown(asked), expected)]
+        known = quantities(model) if asked else {}
+        faults = [
+            unknown("parameter or initial state", name, known)
+            for name in asked
+            if not isinstance(name, str) or name not in known
+        ]
+        return [*faults, *steps_faults("sensitivities", self.method, model)] if asked else faults
+
+    def faults(self) -> list[Fault]:
+        """Return the faults of everything but the duration and the output, which depends on it."""
+        return list(self._faults)
+
+    @cached_property
+    def _faults(self) -> list[Fault]:
+        faults: list[Fault] = []
+        low, high = ACCURACIES
+        if self.accuracy is not None and (self.request is None or not low <= self.request.error <= high):
+            expected = f'a number in {low:g}..{high:g}, or "1e-6{AT_END}"'
+            faults.append(Fault("accuracy", shown(self.accuracy), expected, "it is measured in the scene's scales"))
+        low, high = TOLERANCES
+        if self.tolerance is not None and not (_real(self.tolerance) and low <= self.tolerance <= high):
+            way_out = "it is measured in the scene's scales"
+            faults.append(Fault("tolerance", shown(self.tolerance), f"a number in {low:g}..{high:g}", way_out))
+        if self.accuracy is not None and self.tolerance is not None:
+            way_out = "accuracy bounds the error of the whole run, tolerance the local error, without an estimate"
+            faults.append(
+                Fault("tolerance", f"{self.tolerance!r} and accuracy={self.accuracy!r}", "one of the two", way_out)
+            )
+        if not isinstance(self.method, str):
+            faults.append(Fault("method", shown(self.method), f"one of {', '.join(sorted(METHODS))}"))
+        elif self.method not in METHODS:
+            faults.append(unknown("method", self.method, sorted(METHODS)))
+        for name, limit in self._given_limits:
+            if limit is not None and not (_real(limit) and limit > 0):
+                faults.append(Fault(name, shown(limit), "a positive number"))
+        if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
+            faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))
+        return faults
+
+
+def read_accuracy(value: object) -> Request | None:
+    """Read an accuracy, a number or text such as "1e-6" or "1e-6 at the end"; None for anything else."""
+    if isinstance(value, str):
+        text = value.strip()
+        try:
+            return Request(float(text.removesuffix(AT_END)), text.endswith(AT_END))
+        except ValueError:
+            return None
+    return Request(float(value)) if _real(value) else None  # type: ignore[arg-type]  # a real number
+
+
+def steps_faults(what: str, method: str, model: Model) -> list[Fault]:
+    """Return the fault of what follows the steps of a run that has none of ours, or lists near pairs."""
+    if method not in SUNDIALS:
+        if method not in METHODS or listing(model, tuple(table() for table in METHODS[method])) is None:
+            return []
+        found = f"a run by {method} of {model.k} pairs, which lists the near ones"
+        return [Fault(what, found, "a model of fewer pairs, or a method without a list", 'method="esdirk"')]
+    expected = f"a method of {', '.join(IN_GRAPH)}, whose steps are followed"
+    return [Fault(what, f"a run by {method}", expected, f'method="{METHOD}"')]
+
+
+@dataclass(frozen=True)
+class Given:
+    """Start and extent of a run.
+
+    Bound parameters, q (nq,) and u (nu,) with loops closed, latches of contacts in progress, duration [s], scales stated by the scene, redundant
+    constraints, given initial states, the period [s] of everything that depends on time, limits of approach speeds [m/s], warnings, and the time
+    [s] at which it begins.
+    """
+
+    bound: Bound
+    q: np.ndarray
+    u: np.ndarray
+    latches: np.ndarray
+    seconds: float
+    scales: Scales
+    dependent: tuple[Dependent, ...]
+    initial: Mapping[str, Value]
+    period: float | None
+    speed_limits: np.ndarray
+    warnings: tuple[str, ...]
+    begin: float = 0.0
+
+
+def read(
+    model: Model,
+    settings: Settings,
+    parameters: Mapping[str, Value],
+    initial: Mapping[str, Value],
+    before: Sequence[Fault] = (),
+) -> tuple[Given, np.ndarray | None]:
+    """Read everything given; return it with the times [s] of an output grid.
+
+    Raises InputError with `before` and every fault. Text that was read before is not read again.
+    """
+    faults = [*before, *settings.faults(), *settings.sensitivity_faults(model)]
+    known, key = _remembered(model), _key((settings.duration, parameters, initial, digest_of(model.signals)))
+    given = None if faults else known.get(key)
+    seconds = read_duration(model, parameters, settings.duration, faults) if given is None else given.seconds
+    times = times_of(settings.output, seconds, faults)
+    faults += input_faults(model, seconds, faults)
+    if given is not None and not faults:
+        return given, times
+    bound, q, u = start_of(model, parameters, initial, faults)
+    latches = np.array([0.0 if name not in initial else si_of(model, name, initial[name]) for name in model.latches])
+    inside, pressed = overlaps(model, bound, initial, q, u)
+    if inside:
+        raise InputError(model.name, inside)
+    given = Given(
+        bound,
+        q,
+        u,
+        latches,
+        seconds,
+        scaling.of_parameters(model, bound),
+        dependent(model, bound, q),
+        dict(initial),
+        model.period(bound),
+        model.speed_limits(bound),
+        (*bound.warnings, *(() if latches.any() else pressed)),
+    )
+    if len(known) >= REMEMBERED:
+        known.clear()
+    known[key] = given
+    return given, times
+
+
+def check(
+    model: Model,
+    settings: Settings,
+    parameters: Mapping[str, Value],
+    initial: Mapping[str, Value],
+    before: Sequence[Fault] = (),
+) -> None:
+    """Check the input of a run without running; raises InputError with `before` and every fault found."""
+    read(model, settings, parameters, initial, before)
+
+
+def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> list[Fault]:
+    """Return the faults of inputs without a value, or whose values do not cover the run or are too rough.
+
+    seconds    duration of the run
+    Inputs with a fault already, `input NAME`, are left out.
+    """
+    faults: list[Fault] = []
+    told = {fault.where.partition(",")[0] for fault in before}
+    for name, (unit, meaning) in model.inputs.items():
+        where = f"input {name}"
+        if where in told:
+            continue
+        signal = model.signals.get(name)
+        if signal is None:
+            expected = f"its value in {unit}{f': {meaning}' if meaning else ''}"
+            faults.append(Fault(where, "no value", expected, f'inputs={{"{name}": ...}}, or --input {name}=...'))
+        elif signal.begins[0] > 0 or signal.end < seconds * (1 - 1e-12):
+            found = f"{signal.text} from {signal.begins[0]:g} s to {signal.end:g} s"
+            way_out = "shorten the run, or add a sample at each end that says how it goes on"
+            faults.append(Fault(where, found, f"values over the whole run, from 0 to {seconds:g} s", way_out))
+        elif signal.smooth < model.smooth.get(name, (-1, ""))[0]:
+            derivatives, use = model.smooth[name]
+            jumps = ("the value", "its rate", "its second derivative")[signal.smooth + 1]
+            counted = ("one continuous derivative", "two continuous derivatives")[derivatives - 1]
+            faults.append(Fault(where, f"{signal.text}: {jumps} jumps from piece to piece", f"values with {counted}, for {use}",
+                                'Samples(times, values, units, "cubic"), FILE.csv:COLUMN:cubic, a Table or a smooth function'))  # fmt: skip
+    return faults
+
+
+@per_model
+def _remembered(_: Model) -> dict[Hashable, Given]:
+    """Inputs read before, by `_key`."""
+    return {}
+
+
+def _key(value: object) -> Hashable:
+    """Return a key that distinguishes 1, True, 1.0 and "1", 0.0 and -0.0; unique where none exists."""
+    if isinstance(value, Mapping):
+        return tuple((name, _key(each)) for name, each in value.items())
+    if isinstance(value, tuple):
+        return tuple(map(_key, value))
+    if isinstance(value, float):
+        return type(value), value.hex()
+    return (type(value), value) if isinstance(value, str | int | None) else object()
+
+
+def read_duration(
+    model: Model, parameters: Mapping[str, Value], duration: str | float | None, faults: list[Fault]
+) -> float:
+    """Return a duration [s], that of revolutions with these parameters; faults are appended."""
+    expected = 'a positive time, such as "24 ms" or a number of seconds'
+    with contextlib.suppress(ValueError, TypeError):
+        # on a command line "24" is 24 s, as 24 is
+        duration = float(duration) if isinstance(duration, str) else duration
+    if isinstance(duration, str):
+        turned = _angle(duration)
+        if turned is None:
+            return read_time("duration", duration, expected, faults)
+        return _time_to_turn(model, parameters, turned, duration, faults)
+    if duration is not None and _real(duration) and 0 < duration < math.inf:
+        return float(duration)
+    faults.append(Fault("duration", "none" if duration is None else shown(duration), expected))
+    return math.nan
+
+
+def duration_follows(model: Model, names: Sequence[str], duration: object) -> bool:
+    """Return whether a duration, such as "2 rev", changes with a parameter."""
+    if not isinstance(duration, str):
+        return False
+    now = read_duration(model, {}, duration, [])
+    bound, units = model.bind(), si_units(model)
+    moved = ({name: (1.5 * bound[name], units[name] or "1")} for name in names if name in model.parameters)
+    return any(read_duration(model, values, duration, []) not in (now, math.nan) for values in moved)
+
+
+def _angle(text: str) -> float | None:
+    """Return the radians of text such as "200 rev"; None if it is no angle."""
+    try:
+        value, unit = parse_quantity(text)
+    except UnitError:
+        return None
+    return unit.to_si(value) if unit.dimensionless and unit.angle == 1 else None
+
+
+def _time_to_turn(model: Model, parameters: Mapping[str, Value], angle: float, text: str, faults: list[Fault]) -> float:
+    """Return the time [s] in which the drive of a scene turns through an angle [rad]."""
+    bound = model.check(parameters)[0]
+    if bound is None:
+        return math.nan  # its faults are found where the parameters are read
+    speed = drive_speed(model, bound)
+    if speed is not None and 0 < angle < math.inf:
+        return angle / speed
+    if speed is None:
+        expected = "a time: revolutions are those of a scene with one drive of constant speed"
+        faults.append(Fault("duration", shown(text), expected, 'such as "24 ms"'))
+    else:
+        faults.append(Fault("duration", shown(text), 'a positive time or angle, such as "24 ms" or "200 rev"'))
+    return math.nan
+
+
+def _real(value: object) -> bool:
+    """Return whether a value is a number that a double can hold."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        return False
+    try:
+        return not math.isnan(float(value))
+    except OverflowError:
+        return False

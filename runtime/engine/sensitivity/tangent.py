@@ -1,0 +1,131 @@
+"""Derivatives of a model's functions along directions, changes of its parameters, at rows of a run.
+
+A function of (t, y, mode, m, c, p) changes by its derivatives to y and m, which a caller multiplies with what is known of
+those, and by the change of parameters and constants. The derivatives are CasADi's, of the graph that the run was made of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.runtime.engine.integration.step.explicit_step import written_flow
+from hertzwerk.runtime.engine.model.caller import Callers, Rowwise
+from hertzwerk.runtime.engine.model.per_model import per_model
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.solution.history import History
+
+PARTS = ("t", "y", "mode", "m")
+ARGUMENTS = "t y mode m c p"
+"""Arguments of the functions whose derivatives are taken."""
+
+
+@dataclass(frozen=True)
+class Tangent:
+    """A function's value (size), and its derivatives, at n rows.
+
+    value (n, size); to_time (n, size); to_state (n, size, ny); to_memory (n, size, nm); given (n, size, P): the change by
+    the constants alone, of P directions.
+    """
+
+    value: np.ndarray
+    to_time: np.ndarray
+    to_state: np.ndarray
+    to_memory: np.ndarray
+    given: np.ndarray
+
+    def __getitem__(self, rows: Any) -> Tangent:
+        """The same of some rows."""
+        return Tangent(*(part[rows] for part in vars(self).values()))
+
+    def along(self, state: np.ndarray, memory: np.ndarray) -> np.ndarray:
+        """Return the change (n, size, P) where y and m change by these (n, ny, P), (n, nm, P), at fixed time."""
+        found: np.ndarray = self.to_state @ state + self.to_memory @ memory + self.given
+        return found
+
+    def rate(self, slope: np.ndarray) -> np.ndarray:
+        """Return the rate (n, size) of the value where y moves at dy/dt (n, ny)."""
+        found: np.ndarray = self.to_time + (self.to_state @ slope[..., None])[..., 0]
+        return found
+
+
+@dataclass(frozen=True)
+class Directions:
+    """P changes of the parameters: numbers of the run and derivatives of its constants.
+
+    p (np,): the parameters in SI; dp (np, P): their changes; c (nc,), dc (nc, P); sizes (P,): usual sizes of what is changed
+    """
+
+    p: np.ndarray
+    dp: np.ndarray
+    c: np.ndarray
+    dc: np.ndarray
+    sizes: np.ndarray
+
+    @property
+    def count(self) -> int:
+        """Number P of directions."""
+        return int(self.dp.shape[1])
+
+
+def directions_of(model: Model, p: np.ndarray, c: np.ndarray, dp: np.ndarray) -> Directions:
+    """Return the directions (np, P) with the change of the constants."""
+    (to_p,) = _constants_by_parameters(model)(p)
+    sizes = np.abs(p) @ (dp != 0)
+    return Directions(p, dp, c, to_p.reshape(model.nc, len(p)) @ dp, np.where(sizes > 0, sizes, 1.0))
+
+
+@per_model
+def _constants_by_parameters(model: Model) -> Callers:
+    p = ca.SX.sym("p", len(model.parameters))
+    return Callers(ca.Function("constants_by_p", [p], [ca.densify(ca.jacobian(ca.SX(model.module.constants(p)), p))]))
+
+
+def tangent(build: Callable[[Model], Any], history: History, rows: np.ndarray, directions: Directions) -> Tangent:
+    """Return value and derivatives at rows (n, ns) of a run.
+
+    build    returns the function (t, y, mode, m, c, p) -> column of a model
+    """
+    model, layout = history.model, history.engine.layouts.state
+    changes = np.concatenate([directions.dc, directions.dp])
+    constant = np.concatenate([directions.c, directions.p, changes.T.ravel()])
+    pieces = [rows[:, layout["pieces"]]] if model.inputs else []
+    value, to_time, *parts = rowwise(model, build, directions.count)(
+        constant, *(rows[:, layout[part]] for part in PARTS), *pieces
+    )
+    widths, (n, size) = (layout.sizes["y"], model.nm, directions.count), value.shape
+    shaped = (part.reshape(n, width, size).swapaxes(1, 2) for part, width in zip(parts, widths, strict=True))
+    return Tangent(value, to_time, *shaped)
+
+
+@per_model
+def rowwise(model: Model, build: Callable[[Model], Any], count: int) -> Rowwise:
+    """Return the function of value and derivatives that `tangent` calls row by row."""
+    *rest, c, p = model.symbols(ARGUMENTS)
+    _, y, _, m = rest
+    size = model.nc + len(model.parameters)
+    change = ca.SX.sym("change", size, count)
+    pieces = [ca.SX.sym("pieces", model.npieces)] if model.inputs else []
+    now = ca.vertcat(c[: model.nc - model.npieces], *pieces)  # those of the inputs change from row to row
+    value = build(model)(*rest, now, p)
+    by_constants = ca.jtimes(value, c, change[: model.nc, :]) + ca.jtimes(value, p, change[model.nc :, :])
+    results = [value, ca.jtimes(value, rest[0], ca.SX(1)), ca.jacobian(value, y), ca.jacobian(value, m), by_constants]
+    made = ca.Function(
+        "tangent", [c, p, change, *rest, *pieces], ca.cse([ca.densify(ca.vec(result)) for result in results])
+    )
+    both, rest = ca.SX.sym("both", size * (1 + count)), [*rest, *pieces]
+    split = *ca.vertsplit(both[:size], [0, model.nc, size]), ca.reshape(both[size:], size, count)
+    return Rowwise(ca.Function("tangent_at", [both, *rest], made.call([*split, *rest])), constant=0)
+
+
+@per_model
+def rates(model: Model) -> Any:
+    """Return the function of dy/dt (ny)."""
+    given = model.symbols(ARGUMENTS)
+    return ca.Function("rates", given, [written_flow(model).rates(*given[:-1])])

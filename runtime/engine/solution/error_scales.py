@@ -1,0 +1,180 @@
+"""Scales that accuracy is relative to: sizes of coordinates, speeds and energies of a scene or run.
+
+A scene derives its scales from its parameters: the ball's speed from gravity and drop height. Where a run departs
+from that so far that a scale is zero or undefined (no gravity, a start of one's own), a rough run finds the sizes
+that occur.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.runtime.system.lazy import cached_property
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.solution.history import History
+
+GUESS = {
+    "m": 1e-4,
+    "rad": 1e-3,
+    "1": 1e-3,
+    "m/s": 1.0,
+    "rad/s": 10.0,
+    "J": 1.0,
+    "N": 1.0,
+}  # of the first rough run, in SI
+ROUNDS = 2
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Scales: state (ny,) of q, u, z; scene (4,): length [m], speed [m/s], force [N], energy [J]."""
+
+    state: np.ndarray
+    scene: np.ndarray
+
+    @property
+    def pace(self) -> float:
+        """Speed over length [1/s], by which a shift in time counts."""
+        return float(self.scene[1]) / float(self.scene[0])
+
+    @cached_property
+    def sound(self) -> bool:
+        """Return whether every scale is a positive number."""
+        return bool(_sound(self.state).all() and _sound(self.scene).all())
+
+
+def error(
+    model: Model,
+    scales: Scales,
+    y: np.ndarray,
+    reference: np.ndarray,
+    dy: np.ndarray | None = None,
+    reference_dy: np.ndarray | None = None,
+) -> np.ndarray:
+    """Return the error of a state: the largest scaled difference of q and u, up to a shift in time.
+
+    y, reference (..., ny) as recorded, or their first nq + nu entries; dy, reference_dy (..., ny) their rates, without
+    which no shift is allowed for; returns (...,). Memory (z) does not count. See `distance`.
+    """
+    n = model.nq + model.nu
+    apart = (y[..., :n] - reference[..., :n]) / scales.state[:n]
+    if dy is None or reference_dy is None:
+        found: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
+        return found
+    first, second = (distance(apart, part[..., :n] / scales.state[:n], scales.pace)[0] for part in (dy, reference_dy))
+    least: np.ndarray = np.minimum(first, second)
+    return least
+
+
+def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the distances (...,) of states from a motion, and the shifts in time [s] that lead to them.
+
+    With the scaled differences e = `apart` and the scaled rates f of the motion, both (..., n), it is
+
+        min over tau of max(pace |tau|, |e_1 - f_1 tau|, ..., |e_n - f_n tau|):
+
+    a state that the motion has a moment later is off by that moment, counted by `pace` [1/s], the scene's speed over its
+    length, and not by how far the motion gets in it, which is much in an impact. Each term is an interval of tau about
+    e_i/f_i, of radius d/|f_i|; all meet where any two do, so that d is the largest of |e_i f_j - e_j f_i| / (|f_i| + |f_j|),
+    with e_0 = 0, f_0 = pace.
+    """
+    sizes = np.abs(rates)
+    found = np.max(np.abs(apart) * pace / (sizes + pace), axis=-1, initial=0.0)
+    for i in range(apart.shape[-1]):
+        e, f, size = (part[..., i : i + 1] for part in (apart, rates, sizes))
+        both = np.maximum(size + sizes, np.finfo(float).tiny)
+        found = np.maximum(found, np.max(np.abs(e * rates - apart * f) / both, axis=-1, initial=0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        centres, radii = np.where(sizes > 0, apart / rates, 0.0), np.where(sizes > 0, found[..., None] / sizes, np.inf)
+    first = np.max(centres - radii, axis=-1, initial=-np.inf)
+    last = np.min(centres + radii, axis=-1, initial=np.inf)
+    reach = found / pace
+    return found, (np.maximum(first, -reach) + np.minimum(last, reach)) / 2
+
+
+def departure(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """Return the largest scaled difference of the coordinates alone."""
+    return _largest(model.nq, scales, y, reference)
+
+
+def rounding(model: Model, scales: Scales, y: np.ndarray) -> float:
+    """Return the error that one rounding of the largest of the states y (n, ny) makes."""
+    n = model.nq + model.nu
+    return float(np.finfo(float).eps * np.max(np.abs(y[:, :n]) / scales.state[:n], initial=0.0))
+
+
+def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """Return the largest scaled difference of the first n entries."""
+    found: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
+    return found
+
+
+def of_parameters(model: Model, bound: Bound) -> Scales:
+    """Return the scales that the scene states."""
+    *parts, scene = model.evaluate("scales", bound.p)
+    return Scales(np.concatenate(parts), scene)
+
+
+def of_run(model: Model, stated: Scales, rough: Callable[[Scales, Sizes], object]) -> Scales:
+    """Return the stated scales where they are sound, elsewhere the sizes that occur in a rough run.
+
+    rough    makes a run with some scales and shows it to a `Sizes`
+    """
+    units = list(model.units.values())
+    scales = _completed(stated, units, GUESS)
+    for _ in range(ROUNDS):
+        seen = Sizes(units)
+        rough(scales, seen)
+        scales = _completed(stated, units, GUESS | seen.found())
+    return scales
+
+
+class Sizes:
+    """Observer of the largest displacements, speeds, memory values, penetrations and forces of a run."""
+
+    def __init__(self, units: list[str]) -> None:
+        self._units = units
+        self._from: np.ndarray | None = None
+        self._largest = np.zeros(len(units))
+        self._depth = self._force = 0.0
+
+    def take(self, block: History, fresh: int) -> None:
+        """Take the next accepted steps; see `findings.Observer`."""
+        y = block.part("y")
+        if self._from is None:
+            self._from = y[0].copy()
+            self._from[block.model.nq :] = 0
+        self._largest = np.maximum(self._largest, np.max(np.abs(y - self._from), axis=0))
+        touching = block.part("mode") != 0
+        self._depth = float(np.max(-block.part("gap"), where=touching, initial=self._depth))
+        self._force = float(np.max(block.part("force"), initial=self._force))
+
+    def found(self) -> dict[str, float]:
+        """Return the largest size of each unit; for lengths the penetration, or the way without contact."""
+        found: dict[str, float] = {}
+        for unit, size in zip(self._units, self._largest, strict=True):
+            found[unit] = max(found.get(unit, 0.0), float(size))
+        if self._depth > 0:
+            found["m"] = self._depth
+        found["N"] = max(found.get("N", 0.0), self._force)
+        found["J"] = max(found.get("J", 0.0), found["N"] * found.get("m", 0.0))
+        return {unit: size for unit, size in found.items() if _sound(np.array(size))}
+
+
+def _completed(stated: Scales, units: list[str], sizes: dict[str, float]) -> Scales:
+    state = np.array([sizes.get(unit, 1.0) for unit in units])
+    scene = np.array([sizes[unit] for unit in ("m", "m/s", "N", "J")])
+    return Scales(
+        np.where(_sound(stated.state), stated.state, state), np.where(_sound(stated.scene), stated.scene, scene)
+    )
+
+
+def _sound(values: np.ndarray) -> np.ndarray:
+    sound: np.ndarray = np.isfinite(values) & (values > 0)
+    return sound

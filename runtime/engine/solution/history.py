@@ -1,0 +1,506 @@
+"""Histories of a run by name, at its rows and between them: states, outputs, contacts, energies."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from difflib import get_close_matches
+from types import MappingProxyType
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, unknown
+from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
+from hertzwerk.runtime.engine.integration.loop.near_list import Departures
+from hertzwerk.runtime.engine.integration.loop.near_rows import NearRows, places
+from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
+from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, turns
+from hertzwerk.runtime.engine.model.caller import Rowwise
+from hertzwerk.runtime.engine.model.derived_histories import Units, evaluate
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.per_model import per_model
+from hertzwerk.runtime.system.lazy import cached_property
+
+_HELD_BY = {  # ending of a constraint's name -> that of the force which holds it
+    **{"apart": "force", "off": "force", "turned": "moment", "gap": "normal_force"},
+    **{"sliding_velocity": "friction_force", "side_velocity": "side_force", "rate": "force"},
+}
+_PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
+
+
+class History:
+    """Histories over `t`, in SI; `history[name]` has shape (rows,).
+
+    rows: states of the engine, shape (rows, ns), as `layout` names them. steps: whether each row is one accepted step
+    after the row before, so that the steps between can be interpolated. p: the parameters in SI, which readings need.
+    beside: readings that are listed among the names, and written with them. departures: what pairs had that left a list of
+    near ones.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        rows: np.ndarray,
+        controls: np.ndarray,
+        integrator: Integrator | None,
+        *,
+        steps: bool = True,
+        p: np.ndarray | None = None,
+        beside: tuple[str, ...] = (),
+        departures: Departures | None = None,
+    ) -> None:
+        self.model = model
+        self.rows, self.controls, self.integrator = rows, controls, integrator
+        self.steps = steps and integrator is not None
+        self.p, self.beside = p, beside
+        self.departures: Departures = {} if departures is None else departures
+        self.rates: dict[str, np.ndarray] = {}  # of a saved run, by which it is known between its steps
+        self._found: dict[str, np.ndarray] = {}
+
+    @classmethod
+    def stored(
+        cls, model: Model, histories: Mapping[str, np.ndarray], rates: Mapping[str, np.ndarray] = MappingProxyType({})
+    ) -> History:
+        """Restore saved histories, with rates where they are those of steps; there are no rows behind them."""
+        history = cls(model, np.zeros((0, 0)), np.zeros(0), None)
+        history._found, history.rates = dict(histories), dict(rates)
+        return history
+
+    def with_model(self, model: Model) -> History:
+        """Return saved histories with the model that they are of."""
+        return History.stored(model, self._found, self.rates)
+
+    @cached_property
+    def units(self) -> Units:
+        """SI unit text of "t" and of every name, in the order of `names`; of readings when asked for."""
+        units = units_of(self.model, tuple(self._found) if self.integrator is None else None)
+        return Units({**units, **{name: units[name] for name in self.beside}}, self.model)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name except "t"."""
+        return tuple(name for name in self.units if name != "t")
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times [s], shape (rows,)."""
+        times: np.ndarray = self["t"] if self.integrator is None else self.part("t")[:, 0]
+        return times
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self.units:
+            known = self.units.everything
+            near = get_close_matches(name, known, n=3)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
+            raise KeyError(f"no history {name!r}; {hint}{self.units.missing}")
+        if name not in self._found:
+            self._found |= self._evaluate(name)
+        return self._found[name]
+
+    def part(self, name: str) -> np.ndarray:
+        """Columns of a part of the rows, shape (rows, size); of pairs those of all."""
+        if self.near is not None:
+            return self.near.part(name)
+        part: np.ndarray = self.rows[:, self.columns(name)]
+        return part
+
+    @cached_property
+    def near(self) -> NearRows | None:
+        """The rows by pair, where they have a list of near ones."""
+        model = None if self.integrator is None else self.integrator.model
+        if not isinstance(model, NearModel):
+            return None
+        return NearRows(model, self.engine.layouts.state, self.rows, self.departures)
+
+    def of_pair(self, name: str, pair: int) -> np.ndarray:
+        """Return the column of a pair in a part that has one for each, shape (rows,)."""
+        if self.near is not None:
+            return self.near.column(name, pair)
+        column: np.ndarray = self.rows[:, self.columns(name).start + pair]
+        return column
+
+    def memory(self, row: int) -> np.ndarray:
+        """Return a row of memory, shape (rows,)."""
+        if self.near is not None:
+            return self.near.memory(row)
+        column: np.ndarray = self.rows[:, self.columns("y").start + self.model.nq + self.model.nu + row]
+        return column
+
+    def latch(self, row: int, pair: int) -> np.ndarray:
+        """Return a row of what is latched, that is of a pair, shape (rows,)."""
+        if self.near is not None:
+            return self.near.latch(row, pair)
+        column: np.ndarray = self.rows[:, self.columns("m").start + row]
+        return column
+
+    def places(self, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+        """Return the places of pairs (n,) in the parts of these rows (n, ns) of the engine."""
+        if not isinstance(self.engine.model, NearModel):
+            return pairs
+        return places(self.engine.model, rows[:, self.columns("pieces")], pairs)
+
+    def busy(self) -> list[int]:
+        """Return the pairs that are not in flight at some row."""
+        if self.near is not None:
+            return self.near.busy()
+        found: list[int] = np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
+        return found
+
+    def columns(self, name: str) -> slice:
+        """Return the columns of a part in a row."""
+        return self.engine.layouts.state[name]
+
+    @property
+    def engine(self) -> Integrator:
+        """Functions that the rows came from."""
+        if self.integrator is None:
+            raise ValueError("a saved run has histories but not the rows and functions they came from; simulate again")
+        return self.integrator
+
+    def _evaluate(self, name: str) -> dict[str, np.ndarray]:
+        """Return the history of a name, and those that come with it."""
+        model = self.model
+        if not units_of(model, None).lists(name):
+            return evaluate(self, name)
+        ny = [*model.coordinates, *model.speeds, *model.memory]
+        if name == "t":
+            return {name: self.part("t")[:, 0]}
+        if name in ny and self.near is not None:
+            i = ny.index(name)
+            moving = model.nq + model.nu
+            return {name: self.rows[:, self.columns("y").start + i] if i < moving else self.near.memory(i - moving)}
+        if name in ny:
+            return dict(zip(ny, self.part("y").T, strict=True))
+        if name in model.outputs:
+            return dict(zip(model.outputs, self.map("outputs", "t q u")[0].T, strict=True))
+        if name in model.latches:
+            row = model.latches.index(name)
+            return {name: self.latch(row, model.module.LATCHES[row][2])}
+        for i, (slip, *_) in enumerate(model.slips):
+            if name == slip:
+                return {name: self.part("m")[:, len(model.latches) + i]}
+            if name == friction_force(slip):
+                return {name: self.part("friction")[:, i]}
+        for slip, both in _in_two_directions(model).items():
+            if name == slip:
+                slips = self.part("m")[:, len(model.latches) :][:, both]
+                return {name: np.any(slips != 0, axis=1).astype(float)}
+            if name == friction_force(slip):
+                return {name: -np.hypot(*self.part("friction")[:, both[:2]].T)}  # against the sliding velocity
+        if name in model.constraints:
+            value, rate = self.map("constraints", "t q u")  # of a constraint on a speed the value is zero
+            return dict(zip(model.constraints, (value + model.on_speeds * rate).T, strict=True))
+        of_constraints = [constraint_force(constraint) for constraint in model.constraints]
+        if name in of_constraints:
+            return dict(zip(of_constraints, self.held().T, strict=True))
+        if name == "energy":
+            return {name: np.sum(self.energies, axis=0)}
+        for speed in model.speeds:
+            if name == acceleration_of(speed):
+                return {name: self.part("dy")[:, ny.index(speed)]}
+        pair, _, part = name.rpartition(".")
+        return {name: self._of_pair(pair, part, model.pairs.index(pair))}
+
+    @property
+    def energies(self) -> np.ndarray:
+        """Kinetic and potential energy [J], springs and touching surfaces included, shape (2, rows)."""
+        return np.hstack([self.part(name) for name in ENERGY_PARTS]).T
+
+    def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
+        mode = self.of_pair("mode", j)
+        if part == "gap":
+            return self._gap(pair, self._event_function(j)[0] if self.near else self.of_pair("gap", j))
+        if part == "gap_rate" and self.near:
+            return self._event_function(j)[1]
+        if part == "penetration":
+            return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
+        if part == "sliding_velocity":
+            velocity = self.map(f"contact_{pair}", "t q u z m")[3]
+            along = velocity[:, 0] if velocity.shape[1] == 1 else np.hypot(*velocity.T)
+            return np.where(mode == CONTACT, along, 0)  # apart, the direction of contact may not exist
+        return self.of_pair({"normal_force": "force"}.get(part, part), j)
+
+    def _event_function(self, j: int) -> list[np.ndarray]:
+        """Return the gap of a pair and its rate, listed or not."""
+        y, nq, nu = self.rows[:, self.columns("y")], self.model.nq, self.model.nu
+        tables = (self.rows[:, self.columns("t")], y[:, :nq], y[:, nq : nq + nu])
+        return [x[:, 0] for x in _gap_of(self.model, j)(self.controls[: self.model.nc], *tables)]
+
+    def _gap(self, pair: str, event: np.ndarray) -> np.ndarray:
+        """Return the distance [m] of the surfaces from the event function G.
+
+        They are the same but for a pin in a bush: there G = (c^2 - e^2)/(2 c), the distance c - e to first order
+        only; c follows from G and e.
+        """
+        eccentricity = [self[self.model.outputs[i]] for i in self.model.journals.get(pair, ())]
+        if not eccentricity:
+            return event
+        squared = sum(part * part for part in eccentricity)
+        distance: np.ndarray = event + np.sqrt(event * event + squared) - np.sqrt(squared)
+        return distance
+
+    def map(self, function: str, arguments: str) -> list[np.ndarray]:
+        """Evaluate a model's function over all rows, its last argument c constant.
+
+        Each result has shape (rows, size).
+        """
+        model = self.model
+        y, nq, nu = self.part("y"), model.nq, model.nu
+        known = {
+            "t": self.part("t"),
+            "q": y[:, :nq],
+            "u": y[:, nq : nq + nu],
+            "z": y[:, nq + nu :],
+            "m": self.part("m"),
+        }
+        names = arguments.split()
+        # c comes first
+        tables = [*(known[name] for name in names), *self.pieces]
+        return rowwise(model, function, len(names))(self.controls[: model.nc], *tables)
+
+    @property
+    def pieces(self) -> list[np.ndarray]:
+        """Pieces of the inputs at the rows (rows, npieces), for `Model.with_pieces`; none without inputs."""
+        return [self.part("pieces")] if self.model.inputs else []
+
+    def output_rates(self) -> np.ndarray:
+        """Return the time derivatives of the outputs, shape (rows, outputs)."""
+        model, moving = self.model, slice(0, self.model.nq + self.model.nu)
+        tables = (self.part("t"), self.part("y")[:, moving], self.part("dy")[:, moving])
+        found: np.ndarray = _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
+        return found
+
+    def touches(self, pair: int) -> np.ndarray:
+        """Return whether the surfaces of a pair touch, shape (rows,)."""
+        found: np.ndarray = self.of_pair("mode", pair) == CONTACT
+        return found
+
+    def held(self) -> np.ndarray:
+        """Return the forces that hold the constraints, shape (rows, nl)."""
+        return self._holding[0]
+
+    def supplied(self) -> np.ndarray:
+        """Return the forces of the drives, and reactions that loads depend on, shape (rows, n)."""
+        return self._holding[1]
+
+    def margins(self) -> np.ndarray:
+        """Return margins of uniqueness of reactions that loads read, shape (rows, n): 0 or less where lost."""
+        parts = (self.part(part) for part in ("t", "y", "mode", "m"))
+        return _settling(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)[0]
+
+    @property
+    def _holding(self) -> list[np.ndarray]:
+        parts = (self.part(part) for part in ("t", "y", "mode", "m"))
+        found: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
+        return found
+
+    def at(self, times: np.ndarray) -> History:
+        """Return histories at other times [s] within the run; at an event, the state just after it."""
+        t = self.part("t")[:, 0]
+        if not self.steps:
+            return self._rows_at(times)
+        if times.ndim != 1 or not np.all((times >= t[0]) & (times <= t[-1])):
+            raise ValueError(
+                f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
+            )
+        index = np.searchsorted(t, times, side="right") - 1
+        found = self.between(index, times - t[index])
+        found.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
+        return found
+
+    def _rows_at(self, times: np.ndarray) -> History:
+        """Return the rows at times [s] that are among them."""
+        index = np.searchsorted(self.t, times)
+        if times.ndim != 1 or np.any(index == len(self.t)) or np.any(self.t[index] != times):
+            raise ValueError(
+                "found times between the rows of a run that did not keep its steps; expected times among run.t, "
+                'or name them before: simulate(..., output=times), or output="steps", after which any time can be asked for'
+            )
+        return self.of(self.rows[index])
+
+    def between(self, index: np.ndarray, h: np.ndarray) -> History:
+        """Return histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes.
+
+        With h = 0 the rows themselves. Behind a singular position that a step passes over, they are found from its end:
+        a step from its start would evaluate there.
+        """
+        rows = self.later(self.rows[index], h)
+        if self.model.nl:
+            behind = np.flatnonzero(h > self.rows[index][:, self.columns("ahead")][:, 0])
+            after = self.rows[index[behind] + 1]
+            for part in ("mode", "m", "method"):  # that were those of the step, and may have changed at its end
+                after[:, self.columns(part)] = rows[behind][:, self.columns(part)]
+            to, _ = _in_trial(self.model, self.engine)
+            rows[behind[:, None], to] = self.later(
+                after, self.t[index[behind]] + h[behind] - self.t[index[behind] + 1]
+            )[:, to]
+        return self.of(rows)
+
+    def later(self, rows: np.ndarray, h: np.ndarray) -> np.ndarray:
+        """Return rows (n, ns) a time h (n,) [s] after others, by a step of length h from each.
+
+        Of the method's order, under that row's modes.
+        """
+        later: np.ndarray = rows.copy()
+        moving = np.flatnonzero(h)
+        if not len(moving):
+            return later
+        to, of = _in_trial(self.model, self.engine)
+        later[moving[:, None], to] = self.by_method(part_of_step, rows[moving], h[moving, None])[:, of]
+        return later
+
+    def by_method(
+        self,
+        function: Callable[[Model, Integrator, int], Rowwise],
+        rows: np.ndarray,
+        *tables: np.ndarray,
+        controls: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Return results (n, size) of a function of rows (n, ns), each by that row's method.
+
+        function    returns (controls, state, *tables) -> result for a method
+        controls    of each row (n, size), for rows of several runs; else those of this one
+        """
+        methods = rows[:, self.columns("method")][:, 0]
+        if (methods == methods[:1]).all():
+            given = self.controls if controls is None else controls
+            return function(self.model, self.engine, int(methods[0]))(given, rows, *tables)[0]
+        order, parts = np.argsort(methods, kind="stable"), []
+        for method in sorted(set(methods.tolist())):  # np.unique would import what takes as long as 20 short runs
+            here = methods == method
+            evaluate = function(self.model, self.engine, int(method))
+            given = self.controls if controls is None else controls[here]
+            parts += evaluate(given, rows[here], *(table[here] for table in tables))
+        joined = np.concatenate(parts)
+        found = np.empty_like(joined)
+        found[order] = joined
+        return found
+
+    def of(self, rows: np.ndarray) -> History:
+        """Return histories over other rows (n, ns) of the same run."""
+        return self._with(rows, self.beside, steps=False)
+
+    def with_names(self, names: Iterable[str]) -> History:
+        """Return the same histories with readings listed among them; raises KeyError for an unknown name."""
+        asked = [name for name in dict.fromkeys(names) if not self.units.lists(name)]
+        for name in asked:
+            self[name]
+        if not asked:
+            return self
+        return self._with(self.rows, (*self.beside, *asked), steps=self.steps)
+
+    def _with(self, rows: np.ndarray, beside: tuple[str, ...], *, steps: bool) -> History:
+        """Return histories of the same run over some rows."""
+        run = self.model, rows, self.controls, self.integrator
+        return History(*run, steps=steps, p=self.p, beside=beside, departures=self.departures)
+
+
+@per_model
+def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
+    """Return the SI unit text by name; `stored`: names of a saved run, None where there are functions."""
+    units = {"t": "s", **model.units}
+    for name in model.speeds:
+        units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
+    units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
+    for name in (*(slip for slip, *_ in model.slips), *_in_two_directions(model)):
+        units |= {friction_force(name): "N m" if turns(name) else "N", name: units.get(name, "1")}
+    first = {row[0]: rows[0][0] for _, rows in getattr(model.module, "FAMILIES", ()) for row in rows}  # of its kind
+    for pair in model.pairs:
+        units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
+        slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
+        if model.function(f"contact_{first.get(pair, pair)}").size1_out(3) if stored is None else slides in stored:
+            units[slides] = "m/s"
+    if model.has_ledger:
+        units["energy"] = "J"
+    for name, unit in getattr(model.module, "CONSTRAINTS", ()):
+        units |= {name: unit, constraint_force(name): "N m" if unit == "1" else "N"}
+    units |= {name: unit for name, unit, _ in getattr(model.module, "BESIDE", ())}  # readings of a saved run
+    return Units(units, model)
+
+
+def unknown_histories(model: Model, names: Iterable[str]) -> list[Fault]:
+    """Return the faults of names that no history of a model has, readings included."""
+    units = units_of(model, None)
+    return [unknown("history", name, units.everything) for name in names if name not in units]
+
+
+@per_model
+def rowwise(model: Model, function: str, constant: int) -> Rowwise:
+    """Return a model's function of a state and, as the last argument, c; that one is constant."""
+    return Rowwise(model.with_pieces(model.function(function), constant), constant=constant)
+
+
+@per_model
+def _gap_of(model: Model, j: int) -> Rowwise:
+    given = model.symbols("t q u c")
+    found = [x[j] for x in model.function("gaps").call(given)]
+    return Rowwise(ca.Function("gap_of", given, found), constant=3)
+
+
+@per_model
+def _constraint_forces(model: Model) -> Rowwise:
+    return Rowwise(model.with_pieces(flow(model).holding, 4), constant=4)
+
+
+@per_model
+def _settling(model: Model) -> Rowwise:
+    return Rowwise(model.with_pieces(flow(model).settling, 4), constant=4)
+
+
+@per_model
+def _output_rates(model: Model) -> Rowwise:
+    t, q, u, c = model.symbols("t q u c")
+    x, at, moves = ca.vertcat(q, u), *(ca.SX.sym(name, model.nq + model.nu) for name in ("x", "moves"))
+    rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q, u), ca.vertcat(1, moves))
+    found = ca.Function("output_rates", [t, at, moves, c], [ca.substitute(ca.densify(rates), x, at)])
+    return Rowwise(model.with_pieces(found, 3), constant=3)
+
+
+@per_model
+def part_of_step(_: Model, integrator: Integrator, method: int) -> Rowwise:
+    """Return the function (state, controls, h) -> trial of a step of a method."""
+    return Rowwise(integrator.step(method), constant=1)
+
+
+@per_model
+def _in_trial(_: Model, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]:
+    """Return the columns of state and trial that correspond."""
+    state, trial = integrator.layouts.state, integrator.layouts.trial
+    shared = [name for name in trial.sizes if name in state.sizes]
+    to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))
+    return to, of
+
+
+def friction_force(slip: str) -> str:
+    """Name the friction force of a slip: `floor.slip_1` -> `floor.friction_force_1`.
+
+    Of a turning the moment: `rolling.turning` -> `rolling.moment`.
+    """
+    grip, _, name = slip.rpartition(".")
+    return f"{grip}.{name.replace('slip', 'friction_force').replace('turning', 'moment')}"
+
+
+def _in_two_directions(model: Model) -> dict[str, list[int]]:
+    """Return the slips of each grip in two directions, by their common name: `floor.slip`."""
+    groups = groups_of(grips_of(model))
+    return {model.slips[group[0]][0].rpartition("_")[0]: group for group in groups if len(group) > 1}
+
+
+def constraint_force(constraint: str) -> str:
+    """Name the force that holds a constraint.
+
+    `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`; of a coupling
+    `mesh.turned` -> `mesh.moment`, `rack.off` -> `rack.force`; of what rolls `tyre.gap` -> `tyre.normal_force`,
+    `tyre.sliding_velocity_1` -> `tyre.friction_force_1`; of an edge `skate.side_velocity` -> `skate.side_force`.
+    """
+    whose, _, name = constraint.rpartition(".")
+    kind = next(kind for kind in _HELD_BY if name.startswith(kind))
+    return f"{whose}.{_HELD_BY[kind]}{name.removeprefix(kind)}"
+
+
+def acceleration_of(speed: str) -> str:
+    """Name the rate of a speed: `pin.speed` -> `pin.acceleration`."""
+    joint, _, name = speed.rpartition(".")
+    return f"{joint}.{name.replace('speed', 'acceleration')}"

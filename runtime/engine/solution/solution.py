@@ -1,0 +1,326 @@
+"""Result of a run: outcome, histories by name, impacts, statistics, energy ledger; to CSV and npz."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from types import ModuleType
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from hertzwerk.derive.common.units import time_text
+from hertzwerk.runtime.engine.accuracy.error_estimate import ErrorEstimate
+from hertzwerk.runtime.engine.model.derived_histories import readings_of
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.solution import saved_run
+from hertzwerk.runtime.engine.solution.averages import Average, Run, averages
+from hertzwerk.runtime.engine.solution.checkpoint import Checkpoint
+from hertzwerk.runtime.engine.solution.error_scales import Scales
+from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.engine.solution.impacts import Impact
+from hertzwerk.runtime.engine.solution.interval_sums import Sums
+from hertzwerk.runtime.engine.solution.outcome import Outcome
+from hertzwerk.runtime.engine.solution.step_observers import Choice, Findings
+from hertzwerk.runtime.system.atomic_files import write_atomically
+from hertzwerk.runtime.system.lazy import cached_property
+
+CHECKPOINT = "checkpoint"  # name in a file, beside the histories
+RATES = "rates"  # likewise, of a run with its steps
+SAMPLE = 1000  # rows from which the size of a CSV is estimated
+
+__all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """Cost of a run.
+
+    Accepted steps, steps rejected for their error, steps retaken to land on an event, evaluations of the right-hand
+    side, contacts begun (events). wall_s: the integration; build_s: reading input and building functions; compile_s:
+    compilation during the run [s].
+    """
+
+    steps: int
+    rejected: int
+    retaken: int
+    rhs_evaluations: int
+    events: int
+    wall_s: float
+    build_s: float
+    compile_s: float = 0.0
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Result of a run; `run["guide.travel"]` is a history over `run.t`, in SI, `run.names` lists all."""
+
+    model_type: ClassVar[type[Model]] = Model  # of saved runs
+    history: History = field(repr=False)
+    ends: History = field(repr=False)  # the first and the last of its rows are the run's
+    findings: Findings = field(repr=False)
+    outcome: Outcome
+    duration: float
+    accuracy: float | None  # requested, see `error.at_end`; None for a run at a tolerance
+    tolerance: float  # local, of this run
+    method: str
+    compiled: bool
+    parameters: Mapping[str, tuple[float, str]] = field(repr=False)
+    statistics: Statistics
+    warnings: tuple[str, ...]
+    scales: Scales = field(repr=False)
+    energy_residual: float | None = None
+    """Largest error of the energy balance over the largest energy that the run moves.
+
+    The error is |energy - initial energy + dissipated - input| of all accepted steps; the energy moved is kinetic,
+    dissipated, put in, or change of potential, or a millionth of the scene's energy scale where that is more. None
+    without a ledger, and where a failed run holds an energy that is not finite.
+    """
+    # None for a run at a tolerance, and where nothing could be compared
+    error: ErrorEstimate | None = field(default=None, repr=False)
+    checkpoint: Checkpoint | None = field(default=None, repr=False)  # state that a longer run continues from
+
+    @cached_property
+    def kept(self) -> dict[type, object]:
+        """Results that pictures share, by their type; they are neither saved nor pickled."""
+        return {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "kept"}
+
+    @property
+    def model(self) -> Model:
+        """The model that was run."""
+        return self.history.model
+
+    @property
+    def advice(self) -> tuple[str, ...]:
+        """Reservations about the scene's laws, such as a point contact law for a line contact."""
+        return tuple(getattr(self.model.module, "ADVICE", ()))
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times of the accepted steps, or of the requested grid [s], shape (rows,)."""
+        return self.history.t
+
+    @property
+    def t_start(self) -> float:
+        """Time [s] at which the run began: 0, or where it was continued."""
+        return float(self.ends.t[0])
+
+    @property
+    def t_end(self) -> float:
+        """Time [s] that the run reached."""
+        return float(self.ends.t[-1])
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the integrated states: coordinates, speeds, memory."""
+        return (*self.model.coordinates, *self.model.speeds, *self.model.memory)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name that `run[name]` has."""
+        return self.history.names
+
+    @property
+    def choices(self) -> tuple[Choice, ...]:
+        """Choices of `method="auto"`: the first method and every change, with reasons; else empty."""
+        return self.findings.choices
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.history[name]
+
+    def with_histories(self, *names: str) -> Self:
+        """Return the run with readings listed among its histories, so that tables and files have them too.
+
+        `model.histories` has all of them. Raises KeyError for an unknown name.
+        """
+        return replace(self, history=self.history.with_names(names))
+
+    def with_model(self, model: Model) -> Self:
+        """Return a saved run with the functions of its model, by which pictures show the ideal mechanism too."""
+        return replace(self, history=self.history.with_model(model))
+
+    def at(self, times: Sequence[float] | np.ndarray) -> History:
+        """Return histories at any times [s] of the run, interpolated by the method's own step and order.
+
+        Under the modes of the step that covers each time. Raises ValueError for times outside the run, and between
+        the rows of a run that kept a grid or was saved.
+        """
+        return self.history.at(np.asarray(times, dtype=float))
+
+    @property
+    def initial(self) -> dict[str, float]:
+        """Every state at the start, SI."""
+        return {name: float(self.ends[name][0]) for name in self.states}
+
+    @property
+    def final(self) -> dict[str, float]:
+        """Every state at the end, SI."""
+        return {name: float(self.ends[name][-1]) for name in self.states}
+
+    def with_steps(self) -> Solution:
+        """Return the run with its accepted steps, where it has them or can be made again; else itself."""
+        return self
+
+    @property
+    def impacts(self) -> tuple[Impact, ...]:
+        """Every contact in the order of its onset."""
+        return self.findings.impacts
+
+    def averages(self, *, interval: str | float | None = None, skip: str | float | None = None) -> tuple[Average, ...]:
+        """Return averages of the run with 95 % confidence: impact rates, forces, powers.
+
+        See `hertzwerk.runtime.engine.solution.averages.averages`.
+        """
+        run = Run(self.model, self.findings, self.scales, self.tolerance, self.t_start, self.t_end)
+        return averages(run, interval=interval, skip=skip)
+
+    def __repr__(self) -> str:
+        return f"<Solution {self.model.name}: {str(self).partition(chr(10))[0]}>"
+
+    def __str__(self) -> str:
+        statistics, count = self.statistics, len(self.impacts)
+        parts = [
+            f"{time_text(self.t_end)} in {statistics.steps:,} steps",
+            f"{count:,} impact{'s' if count != 1 else ''}",
+        ]
+        if self.error is not None:
+            parts.append(f"error {self.error}")
+        if self.energy_residual is not None:
+            parts.append(f"energy closed to {self.energy_residual:.1g}")
+        text = f"{self.outcome.name}: {', '.join([*parts, time_text(statistics.wall_s, 3)])}"
+        return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
+
+    def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
+        return write(Path(path), self.csv(), overwrite=overwrite)
+
+    def csv_size(self) -> float:
+        """Estimate the size [bytes] of the file that `to_csv` would write."""
+        some = slice(None, None, max(len(self.t) // SAMPLE, 1))
+        return len(self.csv(some)) * len(self.t) / len(self.t[some])
+
+    def csv(self, rows: slice = slice(None)) -> bytes:
+        """Return the content of the file that `to_csv` writes, or some rows of it."""
+        units = self.history.units
+        table = np.column_stack([self.t[rows], *(self[name][rows] for name in self.names)])
+        text = io.StringIO()
+        text.write(",".join(f"{name} [{units[name]}]" for name in ("t", *self.names)) + "\n")
+        np.savetxt(text, table, delimiter=",", fmt="%.17g")
+        return text.getvalue().encode()
+
+    def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
+        module = self.model.module
+        about = {
+            "scene": {name: getattr(module, name) for name in _TABLES if hasattr(module, name)} | self._beside(),
+            "ledger": self.model.has_ledger,
+            "outcome": asdict(self.outcome),
+            "statistics": asdict(self.statistics),
+            "parameters": dict(self.parameters),
+            "warnings": self.warnings,
+            **{name: getattr(self, name) for name in ("duration", "accuracy", "tolerance", "method", "compiled")},
+            "energy_residual": self.energy_residual,
+            "scales": {"state": self.scales.state.tolist(), "scene": self.scales.scene.tolist()},
+            "error": self.error and self.error.numbers,
+            "impacts": [impact._asdict() for impact in self.impacts],
+            "choices": [asdict(choice) for choice in self.choices],
+            "sums": self.findings.sums().about(),
+            "period": self.findings.period,
+            "checkpoint": self.checkpoint and self.checkpoint.about(),
+            "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
+        }
+        histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
+        if self.checkpoint is not None:
+            histories[CHECKPOINT] = self.checkpoint.resume.state
+        content = b""
+        if self.history.steps:
+            with suppress(MemoryError):  # then without them: they serve pictures alone
+                content = saved_run.packed(about, {**histories, RATES: saved_run.rates(self.history)})
+        return write(Path(path), content or saved_run.packed(about, histories), overwrite=overwrite)
+
+    def _beside(self) -> dict[str, Any]:
+        """Table of the readings that are saved with a run: name, unit, meaning."""
+        if not self.history.beside:
+            return {}
+        known = readings_of(self.model).rows
+        rows = [(name, known[name].unit, known[name].meaning) for name in self.history.beside]
+        return {"BESIDE": rows}
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read a saved run: its histories, impacts and numbers, without functions.
+
+        Raises InputError for a file that is not as `save` wrote it.
+        """
+        return saved_run.unpacked(Path(path), cls._of)
+
+    @classmethod
+    def _of(cls, about: dict[str, Any], histories: dict[str, np.ndarray]) -> Self:
+        state, rates = histories.pop(CHECKPOINT, None), histories.pop(RATES, None)
+        module = ModuleType(f"saved_{about['scene']['NAME']}")
+        for name, table in about["scene"].items():
+            setattr(module, name, _tuples(table))
+        if about["ledger"]:
+            module.ledger = None  # type: ignore[attr-defined]
+        model = cls.model_type(module)
+        return cls(
+            history=History.stored(model, histories, saved_run.rates_by_name(rates, model, histories)),
+            ends=History.stored(model, {name: np.array(values) for name, values in about["ends"].items()}),
+            findings=Findings.saved(
+                model,
+                [Impact(**impact) for impact in about["impacts"]],
+                [Choice(**choice) for choice in about["choices"]],
+                Sums.saved(about["sums"], model),
+                about["period"],
+            ),
+            outcome=Outcome(**about["outcome"]),
+            duration=about["duration"],
+            accuracy=about["accuracy"],
+            tolerance=about["tolerance"],
+            method=about["method"],
+            compiled=about["compiled"],
+            parameters={name: (value, unit) for name, (value, unit) in about["parameters"].items()},
+            statistics=Statistics(**about["statistics"]),
+            warnings=tuple(about["warnings"]),
+            scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
+            energy_residual=about["energy_residual"],
+            error=about["error"] and ErrorEstimate.from_numbers(about["error"]),
+            checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
+        )
+
+
+_TABLES = (
+    *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
+    *(
+        "LATCHES",
+        "SLIPS",
+        "PAIRS",
+        "DISSIPATED",
+        "OUTPUTS",
+        "INPUTS",
+        "SMOOTH_INPUTS",
+        "CONSTANTS",
+        "BODIES",
+        "OPERATIONS",
+        "QUATERNIONS",
+    ),
+    *("CONSTRAINTS", "ADVICE", "BESIDE"),
+)
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
+def write(path: Path, content: bytes | Iterable[bytes], *, overwrite: bool) -> Path:
+    """Write a file whole; raises FileExistsError if it exists and `overwrite` is not set."""
+    if path.exists() and not overwrite:
+        raise FileExistsError(f"{path} exists; name another file, or say overwrite=True")
+    write_atomically(path, content)
+    return path

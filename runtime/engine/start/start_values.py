@@ -1,0 +1,200 @@
+"""Initial state of a motion: the model's, with given values, unit quaternions and closed loops."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from itertools import pairwise
+from typing import TypeVar
+
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.runtime.engine.model.binding import Value, named_values, read_state
+from hertzwerk.runtime.engine.model.model import Bound, Dependent, Model
+from hertzwerk.runtime.engine.model.si_values import latch_units
+from hertzwerk.runtime.engine.start.of_pairs import of_pairs
+from hertzwerk.runtime.engine.start.stated_start import as_stated
+
+Given = TypeVar("Given", bound=Value)
+
+
+def split_values(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Given], dict[str, Given]]:
+    """Split values by name into parameters and initial states of the joints.
+
+    A name that is neither is left among the parameters.
+    """
+    states = {*model.joints.coordinates, *model.joints.speeds, *model.latches}
+    parameters = {name: value for name, value in values.items() if name not in states}
+    return parameters, {name: value for name, value in values.items() if name in states}
+
+
+@np.errstate(all="ignore")  # what is not finite is a fault, or an outcome
+def start_of(
+    model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: Sequence[Fault] = ()
+) -> tuple[Bound, np.ndarray, np.ndarray]:
+    """Return the bound numbers, q (nq,) and u (nu,) that a run would start from.
+
+    Raises InputError with every fault, those passed included.
+    """
+    found = list(faults)
+    bound, wrong = model.check(parameters)
+    given = not isinstance(initial, Mapping) or len(initial) > 0  # what is no mapping is a fault, told below
+    stated = None if bound is None or given else as_stated(model, bound)
+    q, u = read_start(model, bound, initial, found) if stated is None else stated
+    if bound is None or found:
+        raise InputError(model.name, wrong + found)
+    return bound, q, u
+
+
+def read_start(
+    model: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return q and u at the start; bad input is appended to `faults`.
+
+    In absolute coordinates both are given for the joints and converted.
+    """
+    q, u = assembled(model, bound, initial, faults)
+    return (q, u) if bound is None or faults else model.placed(bound, q, u)
+
+
+def assembled(
+    whole: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the start in joint coordinates: loops closed, journals centred where possible, or seated."""
+    model = whole.joints
+    values: dict[str, float] = {}
+    names = (*model.coordinates, *model.speeds)
+    latches = latch_units(whole)
+    for name, value in named_values("initial", initial, faults).items():
+        if name in latches:
+            faults += [fault for _, fault in [read_state(name, latches[name], value)] if fault is not None]
+            continue
+        if name not in names:
+            faults.append(unknown("state", name, names))
+            continue
+        si, fault = read_state(name, model.units[name], value)
+        values[name] = si
+        if fault is not None:
+            faults.append(fault)
+    if bound is None:
+        return np.zeros(model.nq), np.zeros(model.nu)
+    start = np.concatenate(model.evaluate("start", bound.p))
+    for i, name in enumerate(names):
+        start[i] = values.get(name, start[i])
+        if not math.isfinite(start[i]) and name not in values:
+            faults.append(
+                Fault(name, f"{float(start[i])!r} at the start", "a finite value", "it follows from the parameters")
+            )
+    for i in model.quaternions:
+        norm = float(np.linalg.norm(start[i : i + 4]))
+        if math.isfinite(norm):
+            if norm == 0:
+                faults.append(
+                    Fault(
+                        names[i].removesuffix("0"),
+                        "a quaternion of norm 0 at the start",
+                        "one that can be divided by its norm",
+                    )
+                )
+            start[i : i + 4] /= norm or 1
+    q, u = start[: model.nq], start[model.nq :]
+    if hasattr(whole.module, "GIVEN") and not faults:
+        from hertzwerk.runtime.engine.start.assembly import assemble  # a tree without journals needs none
+
+        q, u, unclosed = assemble(whole, bound, q, u, {*whole.module.GIVEN, *values})
+        faults.extend(unclosed)
+        if hasattr(whole.module, "SEATED") and not faults:
+            from hertzwerk.runtime.engine.start.seating import seat
+
+            q, u, unclosed = seat(whole, bound, q, u, {*whole.module.GIVEN, *values})
+            faults.extend(unclosed)
+    return q, u
+
+
+@np.errstate(all="ignore")
+def overlaps(
+    model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
+) -> tuple[list[Fault], tuple[str, ...]]:
+    """Return a fault for each pair that overlaps too deeply at the start, and warnings of the others.
+
+    Those are pressed so deep that they separate faster than the scene moves.
+    """
+    from hertzwerk.runtime.engine.start.intrusion import LIMIT, intrusions
+
+    faults, warnings = [], []
+    held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""
+    for found in intrusions(model, bound, q, u):
+        way_out = _separating_change(model, bound, initial, found.pair)
+        if not found.too_deep:
+            warnings.append(
+                f"{found.pair} starts {found.depth:.3g} m deep: stiffness alone would throw that apart at "
+                f"{found.speed:.3g} m/s, faster than the scene is{held}; {way_out}"
+            )
+            continue
+        if not found.in_range:
+            why = f"a penetration of {found.depth:.3g} m, so deep that its law is not defined there"
+            expected = "surfaces that are apart, or touch"
+        else:
+            why = f"a penetration of {found.depth:.3g} m, which would throw the surfaces apart at {found.speed:.3g} m/s"
+            expected = f"at most about {found.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
+        faults.append(Fault(f"start, {found.pair}", why, expected, way_out))
+    return faults, tuple(warnings)
+
+
+def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:
+    """Suggest the coordinate whose least change, in the scene's scales, separates a pair's surfaces."""
+    joints, j = model.joints, model.pairs.index(pair)
+    stated, still = assembled(model, bound, initial, [])
+    sizes = joints.evaluate("scales", bound.p)[0]
+
+    def gap(i: int, change: float) -> float:
+        q = stated.copy()
+        q[i] += change
+        q, u = model.placed(bound, q, still)
+        return float(of_pairs(model, "gaps", [j], {"t": 0.0, "q": q, "u": u, "c": bound.c})[0][0])
+
+    ways = []
+    moving = model.members[j][1] if model.members else range(joints.nq)
+    for i in moving if not joints.nl else ():  # in a loop nothing changes alone
+        name = joints.coordinates[i]
+        size = sizes[i] if math.isfinite(sizes[i]) and sizes[i] > 0 else 1e-3
+        change = None if joints.units[name] == "1" else _least_change(partial(gap, i), size)
+        if change is not None:
+            ways.append((abs(change) / size, i, change))
+    if not ways:
+        return "no coordinate alone brings them apart: check the lengths of the mechanism, and what the start states"
+    _, i, change = min(ways)
+    name, at, unit = joints.coordinates[i], stated[i], joints.units[joints.coordinates[i]]
+    return f"they touch with {name} at {at + change:.6g} {unit} in place of {at:.6g} {unit}, a change of {change:.3g} {unit}"
+
+
+def _least_change(gap: Callable[[float], float], size: float) -> float | None:
+    """Return the least change of a coordinate, in either direction, that opens a gap; None if none does.
+
+    Changes up to 1e6 sizes are tried.
+    """
+    steps = [size * 2.0**k for k in range(-6, 21)]
+    opening = (
+        (sign * before, sign * step)
+        for before, step in pairwise([0.0, *steps])
+        for sign in (1, -1)
+        if gap(sign * step) >= 0
+    )
+    closed, opened = next(opening, (0.0, math.nan))
+    if math.isnan(opened):
+        return None
+    for _ in range(60):
+        middle = (closed + opened) / 2
+        closed, opened = (closed, middle) if gap(middle) >= 0 else (middle, opened)
+    return opened
+
+
+def dependent(model: Model, bound: Bound, q: np.ndarray) -> tuple[Dependent, ...]:
+    """Return groups of redundant constraints, valid from a start on."""
+    if not model.nl:
+        return ()
+    from hertzwerk.runtime.engine.start import assembly  # a tree needs none
+
+    return assembly.dependent(model, bound, q)

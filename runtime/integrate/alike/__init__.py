@@ -1,1 +1,0 @@
-"""Expressions that are equal but for their inputs."""

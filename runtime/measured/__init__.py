@@ -1,1 +1,0 @@
-"""Measured data beside a run: reading, instrument, alignment, errors, statistics."""

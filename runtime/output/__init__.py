@@ -1,0 +1,1 @@
+"""Output of runs: pictures, films, tables, pages."""

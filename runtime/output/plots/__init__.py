@@ -1,0 +1,1 @@
+"""Plots of solutions, and what all plots share."""

@@ -1,0 +1,1 @@
+"""Plots of sweeps, of a propagation and of a minimisation."""

@@ -1,0 +1,108 @@
+"""Picture of a propagation: samples of each output beside the derivatives' spread, and Sobol indices."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hertzwerk.runtime.output.plots.plot_panel import empty_panel
+from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, SKY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.output.plots.title import title_height, write_title
+from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+from hertzwerk.runtime.output.sweep_plots.swept_table import Array
+
+WIDE, HIGH = 4.6, 2.6  # inches of a panel
+BINS = 40  # most
+
+
+class Part(Protocol):
+    """Part of a variance, with its 95 % interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+class Output(Protocol):
+    """Uncertain output, see `Uncertain`."""
+
+    name: str
+    unit: str
+    nominal: float
+    linear: float
+    reason: str
+
+    @property
+    def first(self) -> Mapping[str, Part]:
+        """Sobol indices of first order."""
+
+    @property
+    def total(self) -> Mapping[str, Part]:
+        """Total Sobol indices."""
+
+
+def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], told: str) -> Figure:
+    """Draw each output in a row: its samples with the normal curve of its derivatives, and its indices.
+
+    samples    independent draws by output, SI; told    what is said below the title
+    """
+    indices = any(output.first for output in outputs)
+    width = WIDE * (2 if indices else 1)
+    with mpl.rc_context(STYLE):
+        head = title_height(width, scene, told)
+        page = Figure(figsize=(width, HIGH * len(outputs) + head), layout="constrained")
+        used = write_title(page, f"{scene}: uncertainty", told)
+        layout: Any = page.get_layout_engine()
+        layout.set(rect=(0, 0, 1, 1 - used / page.get_figheight()))
+        grid = page.subplots(len(outputs), 2 if indices else 1, squeeze=False)
+        for output, row in zip(outputs, grid, strict=True):
+            _spread(row[0], output, samples[output.name])
+            if indices:
+                _indices(row[1], output)
+        for column in grid.T:
+            if labelled := [axis for axis in column if axis.get_legend_handles_labels()[1]]:
+                labelled[0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
+    return page
+
+
+def _spread(axis: Axes, output: Output, values: Array) -> None:
+    """Draw the samples of an output, and the normal curve that its derivatives tell."""
+    values = values[np.isfinite(values)]
+    unit = scale_of(output.unit, values)
+    axis.hist(unit(values), bins=min(BINS, max(8, int(np.sqrt(len(values))))), density=True, color=SKY, label="samples")
+    if output.linear > 0:
+        x = output.nominal + output.linear * np.linspace(-3.5, 3.5, 200)
+        curve = np.exp(-(((x - output.nominal) / output.linear) ** 2) / 2) / (output.linear * np.sqrt(2 * np.pi))
+        axis.plot(unit(x), curve * unit.factor, color=VERMILLION, label="derivatives")
+    axis.set(title=plain(output.name), yticks=[], xlabel=unit.unit)
+
+
+def _indices(axis: Axes, output: Output) -> None:
+    """Draw the parts of an output's variance as bars, with their intervals."""
+    names = list(output.first)
+    if not names:
+        empty_panel(axis, f"{output.name}: no variance to part")
+        return
+    for shift, parts, colour, label in (
+        (0.2, output.first, BLUE, "alone"),
+        (-0.2, output.total, GREY, "with interactions"),
+    ):
+        found = [parts[name] for name in names]
+        value = np.array([part.value for part in found])
+        ends = np.abs(np.array([[part.low for part in found], [part.high for part in found]]) - value)
+        place = np.arange(len(names))[::-1] + shift
+        axis.barh(
+            place, value, 0.36, color=colour, label=label, xerr=ends, error_kw={"elinewidth": 0.8, "ecolor": "black"}
+        )
+    axis.set(
+        yticks=np.arange(len(names))[::-1],
+        yticklabels=[plain(name) for name in names],
+        xlim=(-0.05, 1.15),
+        xlabel="part of the variance",
+    )
+    axis.grid(visible=False, axis="y")

@@ -1,0 +1,35 @@
+"""Histories of a run as a labelled table: units, meanings, parameters."""
+
+from __future__ import annotations
+
+from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.runtime.engine.model.si_values import unit_at
+from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.output.tables.history_meanings import meaning_of
+from hertzwerk.runtime.output.tables.labelled_table import Column, LabelledTable
+from hertzwerk.runtime.system.versions import versions
+
+
+def history_table(run: Solution) -> LabelledTable:
+    """Return every history of a run over its times, with parameters and outcome."""
+    model, units = run.model, run.history.units
+    columns = {name: Column(run[name], units[name], meaning_of(model, name)) for name in ("t", *run.names)}
+    about: dict[str, str | float] = {
+        "scene": model.name,
+        "outcome": run.outcome.name,
+        "method": run.method,
+        "tolerance": run.tolerance,
+        **({} if run.error is None else {"error": run.error.judged}),
+        "hertzwerk": versions()["hertzwerk"],
+    }
+    given = {f"parameter.{name}": _parameter(run, name) for name in run.parameters}
+    return LabelledTable("t", columns, {**about, **given})
+
+
+def _parameter(run: Solution, name: str) -> str:
+    """Return a parameter as text that `simulate` takes, with every digit."""
+    value, unit = run.parameters[name]
+    read = parse_unit(unit)
+    if read.free_names:  # N/m^exponent, of a law whose exponent is a parameter
+        value, unit = read.to_si(value), unit_at(unit, run.parameters)
+    return repr(value) if unit == "1" else f"{value!r} {unit}"

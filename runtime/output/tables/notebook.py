@@ -1,0 +1,52 @@
+"""Models and runs as notebooks show them: picture, parameters, effects; outcome, first impacts."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from hertzwerk.derive.common.markup import Markup, embedded, joined, tag
+from hertzwerk.derive.common.plain_table import OTHER, heading, table, titled
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.solution.solution import Solution
+
+
+def of_model(model: Model, picture: Figure) -> Markup:
+    """Return a model with the picture of its start."""
+    image = io.BytesIO()
+    picture.savefig(image, format="png", dpi=80)
+    sizes = f"{model.nq} coordinates, {model.k} contact pair{'s' if model.k != 1 else ''}, {len(model.units)} states"
+    parameters = [(name, f"{p.default:.6g}", p.unit, p.meaning) for name, p in model.parameters.items()]
+    return joined([
+        heading(model.name, model.module.SUMMARY, f" ({sizes}; every history: model.histories)", good=True),
+        embedded(image.getvalue(), f"The mechanism {model.name} at its start"),
+        titled("Effects", ("effect", "kind", "what it is"), model.module.EFFECTS),
+        titled("Parameters", ("parameter", "value", "unit", "meaning"), parameters),
+    ])  # fmt: skip
+
+
+SHOWN = 8  # impacts of a run
+
+
+def of_run(run: Solution, given: Mapping[str, tuple[float, str]]) -> Markup:
+    """Return outcome, warnings, given parameters, and the first impacts of a run."""
+    first, *rest = str(run).split("\n")
+    name = run.outcome.name
+    parts = [heading(run.model.name, name, first.removeprefix(name), good=name == "finished")]
+    parts += [tag("p", note, style=f"color:{OTHER}") for note in (*rest, *run.warnings)]
+    if given:
+        parts.append(table(("parameter", "value"), [(name, f"{x:.6g} {unit}") for name, (x, unit) in given.items()]))
+    if run.impacts:
+        header = ("impact", "t [s]", "speed [m/s]", "peak force [N]", "duration [s]")
+        parts.append(table(header, [
+            (i.contact, f"{i.t:.6g}", f"{i.speed:.4g}", f"{i.peak_force:.4g}", "" if i.duration is None else f"{i.duration:.4g}")
+            for i in run.impacts[:SHOWN]
+        ]))  # fmt: skip
+    more = len(run.impacts) - SHOWN
+    parts += [tag("p", f"and {more:,} more impacts")] if more > 0 else []
+    return joined(parts)

@@ -1,1 +1,0 @@
-"""Pictures of solutions and studies: every use of Matplotlib."""

@@ -1,0 +1,1 @@
+"""Measured data beside a run: instrument, alignment, errors, statistics."""

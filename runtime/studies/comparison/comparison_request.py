@@ -1,0 +1,194 @@
+"""Request for a comparison with measured data, read and checked: columns, instrument, ranges, noise."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.units import UnitError, parse_unit, rate_remedy
+from hertzwerk.runtime.engine.inputs.measurement_csv import Array, Columns, Measurement, read_measurement
+from hertzwerk.runtime.engine.model.binding import Value, read, read_state
+from hertzwerk.runtime.studies.comparison.alignment import Range
+from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
+
+HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "1/s": 1.0}
+FREQUENCY = re.compile(r"\s*(?P<number>[-+.\deE]+)\s*(?P<unit>Hz|kHz|MHz|1/s)\s*")
+
+Between = str | float | tuple[float, float]  # "-2..2 ms", (-0.002, 0.002), or one value
+
+
+@dataclass(frozen=True)
+class Channel:
+    """Measured column beside a history.
+
+    Samples in the history's unit (SI), nan where missing; noise: their standard deviation in SI, None where none is
+    stated.
+    """
+
+    column: str
+    history: str
+    unit: str
+    samples: Array
+    noise: float | None = None
+
+
+@dataclass(frozen=True)
+class Asked:
+    """Comparison that was asked for; instrument: None where the run is compared as it is."""
+
+    measurement: Measurement
+    channels: tuple[Channel, ...]
+    instrument: Instrument | None
+    offsets: Range
+    drifts: Range
+
+    @property
+    def lasts(self) -> float:
+        """Time [s] until which a run covers the data, wherever in the ranges they are put."""
+        times = self.measurement.times
+        settling = self.instrument.settling if self.instrument is not None and self.instrument.zero_phase else 0.0
+        return self.offsets[1] + float(times[-1] + self.drifts[1] * (times[-1] - times[0])) + settling
+
+
+def read_asked(
+    units: Mapping[str, str],
+    data: Measurement | str | Path,
+    map: Mapping[str, str] | None,
+    *,
+    bandwidth: str | float | None,
+    order: int,
+    zero_phase: bool,
+    offset: Between,
+    drift: Between,
+    noise: Mapping[str, Value] | None,
+) -> Asked:
+    """Read a comparison against the SI units of a run's histories; raises InputError with every fault."""
+    faults: list[Fault] = []
+    instrument = _instrument(bandwidth, order, zero_phase, faults)
+    offsets, drifts = read_between("offset", offset, "s", faults), read_between("drift", drift, "1", faults)
+    if drifts[0] <= -1:
+        faults.append(Fault("drift", f"{drifts[0]:g}", "more than -1", "0.01 means that the run takes 1 % longer"))
+    if map is not None and not (isinstance(map, Mapping) and map):
+        faults.append(Fault("map", shown(map), "histories by column, such as {'acceleration': 'guide.acceleration'}"))
+        map = None
+    measurement: Measurement | None = None
+    try:
+        measurement = (
+            data if isinstance(data, Measurement) else read_measurement(data, None if map is None else list(map))
+        )
+    except InputError as error:
+        faults += error.faults
+    channels = read_channels(units, measurement, map, noise, faults)
+    if faults or measurement is None:
+        raise InputError("comparison with measured data", faults)
+    return Asked(measurement, channels, instrument, offsets, drifts)
+
+
+def read_channels(
+    units: Mapping[str, str],
+    measurement: Columns | None,
+    map: Mapping[str, str] | None,
+    noise: Mapping[str, Value] | None,
+    faults: list[Fault],
+) -> tuple[Channel, ...]:
+    """Return measured columns beside histories of these SI units; bad input is appended to `faults`.
+
+    measurement: None where it could not be read, so that names alone are checked.
+    """
+    channels: list[Channel] = []
+    pairs = dict(map) if map is not None else {name: name for name in (measurement.columns if measurement else ())}
+    for column, history in pairs.items():
+        if history not in units or history == "t":
+            faults.append(_no_history(column, history, units, mapped=map is not None))
+        elif measurement is not None and column not in measurement.columns:
+            faults.append(unknown("column", column, measurement.columns))
+        elif measurement is not None:
+            channels += _channel(measurement, column, history, units[history], noise or {}, faults)
+    faults += [unknown("column", name, pairs) for name in (noise or {}) if name not in pairs]
+    return tuple(channels)
+
+
+def _no_history(column: str, history: object, units: Mapping[str, str], *, mapped: bool) -> Fault:
+    fault = unknown("history", history, [name for name in units if name != "t"])
+    remedy = fault.remedy or ("" if mapped else f'name the history: --map "{column}=NAME"')
+    return Fault(f"{column}, {fault.where}" if mapped else column, fault.found, fault.expected, remedy)
+
+
+def _channel(
+    measurement: Columns,
+    column: str,
+    history: str,
+    declared: str,
+    noise: Mapping[str, Value],
+    faults: list[Fault],
+) -> list[Channel]:
+    """Return the channel of a column, if its unit and its noise are those of the history; else its faults."""
+    where, unit, expected = f"{measurement.source or 'data'}, {column}", measurement.unit(column), parse_unit(declared)
+    text = f"[{measurement.units[column]}]"
+    size: float | None = None
+    fault: Fault | None = None
+    if unit.exponents != expected.exponents:
+        fault = Fault(where, f"{text}, which is {unit}", f"a unit of {declared}, as {history} has")
+    elif unit.mistaken_for(expected):
+        fault = Fault(where, text, f"a unit of {declared}, as {history} has", rate_remedy(unit))
+    elif column in noise:
+        size, fault = read_state(f"noise of {column}", declared, noise[column])
+        if fault is None and not size > 0:
+            fault = Fault(f"noise of {column}", shown(noise[column]), f"a positive standard deviation in {declared}")
+    if fault is not None:
+        faults.append(fault)
+        return []
+    return [Channel(column, history, declared, measurement.si(column), size)]
+
+
+def _instrument(
+    bandwidth: str | float | None, order: object, zero_phase: bool, faults: list[Fault]
+) -> Instrument | None:
+    whole = isinstance(order, int) and not isinstance(order, bool) and ORDERS[0] <= order <= ORDERS[1]
+    if not whole:
+        faults.append(Fault("order", shown(order), f"a whole number in {ORDERS[0]}..{ORDERS[1]}"))
+    if bandwidth is None:
+        return None
+    expected = 'a positive cut-off frequency, such as "5 kHz"'
+    match = FREQUENCY.fullmatch(bandwidth) if isinstance(bandwidth, str) else None
+    try:
+        cut_off = float(bandwidth) if match is None else float(match["number"]) * HERTZ[match["unit"]]
+    except (TypeError, ValueError):
+        cut_off = math.nan
+    if (isinstance(bandwidth, str) and match is None) or isinstance(bandwidth, bool) or not 0 < cut_off < math.inf:
+        remedy = "in Hz, kHz or MHz, of periods: rad/s is no frequency"
+        faults.append(Fault("bandwidth", shown(bandwidth), expected, remedy))
+        return None
+    return Instrument(cut_off, order, zero_phase) if whole and isinstance(order, int) else None
+
+
+def read_between(where: str, given: Between, unit: str, faults: list[Fault]) -> Range:
+    """Return the ends of a range in SI; bad input is appended to `faults`."""
+    example = '"-2..2 ms"' if unit == "s" else '"-1e-4..1e-4" or "-0.01..0.01 %"'
+    expected = f"a range such as {example}, or one value"
+    try:
+        if isinstance(given, str):
+            low, dots, high = given.partition("..")
+            texts = (low, high) if dots else (low, low)
+            _, _, unit_text = read(texts[1])
+            values = [
+                read(text if k or read(text)[2] != "1" else f"{text} {unit_text}") for k, text in enumerate(texts)
+            ]
+        else:
+            ends = given if isinstance(given, tuple) and len(given) == 2 else (given, given)
+            values = [read((end, unit)) for end in ends]
+    except UnitError as error:
+        faults.append(Fault(where, shown(given), expected, str(error)))
+        return 0.0, 0.0
+    si = [each.to_si(value) for value, each, _ in values]
+    if any(each.exponents != parse_unit(unit).exponents for _, each, _ in values):
+        faults.append(Fault(where, shown(given), expected, "in a unit of time" if unit == "s" else "a plain number"))
+    elif not all(map(math.isfinite, si)) or si[0] > si[1]:
+        faults.append(Fault(where, shown(given), expected, "the lower end first"))
+    else:
+        return si[0], si[1]
+    return 0.0, 0.0

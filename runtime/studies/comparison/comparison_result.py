@@ -1,0 +1,249 @@
+"""Comparison of a run with measured data, in numbers, words and JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hertzwerk.derive.common.units import time_text
+from hertzwerk.runtime.studies.comparison.signal_statistics import by_chance
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Array
+    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.studies.comparison.alignment import Alignment
+    from hertzwerk.runtime.studies.comparison.comparison_request import Asked, Channel
+    from hertzwerk.runtime.studies.comparison.residuals import Residual
+    from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, Statistic
+    from hertzwerk.runtime.studies.comparison.spectra import Spectrum
+
+RARE = 0.01  # chance of so many differing statistics below which they are taken for a difference
+
+
+@dataclass(frozen=True)
+class Signal:
+    """Measured column beside what the instrument would have shown of the run.
+
+    t                run times [s] of the samples that lie within the run and are not missing, shape (n,)
+    measured, run    there, in SI
+    missing          samples without a value
+    residual         within the horizon; None where no sample lies there
+    spectrum         or the reason why there is none
+    statistics       beyond the horizon; empty where `no_statistics` says why there are none
+    """
+
+    channel: Channel
+    t: Array
+    measured: Array
+    run: Array
+    missing: int
+    residual: Residual | None
+    spectrum: Spectrum | str
+    statistics: tuple[Statistic, ...]
+    no_statistics: str = ""
+
+    @property
+    def differing(self) -> tuple[int, int]:
+        """Number of statistics that differ beyond their intervals, and of those that have intervals."""
+        verdicts = [statistic.differs for statistic in self.statistics if statistic.differs is not None]
+        return sum(verdicts), len(verdicts)
+
+
+@dataclass(frozen=True)
+class Compared:
+    """Run beside measured data.
+
+    horizon     time [s] up to which trajectories are compared: the run's own errors grow to 0.1 % of its scales there
+    outside     measured times that lie outside the run
+    warnings    what to heed before the numbers are believed
+    """
+
+    solution: Solution
+    asked: Asked
+    alignment: Alignment
+    horizon: float
+    signals: tuple[Signal, ...]
+    outside: int
+    warnings: tuple[str, ...]
+
+    @property
+    def differs(self) -> bool | None:
+        """Return whether data and run differ by more than the stated noise, or by statistics beyond chance.
+
+        None where neither could be told: no noise was stated, and there are no statistics with intervals.
+        """
+        verdicts = [not s.residual.explained for s in self.signals if s.residual and s.residual.explained is not None]
+        verdicts += [by_chance(n, k) < RARE for k, n in (signal.differing for signal in self.signals) if n]
+        return any(verdicts) if verdicts else None
+
+    def lines(self, *, statistics: bool = True) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences; each statistic too, if wanted."""
+        run, asked = self.solution, self.asked
+        data = asked.measurement
+        yield (
+            run.model.name,
+            f"{time_text(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times",
+        )
+        yield "instrument", str(asked.instrument or "none: the run is compared as it is")
+        yield "alignment", _alignment(self.alignment)
+        for signal in self.signals:
+            yield from _signal_lines(signal, self.horizon, run.t_end, statistics=statistics)
+        yield "verdict", _verdict(self)
+        for warning in self.warnings:
+            yield "warning", warning
+
+    def __str__(self) -> str:
+        return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def csv(self) -> str:
+        """Return run times with measured and run of every signal as CSV; empty where missing."""
+        times = np.unique(np.concatenate([signal.t for signal in self.signals]))
+        columns = {"t [s]": times}
+        for signal in self.signals:
+            rows = np.searchsorted(times, signal.t)
+            for which, values in (("measured", signal.measured), ("run", signal.run)):
+                column = np.full(len(times), np.nan)
+                column[rows] = values
+                columns[f"{signal.channel.column} {which} [{signal.channel.unit}]"] = column
+        rows_of_text = (
+            ",".join("" if np.isnan(x) else repr(float(x)) for x in row) for row in zip(*columns.values(), strict=True)
+        )
+        return "\n".join([",".join(columns), *rows_of_text]) + "\n"
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the samples as plain numbers, in SI, null for missing ones."""
+        data, alignment = self.asked.measurement, self.alignment
+        return {
+            "scene": self.solution.model.name,
+            "outcome": self.solution.outcome.name,
+            "source": data.source,
+            "instrument": self.asked.instrument
+            and {**asdict(self.asked.instrument), "text": str(self.asked.instrument)},
+            "alignment": {**asdict(alignment), "searched": alignment.searched},
+            "horizon": self.horizon,
+            "outside": self.outside,
+            "differs": self.differs,
+            "signals": [_signal_record(signal) for signal in self.signals],
+            "warnings": list(self.warnings),
+        }
+
+
+def _signal_record(signal: Signal) -> dict[str, Any]:
+    channel, residual, spectrum = signal.channel, signal.residual, signal.spectrum
+    return {
+        "column": channel.column,
+        "history": channel.history,
+        "unit": channel.unit,
+        "samples": len(signal.t),
+        "missing": signal.missing,
+        "residual": residual and {**asdict(residual), "explained": residual.explained},
+        "spectrum": {"reason": spectrum}
+        if isinstance(spectrum, str)
+        else {
+            "low": float(spectrum.frequencies[0]),
+            "high": float(spectrum.frequencies[-1]),
+            "distance_dB": spectrum.distance,
+            "coherence": spectrum.coherence,
+        },
+        "statistics": [{**asdict(each), "differs": each.differs} for each in signal.statistics],
+        "no_statistics": signal.no_statistics,
+    }
+
+
+def _alignment(found: Alignment) -> str:
+    if not found.searched and found.offset == found.drift == 0:
+        return "none: measured times are times of the run"
+    if not found.searched:
+        return f"the measured time plus {time_text(found.offset)}, a drift of {found.drift:.3g}: as given, nothing searched"
+    ends = [
+        f"{name} {show(value)}" + (f" +- {show(error)} (of {show(low)} to {show(high)})" if low < high else " (given)")
+        for name, value, error, (low, high), show in (
+            ("offset", found.offset, found.offset_error, found.offsets, time_text),
+            ("drift", found.drift, found.drift_error, found.drifts, lambda value: f"{value:.3g}"),
+        )
+    ]
+    return f"{', '.join(ends)}, where the correlation is largest, {found.correlation:.4f}; +- standard errors"
+
+
+def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: bool) -> Iterator[tuple[str, str]]:
+    channel, residual, spectrum = signal.channel, signal.residual, signal.spectrum
+    lost = f", {signal.missing:,} missing" if signal.missing else ""
+    yield channel.column, f"{channel.history}: {len(signal.t):,} samples within the run{lost}"
+    unit = "" if channel.unit == "1" else f" {channel.unit}"
+    if residual is None:
+        yield "trajectory", f"not compared: no sample lies before the horizon, t = {time_text(horizon)}"
+    else:
+        until = "whole run" if horizon >= end else f"until the horizon, t = {time_text(horizon)}"
+        of_all = 100 * residual.rms / residual.variation if residual.variation > 0 else math.nan
+        part = f" ({of_all:.2g} % of the measured variation)" if residual.variation > 0 else ""
+        yield (
+            "trajectory",
+            f"{until}: residual rms {residual.rms:.4g}{unit}{part}, mean {residual.mean:.2g}{unit}, peak {residual.peak:.4g}{unit}; "
+            f"correlation {residual.correlation:.4f}",
+        )
+        if residual.largest is not None and residual.noise is not None:
+            yield "noise", _noise(residual, unit)
+    if isinstance(spectrum, str):
+        yield "spectrum", f"none: {spectrum}"
+    else:
+        coherent = "" if spectrum.coherence is None else f", coherence {spectrum.coherence:.3f}"
+        low, high = spectrum.frequencies[[0, -1]]
+        yield "spectrum", f"{low:.4g} to {high:.4g} Hz: log-spectral distance {spectrum.distance:.2f} dB{coherent}"
+    if signal.no_statistics:
+        yield "statistics", f"none: {signal.no_statistics}"
+    reasons = {each.reason for statistic in signal.statistics for each in (statistic.measured, statistic.run)}
+    if signal.statistics and "" not in reasons:
+        yield "statistics", f"beyond the horizon, but without confidence: {'; '.join(sorted(reasons))}"
+        return
+    for statistic in signal.statistics if statistics else ():
+        yield "statistics", _statistic(statistic)
+
+
+def _noise(residual: Residual, unit: str) -> str:
+    ratio = residual.rms / residual.noise if residual.noise else math.nan
+    limit = f"{residual.largest:.4g}{unit}, which noise of {residual.noise:.4g}{unit} alone exceeds once in a hundred"
+    if not residual.explained:
+        return f"the residual is {ratio:.3g} times the stated noise, more than {limit}: something else differs"
+    if residual.overstated:
+        least = f"{residual.least:.4g}{unit}, which noise of {residual.noise:.4g}{unit} falls below once in a hundred"
+        return f"the residual is {ratio:.2g} times the stated noise, less than {least}: too much noise is stated, and hides differences"
+    return f"the residual is {ratio:.3g} times the stated noise, within {limit}: no difference is seen"
+
+
+def _statistic(statistic: Statistic) -> str:
+    unit = "" if statistic.unit == "1" else f" {statistic.unit}"
+
+    def text(found: Estimated) -> str:
+        if found.low is None or found.high is None:
+            return f"{found.value:.4g} (no interval: {found.reason})"
+        return f"{found.value:.4g} ({found.low:.4g} to {found.high:.4g})"
+
+    return (
+        f"{statistic.name}: measured {text(statistic.measured)}, run {text(statistic.run)}{unit}: {statistic.verdict}"
+    )
+
+
+def _verdict(found: Compared) -> str:
+    """Return a sentence that says no more than the numbers do."""
+    differ, counted = (sum(numbers) for numbers in zip(*(signal.differing for signal in found.signals), strict=True))
+    residuals = [signal.residual for signal in found.signals if signal.residual is not None]
+    judged = [residual for residual in residuals if residual.explained is not None]
+    parts = []
+    if judged:
+        bad = sum(not residual.explained for residual in judged)
+        parts.append(
+            f"{bad} of {len(judged)} residuals are larger than the stated noise explains"
+            if bad
+            else "the stated noise explains every residual that was judged by it"
+        )
+    if len(judged) < len(residuals):
+        parts.append("residuals are not judged, as the noise of the measurement is not stated (noise)")
+    if counted:
+        parts.append(
+            f"{differ} of {counted} statistics differ beyond their 95 % intervals, {counted / 20:.2g} would by chance"
+        )
+    return "; ".join(parts) or "nothing could be judged"

@@ -1,0 +1,128 @@
+"""Match of a run with measured data: seen through the instrument, aligned, compared signal by signal.
+
+1. asked       columns against histories, instrument, ranges                                asked, measurement
+2. seen        the run integrated between its steps and filtered as the instrument does     seen_run, instrument
+3. aligned     offset and drift of the measured time                                        alignment
+4. compared    trajectories within the horizon, statistics beyond                           residuals, spectra, statistics
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.engine.accuracy.error_estimate import VALID, horizon
+from hertzwerk.runtime.studies.comparison.alignment import Alignment, align
+from hertzwerk.runtime.studies.comparison.comparison_result import Compared, Signal
+from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+from hertzwerk.runtime.studies.comparison.residuals import residual_of
+from hertzwerk.runtime.studies.comparison.signal_statistics import Statistic, statistics_of
+from hertzwerk.runtime.studies.comparison.spectra import series_of, spectrum_of
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Array
+    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.studies.comparison.comparison_request import Asked, Channel
+
+INTERVALS = 240  # of the times beyond the horizon, where the run has no period
+OWN = VALID / 10  # of the scales: largest error of the run itself where a residual is judged
+FEWEST = 16  # samples of a window that is compared
+PER_SAMPLE = 4  # cells of an unfiltered run in a measured step
+SEED = 0  # of the noise added to the run before statistics
+
+
+def match(run: Solution, asked: Asked) -> Compared:
+    """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
+    if not run.history.steps:
+        found, expected = "a saved run, or one that kept a grid", 'a run that kept its steps, output="steps"'
+        raise InputError("comparison with measured data", [Fault("run", found, expected)])
+    times = asked.measurement.times
+    spacing = float(np.median(np.diff(times))) / PER_SAMPLE
+    seen = SeenRun(run, [channel.history for channel in asked.channels], asked.instrument, spacing)
+    samples = np.column_stack([channel.samples for channel in asked.channels])
+    known = horizon_of(run)
+    alignment = align(seen, times, samples, asked.offsets, asked.drifts, horizon=known)
+    at = alignment(times)
+    inside = (at >= seen.start) & (at <= seen.end)
+    shown = seen.at(at[inside])
+    signals = tuple(
+        _signal(channel, at[inside], samples[inside, k], shown[:, k], asked, known, run.findings.period)
+        for k, channel in enumerate(asked.channels)
+    )
+    outside = int(np.sum(~inside))
+    return Compared(run, asked, alignment, known, signals, outside, tuple(_warnings(run, asked, alignment, outside)))
+
+
+def horizon_of(run: Solution) -> float:
+    """Return the time [s] up to which trajectories are compared; a run's end where nothing is known.
+
+    Its own error stays within a tenth of what a valid trajectory may have, so as not to be taken for a difference.
+    """
+    if run.error is None:
+        return run.t_end
+    sooner = horizon(run.error.times, run.error.values, OWN)
+    return float(min(t for t in (sooner, run.error.horizon, run.t_end) if t is not None))
+
+
+def _signal(
+    channel: Channel, at: Array, samples: Array, run: Array, asked: Asked, horizon: float, period: float | None
+) -> Signal:
+    there = np.isfinite(samples)
+    t, measured, run = at[there], samples[there], run[there]
+    within = t <= horizon
+    beyond = ~within
+    residual = (
+        residual_of(t[within], measured[within], run[within], channel.noise) if np.sum(within) >= FEWEST else None
+    )
+    cut_off = math.inf if asked.instrument is None else asked.instrument.cut_off
+    series = series_of(t, measured, run)
+    spectrum = (
+        series
+        if isinstance(series, str)
+        else spectrum_of(series, cut_off, coherent=bool(np.all(within)), noise=channel.noise)
+    )
+    statistics: tuple[Statistic, ...] = ()
+    why = ""
+    if np.sum(beyond) < FEWEST:
+        why = "the trajectory is valid throughout" if not np.any(beyond) else "too few samples beyond the horizon"
+    else:
+        interval = period or float(np.ptp(t[beyond])) / INTERVALS
+        noisy = run[beyond]
+        if channel.noise is not None:  # what the instrument adds belongs to its rms, quantiles and excursions
+            noisy = noisy + np.random.default_rng(SEED).normal(0, channel.noise, len(noisy))
+        statistics = statistics_of(t[beyond], measured[beyond], noisy, channel.unit, interval)
+    return Signal(channel, t, measured, run, int(np.sum(~there)), residual, spectrum, statistics, why)
+
+
+def _warnings(run: Solution, asked: Asked, alignment: Alignment, outside: int) -> Iterator[str]:
+    """Yield what to heed before the numbers are believed."""
+    step = float(np.median(np.diff(asked.measurement.times)))
+    if not run.outcome.finished:
+        yield f"{run.outcome.name}: {run.outcome.message}"
+    if run.error is None:
+        yield "the horizon is not known, as the run was made at a tolerance: past it a residual says nothing of the model"
+    if asked.instrument is not None and asked.instrument.cut_off > 0.5 / step:
+        yield (
+            f"the cut-off lies above half the sampling rate, {0.5 / step:.4g} Hz: what the instrument lets through above that "
+            "folds back in the data, not in the run"
+        )
+    if asked.instrument is None:
+        durations = [impact.duration for impact in run.impacts if impact.duration is not None]
+        if durations and min(durations) < 4 * step:
+            yield (
+                f"no bandwidth is stated, and impacts as short as {min(durations):.3g} s meet samples {step:.3g} s apart: "
+                "peaks then compare by chance"
+            )
+    if outside:
+        yield (
+            f"{outside:,} of {len(asked.measurement.times):,} measured times lie outside the run, or before its filter has settled, "
+            "and are left out"
+        )
+    if asked.measurement.jumps:
+        yield f"{asked.measurement.jumps:,} times stand twice in the file: taken as jumps, of which the later line counts"
+    yield from alignment.doubts
+    yield from run.warnings

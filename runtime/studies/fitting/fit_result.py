@@ -1,0 +1,344 @@
+"""Fitted parameters in numbers, words and JSON."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.markup import joined, tag
+from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.runtime.engine.model.free_quantities import Free
+from hertzwerk.runtime.engine.model.si_values import open_exponents
+from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval
+from hertzwerk.runtime.studies.uncertainty.correlated import Correlated
+from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, LogNormal, Normal, TruncatedNormal
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from hertzwerk.runtime.simulation import Solution
+    from hertzwerk.runtime.studies.comparison.comparison_request import Channel
+    from hertzwerk.runtime.studies.comparison.residuals import Residual
+    from hertzwerk.runtime.studies.fitting.experiment import Observed
+    from hertzwerk.runtime.studies.fitting.identifiability import Identified
+
+    Array = NDArray[np.float64]
+
+REJECTED = 0.05  # p-value below which noise alone does not explain the residuals
+CORRELATED = 0.5  # part of the residuals that are worth independent ones, below which intervals are too narrow
+FAR = 5.0  # deviations within which an end of the range cuts a distribution
+CLOSE = 0.95  # correlation of estimates that is told
+
+
+@dataclass(frozen=True)
+class FittedValue(Free):
+    """Fitted quantity [SI]: its value and 95 % interval, within the range that was searched."""
+
+    interval: Interval
+
+    @classmethod
+    def of(cls, free: Free, value: float, interval: Interval, unit: str | None = None) -> FittedValue:
+        """Return what was free, fitted."""
+        return cls(**{**vars(free), "value": value, "unit": unit or free.unit}, interval=interval)
+
+    def __str__(self) -> str:
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        digits = _digits(self.value, self.interval)
+        low, high = _ends(self.interval, digits)
+        other = " and ".join(open_exponents(self.unit))
+        return f"{self.value:.{digits}g}{unit} ({low} to {high}){f', its unit depends on {other}' if other else ''}"
+
+
+@dataclass(frozen=True)
+class FittedSignal:
+    """Measured column of one run beside the best fit.
+
+    at          times [s] of the samples or numbers of the impacts (n,); measured, predicted there [SI]
+    used        which of them the fit rests on; sigma: standard deviation of the noise, stated or estimated
+    residual    of those used; None where there are none
+    """
+
+    run: str
+    channel: Channel
+    by_impacts: bool
+    at: Array
+    measured: Array
+    predicted: Array
+    used: NDArray[np.bool_]
+    sigma: float
+    stated: bool
+    residual: Residual | None
+
+
+@dataclass(frozen=True)
+class Goodness:
+    """Sum of squares over the stated noise, and the chance that noise alone gives as much."""
+
+    chi_square: float
+    freedom: int
+    p_value: float
+
+
+@dataclass(frozen=True)
+class Estimates(ABC):
+    """Fitted quantities of a scene, of whatever data.
+
+    values      what was fitted, by name
+    known       singular values, combinations, correlation
+    untold      combinations of quantities that the data cannot tell, in words; their values are not to be used
+    goodness    None where the deviations of the data are not stated, or nothing is left over
+    """
+
+    scene: str
+    values: Mapping[str, FittedValue]
+    known: Identified
+    untold: tuple[str, ...]
+    goodness: Goodness | None
+    runs_made: int
+    warnings: tuple[str, ...]
+
+    @property
+    def explained(self) -> bool | None:
+        """Return whether the stated deviations explain what differs, at 5 %; None where they are not judged."""
+        return None if self.goodness is None else self.goodness.p_value >= REJECTED
+
+    @property
+    @abstractmethod
+    def verdict(self) -> str:
+        """Say whether the model explains the data, and whether they tell its parameters."""
+
+    @abstractmethod
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+
+    def __str__(self) -> str:
+        return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def _repr_html_(self) -> str:
+        word = {True: "explained", False: "rejected", None: "not judged"}[self.explained]
+        head = heading(self.scene, word, f": {self.verdict}", good=self.explained is not False)
+        rows = ((name, str(value), value.interval.how) for name, value in self.values.items())
+        told = (tag("p", text) for text in (*self.untold, *self.warnings))
+        return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *told])
+
+    def distribution(self) -> Correlated:
+        """Return how uncertain the quantities are, as `propagate` takes it.
+
+        Raises InputError where some are not told.
+        Normal on the scale of the search, by the curvature of the least squares; cut at an end of the range that was searched.
+        """
+        return _joint(self.values, self.known, self.scene)
+
+
+@dataclass(frozen=True)
+class Fitted(Estimates):
+    """Fit of parameters to measured runs.
+
+    nuisance            offsets and gains that were fitted, by name
+    criterion           Akaike's, corrected for few data
+    share               part of the data that the fit rests on: what lies beyond the horizon is left out
+    offsets             run time less measured time [s] of each run
+    solutions           runs at the best fit, one of each measured run
+    """
+
+    observed: tuple[Observed, ...]
+    nuisance: Mapping[str, FittedValue]
+    criterion: float
+    share: float
+    signals: tuple[FittedSignal, ...]
+    offsets: tuple[float, ...]
+    solutions: tuple[Solution, ...]
+    derivatives: str
+
+    def __getitem__(self, name: str) -> FittedValue:
+        """Fitted quantity; raises KeyError for an unknown name."""
+        return {**self.values, **self.nuisance}[name]
+
+    @property
+    def parameters(self) -> dict[str, tuple[float, str]]:
+        """Fitted quantities as `simulate` takes parameters and initial states."""
+        return {name: (value.value, value.unit) for name, value in self.values.items()}
+
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+        names = ", ".join(each.name for each in self.observed)
+        used = sum(int(np.sum(signal.used)) for signal in self.signals)
+        yield "fit", f"{self.scene} to {names}: {used:,} data, {self.runs_made:,} runs"
+        for value in (*self.values.values(), *self.nuisance.values()):
+            yield value.name, f"{value}; {value.interval.how}"
+        for text in self.untold:
+            yield "unidentified", text
+        yield "identified", self._identified()
+        if pairs := list(self._pairs()):
+            yield "correlated", ", ".join(pairs)
+        for signal in self.signals:
+            if signal.residual is not None:
+                yield "residual", _residual(signal, many=len(self.observed) > 1)
+        yield "verdict", self.verdict
+        yield "derivatives", self.derivatives
+        for warning in self.warnings:
+            yield "warning", warning
+
+    @property
+    def verdict(self) -> str:
+        """Say whether the model explains the data, and whether they tell its parameters."""
+        parts = []
+        if self.goodness is None and any(signal.stated for signal in self.signals):
+            parts.append("as many quantities as data are fitted: nothing is left to judge the model by")
+        elif self.goodness is None:
+            parts.append("the model is not tested, as the noise of the measurement is not stated (noise)")
+        else:
+            g = self.goodness
+            numbers = f"chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
+            parts.append(
+                f"the stated noise explains the residuals: {numbers}"
+                if self.explained
+                else f"the stated noise does not explain the residuals, the model is rejected at 5 %: {numbers}"
+            )
+        if self.untold:
+            parts.append(
+                f"{len(self.untold)} combination{'s' if len(self.untold) > 1 else ''} of parameters cannot be identified from these data"
+            )
+        return "; ".join(parts)
+
+    def _identified(self) -> str:
+        values = ", ".join(f"{s:.3g}" for s in self.known.singular_values)
+        return f"singular values {values} of the scaled Jacobian (1 over the standard deviation, in half ranges or factors of e)"
+
+    def _pairs(self) -> Iterator[str]:
+        correlation, free = self.known.correlation, self.known.free
+        for i in range(len(free)):
+            for j in range(i):
+                if abs(correlation[i, j]) >= CLOSE:
+                    yield f"{free[j].name} and {free[i].name} {correlation[i, j]:+.3f}"
+
+    def csv(self) -> str:
+        """Return every datum as CSV, with what is predicted, the residual, and whether it was used."""
+        rows = ["run,column,unit,time [s] or number,measured,predicted,residual,used"]
+        for signal in self.signals:
+            for at, measured, predicted, used in zip(
+                signal.at, signal.measured, signal.predicted, signal.used, strict=True
+            ):
+                numbers = [
+                    "" if math.isnan(v) else repr(float(v)) for v in (at, measured, predicted, measured - predicted)
+                ]
+                name = [signal.run, signal.channel.column, signal.channel.unit]
+                rows.append(",".join([*(f'"{text}"' for text in name), *numbers, str(int(used))]))
+        return "\n".join(rows) + "\n"
+
+    def markdown(self) -> str:
+        """Return the fit as a page of Markdown."""
+        first, *rest = self.lines()
+        rows = ["| quantity | value | 95 % interval | unit | obtained by |", "|---|---|---|---|---|"]
+        for value in (*self.values.values(), *self.nuisance.values()):
+            digits = _digits(value.value, value.interval)
+            low, high = _ends(value.interval, digits)
+            rows.append(
+                f"| {value.name} | {value.value:.{digits}g} | {low} to {high} | {value.unit} | {value.interval.how} |"
+            )
+        fitted = {*self.values, *self.nuisance}
+        notes = [f"- {label}: {text}" for label, text in rest if label not in fitted]
+        return "\n".join([f"# Fit of {first[1]}", "", *rows, "", *notes, "", "![residuals](fit.png)", ""])
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the data as plain numbers, in SI, null for missing ones."""
+        return {
+            "scene": self.scene,
+            "runs": [each.name for each in self.observed],
+            "values": {name: asdict(value) for name, value in self.values.items()},
+            "nuisance": {name: asdict(value) for name, value in self.nuisance.items()},
+            "level": LEVEL,
+            "names": [free.name for free in self.known.free],
+            "correlation": self.known.correlation.tolist(),
+            "singular_values": self.known.singular_values.tolist(),
+            "directions": self.known.directions.T.tolist(),
+            "untold": list(self.untold),
+            "goodness": self.goodness and asdict(self.goodness),
+            "explained": self.explained,
+            "criterion": self.criterion,
+            "distribution": None if self.untold else self.distribution().record(),
+            "share": self.share,
+            "signals": [_record(signal) for signal in self.signals],
+            "runs_made": self.runs_made,
+            "derivatives": self.derivatives,
+            "verdict": self.verdict,
+            "warnings": list(self.warnings),
+        }
+
+
+def _joint(values: Mapping[str, FittedValue], known: Identified, scene: str) -> Correlated:
+    """Return the distribution of fitted values; raises InputError where some are not told."""
+    names = [free.name for free in known.free]
+    lost = [name for name in values if known.concerned(names.index(name))]
+    if lost:
+        remedy = "measure what determines it, or fit without it"
+        faults = [
+            Fault(name, "a quantity that the data do not determine", "those that they determine", remedy)
+            for name in lost
+        ]
+        raise InputError(f"distribution of the fit of {scene}", faults)
+    deviations = np.sqrt(np.diag(known.covariance))
+    found: dict[str, Distribution | str] = {}
+    for name, value in values.items():
+        size = float(deviations[names.index(name)])
+        at, width = (value.value, value.unit), (size * value.scale, value.unit)
+        cut = (
+            value.inner(value.value) - FAR * size < value.bounds[0]
+            or value.inner(value.value) + FAR * size > value.bounds[1]
+        )
+        if value.log:
+            found[name] = LogNormal(at, math.exp(size))
+        elif cut:
+            found[name] = TruncatedNormal(at, width, (value.low, value.unit), (value.high, value.unit))
+        else:
+            found[name] = Normal(at, width)
+    pairs = combinations(values, 2)
+    correlation = {
+        f"{one}, {other}": float(known.correlation[names.index(one), names.index(other)]) for one, other in pairs
+    }
+    return Correlated(found, correlation)
+
+
+def _record(signal: FittedSignal) -> dict[str, Any]:
+    return {
+        "run": signal.run,
+        "column": signal.channel.column,
+        "history": signal.channel.history,
+        "unit": signal.channel.unit,
+        "data": len(signal.at),
+        "used": int(np.sum(signal.used)),
+        "noise": signal.sigma,
+        "noise_stated": signal.stated,
+        "residual": signal.residual and asdict(signal.residual),
+    }
+
+
+def _residual(signal: FittedSignal, *, many: bool) -> str:
+    residual, unit = signal.residual, "" if signal.channel.unit == "1" else f" {signal.channel.unit}"
+    assert residual is not None
+    name = f"{signal.run}, {signal.channel.column}" if many else signal.channel.column
+    noise = (
+        f"{residual.rms / signal.sigma:.3g} times the stated noise" if signal.stated else "its noise is taken from it"
+    )
+    return f"{name} ({signal.channel.history}): rms {residual.rms:.4g}{unit}, {noise}, peak {residual.peak:.4g}{unit}"
+
+
+def _ends(interval: Interval, digits: int) -> tuple[str, str]:
+    """Return both ends as text; those that the data do not end are marked."""
+    low, high = f"{interval.low:.{digits}g}", f"{interval.high:.{digits}g}"
+    return f"<= {low}" if interval.open_low else low, f">= {high}" if interval.open_high else high
+
+
+def _digits(value: float, interval: Interval) -> int:
+    """Return the significant digits that an interval leaves, two of its width."""
+    width = interval.high - interval.low
+    if not width > 0 or value == 0:
+        return 6
+    return min(max(math.floor(math.log10(abs(value))) - math.floor(math.log10(width)) + 3, 3), 12)

@@ -1,0 +1,131 @@
+"""Confidence intervals of fitted quantities, by curvature or by profile likelihood."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.studies.fitting.identifiability import Identified
+from hertzwerk.runtime.studies.fitting.least_squares import Found, Search
+
+Array = NDArray[np.float64]
+
+LEVEL = 0.95
+NEAR = 1e-6  # of a range: an estimate so close to an end is at it
+BAD = 0.25  # of the scale of the search: standard deviations above are no matter of curvature alone
+FIRST = 0.1  # of the scale of the search: farthest that the end of a profile is sought at first
+SAME = 0.01  # of an interval: how well its ends by a profile are known
+EVALUATIONS = 12  # most points of a profile on one side
+
+
+@dataclass(frozen=True)
+class Interval:
+    """Confidence interval low..high [SI] at 95 %, and how it was obtained.
+
+    open_low, open_high    the data do not end it there: it ends with the range that was searched
+    """
+
+    low: float
+    high: float
+    how: str
+    open_low: bool = False
+    open_high: bool = False
+
+
+def intervals(search: Search, found: Found, known: Identified, profile: bool | str) -> tuple[list[Interval], list[str]]:
+    """Return the interval of everything free, in the order of x, and what to heed.
+
+    profile    "auto": of what is badly told, at an end of its range, or in a combination that is not told; True: of all
+    """
+    from scipy.stats import norm, t  # slow to import
+
+    warnings: list[str] = []
+    stated, freedom = not np.any(np.isnan(search.stated[found.used])), len(found.residuals) - len(found.x)
+    quantile = float(norm.ppf((1 + LEVEL) / 2) if stated else t.ppf((1 + LEVEL) / 2, max(freedom, 1)))
+    errors = np.sqrt(np.diag(known.covariance))
+    noise = "the stated noise" if stated else "the noise seen in the residuals"
+    made = []
+    for j, free in enumerate(search.forward.searched):
+        x, low, high = float(found.x[j]), float(search.low[j]), float(search.high[j])
+        half = quantile * float(errors[j])
+        ends = x - half, x + half
+        bad = known.concerned(j) or errors[j] > BAD or ends[0] < low or ends[1] > high or not errors[j] > 0
+        quantity = j < len(search.forward.free)
+        if (profile is True and quantity) or (profile == "auto" and bad and quantity):
+            made.append(_profile(search, found, j, half, quantile**2, noise, warnings))
+            continue
+        how = f"linear: curvature of the least squares at the best fit, {noise}"
+        if known.concerned(j) or not errors[j] > 0:
+            how, ends = "none: it is in a combination that the data do not tell", (low, high)
+        made.append(
+            Interval(
+                free.outer(max(ends[0], low)),
+                free.outer(min(ends[1], high)),
+                how,
+                ends[0] <= low,
+                ends[1] >= high,
+            )
+        )
+    return made, warnings
+
+
+def _profile(
+    search: Search, found: Found, j: int, half: float, rise: float, noise: str, warnings: list[str]
+) -> Interval:
+    """Return where the least squares, all else fitted anew, rise by the quantile of chi-squared.
+
+    half    width by curvature, to either side: where the end is sought first
+    """
+    free = search.forward.searched[j]
+    ends, is_open = [], []
+    for bound in (float(search.low[j]), float(search.high[j])):
+        place, opened = _end(search, found, j, bound, half, rise, warnings)
+        ends.append(free.outer(place))
+        is_open.append(opened)
+    how = f"profile likelihood: the least squares, all else fitted anew, rise by {rise:.3g}, {noise}"
+    return Interval(min(ends), max(ends), how, is_open[0], is_open[1])
+
+
+def _end(
+    search: Search, found: Found, j: int, bound: float, half: float, rise: float, warnings: list[str]
+) -> tuple[float, bool]:
+    from scipy.optimize import brentq  # slow to import
+
+    x = float(found.x[j])
+    if abs(bound - x) <= NEAR * (search.high[j] - search.low[j]):
+        return bound, True
+    warm = {x: found.x}
+
+    def excess(place: float) -> float:
+        nearest = min(warm, key=lambda other: abs(other - place))
+        start = warm[nearest].copy()
+        start[j] = place
+        least = search.least(start, found.used, found.sigma, fixed=j)
+        warm[place] = least.x
+        if least.cost < found.cost - 0.01 * rise:
+            name = search.forward.searched[j].name
+            warnings.append(f"a better fit than the best was met on the profile of {name}: more starts")
+        return math.sqrt(max(least.cost - found.cost, 0.0)) - math.sqrt(rise)
+
+    near, step = x, min(half, FIRST) if half > 0 else FIRST
+    while True:
+        far = bound if step >= abs(bound - x) else x + math.copysign(step, bound - x)
+        above = excess(far)
+        if abs(above) <= SAME * math.sqrt(rise):
+            return far, False
+        if above > 0:
+            break
+        if far == bound:
+            return bound, True
+        near, step = far, 3 * step
+    below = -math.sqrt(rise) if near == x else excess(near)
+    if below >= 0:
+        return near, False
+    tolerance = SAME * abs(far - x)
+    place = brentq(
+        lambda p: -math.sqrt(rise) if p == x else excess(p), near, far, xtol=tolerance, maxiter=EVALUATIONS, disp=False
+    )
+    return float(place), False

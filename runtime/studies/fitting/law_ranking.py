@@ -1,0 +1,276 @@
+"""Ranking of contact and friction laws, as variants of a model, by what measured data say of them.
+
+Each law is fitted to the same data. Akaike's criterion, corrected for few data, weighs how well it fits against how much
+is fitted (Burnham and Anderson, Model Selection and Multimodel Inference, 2002). Where there are several measured runs,
+each is left out in turn and predicted by the fit of the others: what is free of that run alone, its offset, stays.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.markup import joined
+from hertzwerk.derive.common.plain_table import heading, table
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.studies.fitting.fit_result import Fitted
+from hertzwerk.runtime.studies.fitting.fitting import Asked, concluded, criterion_of, read_fit, searched, stated_noise
+from hertzwerk.runtime.studies.fitting.least_squares import Found, Search
+
+
+def split_laws(text: str) -> list[str]:
+    """Return the laws of a text, divided by commas that stand in no brackets."""
+    depth, parts = 0, [""]
+    for letter in text:
+        depth += (letter in "([") - (letter in ")]")
+        if letter == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return [part.strip() for part in parts]
+
+
+def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[str, Model], list[Fault]]:
+    """Return a model with every combination of laws, by what says which, and what is wrong with them."""
+    faults: list[Fault] = []
+    if not isinstance(laws, Mapping) or not laws or any(isinstance(each, str) for each in laws.values()):
+        expected = 'laws by effect, such as {"floor": ["flores", "hunt_crossley"]}'
+        return {}, [Fault("laws", shown(laws), expected)]
+    if model.declaration is None:
+        return {}, [Fault("laws", "a model without its scene", "a model that `load` returned")]
+    variants: dict[str, Model] = {}
+    of, many = model.declaration, [effect for effect, each in laws.items() if len(each) > 1]
+    if not many:
+        faults.append(Fault("laws", shown(dict(laws)), "two or more of an effect"))
+    for chosen in itertools.product(*laws.values()):
+        by_effect = dict(zip(laws, chosen, strict=True))
+        name = ", ".join(
+            law if len(many) == 1 else f"{effect}={law}" for effect, law in by_effect.items() if effect in many
+        )
+        if name in variants:
+            faults.append(Fault("laws", f"{name} twice", "every law once"))
+            continue
+        try:
+            variants[name] = load(
+                of.target, without=of.without, laws={**dict(of.laws), **by_effect}, coordinates=of.coordinates
+            ).with_signals(model.signals)
+        except InputError as error:
+            faults += [fault for fault in error.faults if fault not in faults]
+    return variants, faults
+
+
+def read_laws(
+    variants: Mapping[str, Model], data: object, free: object, how: Mapping[str, Any], faults: list[Fault]
+) -> dict[str, Asked]:
+    """Return the fit that is asked of every variant; raises InputError with every fault.
+
+    Names that a variant does not have are left out of it, if another has them.
+    """
+    if not variants:
+        raise InputError("laws", faults)
+    if isinstance(free, Sequence) and not isinstance(free, str):
+        free = dict.fromkeys(free)
+    known = {name for model in variants.values() for name in _names(model)}
+    asked: dict[str, Asked] = {}
+    how = {name: value for name, value in how.items() if name not in ("progress", "free", "data")}
+    for law, model in variants.items():
+        its = _names(model)
+        elsewhere = known - its
+        own = (
+            {name: ends for name, ends in free.items() if name not in elsewhere} if isinstance(free, Mapping) else free
+        )
+        given = how["parameters"]
+        parameters = {name: value for name, value in (given or {}).items() if name not in elsewhere}
+        try:
+            asked[law] = read_fit(model, data, own, **{**how, "parameters": parameters})
+        except InputError as error:
+            faults += [fault for fault in error.faults if fault not in faults]
+    if faults:
+        raise InputError("laws", faults)
+    return asked
+
+
+def _names(model: Model) -> set[str]:
+    return {*model.parameters, *model.joints.coordinates, *model.joints.speeds}
+
+
+Array = NDArray[np.float64]
+
+APART = 6.0  # difference of the criteria below which laws are not told apart: one is 20 times as likely as the other
+DOUBT = 2.0  # standard errors by which the held-out runs must prefer a law against the criterion's choice to be heard
+
+
+@dataclass(frozen=True)
+class RankedLaw:
+    """Law with its fit: criterion, less that of the best, Akaike's weight, log-densities held out."""
+
+    name: str
+    fitted: Fitted
+    criterion: float
+    difference: float
+    weight: float
+    held_out: tuple[float, ...]
+
+    @property
+    def held_out_total(self) -> float | None:
+        """Log-density of all runs, each held out; None with one run."""
+        return sum(self.held_out) if self.held_out else None
+
+
+@dataclass(frozen=True)
+class Ranking:
+    """Laws fitted to the same data, the best first.
+
+    alike    names of those that these data do not tell from the best; empty where it is told from all others
+    """
+
+    laws: tuple[RankedLaw, ...]
+    alike: tuple[str, ...]
+    share: float
+
+    @property
+    def best(self) -> RankedLaw:
+        """First of the laws."""
+        return self.laws[0]
+
+    @property
+    def verdict(self) -> str:
+        """Say which laws the data tell apart."""
+        best = self.best
+        alike = f"not distinguished by these data: {', '.join((best.name, *self.alike))}"
+        text = alike if self.alike else f"{best.name} is distinguished from the others"
+        if best.fitted.explained is False:
+            return f"{text}; but the best is itself rejected at 5 % by the stated noise: none of these laws explains the data"
+        return text
+
+    def _repr_html_(self) -> str:
+        found = "not distinguished" if self.alike else "distinguished"
+        head = heading(self.best.fitted.scene, found, f": {self.verdict}", good=not self.alike)
+        rows = (
+            (
+                law.name,
+                f"{law.difference:.4g}",
+                f"{law.weight:.3g}",
+                ", ".join(f"{n} = {v}" for n, v in law.fitted.values.items()),
+            )
+            for law in self.laws
+        )
+        return joined([head, table(("law", "AICc less the best", "weight", "fitted"), rows)])
+
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+        for law in self.laws:
+            yield law.name, self._line(law)
+        yield "verdict", self.verdict
+        if not self.best.held_out:
+            yield "note", "one measured run: no cross-validation, which leaves out runs"
+
+    def _line(self, law: RankedLaw) -> str:
+        values = ", ".join(f"{value.name} {value}" for value in law.fitted.values.values())
+        held = (
+            ""
+            if law.held_out_total is None
+            else f", held-out log-density {law.held_out_total - (self.best.held_out_total or 0.0):+.4g}"
+        )
+        fits = {None: "", True: ", explains the data", False: ", rejected"}[law.fitted.explained]
+        return f"AICc {law.difference:+.4g}, weight {law.weight:.3g}{held}{fits}; {values}"
+
+    def __str__(self) -> str:
+        return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def markdown(self) -> str:
+        """Return the ranking as a page of Markdown."""
+        rows = [
+            "| law | AICc less the best | weight | held-out log-density less the best | p-value | fitted |",
+            "|---|---|---|---|---|---|",
+        ]
+        for law in self.laws:
+            held = "" if law.held_out_total is None else f"{law.held_out_total - (self.best.held_out_total or 0.0):.4g}"
+            p = "" if law.fitted.goodness is None else f"{law.fitted.goodness.p_value:.3g}"
+            values = ", ".join(f"{value.name} {value}" for value in law.fitted.values.values())
+            rows.append(f"| {law.name} | {law.difference:.4g} | {law.weight:.3g} | {held} | {p} | {values} |")
+        return "\n".join(["# Which law?", "", *rows, "", f"**{self.verdict}**", ""])
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the data as plain numbers."""
+        return {
+            "verdict": self.verdict,
+            "alike": list(self.alike),
+            "share": self.share,
+            "laws": [
+                {
+                    "name": law.name,
+                    "criterion": law.criterion,
+                    "difference": law.difference,
+                    "weight": law.weight,
+                    "held_out": list(law.held_out),
+                    "fit": law.fitted.record(),
+                }
+                for law in self.laws
+            ],
+        }
+
+
+def ranked(asked: Mapping[str, Asked], progress: Callable[[float], object] | None = None) -> Ranking:
+    """Rank laws by their fits to the same data, as far as they lie before the horizon of each."""
+    fits: dict[str, tuple[Search, Found]] = {}
+    for k, (name, one) in enumerate(asked.items()):
+        fits[name] = searched(one, partial(_told, progress, k, len(asked)))
+    common = np.logical_and.reduce([found.used for _, found in fits.values()])
+    laws = []
+    for name, (search, found) in fits.items():
+        again = (
+            found if np.array_equal(found.used, common) else search.settled(search.least(found.x, common, found.sigma))
+        )
+        held = _held_out(search, again)
+        fitted = concluded(asked[name], search, again)
+        laws.append((name, fitted, criterion_of(search, again), held))
+    least = min(criterion for *_, criterion, _ in laws)
+    weights = [math.exp(-(criterion - least) / 2) for *_, criterion, _ in laws]
+    found_laws = sorted(
+        (
+            RankedLaw(name, fitted, criterion, criterion - least, weight / sum(weights), held)
+            for (name, fitted, criterion, held), weight in zip(laws, weights, strict=True)
+        ),
+        key=lambda law: law.criterion,
+    )
+    alike = tuple(law.name for law in found_laws[1:] if not _apart(found_laws[0], law))
+    return Ranking(tuple(found_laws), alike, float(np.mean(common)))
+
+
+def _told(progress: Callable[[float], object] | None, number: int, count: int, part: float) -> None:
+    if progress is not None:
+        progress((number + 0.8 * part) / count)
+
+
+def _apart(best: RankedLaw, other: RankedLaw) -> bool:
+    """Return whether data tell a law from the best: by the criterion, and not against the held-out runs."""
+    if other.difference < APART:
+        return False
+    prefer = np.subtract(best.held_out, other.held_out)
+    if len(prefer) < 2:
+        return True
+    return bool(np.sum(prefer) > -DOUBT * math.sqrt(len(prefer)) * float(np.std(prefer, ddof=1)) and np.sum(prefer) > 0)
+
+
+def _held_out(search: Search, found: Found) -> tuple[float, ...]:
+    """Return the log-density of every run, predicted by the fit of the others; empty with one run."""
+    forward, made = search.forward, []
+    if len(forward.observed) < 2:
+        return ()
+    for i in range(len(forward.observed)):
+        kept, left = found.used & (forward.run != i), found.used & (forward.run == i)
+        trained = search.settled(search.least(found.x, kept, found.sigma))
+        sigma = np.where(np.isnan(stated_noise(forward)), trained.sigma, found.sigma)
+        residuals = search.residuals(trained.x, left, sigma)
+        made.append(-float(residuals @ residuals) / 2 - float(np.sum(np.log(sigma[left] * math.sqrt(2 * math.pi)))))
+    return tuple(made)

@@ -1,0 +1,488 @@
+"""Fit of simulated moments: statistics of runs beyond their horizon.
+
+The tangent of a long average diverges in chaos. Derivatives come from a quadratic regression over runs at points of a
+Latin hypercube, whose scatter is the covariance of the runs' own statistics; the box of the points then closes in on the
+best, and runs are made again (McFadden, Econometrica 57 (1989) 995).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.runtime.engine.model.binding import Value, read_state
+from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.ranges import Range, hypercube
+from hertzwerk.runtime.studies.comparison.series_moments import QUANTILE
+from hertzwerk.runtime.studies.fitting.fit_result import Estimates, FittedValue, Goodness
+from hertzwerk.runtime.studies.fitting.identifiability import identified
+from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval
+from hertzwerk.runtime.studies.fitting.moments.measured_moments import (
+    MeasuredSeries,
+    SeriesMoments,
+    columns,
+    read_series,
+)
+from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep
+from hertzwerk.runtime.studies.sweeps.rows.row_outputs import chosen
+
+Array = NDArray[np.float64]
+
+PER_FEATURE = 5  # runs for each coefficient of the regression
+ROUNDS = 3  # most boxes
+AROUND = 4.0  # standard errors of a quantity that the next box holds, to each side
+SMALLEST = 0.1  # of the box before
+TOLERANCE = 1e-6  # local, of the runs
+PLACES = 61  # of a profile, over the box
+FAR = 3.0  # deviations of the run at the best fit from the regression that are told
+
+
+@dataclass(frozen=True)
+class Moment:
+    """Measured statistic [SI] with the standard deviation of the measured value, and that of the best fit."""
+
+    name: str
+    unit: str
+    value: float
+    deviation: float
+    fitted: float = math.nan
+    fitted_deviation: float = math.nan
+
+    def __str__(self) -> str:
+        unit = "" if self.unit in ("", "1") else f" {self.unit}"
+        deviations = (self.value - self.fitted) / math.hypot(self.deviation, self.fitted_deviation)
+        fitted = f"fitted {self.fitted:.5g} +- {self.fitted_deviation:.2g}"
+        return f"measured {self.value:.5g} +- {self.deviation:.2g}{unit}, {fitted}: {deviations:+.2f} deviations"
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Objective along a quantity less its least (n,), all else fitted anew at each place (n,) [SI]."""
+
+    places: Array
+    rises: Array
+
+
+@dataclass(frozen=True)
+class FittedMoments(Estimates):
+    """Fit of parameters to statistics of long runs."""
+
+    moments: tuple[Moment, ...]
+    profiles: Mapping[str, Profile]
+
+    def __getitem__(self, name: str) -> FittedValue:
+        """Fitted quantity; raises KeyError for an unknown name."""
+        return self.values[name]
+
+    @property
+    def verdict(self) -> str:
+        """Say whether the model explains the statistics, and whether they tell its parameters."""
+        if self.goodness is None:
+            text = "as many quantities as statistics are fitted: nothing is left to judge the model by"
+        else:
+            g = self.goodness
+            does = "explain" if self.explained else "do not explain"
+            text = f"the stated deviations {does} what differs: chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
+        many = "a combination of parameters" if len(self.untold) == 1 else f"{len(self.untold)} combinations"
+        return f"{text}; {many} cannot be identified" if self.untold else text
+
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+        yield "fit", f"{self.scene} to {len(self.moments)} statistics: {self.runs_made:,} runs"
+        for value in self.values.values():
+            yield value.name, f"{value}; {value.interval.how}"
+        for text in self.untold:
+            yield "unidentified", text
+        for moment in self.moments:
+            yield moment.name, str(moment)
+        yield "verdict", self.verdict
+        for warning in self.warnings:
+            yield "warning", warning
+
+    def record(self) -> dict[str, Any]:
+        """Return everything as plain numbers, in SI."""
+        return {
+            "scene": self.scene,
+            "values": {name: asdict(value) for name, value in self.values.items()},
+            "level": LEVEL,
+            "moments": [asdict(moment) for moment in self.moments],
+            "singular_values": self.known.singular_values.tolist(),
+            "directions": self.known.directions.T.tolist(),
+            "correlation": self.known.correlation.tolist(),
+            "distribution": None if self.untold else self.distribution().record(),
+            "untold": list(self.untold),
+            "goodness": self.goodness and asdict(self.goodness),
+            "explained": self.explained,
+            "verdict": self.verdict,
+            "runs_made": self.runs_made,
+            "profiles": {name: {k: v.tolist() for k, v in vars(one).items()} for name, one in self.profiles.items()},
+            "warnings": list(self.warnings),
+        }
+
+
+@dataclass(frozen=True)
+class AskedMoments:
+    """Fit of moments that was asked for; raises nothing: `read_moment_fit` checks."""
+
+    model: Model
+    free: tuple[Free, ...]
+    moments: tuple[Moment, ...]
+    half_widths: tuple[str, ...]  # names of the columns with half the width of a run's own 95 % interval, empty without
+    series: tuple[SeriesMoments, ...]  # of the last of the moments, which have no value stated
+    how: Mapping[str, Any]
+    seed: int
+
+    @property
+    def covariance(self) -> Array:
+        """Covariance (m, m) of the measured values: stated ones are independent, those of one series are not."""
+        found, end = np.diag([moment.deviation**2 for moment in self.moments]), len(self.half_widths)
+        for one in self.series:
+            among = slice(end, end := end + len(one.names))
+            found[among, among] = one.measured.covariance
+        return found
+
+    @property
+    def sweeps(self) -> list[tuple[Mapping[str, Value], list[SeriesMoments]]]:
+        """Values that runs are made at, with the series that each tells; first the fit's own for stated ones."""
+        plain = self.how.get("values") or {}
+        made_at = [plain] if self.half_widths else []
+        made_at += [
+            one.values
+            for k, one in enumerate(self.series)
+            if one.values not in [*made_at, *(each.values for each in self.series[:k])]
+        ]
+        return [(values, [one for one in self.series if one.values == values]) for values in made_at]
+
+    @property
+    def correlation(self) -> Array:
+        """Correlation (m, m) of the measured values."""
+        deviations = np.array([moment.deviation for moment in self.moments])
+        found: Array = self.covariance / np.outer(deviations, deviations)
+        return found
+
+
+def read_moment_fit(
+    model: Model,
+    moments: object,
+    free: object,
+    how: Mapping[str, Any],
+    seed: int,
+    before: Sequence[Fault] = (),
+    series: Sequence[MeasuredSeries] = (),
+) -> AskedMoments:
+    """Read a fit of moments; raises InputError with every fault but those that a sweep finds.
+
+    moments    by name of a sweep's output, each (value, standard deviation), or text "412 +- 5 1/s"; None for COLUMN.KIND
+               of the measured series, each with values of its own that it was made at
+    how        further arguments of `sweep`
+    """
+    faults = list(before)
+    freed = read_free(model, free, faults)
+    found: list[Moment] = []
+    half_widths: list[str] = []
+    if not isinstance(moments, Mapping) or not moments:
+        faults.append(
+            Fault(
+                "moments",
+                shown(moments),
+                'statistics by name, such as {"slider_pin.impact_rate": ("412 1/s", "5 1/s")}',
+            )
+        )
+        moments = {}
+    computed = read_series(
+        model, [name for name, given in moments.items() if given is None], series, how.get("values"), faults
+    )
+    moments = {name: given for name, given in moments.items() if given is not None}
+    wrong = len(faults)
+    outputs = chosen(model, list(moments), faults)
+    for output, (name, given) in zip(outputs, moments.items(), strict=False) if len(faults) == wrong else ():
+        pair = _pair(given)
+        if pair is None:
+            faults.append(Fault(name, shown(given), 'a value and its standard deviation, "412 +- 5 1/s"'))
+            continue
+        unit = output.columns[name] or "1"
+        read = [read_state(name, unit, each) for each in pair]
+        faults += [fault for _, fault in read if fault is not None]
+        if all(fault is None for _, fault in read) and not read[1][0] > 0:
+            faults.append(Fault(name, shown(given), "a positive standard deviation"))
+        found.append(Moment(name, unit, read[0][0], read[1][0]))
+        half_widths.append(next(iter(list(output.columns)[1:]), ""))
+    for one in computed:
+        told = zip(one.names, one.units, one.measured.values, one.measured.deviations, strict=True)
+        found += [Moment(name, unit, float(value), float(deviation)) for name, unit, value, deviation in told]
+    if found and len(found) < len(freed):
+        faults.append(Fault("moments", f"{len(found)} statistics", f"at least {len(freed)}, as many as are free"))
+    if faults:
+        raise InputError(f"fit of {model.name}", faults)
+    if computed:
+        how = {"duration": max(one.sight.lasts for one in computed), **how}
+    return AskedMoments(model, freed, tuple(found), tuple(half_widths), computed, how, seed)
+
+
+def _pair(given: object) -> tuple[Value, Value] | None:
+    if isinstance(given, str):
+        value, sign, deviation = given.partition("+-")
+        if not sign:
+            return None
+        unit = deviation.strip().partition(" ")[2]
+        plain = value.strip()
+        return (plain if " " in plain or not unit else f"{plain} {unit}"), deviation.strip()
+    return given if isinstance(given, tuple) and len(given) == 2 else None
+
+
+def fitted_moments(asked: AskedMoments, progress: Callable[[float], object] | None = None) -> FittedMoments:
+    """Return the fit of moments; raises InputError where too few runs finish."""
+    free, count = asked.free, len(asked.free)
+    full = np.array([each.bounds for each in free])
+    box, features = full.copy(), 1 + count + count * (count + 1) // 2
+    places, numbers, noise = np.zeros((0, count)), *np.zeros((2, 0, len(asked.moments)))
+    made = 0
+    for number in range(ROUNDS):
+        told = None if progress is None else (lambda part, done=number: progress((done + part) / ROUNDS))
+        tried = PER_FEATURE * features
+        x, y, own, why = _runs(asked, _spread(asked.free, box), told, sample=tried, seed=asked.seed + number)
+        places, numbers, noise = np.vstack([places, x]), np.vstack([numbers, y]), np.vstack([noise, own])
+        made += tried
+        inside = np.all((places >= box[:, 0]) & (places <= box[:, 1]), axis=1)
+        if np.sum(inside) < features + 2:
+            fault = Fault(
+                "free",
+                f"{int(np.sum(inside))} of {tried} runs that finish with these statistics",
+                f"at least {features + 2}",
+                why,
+            )
+            raise InputError(f"fit of {asked.model.name}", [fault])
+        known = np.sum(np.isfinite(noise[inside]), axis=0)  # a run may be too short to tell its own
+        own_noise = np.nansum(noise[inside], axis=0) / np.maximum(known, 1)
+        surface = _Surface(places[inside], numbers[inside], own_noise, asked.correlation, box)
+        best, covariance, jacobian = _least(asked, surface)
+        errors = np.sqrt(np.diag(np.linalg.pinv(jacobian.T @ np.linalg.solve(covariance, jacobian))))
+        half = np.clip(AROUND * errors, SMALLEST * np.ptp(box, axis=1) / 2, np.ptp(box, axis=1) / 2)
+        closer = np.clip(np.column_stack([best - half, best + half]), full[:, :1], full[:, 1:])
+        if number + 1 == ROUNDS or np.all(np.ptp(closer, axis=1) > 0.7 * np.ptp(box, axis=1)):
+            break
+        box = closer
+    return _concluded(asked, surface, best, covariance, jacobian, made, full)
+
+
+def _spread(free: Sequence[Free], box: Array) -> dict[str, str]:
+    """Return the ranges of a box as a sweep takes them."""
+    return {
+        each.name: str(Range(each.outer(low), each.outer(high), each.unit, each.log))
+        for each, (low, high) in zip(free, box.tolist(), strict=True)
+    }
+
+
+def _runs(
+    asked: AskedMoments, over: Mapping[str, Any], progress: Callable[[float], object] | None, **points: Any
+) -> tuple[Array, Array, Array, str]:
+    """Return places (n, k) of finished runs, statistics (n, moments), their variances, why one is lost."""
+    stated = [moment.name for moment in asked.moments[: len(asked.half_widths)]]
+    how, sweeps = {"tolerance": TOLERANCE, **asked.how}, asked.sweeps
+    seen, there, why, x = dict[str, Array](), np.ones(0, dtype=bool), "", np.zeros((0, 0))
+    for number, (values, series) in enumerate(sweeps):
+        told = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
+        functions = {name: function for one in series for name, function in one.functions().items()}
+        own = stated if number == 0 else []
+        how["values"] = values
+        table = sweep(asked.model, over, outputs=own, functions=functions, progress=told, **points, **how)
+        if table.interrupted:
+            raise KeyboardInterrupt
+        x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in asked.free])
+        half = [name for name in asked.half_widths if name] if number == 0 else []
+        seen |= {name: np.asarray(table[name], dtype=float) for name in (*own, *half, *functions)}
+        ended = np.array([row["outcome"] == "finished" for row in table])
+        there = ended if number == 0 else there & ended
+        lost = next((row for row, stays in zip(table, ended, strict=True) if not stays), None)
+        if lost is not None and not why:
+            why = f"{lost['outcome']}: {lost['message']}" if lost["message"] else str(lost["outcome"])
+    of_series = [columns(name) for one in asked.series for name in one.names]
+    y = np.column_stack([seen[name] for name in (*stated, *(name for name, _ in of_series))])
+    own_half = [seen[name] / QUANTILE if name else np.zeros(len(x)) for name in asked.half_widths]
+    noise = np.column_stack([*own_half, *(seen[name] for _, name in of_series)])
+    there &= np.all(np.isfinite(y), axis=1)
+    return x[there], y[there], noise[there] ** 2, why
+
+
+class _Surface:
+    """Quadratic regression of statistics (n, moments) over places (n, k) in a box.
+
+    noise    variances (moments,) of one run's statistics by its own account: what scatters more is no quadratic function,
+             what scatters less is an error that all runs share, as those pushed by the same random input do,
+             with the correlation (moments, moments) of the measured values
+    """
+
+    def __init__(self, places: Array, numbers: Array, noise: Array, correlation: Array, box: Array) -> None:
+        self.middle, self.half = np.mean(box, axis=1), np.ptp(box, axis=1) / 2
+        design = np.array([self._features(x) for x in places])
+        self.coefficients, *_ = np.linalg.lstsq(design, numbers, rcond=None)
+        left = numbers - design @ self.coefficients
+        self.scatter: Array = left.T @ left / (len(places) - design.shape[1])
+        more = np.diag(self.scatter) - noise
+        shared = np.sqrt(np.maximum(-more, 0.0))
+        self.misfit = np.diag(np.maximum(more, 0.0)) + np.outer(shared, shared) * correlation
+        self._inverse = np.linalg.pinv(design.T @ design)
+        self.box = box
+
+    def _features(self, x: Array) -> Array:
+        z = (x - self.middle) / self.half
+        rows, columns = np.triu_indices(len(z))
+        found: Array = np.concatenate([[1.0], z, z[rows] * z[columns]])
+        return found
+
+    def at(self, x: Array) -> Array:
+        """Return the statistics (moments,) at a place."""
+        found: Array = self._features(x) @ self.coefficients
+        return found
+
+    def covariance(self, x: Array) -> Array:
+        """Return the covariance (moments, moments) of what the regression says there."""
+        f = self._features(x)
+        found: Array = self.scatter * float(f @ self._inverse @ f) + self.misfit
+        return found
+
+    def jacobian(self, x: Array) -> Array:
+        """Return the derivatives (moments, k) of the statistics."""
+        step = 1e-3 * self.half
+        columns = [(self.at(x + d) - self.at(x - d)) / (2 * s) for d, s in zip(np.diag(step), step, strict=True)]
+        return np.column_stack(columns)
+
+
+def _least(asked: AskedMoments, surface: _Surface) -> tuple[Array, Array, Array]:
+    """Return the best place, the covariance of what differs there, and the derivatives of the statistics."""
+    from scipy.optimize import least_squares  # slow to import
+
+    measured = np.array([moment.value for moment in asked.moments])
+    stated = asked.covariance
+    low, high = surface.box.T
+    best = surface.middle
+    for _ in range(3):  # the covariance is that at the best
+        root = np.linalg.cholesky(stated + surface.covariance(best))
+        starts = [best, *hypercube(surface.box, 8, 0)]
+        found = [
+            least_squares(
+                lambda x, root=root: np.linalg.solve(root, measured - surface.at(x)),
+                np.clip(start, low + 1e-9 * (high - low), high - 1e-9 * (high - low)),
+                jac=lambda x, root=root: -np.linalg.solve(root, surface.jacobian(x)),
+                bounds=(low, high),
+            )
+            for start in starts
+        ]
+        best = min(found, key=lambda each: each.cost).x
+    return best, stated + surface.covariance(best), surface.jacobian(best)
+
+
+def _concluded(
+    asked: AskedMoments, surface: _Surface, best: Array, covariance: Array, jacobian: Array, made: int, full: Array
+) -> FittedMoments:
+    from scipy.stats import chi2, norm  # slow to import
+
+    root = np.linalg.cholesky(covariance)
+    known = identified(np.linalg.solve(root, jacobian), asked.free)
+    errors, quantile = np.sqrt(np.diag(known.covariance)), float(norm.ppf((1 + LEVEL) / 2))
+    how = "simulated moments: profile of the objective over a regression of runs, covariance of measured values and of that"
+    values, profiles, warnings = {}, {}, list[str]()
+    for j, each in enumerate(asked.free):
+        low, high = full[j]
+        places, rises = _profile(asked, surface, root, best, j)
+        profiles[each.name] = Profile(np.array([each.outer(float(x)) for x in places]), rises)
+        ends, told = _ends(places, rises, best[j], quantile), not known.concerned(j)
+        if told and any(
+            math.isnan(end) and edge not in (low, high) for end, edge in zip(ends, surface.box[j], strict=True)
+        ):
+            warnings.append(
+                f"{each.name}: its interval reaches beyond the runs of the regression, and ends there by curvature alone"
+            )
+        linear = best[j] - quantile * errors[j], best[j] + quantile * errors[j]
+        ends = (linear[0] if math.isnan(ends[0]) else ends[0]), (linear[1] if math.isnan(ends[1]) else ends[1])
+        ends = ends if told else (low, high)
+        interval = Interval(
+            each.outer(float(max(ends[0], low))),
+            each.outer(float(min(ends[1], high))),
+            how if told else "none: it is in a combination that the statistics do not tell",
+            bool(ends[0] <= low),
+            bool(ends[1] >= high),
+        )
+        values[each.name] = FittedValue.of(each, each.outer(float(best[j])), interval)
+    at, deviations = surface.at(best), np.sqrt(np.diag(surface.covariance(best)))
+    moments = tuple(
+        Moment(m.name, m.unit, m.value, m.deviation, float(value), float(deviation))
+        for m, value, deviation in zip(asked.moments, at, deviations, strict=True)
+    )
+    warnings += _checked(asked, surface, values)
+    residual = np.linalg.solve(root, np.array([m.value for m in asked.moments]) - at)
+    freedom, square = len(moments) - len(best), float(residual @ residual)
+    goodness = Goodness(square, freedom, float(chi2.sf(square, freedom))) if freedom > 0 else None
+    warnings += [
+        f"{m.name}: runs and regression are less sure than the measured value: longer runs or a narrower range"
+        for m in moments
+        if m.fitted_deviation > m.deviation
+    ]
+    warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end(value.value)]
+    untold = known.untold([value.value for value in values.values()], len(values))
+    return FittedMoments(
+        asked.model.name, values, known, tuple(untold), goodness, made, tuple(warnings), moments, profiles
+    )
+
+
+def _profile(
+    asked: AskedMoments, surface: _Surface, root: NDArray[np.floating[Any]], best: Array, j: int
+) -> tuple[Array, Array]:
+    """Return places along a quantity within the box of the regression, and what the objective rises there."""
+    from scipy.optimize import least_squares  # slow to import
+
+    measured, moving = np.array([moment.value for moment in asked.moments]), np.arange(len(best)) != j
+    low, high = surface.box[moving].T
+
+    def residual(x: Array) -> Array:
+        return np.asarray(np.linalg.solve(root, measured - surface.at(x)))
+
+    def fitted(x: Array) -> Array:
+        """Return the best place from a near one, the quantity held."""
+        found = x.copy()
+        if np.any(moving):
+            inside = np.clip(x[moving], low + 1e-9 * (high - low), high - 1e-9 * (high - low))
+            found[moving] = least_squares(lambda part: residual(np.insert(part, j, x[j])), inside, bounds=(low, high)).x
+        return found
+
+    grid = np.linspace(surface.box[j, 0], surface.box[j, 1], PLACES)
+    rises = {float(best[j]): 0.0}
+    for side in (grid[grid > best[j]], grid[grid < best[j]][::-1]):
+        near = best
+        for place in side:
+            near = fitted(np.where(moving, near, place))
+            rises[float(place)] = float(np.sum(residual(near) ** 2) - np.sum(residual(best) ** 2))
+    places = np.array(sorted(rises))
+    return places, np.array([rises[place] for place in places.tolist()])
+
+
+def _ends(places: Array, rises: Array, best: float, quantile: float) -> tuple[float, float]:
+    """Return where the root of the rises first exceeds a quantile to each side; nan where it does not."""
+    roots, found = np.sqrt(np.maximum(rises, 0.0)), []
+    for side in (np.flatnonzero(places <= best)[::-1], np.flatnonzero(places >= best)):
+        above = np.flatnonzero(roots[side] > quantile)
+        k = side[: above[0] + 1][-2:] if len(above) else side[:0]
+        found.append(float(np.interp(quantile, roots[k], places[k])) if len(k) else math.nan)
+    return found[0], found[1]
+
+
+def _checked(asked: AskedMoments, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:
+    """Return in what a run at the best fit is not as the regression says."""
+    over = {value.name: [(value.value, value.unit)] for value in values.values()}
+    x, y, noise, _ = _runs(asked, over, None)
+    if not len(x):
+        return ["the run at the best fit does not finish with these statistics"]
+    at = surface.at(x[0])
+    sizes = np.sqrt(np.diag(surface.covariance(x[0])) + np.nan_to_num(noise[0]) + np.diag(surface.scatter))
+    return [
+        f"{moment.name}: a run at the best fit has {found:.5g}, the regression {said:.5g}: the range is too wide for a quadratic function"
+        for moment, found, said, size in zip(asked.moments, y[0], at, sizes, strict=True)
+        if abs(found - said) > FAR * size
+    ]

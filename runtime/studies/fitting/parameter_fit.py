@@ -1,0 +1,157 @@
+"""Fit of parameters to measurements, as users call it, with its picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.free_quantities import Freed
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.run.run_request import METHOD
+from hertzwerk.runtime.studies.comparison.comparison_request import Between
+from hertzwerk.runtime.studies.fitting.experiment import Data, Experiment
+from hertzwerk.runtime.studies.fitting.fit_result import Fitted
+from hertzwerk.runtime.studies.fitting.fitting import fitted, read_fit
+from hertzwerk.runtime.studies.fitting.law_ranking import Ranking, law_variants, ranked, read_laws
+from hertzwerk.runtime.studies.fitting.moments.measured_moments import MeasuredSeries
+from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments, fitted_moments, read_moment_fit
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TOLERANCE = 1e-9  # local, of the runs of a fit
+STARTS = 16  # beside the model's own values
+
+
+class Fit(Fitted):
+    """Fit of parameters to measured runs, as `fit` returns it, with its picture."""
+
+    def plot(self) -> Figure:
+        """Draw measured data over the best fit, and the residuals, for each signal."""
+        from hertzwerk.runtime.studies.fitting import plot_fit
+
+        return plot_fit.figure(self)
+
+
+class MomentFit(FittedMoments):
+    """Fit of parameters to statistics, as `fit_moments` returns it, with its picture."""
+
+    def plot(self) -> Figure:
+        """Draw fitted statistics beside measured ones, and the objective along each quantity."""
+        from hertzwerk.runtime.studies.fitting.moments import plot_moments
+
+        return plot_moments.figure(self)
+
+
+def fit(
+    model: Model,
+    data: Data | Experiment | Sequence[Data | Experiment],
+    *,
+    free: Mapping[str, Freed] | Sequence[str],
+    map: Mapping[str, str] | None = None,
+    noise: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    duration: str | float | None = None,
+    offset: Between = 0.0,
+    gain: Mapping[str, Between] | None = None,
+    tolerance: float = TOLERANCE,
+    method: str = METHOD,
+    starts: int = STARTS,
+    seed: int = 0,
+    profile: bool | str = "auto",
+    progress: Callable[[float], object] | None = None,
+) -> Fit:
+    """Fit parameters and initial states to measurements, with exact derivatives through impacts.
+
+    data        a CSV file headed `name [unit]` over time, or with a column `impact [1]` that counts impacts; a `Measurement`, `MeasuredImpacts`;
+                an `Experiment`, which says what its run was made at; or several of them, fitted at once
+    free        ranges by name, {"restitution": (0.3, 1), "stiffness": "1e7..1e9 N/m log", "clearance": "log"}; names alone take their laws' range.
+                A quantity is searched by ratios where its range says log, or spans two decades
+    map         histories by measured column, {"height": "vertical.travel"}; of impacts "impacts.t", "impacts.speed", "floor.impacts.peak_force", or
+                "impacts.rebound.vertical.travel", the largest value until the next impact. By default equal names
+    noise       standard deviations by column, {"height": "0.1 mm"}: what residuals are judged by; else it is taken from the residuals
+    parameters, initial, inputs    that are known, as `simulate` takes them
+    duration    of the runs; needed where impacts have no times
+    offset      run time less measured time, for each run: a value, or a range in which it is fitted, "-2..2 ms"
+    gain        ranges of a sensor's gain by column, {"height": "0.95..1.05"}: measured = gain times run
+    tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are left out, and that is said
+    starts, seed    Latin hypercube of starts beside the model's own values; the best are followed over windows that lengthen
+    profile     intervals by profile likelihood: "auto" of what is badly told, True of all, False of none
+
+    Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
+    combination of quantities that the data cannot tell is said by name in `untold`.
+    """
+    asked = read_fit(
+        model,
+        data,
+        free,
+        map=map,
+        noise=noise,
+        parameters=parameters,
+        initial=initial,
+        inputs=inputs,
+        duration=duration,
+        offset=offset,
+        gain=gain,
+        tolerance=tolerance,
+        method=method,
+        starts=starts,
+        seed=seed,
+        profile=profile,
+    )
+    return Fit(**vars(fitted(asked, progress)))
+
+
+def fit_laws(
+    model: Model,
+    data: Data | Experiment | Sequence[Data | Experiment],
+    laws: Mapping[str, Sequence[str]],
+    *,
+    free: Mapping[str, Freed] | Sequence[str],
+    progress: Callable[[float], object] | None = None,
+    **how: Any,
+) -> Ranking:
+    """Fit a model with each of several laws to the same data, and rank them by AICc and by runs held out.
+
+    laws    by effect, {"floor": ["flores", "hunt_crossley", "power(K=1e6 N/m, n=1) x flores"]}: all combinations, each derived
+    free, how    as of `fit`; a quantity that one law has, and another has not, is free where it is
+
+    Raises InputError with every fault.
+    """
+    variants, faults = law_variants(model, laws)
+    asked = read_laws(variants, data, free, {**(fit.__kwdefaults__ or {}), **how}, faults)
+    return ranked(asked, progress)
+
+
+def fit_moments(
+    model: Model,
+    moments: Mapping[str, str | tuple[Value, Value] | None],
+    *,
+    free: Mapping[str, Freed] | Sequence[str],
+    series: MeasuredSeries | Sequence[MeasuredSeries] = (),
+    seed: int = 0,
+    progress: Callable[[float], object] | None = None,
+    **how: Any,
+) -> MomentFit:
+    """Fit parameters to statistics of runs longer than their horizon, by simulated moments.
+
+    moments    measured values and their standard deviations by the name of an output of `sweep`:
+               {"slider_pin.impact_rate": ("412 1/s", "5 1/s"), "slider_pin.dissipated_power": "3.1 +- 0.1 W"}; None of those that
+               are computed from a measured series: {"acceleration.rms": None}, COLUMN.KIND, with mean, rms, norm8, norm32, largest
+               (mean of the largest values in the drives' period), excursions (their rate, as `compare` counts them); of
+               measured impacts, {"t.rate": None, "speed.rms": None}, their rate and means over them
+    series     the measured columns, of one series or several,
+               MeasuredSeries("long.csv", map={"acceleration": "guide.acceleration"}, bandwidth="5 kHz"), with the values that
+               each was measured at: runs are seen through the same instrument at the same spacing, and one function takes the
+               statistics of both, with the covariance of means of blocks longer than the motion is correlated. Series are
+               independent of each other. Runs last as long as the longest unless told
+    free       as of `fit`; how: further arguments of `sweep`, duration="100 rev", values, workers
+
+    Derivatives are those of a quadratic regression over runs at points of a Latin hypercube, the scatter of the runs' own statistics its covariance;
+    the box of the points closes in on the best, at most twice. Raises InputError with every fault.
+    """
+    several = (series,) if isinstance(series, MeasuredSeries) else series
+    return MomentFit(**vars(fitted_moments(read_moment_fit(model, moments, free, how, seed, series=several), progress)))

@@ -1,0 +1,1 @@
+"""Best parameters for a number of a run."""

@@ -1,0 +1,1 @@
+"""Rows of a sweep: their job, processes and workers, outputs, arrays."""

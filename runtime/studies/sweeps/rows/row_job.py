@@ -1,0 +1,263 @@
+"""Job of a batch: what is the same for all of its rows, and each row from its values."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import reduce
+from itertools import islice
+from operator import or_
+from typing import Any, Protocol, TypeAlias
+
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, numbers_of
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.run.built_engine import prepare
+from hertzwerk.runtime.engine.run.run_request import Settings
+from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError
+from hertzwerk.runtime.engine.solution.step_observers import Findings, Needs
+from hertzwerk.runtime.engine.start.start_values import split_values
+from hertzwerk.runtime.simulation import Solution, solving
+from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import Kept, Times
+from hertzwerk.runtime.studies.sweeps.rows.row import LOST, Packed, Row
+from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured, NotANumberError, Output, derived_by, named
+from hertzwerk.runtime.system.lazy import cached_property
+from hertzwerk.runtime.system.stages import Stages, in_stages
+
+# outcomes of rows without a run or some of its numbers
+BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED = "bad_input", "bad_output", "output_no_number", "failed"
+NO_DERIVATIVE = "no_derivative"
+PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
+
+Own: TypeAlias = Callable[[Solution], float]
+Task: TypeAlias = tuple[int, Mapping[str, Value]]
+"""Number of a row, and the values in place of the model's: parameters, initial states, inputs."""
+
+
+class Tasks:
+    """Tasks in their order, made as they are taken.
+
+    count    how many they are, about
+    """
+
+    def __init__(self, made: Iterable[Task], count: int = 0) -> None:
+        self._made, self._seen, self._count = iter(made), deque[Task](), count
+
+    def __bool__(self) -> bool:
+        self._seen.extend(islice(self._made, 0 if self._seen else 1))
+        return bool(self._seen)
+
+    def __len__(self) -> int:
+        """Return how many are left, about: at least one where there is any."""
+        return max(self._count, int(bool(self)))
+
+    def __iter__(self) -> Iterator[Task]:
+        while self:
+            yield self.take()
+
+    @property
+    def first(self) -> Task:
+        """The next one, which stays; raises IndexError where there is none."""
+        if not self:
+            raise IndexError("no task is left")
+        return self._seen[0]
+
+    def take(self) -> Task:
+        """Take the next one; raises IndexError where there is none."""
+        task = self.first
+        self._seen.popleft()
+        self._count -= 1
+        return task
+
+
+class Flag(Protocol):
+    """Flag that runs look at; where it is true they stop."""
+
+    @property
+    def value(self) -> int:
+        """Whether to stop."""
+
+
+@dataclass
+class LocalFlag:
+    """Flag within one process."""
+
+    value: int = 0
+
+
+@dataclass
+class Job:
+    """Runs of one model, each a task for the workers of an engine.
+
+    kept    arrays that every row keeps
+    choices    what rows choose their inputs among
+    foreseen    time [s] that all take uncompiled, on all workers
+    compiled    whether they are, once prepared
+    """
+
+    model: Model
+    settings: Settings
+    outputs: list[Output]
+    kept: Kept | None = None
+    foreseen: float = 0.0
+    stop: Flag = field(default_factory=LocalFlag)
+    compiled: bool = False
+    choices: Choices = NO_CHOICES
+
+    def __post_init__(self) -> None:
+        self.settings = replace(self.settings, sensitivities=derived_by(self.outputs))
+
+    @cached_property
+    def needs(self) -> Needs:
+        """Parts of a run that outputs and arrays are computed from."""
+        first = Needs.ENDS if self.kept is None else self.kept.needs
+        return reduce(or_, (output.needs for output in self.outputs), first)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle outputs by their names, for a process that shares nothing."""
+        outputs = [(output.name, output.function) for output in self.outputs]
+        return _sent, (self.model, self.settings, outputs, self.kept, self.foreseen, self.stop, self.choices)
+
+    def prepare(self) -> None:
+        """Build what all rows need, compiled where that saves time; raises InputError without a compiler."""
+        settings = self.settings
+        self.compiled = prepare(self.model, settings.method, settings.compiled, self.foreseen, self.needs)
+        self.settings = replace(settings, compiled=self.compiled)
+
+    def do(self, *tasks: Task) -> list[Row]:
+        """Run rows, all of them in stages; raises KeyboardInterrupt where they were stopped."""
+        made = in_stages([self._running(task) for task in tasks])
+        runs = [run[0].findings for run in made if not isinstance(run, Row)]
+        try:
+            Findings.find_impacts(runs)
+        except Exception:  # of any of them: each alone says so
+            if len(runs) > 1:
+                return [row for task in tasks for row in self.do(task)]
+        return [self._made(task, run) for task, run in zip(tasks, made, strict=True)]
+
+    def _running(self, task: Task) -> Stages[tuple[Solution, Times | None] | Row]:
+        """Run a row in stages; return its run and the times of its arrays, or the row where there is no run."""
+        try:
+            return (yield from self._solving(task, self.settings, progress=self._poll))
+        except Exception as error:  # a row says so: hours of other runs are not lost for it
+            return self._without_run(task, error)
+
+    def _made(self, task: Task, run: tuple[Solution, Times | None] | Row) -> Row:
+        """Return the row of a run, or the one that is there in its place."""
+        try:
+            return run if isinstance(run, Row) else self._row(task, *run)
+        except Exception as error:  # as above
+            return self._without_run(task, error)
+
+    def lost(self, task: Task) -> Row:
+        """Return the row of a run whose process died repeatedly."""
+        message = (
+            "its process died, and died again where it ran alone; where rows are stored, the next call tries it anew"
+        )
+        return Row(*task, LOST, message, self._values(task))
+
+    def probe(self, left: Tasks, workers: int, later: int = 0) -> Iterator[Row]:
+        """Run the first good row for at most PROBE [s] to foresee the uncompiled time of all that follow.
+
+        Yield the rows that are done, taken from `left`.
+        """
+        while left:
+            task = left.first
+            try:
+                wall_time = min(PROBE, self.settings.wall_time or PROBE)
+                settings = replace(self.settings, compiled=False, wall_time=wall_time)
+                ((solution, times),) = in_stages([self._solving(task, settings)])
+            except Exception as error:  # as in `do`
+                yield self._without_run(left.take(), error)
+                continue
+            whole = solution.outcome.name != "wall_time_limit"
+            if whole:
+                left.take()
+            done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
+            wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
+            one = min(wall_s / done, self.settings.wall_time or math.inf)
+            self.foreseen = one * math.ceil((len(left) + later) / workers)
+            if whole:
+                yield self._row(task, solution, times)
+            return
+
+    def _solving(
+        self, task: Task, settings: Settings, progress: Callable[[float], object] | None = None
+    ) -> Stages[tuple[Solution, Times | None]]:
+        """Simulate a row in stages; return its run, and the times of its arrays.
+
+        Raises InputError, and KeyboardInterrupt where the run was stopped.
+        """
+        model, values = self.choices.of(self.model, task[1])
+        parameters, initial = split_values(model, values)
+        times = None if self.kept is None else self.kept.times(model, parameters)
+        if times is not None and Needs.STEPS not in self.needs and len(times.all):
+            settings = replace(settings, output=times.all)
+        solution = yield from solving(model, settings, parameters, initial, needs=self.needs, progress=progress)
+        if solution.outcome.name == "interrupted":
+            raise KeyboardInterrupt
+        return solution, times
+
+    def _without_run(self, task: Task, error: Exception) -> Row:
+        """Return the row of values without a run."""
+        if isinstance(error, InputError):
+            outcome, message = BAD_INPUT, "; ".join(str(fault) for fault in error.faults)
+        else:
+            outcome, message = FAILED, f"{type(error).__name__}: {error}"
+        return Row(*task, outcome, message, self._values(task))
+
+    def _poll(self, _: float) -> None:
+        if self.stop.value:
+            raise KeyboardInterrupt
+
+    def _row(self, task: Task, solution: Solution, times: Times | None) -> Row:
+        i, given = task
+        outcome, message = solution.outcome.name, "" if solution.outcome.finished else solution.outcome.message
+        measured = Measured(solution)
+        numbers: dict[str, float] = {}
+        for output in self.outputs:
+            try:
+                numbers.update(zip(output.columns, output.of(measured), strict=True))
+            except NotANumberError as error:
+                outcome, message = NO_NUMBER, str(error)
+            except NoDerivativeError as error:
+                if solution.outcome.finished:
+                    outcome, message = NO_DERIVATIVE, f"{output.name}: {error}"
+            except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
+                outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
+        arrays: Mapping[str, Packed] = {}
+        if times is not None:
+            try:
+                arrays = times.arrays(solution)
+            except Exception as error:  # as above
+                outcome, message = BAD_OUTPUT, f"section or histories raised {type(error).__name__}: {error}"
+        return Row(
+            index=i,
+            given=given,
+            outcome=outcome,
+            message=message,
+            values=self._values(task),
+            outputs=numbers,
+            warnings=solution.warnings,
+            wall_s=solution.statistics.wall_s,
+            arrays=arrays,
+        )
+
+    def _values(self, task: Task) -> dict[str, float]:
+        """Return the values of a row in SI."""
+        return numbers_of(self.model, task[1])
+
+
+def _sent(
+    model: Model,
+    settings: Settings,
+    outputs: list[tuple[str, Own | None]],
+    kept: Kept | None,
+    foreseen: float,
+    stop: Flag,
+    choices: Choices,
+) -> Job:
+    return Job(model, settings, named(model, outputs), kept, foreseen, stop, choices=choices)

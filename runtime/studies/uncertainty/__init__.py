@@ -1,0 +1,1 @@
+"""Uncertainty of a run's numbers, from distributions of parameters and starts."""

@@ -1,1 +1,0 @@
-"""Arrays that rows of a sweep keep: sections and histories."""

@@ -1,0 +1,242 @@
+"""Forms of contact: a law of point contact where surfaces touch along a line is advised against once; the listed laws run."""
+
+import json
+from dataclasses import replace
+from importlib import import_module
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    CustomPair,
+    CylinderOnPlane,
+    EnergyLedger,
+    Mechanism,
+    Parameter,
+    PinInBush,
+    Prismatic,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Y,
+    Z,
+)
+from hertzwerk.derive.audit.contact_forms import advice, fitting_laws, form_of
+from hertzwerk.derive.equations.derivation import audit_scene
+from hertzwerk.derive.laws import LAWS, hertz_point, power, smooth_coulomb
+from hertzwerk.derive.laws.law import FORMS, FilmLaw, Law, StiffnessLaw, d
+from hertzwerk.derive.scenes import NAMES
+from hertzwerk.derive.scenes.slider_crank import scene as crank
+from hertzwerk.derive.scenes.slider_crank import steel
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.model.build import scene_from
+
+# what stands in the catalogue for a pin in a bush of some length, by the titles of the laws and the verdicts of their units
+OF_PINS = (
+    *("johnson", "hertz_cylinder", "radzimovsky", "goldsmith_m3", "dubowsky_freudenstein", "esdu_78035", "palmgren_si"),
+    *("pereira_internal_si", "liu_with_length", "bai_zhao_repaired", "persson", "popov_line", "hertz_half_width"),
+    *("wang_liu_internal", "wang_liu_half_width", "wang_liu_johnson", "wang_liu_secant"),
+)
+ADVISED = (
+    *("slider_crank", "slider_crank_frictionless", "slider_crank_two_clearances", "slider_crank_three_clearances"),
+    *("four_bar_clearance", "slider_crank_dc_motor"),
+)
+
+
+def test_the_flagship_is_told_that_its_law_is_of_another_contact_and_which_laws_fit():
+    (said,) = advice(crank)
+    assert said == (
+        "slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; "
+        "`hertzwerk laws --form line` lists others"
+    )
+    (pair,) = crank.mechanism.pairs
+    assert set(fitting_laws("stiffness", pair, crank.geometry("slider_pin"))) == set(OF_PINS)
+    listed = CliRunner().invoke(main, ["laws", "--form", "line", "--json"])
+    rows = {row["law"]: row["made for"] for row in json.loads(listed.output)["laws"]}
+    assert {name for name, pairs in rows.items() if pairs in ("line contact", "pin_in_bush")} >= set(OF_PINS)
+    assert not {"hertz_point", "power", "goldsmith"} & set(rows)  # of points, of any form, inconsistent
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_scenes_are_advised_once_and_only_where_law_and_pair_differ(name):
+    said = advice(scene_from(name))
+    assert len(said) == (name in ADVISED)
+    module = import_module(f"hertzwerk.generated.{name}")
+    assert getattr(module, "ADVICE", ()) == said
+
+
+def test_several_pairs_share_one_sentence():
+    (said,) = advice(scene_from("slider_crank_three_clearances"))
+    assert said.startswith("main_bearing, crank_pin, slider_pin: a pin in bush touches along a line")
+
+
+def test_advice_is_no_fault():
+    findings = audit_scene(crank)
+    assert [finding.verdict for finding in findings].count("advice") == 1
+    assert all(finding.sound for finding in findings)
+
+
+def test_a_law_for_any_form_and_one_that_fits_are_left_alone():
+    assert advice(crank.with_law("slider_pin", "johnson")) == ()
+    K = Parameter("K", "N/m^1.5", 1e10)
+    assert advice(crank.replace(slider_pin=Contact("slider_pin", power(K, 1.5)))) == ()
+
+
+def test_a_pin_without_a_length_is_told_to_get_one():
+    (pair,) = crank.mechanism.pairs
+    bare = replace(crank, mechanism=replace(crank.mechanism, pairs=(replace(pair, length=None),)))
+    (said,) = advice(bare)
+    assert said.endswith("`hertzwerk laws --form line` lists others, once the pair has a length")
+
+
+def test_every_pair_and_every_law_says_its_form():
+    for scene in map(scene_from, NAMES):
+        assert all(form_of(pair) in FORMS for pair in scene.mechanism.pairs)
+    for law in LAWS.values():
+        assert isinstance(law, Law)
+        assert law.forms
+        assert set(law.forms) <= set(FORMS)
+
+
+def test_what_does_not_say_its_form_raises():
+    class Blob(PinInBush):
+        form = None
+
+    (pair,) = crank.mechanism.pairs
+    with pytest.raises(TypeError, match="pair slider_pin: found the form of contact None"):
+        form_of(Blob(**vars(pair)))
+    with pytest.raises(ValueError, match="law own: found no form of contact"):
+        StiffnessLaw("own", "own", (), "test", "C", force=d)
+    with pytest.raises(ValueError, match="found the forms of contact"):
+        FilmLaw("own", "own", (), "test", "C", forms=("volume",))
+
+
+def test_a_pair_of_the_users_touches_along_a_line_where_it_has_a_length():
+    places = Body("block", Parameter("mass", "kg", 1)).at(0, 0, 0), GROUND.at(0, 0, 0)
+    point = CustomPair("touch", *places, 0, (0, 1, 0), (0, 0, 0), radius=Parameter("radius", "m", 0.1))
+    line = replace(point, length=Parameter("width", "m", 0.2))
+    assert (form_of(point), form_of(line)) == ("point", "line")
+    assert tuple(fitting_laws("stiffness", point, point.geometry)) == ("hertz_point", "galin_sneddon")
+    assert "popov_line" in fitting_laws("stiffness", line, line.geometry)
+    assert "johnson" not in fitting_laws("stiffness", line, line.geometry)  # which asks for R1 and R2 together
+
+
+def test_friction_stands_in_every_form():
+    rubbing = smooth_coulomb(Parameter("mu", "1", 0.1), Parameter("v_s", "m/s", 0.1))
+    assert rubbing.law.forms == FORMS
+
+
+# -- what the forms need -------------------------------------------------------------------------------------------------
+
+
+def test_a_length_that_no_law_asks_for_is_no_parameter():
+    assert "bush_length" not in crank.parameters
+    assert "bush_length" in crank.with_law("slider_pin", "johnson").parameters
+    assert "bush_length" not in [row[0] for row in import_module("hertzwerk.generated.slider_crank").PARAMETERS]
+
+
+def test_a_wrong_length_is_a_fault_although_no_law_asks_for_it():
+    from hertzwerk.derive import InputError
+
+    (pair,) = crank.mechanism.pairs
+    wrong = replace(pair, length=Parameter("bush_length", "kg", 15))
+    with pytest.raises(InputError, match="pair slider_pin, length"):
+        replace(crank, mechanism=replace(crank.mechanism, pairs=(wrong,)))
+
+
+def test_every_bush_of_the_built_in_scenes_has_a_length_and_every_material_a_density():
+    for scene in map(scene_from, NAMES):
+        assert all(pair.length is not None for pair in scene.mechanism.pairs if pair.kind == "pin_in_bush")
+        bounds = [bound for effect in scene.effects for bound in getattr(effect, "laws", ())]
+        assert all(material.density is not None for bound in bounds for material in bound.materials)
+
+
+def test_the_material_stays_with_the_pair_under_another_law():
+    assert crank.with_law("slider_pin", "johnson").effect("slider_pin").stiffness.materials == (steel, steel)
+    assert (
+        crank.with_law("slider_pin", "palmgren_si").effect("slider_pin").stiffness.materials == ()
+    )  # which takes none
+
+
+def runs(name):
+    """The slider-crank with a law of line contact, through some impacts."""
+    model = load("slider_crank", laws={"slider_pin": name})
+    run = simulate(model, duration="6 ms", tolerance=1e-8)
+    assert run.outcome.finished
+    assert run.impacts
+    assert run.energy_residual < 1e-5
+    assert run.advice == ()
+
+
+@pytest.mark.parametrize("name", ["wang_liu_internal", "johnson"])
+def test_laws_of_line_contact_run_in_the_slider_crank(name):
+    runs(name)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", OF_PINS)
+def test_every_law_that_fits_runs_in_the_slider_crank(name):
+    runs(name)
+
+
+@pytest.mark.parametrize("name", ["popov_line", "wang_liu_external"])
+def test_a_cylinder_meets_a_plane_by_laws_of_line_contact(name):
+    """F = (pi/4) E* L d: half a period pi sqrt(m/K) in contact, and the penetration v sqrt(m/K)."""
+    m, v, L, E, nu = 2.0, 0.3, 0.05, 207e9, 0.3
+    mass, radius, length = Parameter("mass", "kg", m), Parameter("radius", "m", 0.1), Parameter("length", "m", L)
+    roller, pace = Body("roller", mass), Parameter("pace", "m/s", v)
+    pair = CylinderOnPlane("touch", roller.at(0, 0, 0), Z, radius, length, GROUND.at(0, 0, 0), Y)
+    scene = Scene(
+        Mechanism("roller", (Prismatic("way", GROUND, roller, Y),), (pair,)),
+        (Contact("touch", LAWS[name](steel, steel)), EnergyLedger()),
+        Scales(length=Parameter("deep", "um", 10), speed=pace),
+        Start(position={"way": radius + Parameter("gap", "mm", 1)}, speed={"way": -pace}),
+    )
+    assert advice(scene) == ()
+    (impact,) = simulate(load(scene), duration="10 ms", tolerance=1e-10).impacts
+    K = 3.141592653589793 / 4 * E / (2 * (1 - nu**2)) * L
+    assert impact.duration == pytest.approx(3.141592653589793 * (m / K) ** 0.5, rel=1e-6)
+    assert impact.peak_penetration == pytest.approx(v * (m / K) ** 0.5, rel=1e-6)
+
+
+def test_hertz_on_a_lying_cylinder_is_advised_too():
+    roller, size = Body("roller", Parameter("mass", "kg", 1)), Parameter("size", "m", 1)
+    pair = CylinderOnPlane("touch", roller.at(0, 0, 0), X, size / 10, size / 5, GROUND.at(0, 0, 0), Y)
+    scene = Scene(
+        Mechanism("roller", (Prismatic("way", GROUND, roller, Y),), (pair,)),
+        (Contact("touch", hertz_point(steel, steel)),),
+        Scales(length=size, speed=Parameter("pace", "m/s", 1)),
+        Start(position={"way": size}),
+    )
+    (said,) = advice(scene)
+    assert said.endswith("`hertzwerk laws --form line` lists others")
+    assert tuple(fitting_laws("stiffness", pair, scene.geometry("touch"))) == (
+        *("goldsmith_m3", "palmgren_si", "popov_line", "hertz_half_width", "wang_liu_external", "wang_liu_half_width"),
+    )
+
+
+# -- the run and the command line ----------------------------------------------------------------------------------------
+
+
+def test_a_run_of_the_slider_crank_has_a_line_for_each_finding(tmp_path):
+    run = simulate(load("slider_crank"), duration="24 ms", tolerance=1e-8)
+    left, warning = run.warnings
+    assert left.startswith("4 contacts of slider_pin, the worst since t = 0.007822 s, left the law of damping")
+    assert warning.startswith(
+        "25 of 25 impacts of slider_pin exceed the law's limit v0 <= 1e-5*sqrt(E/rho) = 0.0515 m/s"
+    )
+    assert len(run.advice) == 1
+    run.save(tmp_path / "run.npz")
+    assert type(run).load(tmp_path / "run.npz").advice == run.advice
+
+
+def test_pairs_that_are_too_fast_share_one_warning():
+    run = simulate(load("slider_crank_two_clearances"), duration="3 ms", tolerance=1e-6)
+    (warning,) = [text for text in run.warnings if "exceed" in text]
+    assert len(run.impacts) >= 2
+    assert f"of {len(run.impacts)} impacts of crank_pin, slider_pin" in warning

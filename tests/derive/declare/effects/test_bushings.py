@@ -1,0 +1,308 @@
+"""Bushings, spherical springs and potentials of a pose, against scipy's eigenvalues and closed forms."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+from scipy.linalg import eigh
+from scipy.spatial.transform import Rotation
+
+from hertzwerk.derive import (
+    APART,
+    GROUND,
+    ROTATION,
+    TURN,
+    Body,
+    Bushing,
+    CustomPair,
+    EnergyLedger,
+    FramePotential,
+    Free,
+    Gravity,
+    InputError,
+    Mechanism,
+    Parameter,
+    Planar,
+    Scales,
+    Scene,
+    Spherical,
+    SphericalSpring,
+    Start,
+    X,
+    Y,
+    Z,
+)
+from hertzwerk.derive.declare.effects.bushings import ARCS, BENDS, NEAR
+from hertzwerk.runtime import load, modes, simulate
+
+p = Parameter
+SIZE = p("size", "m", 0.1)
+SCALES = Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
+MASS, INERTIA = 2.0, (0.02, 0.03, 0.04)
+UNITS = ("N/m", "N", "N m")
+RANDOM = np.random.default_rng(7)
+ROOT = RANDOM.normal(size=(6, 6)) * np.repeat([30.0, 3.0], 3)[:, None]
+STIFF = ROOT @ ROOT.T + np.diag([500, 600, 700, 5, 6, 7.0])
+
+
+def named(matrix, letter, rate=""):
+    """Symmetric matrix of parameters."""
+    entry = {}
+    for i in range(6):
+        for j in range(i, 6):
+            unit = {"N/m": "N s/m", "N": "N s", "N m": "N m s"}[u] if (u := UNITS[(i > 2) + (j > 2)]) and rate else u
+            entry[i, j] = entry[j, i] = p(f"{letter}_{i + 1}{j + 1}", unit, float(matrix[i, j]))
+    return tuple(tuple(entry[i, j] for j in range(6)) for i in range(6))
+
+
+def floating(*effects, **start):
+    """A body in space, with its mass centre at its origin."""
+    body = Body(
+        "body",
+        p("mass", "kg", MASS),
+        inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
+    )
+    return Scene(
+        Mechanism("floating", (Free("free", GROUND, body),)), (*effects, EnergyLedger()), SCALES, Start(**start)
+    )
+
+
+def body_of(scene):
+    return scene.mechanism.bodies[0]
+
+
+def mount(scene=None, **given):
+    body = body_of(floating(Gravity("gravity", p("g", "m/s^2", 1), direction=X)))
+    return Bushing("mount", body.at(0, 0, 0), GROUND.at(0, 0, 0), named(STIFF, "k"), **given)
+
+
+def test_vibrations_on_a_bushing():
+    """Six frequencies of M x'' + K x = 0, by scipy.linalg.eigh."""
+    found = modes(load(floating(mount())))
+    squares = eigh(STIFF, np.diag([MASS] * 3 + list(INERTIA)), eigvals_only=True)
+    assert np.sort(found.frequencies) == pytest.approx(np.sqrt(squares) / (2 * np.pi), rel=1e-7)
+
+
+LARGE = {
+    "position": {
+        "free.x": p("x0", "m", 0.05),
+        "free.q0": p("q0", "1", 0.4),
+        "free.q1": p("q1", "1", 0.5),
+        "free.q2": p("q2", "1", -0.6),
+    },
+    "speed": {"free.angular_speed_x": p("w0", "rad/s", 3)},
+}
+
+
+@pytest.mark.parametrize("method", ["dop853", "esdirk"])
+def test_large_rotations_conserve_energy(method):
+    """The force is the gradient of the stored energy at rotations of two radians, with all entries at work."""
+    run = simulate(load(floating(mount(), **LARGE)), duration=0.3, tolerance=1e-9, method=method)
+    pose = np.array([run[f"mount.{what}_{k}"] for what in ("displacement", "rotation") for k in "xyz"])
+    turned = Rotation.from_quat(np.array([run[f"free.q{i}"] for i in (1, 2, 3, 0)]).T).as_rotvec()
+    assert pytest.approx(turned, abs=1e-9) == pose[3:].T
+    assert np.max(np.linalg.norm(turned, axis=1)) > 2
+    assert run["mount.stored_energy"] == pytest.approx(np.einsum("it,ij,jt->t", pose, STIFF, pose) / 2, rel=1e-9)
+    assert run.energy_residual < 1e-7
+
+
+def test_work_along_any_path_is_the_difference_of_energy():
+    """A damped run loses what its damper books, by rates of the rotation vector; the rest is in the spring."""
+    damping = named(0.01 * STIFF, "c", rate="1")
+    run = simulate(load(floating(mount(damping=damping), **LARGE)), duration=0.5, tolerance=1e-9)
+    assert run.energy_residual < 1e-7
+    assert run["mount.dissipated"][-1] > 0.9 * run["energy"][0] > 0
+    assert np.all(np.diff(run["mount.dissipated"]) >= 0)
+
+
+def both_ends(coordinates):
+    """Two bodies on ball joints, a bushing between frames of their own."""
+    one, two = (
+        Body(n, p(f"{n}_mass", "kg", 1), inertia=(p("J", "kg m^2", 0.02),) * 3, centre=(0, 0, -SIZE))
+        for n in ("one", "two")
+    )
+    joints = Spherical("left", GROUND, one), Spherical("right", GROUND.at(SIZE, 0, 0), two)
+    tilt = p("tilt", "rad", 0.7)
+    bushing = Bushing(
+        "mount", one.at(0, 0, -SIZE).turned(X, tilt), two.at(0, SIZE, 0).turned(Z, tilt), named(STIFF, "k")
+    )
+    start = Start(speed={"left.angular_speed_x": p("w0", "rad/s", 5), "right.angular_speed_z": p("w1", "rad/s", -4)})
+    return Scene(Mechanism("two", joints), (bushing, EnergyLedger()), SCALES, start, coordinates=coordinates)
+
+
+def test_a_bushing_between_two_bodies():
+    tree, absolute = (simulate(load(both_ends(c)), duration=0.2, tolerance=1e-10) for c in ("tree", "absolute"))
+    assert max(tree.energy_residual, absolute.energy_residual) < 1e-7
+    assert tree["left.q1"][-1] == pytest.approx(absolute["one.q1"][-1], abs=1e-7)
+    apart = tree.at(np.array([0.2]))
+    back = absolute.at(np.array([0.2]))
+    assert apart["mount.rotation_y"] == pytest.approx(back["mount.rotation_y"], abs=1e-7)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+@pytest.mark.parametrize("method", ["dop853", "rodas", "esdirk", "auto", "cvodes"])
+def test_every_method_keeps_the_energy(coordinates, method):
+    run = simulate(load(both_ends(coordinates)), duration=0.2, tolerance=1e-8, method=method)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-4
+
+
+def ball(*effects, coordinates="tree", **start):
+    body = Body(
+        "top",
+        p("mass", "kg", MASS),
+        inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
+    )
+    return Scene(
+        Mechanism("ball", (Spherical("pivot", GROUND, body),)),
+        (*effects, EnergyLedger()),
+        SCALES,
+        Start(**start),
+        coordinates=coordinates,
+    )
+
+
+def pivot(kind, *given):
+    body = Body(
+        "top",
+        p("mass", "kg", MASS),
+        inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
+    )
+    return kind("spring", body.at(0, 0, 0), GROUND.at(0, 0, 0), *given)
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_a_spherical_spring_swings_by_its_angle(coordinates):
+    """About a principal axis it is a torsional vibration of any amplitude: angle = a cos(sqrt(k/J) t)."""
+    k, amplitude, omega = 2.0, 2.5, np.sqrt(2.0 / INERTIA[2])
+    half = {"pivot.q0": p("q0", "1", np.cos(amplitude / 2)), "pivot.q3": p("q3", "1", np.sin(amplitude / 2))}
+    scene = ball(pivot(SphericalSpring, p("k", "N m/rad", k)), coordinates=coordinates, position=half)
+    run = simulate(load(scene), duration=1.0, tolerance=1e-9)
+    assert run["spring.rotation_z"] == pytest.approx(amplitude * np.cos(omega * run.t), abs=1e-6)
+    assert run.energy_residual < 1e-7
+
+
+def test_a_damper_opposes_the_angular_velocity_at_any_rotation():
+    """Of a body alike about all axes w = w_0 exp(-c t/J), whatever it is turned by: here 1.2 rad about another axis."""
+    J, c, turned = 0.03, 0.2, 1.2
+    body = Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", J),) * 3)
+    damper = SphericalSpring("spring", body.at(0, 0, 0), GROUND.at(0, 0, 0), 0, p("c", "N m s/rad", c))
+    start = Start(
+        {"pivot.q0": p("q0", "1", np.cos(turned / 2)), "pivot.q2": p("q2", "1", np.sin(turned / 2))},
+        {"pivot.angular_speed_x": p("w0", "rad/s", 5)},
+    )
+    joints = (Spherical("pivot", GROUND, body),)
+    run = simulate(
+        load(Scene(Mechanism("ball", joints), (damper, EnergyLedger()), SCALES, start)), duration=0.3, tolerance=1e-10
+    )
+    assert run["pivot.angular_speed_x"] == pytest.approx(5 * np.exp(-c * run.t / J), abs=1e-7)
+    assert np.abs([run[f"pivot.angular_speed_{k}"] for k in "yz"]).max() < 1e-7
+
+
+def test_series_beside_no_rotation_are_those_of_the_arc_and_its_bend():
+    """asin(s)/s and (1 - asin(s) sqrt(1 - s^2)/s)/s^2, up to where the quotients take over."""
+    with mp.workdps(30):
+        for square in (mpf(NEAR.p) / NEAR.q, mpf("1e-3"), mpf("1e-9")):
+            s = mp.sqrt(square)
+            arc = mp.asin(s) / s
+            for known, exact in ((ARCS, arc), (BENDS, (1 - arc * mp.sqrt(1 - square)) / square)):
+                found = sum(mpf(k.p) / k.q * square**i for i, k in enumerate(known))
+                assert abs(found / exact - 1) < mpf("2e-15")
+
+
+def test_three_stiffnesses_are_a_bushing_and_an_energy():
+    k = tuple(p(f"k_{i}", "N m/rad", v) for i, v in zip("xyz", (2, 3, 5), strict=True))
+    spin = {"speed": {"pivot.angular_speed_x": p("w1", "rad/s", 9), "pivot.angular_speed_y": p("w2", "rad/s", 7)}}
+    energy = sum(a * b**2 for a, b in zip(k, ROTATION, strict=True)) / 2
+    kinds = pivot(SphericalSpring, k), pivot(Bushing, (0, 0, 0, *k)), pivot(FramePotential, energy)
+    ends = [simulate(load(ball(kind, **spin)), duration=0.5, tolerance=1e-10) for kind in kinds]
+    assert max(np.linalg.norm([run[f"spring.rotation_{i}"][-1] for i in "xyz"]) for run in ends[:2]) > 0.3
+    for other in ends[1:]:
+        assert [other[f"pivot.q{i}"][-1] for i in range(4)] == pytest.approx(
+            [ends[0][f"pivot.q{i}"][-1] for i in range(4)], abs=1e-7
+        )
+        assert other.energy_residual < 1e-7
+
+
+def test_a_potential_of_directions_is_gravity():
+    """The weight of a mass centre off the pivot, m g z of its place, as an energy of TURN and as gravity."""
+    body = Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", 0.02),) * 3, centre=(0, 0, SIZE))
+    g, spin = (
+        p("g", "m/s^2", 9.81),
+        Start(speed={"pivot.angular_speed_x": p("w1", "rad/s", 2), "pivot.angular_speed_z": p("w3", "rad/s", 40)}),
+    )
+    weight = FramePotential(
+        "weight", body.at(0, 0, 0), GROUND.at(0, 0, 0), p("mass", "kg", MASS) * g * SIZE * TURN[2][2]
+    )
+    mechanism = Mechanism("top", (Spherical("pivot", GROUND, body),))
+    runs = [simulate(load(Scene(mechanism, (effect, EnergyLedger()), SCALES, spin)), duration=0.4, tolerance=1e-10)
+            for effect in (weight, Gravity("weight", g, direction=-Z))]  # fmt: skip
+    assert [runs[0][f"pivot.q{i}"][-1] for i in range(4)] == pytest.approx(
+        [runs[1][f"pivot.q{i}"][-1] for i in range(4)], abs=1e-8
+    )
+    assert runs[0].energy_residual < 1e-8
+
+
+def test_in_the_plane_whole_turns_count():
+    """A planar bushing winds up beyond half a turn: angle = w sqrt(J/k) sin(sqrt(k/J) t), up to 8 rad."""
+    wheel = Body("wheel", p("mass", "kg", MASS), inertia=p("J", "kg m^2", 0.02))
+    mechanism = Mechanism("plane", (Planar("table", GROUND, wheel, normal=Z),))
+    bushing = Bushing(
+        "mount", wheel.at(0, 0, 0), GROUND.at(0, 0, 0), (*(p("k", "N/m", 100),) * 3, *(p("k_t", "N m", 2),) * 3)
+    )
+    start = Start(speed={"table.angle": p("w", "rad/s", 80)})
+    run = simulate(load(Scene(mechanism, (bushing, EnergyLedger()), SCALES, start)), duration=0.5, tolerance=1e-9)
+    assert run["table.angle"] == pytest.approx(8 * np.sin(10 * run.t), abs=1e-6)
+    assert np.max(run["mount.rotation_z"]) > 7.9
+
+
+def test_faults_of_matrices_come_at_once():
+    stiff = np.diag([1.0, 1, 1, 1, 1, 1])
+    stiff[0, 4], stiff[4, 0] = 2, 2
+    skew = [list(row) for row in named(np.eye(6), "c", rate="1")]
+    skew[0][1] = p("other", "N s/m", 3)
+    wrong = [list(row) for row in named(np.eye(6), "w")]
+    wrong[3][3] = p("soft", "N/m", 3)
+    base = mount()
+    with pytest.raises(InputError) as caught:
+        floating(
+            replace(base, name="pushes", stiffness=named(stiff, "k"), damping=tuple(map(tuple, skew))),
+            replace(base, name="wrong", stiffness=tuple(map(tuple, wrong))),
+            replace(base, name="itself", second=base.first, stiffness=(0,) * 6),
+            FramePotential("energy", base.first, base.second, p("k_e", "N", 1) * ROTATION[0]),
+            FramePotential(
+                "unknown", base.first, base.second, p("k_u", "J", 1) * Parameter("x", "1", 1) * TURN[0][0] + APART[0]
+            ),
+        )
+    text = str(caught.value)
+    for part in (
+        "pushes, stiffness",
+        "pushes, damping",
+        "symmetric",
+        "positive semidefinite",
+        "effect wrong",
+        "soft",
+        "both frames on body",
+        "effect energy",
+        "effect unknown",
+    ):
+        assert part in text, part
+    with pytest.raises(InputError, match="six rows of six"):
+        floating(replace(base, stiffness=(1, 2)))
+    body = Body("ball", p("mass", "kg", 1))
+    with pytest.raises(InputError, match="rotation_x"):
+        pair = CustomPair(
+            "p",
+            body.at(0, 0, 0),
+            GROUND.at(0, 0, 0),
+            gap=APART[1] - SIZE * ROTATION[0],
+            normal=(0, 1, 0),
+            contact_point=(APART[0], 0, 0),
+        )
+        Scene(
+            Mechanism("m", (Free("free", GROUND, body),), (pair,)),
+            (Gravity("g", p("g", "m/s^2", 1), direction=-Y),),
+            SCALES,
+        )

@@ -1,0 +1,163 @@
+"""A pair of one's own, in one file: declaration and geometry of touching, run against the built-in pair that it equals."""
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    EnergyLedger,
+    Free,
+    Friction,
+    Gravity,
+    InputError,
+    Mechanism,
+    Parameter,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    Y,
+    generate,
+)
+from hertzwerk.derive.common.execute_file import names_defined_by
+from hertzwerk.derive.laws import flores, hertz_point, power, smooth_coulomb
+from hertzwerk.runtime import load, simulate
+
+FILE = '''
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar
+
+from hertzwerk.derive import Direction, Pair, Point, Slot, Touch
+from hertzwerk.derive.expressions.algebra.vectors import dot
+
+
+@dataclass(frozen=True)
+class Dome(Pair):
+    """The lower half of a ball of `radius` on a plane."""
+
+    middle: Point
+    plane: Point
+    up: Direction
+    radius: object
+    kind: ClassVar[str] = "dome"
+    measures: ClassVar = {"radius": Slot.of("m")}
+
+    @property
+    def first_radius(self):
+        return self.radius
+
+    @property
+    def geometry(self):
+        return {"R_eff": self.radius, "R_min": self.radius}
+
+    def touch(self, kinematics):
+        return OnPlane(self, kinematics)
+
+
+class OnPlane(Touch):
+    """The height of the middle, less the radius."""
+
+    SIZE = 1
+
+    @cached_property
+    def normal(self):
+        return self.named(self.kin.direction(self.second, self.pair.up), "up")
+
+    @cached_property
+    def gap(self):
+        return self.let(self.SIZE * dot(self.normal, self.apart) - self.pair.radius, "gap")
+
+
+@dataclass(frozen=True)
+class Steep(Dome):
+    """A dome whose gap is twice the distance."""
+
+    def touch(self, kinematics):
+        return TooSteep(self, kinematics)
+
+
+class TooSteep(OnPlane):
+    SIZE = 2
+
+
+@dataclass(frozen=True)
+class Sleeve(Dome):
+    """A dome that claims to replace a joint."""
+
+    journal: ClassVar[bool] = True
+
+
+@dataclass(frozen=True)
+class Mute(Pair):
+    """A pair that says nothing of how it touches."""
+
+    middle: Point
+    plane: Point
+'''
+RADIUS, MASS = Parameter("radius", "m", 0.05), Parameter("mass", "kg", 0.4)
+BALL = Body("ball", MASS, (Parameter("J", "kg m^2", 4e-4),) * 3)
+PLACES = BALL.at(0, 0, 0), GROUND.at(0, 0, 0)
+LAWS = (
+    Contact("touch", power(Parameter("K", "N/m", 4e4), 1), flores(Parameter("restitution", "1", 0.8))),
+    Friction("rub", "touch", smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "m/s", 0.01))),
+)
+
+
+@pytest.fixture(scope="module")
+def kinds(tmp_path_factory):
+    file = tmp_path_factory.mktemp("own") / "dome.py"
+    file.write_text(FILE)
+    return names_defined_by(file)
+
+
+def scene(pair, *effects):
+    start = Start({"fly.y": Parameter("height", "m", 0.08)}, {"fly.x_speed": Parameter("push", "m/s", 0.5)})
+    effects = (*(effects or LAWS), Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), EnergyLedger())
+    mechanism = Mechanism("dome", (Free("fly", GROUND, BALL),), (pair,))
+    return Scene(mechanism, effects, Scales(RADIUS, Parameter("pace", "m/s", 1.0), RADIUS), start)
+
+
+def path(declared):
+    run = simulate(load(declared), duration=0.3, tolerance=1e-10)
+    assert run.outcome.name == "finished"
+    assert len(run.impacts) > 1
+    history = run.at(np.linspace(0, 0.3, 7))
+    return np.array([history[f"fly.{name}"] for name in ("x", "y", "angular_speed_z")])
+
+
+def test_a_pair_of_ones_own_touches_as_the_built_in_pair_that_it_equals(kinds):
+    wanted = path(scene(SphereOnPlane("touch", PLACES[0], RADIUS, PLACES[1], Y)))
+    assert np.ptp(wanted[2]) > 1  # it is rubbed
+    assert np.max(np.abs(path(scene(kinds["Dome"]("touch", *PLACES, Y, RADIUS))) - wanted)) < 1e-8
+
+
+def test_a_pair_of_ones_own_offers_its_geometry_to_laws(kinds):
+    names, values, units = ("E_1", "nu_1", "E_2", "nu_2"), (1e9, 0.3, 2e9, 0.3), ("Pa", "1", "Pa", "1")
+    given = zip(names, units, values, strict=True)
+    steel = {name: Parameter(name, unit, value) for name, unit, value in given}
+    text = generate(scene(kinds["Dome"]("touch", *PLACES, Y, RADIUS), Contact("touch", hertz_point(**steel))))
+    assert '("touch", "dome")' in text
+
+
+def test_a_gap_that_is_no_distance_is_found_at_random_states(kinds):
+    with pytest.raises(InputError, match=r"pair touch, gap: found a rate of .* where the bodies approach at"):
+        generate(scene(kinds["Steep"]("touch", *PLACES, Y, RADIUS)))
+
+
+def test_a_journal_that_cannot_be_centred_is_refused(kinds):
+    with pytest.raises(InputError, match="pair touch: found a journal without an eccentricity"):
+        generate(scene(kinds["Sleeve"]("touch", *PLACES, Y, RADIUS)))
+
+
+def test_a_direction_of_ones_own_is_checked(kinds):
+    with pytest.raises(InputError, match="pair touch, up: found 3"):
+        scene(kinds["Dome"]("touch", *PLACES, 3, RADIUS))
+
+
+def test_a_pair_without_equations_is_refused(kinds):
+    with pytest.raises(InputError, match="pair touch: found Mute, a kind of pair without equations"):
+        generate(scene(kinds["Mute"]("touch", *PLACES)))
+    assert kinds["Mute"]("touch", *PLACES).form == "point"

@@ -1,0 +1,362 @@
+"""The committed modules are what the scenes derive to, the same everywhere; and nothing for nothing."""
+
+import ast
+import difflib
+import os
+import re
+import subprocess
+import sys
+from functools import cache
+from hashlib import sha256
+from importlib import import_module
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+from derived import Derived
+
+from hertzwerk.derive import Friction, JointSpring, generate
+from hertzwerk.derive.expressions.parameter import parameters_of
+from hertzwerk.derive.program.emit.cost import OF_CURVES
+from hertzwerk.derive.program.emit.helpers import HELPERS
+from hertzwerk.derive.scenes import NAMES
+from hertzwerk.runtime.engine.model.build import scene_from
+
+GENERATED = Path(__file__).parents[4] / "generated"
+
+
+@cache
+def committed(name):
+    return (GENERATED / f"{name}.py").read_text(encoding="utf-8")
+
+
+@cache
+def regenerated(name):
+    return generate(scene_from(name), f"derive/scenes/{name}.py")
+
+
+def difference(name, text):
+    """Empty if `text` is the committed module; else the difference and how to accept it."""
+    lines = difflib.unified_diff(
+        committed(name).splitlines(), text.splitlines(), f"generated/{name}.py", "regenerated", lineterm="", n=1
+    )
+    diff = "\n".join(lines)
+    return diff and f"{diff}\n\nIf this is meant, accept it with\n    hertzwerk derive {name}\n"
+
+
+# -- golden ------------------------------------------------------------------------------------------------------------
+
+
+def test_a_difference_is_shown_with_the_command_that_accepts_it():
+    report = difference(
+        "soft_ball", regenerated("soft_ball").replace("1.4e", "1.5e").replace("140000000.0", "150000000.0")
+    )
+    assert '-    ("stiffness"' in report
+    assert '+    ("stiffness"' in report
+    assert "hertzwerk derive soft_ball" in report
+
+
+def test_every_built_in_scene_has_its_module_and_nothing_else_is_there():
+    assert {file.stem for file in GENERATED.glob("*.py")} - {"__init__"} == set(NAMES)
+    assert [scene_from(name).name for name in NAMES] == list(NAMES)
+
+
+@pytest.mark.exhaustive  # in CI every process has a seed of its own, that of `derive --check` too
+@pytest.mark.parametrize("seed", ["0", "4711"])
+def test_the_text_is_the_same_for_every_hash_seed(seed):
+    program = (
+        "from importlib import import_module; from hashlib import sha256; from hertzwerk.derive import generate\n"
+        f"for name in {NAMES!r}:\n"
+        "    scene = import_module('hertzwerk.derive.scenes.' + name).scene\n"
+        "    print(name, sha256(generate(scene, f'derive/scenes/{name}.py').encode()).hexdigest())\n"
+    )
+    out = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, "PYTHONHASHSEED": seed},
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    here = [f"{name} {sha256(regenerated(name).encode()).hexdigest()}" for name in NAMES]
+    assert out.stdout.splitlines() == here
+
+
+def test_deriving_twice_in_one_process_gives_the_same_text():
+    assert regenerated("slider_crank") == generate(scene_from("slider_crank"), "derive/scenes/slider_crank.py")
+
+
+# -- form --------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_modules_import_casadi_alone(name):
+    tree = ast.parse(committed(name))
+    imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
+    assert [ast.unparse(node) for node in imports] == ["import casadi as ca"]
+    tree.body = [node for node in tree.body if not (isinstance(node, ast.FunctionDef) and node.name in HELPERS)]
+    calls = {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    own = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    assert all(call.startswith("ca.") or call in HELPERS or call in own for call in calls)
+    assert not any(isinstance(node, ast.For | ast.While | ast.Lambda | ast.Global) for node in ast.walk(tree))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_modules_hold_no_paths_dates_or_machines(name):
+    text = committed(name)
+    assert not re.search(r"(?<![\w.])/(home|root|tmp|usr|work|Users|private|var)/|[A-Z]:\\\\", text)
+    assert not re.search(r"\b20\d\d-\d\d-\d\d|\b\d\d:\d\d:\d\d\b", text)
+    assert not re.search(r"0x[0-9a-f]{6,}", text)
+    assert text.endswith("\n")
+    assert not re.search(r"[ \t]+$", text, re.M)
+
+
+def test_the_net_for_paths_and_dates_holds():
+    assert re.search(r"(?<![\w.])/(home|root|tmp|usr|work|Users|private|var)/", "from /work/main/derive")
+    assert re.search(r"\b20\d\d-\d\d-\d\d", "on 2026-11-21")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_header_says_source_command_effects_units_and_operations(name):
+    text = ast.get_docstring(ast.parse(committed(name)))
+    assert f"Generated from derive/scenes/{name}.py" in text
+    assert f"`hertzwerk derive {name}`" in text
+    assert re.search(r"Units: \d+ assignments and \d+ outputs checked, all consistent", text)
+    listed = " ".join(text.partition("Effects:\n")[2].partition("\nUnits:")[0].split())
+    for effect in scene_from(name).effects:
+        assert re.search(rf"\b{effect.name}\b[\w, ]*: ", listed)
+
+
+class Counted:
+    """A number that counts the operations it goes through."""
+
+    count = 0
+
+    def _operation(self, *_):
+        Counted.count += 1
+        return Counted()
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _operation
+    __pow__ = __rpow__ = __neg__ = __gt__ = __lt__ = __ge__ = __le__ = _operation
+
+
+class Counting:
+    """In place of CasADi: every function is one operation, and columns cost none."""
+
+    @staticmethod
+    def vertcat(*entries):
+        return entries
+
+    def __getattr__(self, name):
+        return lambda *arguments: Counted()._operation()
+
+
+def search(*_):
+    """A search along a curve: one call."""
+    Counted.count += 1
+    return [Counted()] * 10
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_operations_of_every_mode_are_those_that_its_functions_do(name):
+    """Counted as they are done: those of a flight together, and what each pair adds while it touches."""
+    names = {}
+    exec(compile(committed(name).replace("import casadi as ca\n", ""), name, "exec"), names)
+    names["ca"], done = Counting(), {}
+    names |= dict.fromkeys(OF_CURVES, search)
+    for function, _ in names["OPERATIONS"]:
+        arguments = names[function].__code__.co_varnames[: names[function].__code__.co_argcount]
+        Counted.count = 0
+        names[function](*(Counted() if argument == "t" else [Counted()] * 500 for argument in arguments))
+        done[function] = Counted.count
+        if "c" in arguments:
+            assert dict(names["OPERATIONS"])[function] == Counted.count, function
+    flight = sum(done[f] for f in ("applied", "accelerations", "gaps", "gap_accelerations"))
+    contacts = ", ".join(f"contact_{pair} {done[f'contact_{pair}']}" for pair, _ in names["PAIRS"])
+    in_contact = f"; in contact also {contacts}" if contacts else ""
+    (line,) = re.findall(r"^Operations: .*$", committed(name), re.M)
+    assert line == f"Operations: flight {flight} (equations of motion and gaps){in_contact}"
+
+
+@pytest.mark.by_turns(3)
+@pytest.mark.parametrize("name", NAMES)
+def test_functions_return_what_the_tables_say(name):
+    """Sizes by the tables, at the start, on numbers and on both kinds of CasADi symbols."""
+    derived = Derived(text=committed(name))
+    nq, nu, nz, nm, k = (
+        len(getattr(derived, table)) for table in ("COORDINATES", "SPEEDS", "MEMORY", "LATCHES", "PAIRS")
+    )
+    nb, ny = len(derived.BODIES), len(derived.OUTPUTS)
+    nr = sum(kind == "drive" for _, kind, _ in derived.EFFECTS) if nz else 0
+    nf = nu + nr
+    sizes = {
+        "constants": [len(derived.CONSTANTS)], "start": [nq, nu], "scales": [nq, nu, nz, 4], "coordinate_rates": [nq], "gaps": [k, k],
+        "gap_accelerations": [k], "applied": [nf], "accelerations": [nu, nr], "ledger": [nz], "energy": [1, 1, k], "poses": [3 * nb, 9 * nb],
+        "outputs": [ny],
+    }  # fmt: skip
+    nl = len(derived.names.get("CONSTRAINTS", ()))
+    if nl:
+        sizes |= {"accelerations": [nu, nr, nl], "constraints": [nl, nl], "projection": [nu, nl]}
+    q, u = derived.start()
+    given = {
+        "q": q, "u": u, "a": np.ones(nu), "f": np.ones(nf), "reactions": np.ones(nr), "z": np.zeros(nz), "m": np.ones(nm), "t": 1e-3,
+        "p": derived.p, "c": derived.c, "wanted": np.ones(nl),
+    }  # fmt: skip
+    for function, expected in sizes.items():
+        numbers = derived.results(function, given)
+        assert [value.shape for value in numbers] == [(size, 1) for size in expected], function
+        for kind in (ca.SX, ca.MX):
+            symbols = [kind.sym(n, np.size(given[n])) for n in derived.arguments(function)]
+            out = derived.names[function](*symbols)
+            compiled = ca.Function("f", symbols, [kind(value) for value in (out if isinstance(out, tuple) else (out,))])
+            values = compiled.call([ca.DM(given[n]) for n in derived.arguments(function)])
+            for a, b in zip(numbers, values, strict=True):
+                assert a.full().reshape(-1) == pytest.approx(b.full().reshape(-1), rel=2e-14, abs=0)
+    for pair, _ in derived.PAIRS:
+        friction = any(kind == "friction" for _, kind, _ in derived.EFFECTS)
+        shapes = [value.size for value in derived.call(f"contact_{pair}", **given)]
+        assert shapes == [nf, nz, 1, int(friction), 1]
+    assert [derived.MEMORY[i][0] for i in derived.DISSIPATED] == [f"{pair}.dissipated" for pair, _ in derived.PAIRS]
+    assert all(derived.PAIRS[pair][0] == latch.split(".")[0] for latch, _, pair in derived.LATCHES)
+    assert np.all(derived.call("scales", p=derived.p)[0] > 0)
+
+
+# -- nothing for nothing -----------------------------------------------------------------------------------------------
+
+
+def below_header(text):
+    """A module's text without the lines that name scene, source and command."""
+    lines = text.split("\n")
+    gone = re.compile(r'^(""".*Generated from|Do not edit; regenerate with|NAME = |SOURCE = |SUMMARY = )')
+    return "\n".join(line for line in lines if not gone.match(line))
+
+
+def test_taking_friction_away_leaves_the_frictionless_slider_crank():
+    lean = scene_from("slider_crank").without("slider_pin_friction")
+    assert below_header(generate(lean)) == below_header(committed("slider_crank_frictionless"))
+    assert below_header(committed("slider_crank")) != below_header(committed("slider_crank_frictionless"))
+
+
+@pytest.mark.parametrize("word", ["friction", "drag", "tanh"])
+def test_no_trace_of_friction_remains(word):
+    assert word in committed("slider_crank")
+    assert word not in below_header(committed("slider_crank_frictionless"))
+
+
+EFFECTS = [(name, effect.name) for name in NAMES for effect in scene_from(name).effects]
+SCENES = Path(import_module("hertzwerk.derive.scenes").__file__).parent
+QUICK = ("bouncing_ball", "two_spheres", "ball_between_walls", "slider_crank", "journal_in_bearing", "ball_in_socket")
+
+
+def never_had(name, *effects):
+    """A scene whose file never names these effects: run anew, with its list of effects cut before a scene is made of it."""
+    if name == "slider_crank_frictionless":
+        frictionless = never_had("slider_crank", "slider_pin_friction", *effects)
+        return frictionless.named(name, scene_from(name).summary)
+    tree = ast.parse((SCENES / f"{name}.py").read_text(encoding="utf-8"))
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and ast.unparse(node.func) == "Scene"]
+    (given,) = [keyword for call in calls for keyword in call.keywords if keyword.arg == "effects"]
+    left = f"tuple(effect for effect in {ast.unparse(given.value)} if effect.name not in {effects!r})"
+    given.value = ast.parse(left, mode="eval").body
+    names = {"__name__": f"{name} cut"}
+    exec(compile(ast.fix_missing_locations(tree), name, "exec"), names)
+    return names["scene"]
+
+
+@pytest.mark.parametrize(
+    "name", [*QUICK, *(pytest.param(n, marks=pytest.mark.exhaustive) for n in NAMES if n not in QUICK)]
+)
+def test_a_scene_without_an_effect_has_the_module_of_one_that_never_had_it(name):
+    """Byte for byte, though the scene with it was derived before."""
+    assert regenerated(name) == committed(name)
+    scene = scene_from(name)
+    for effect in scene.effects:
+        with_it = [e.name for e in scene.all(Friction) if e.pair == effect.name]
+        texts = [
+            generate(s, f"derive/scenes/{name}.py")
+            for s in (without(scene, effect.name), never_had(name, effect.name, *with_it))
+        ]
+        assert texts[0] == texts[1] != committed(name)
+
+
+def without(scene, effect):
+    """A scene without an effect and, where that is a contact, its friction."""
+    return scene.without(effect, *(e.name for e in scene.all(Friction) if e.pair == effect))
+
+
+@pytest.mark.by_turns(3)
+@pytest.mark.parametrize(
+    ("name", "effect"),
+    [pytest.param(n, e, id=f"{n} without {e}", marks=[] if n in QUICK else pytest.mark.exhaustive) for n, e in EFFECTS],
+)
+def test_an_effect_left_out_leaves_nothing_behind(name, effect):
+    scene, lean = scene_from(name), without(scene_from(name), effect)
+    gone = scene.effect(effect)
+    alone = [one.name for one in scene.effects if one not in lean.effects]
+    assert lean == never_had(name, *alone)  # of which a module is made alike: see above
+    before, after = Derived(text=committed(name)), Derived(lean)
+    assert not any(row[0] in alone for row in after.EFFECTS)
+
+    # parameters: exactly those that something else still names
+    still = {p.name for slot in lean.slots() for p in parameters_of(slot.value)}
+    assert {row[0] for row in after.PARAMETERS} == still <= {row[0] for row in before.PARAMETERS}
+    own, others = (
+        {p.name for slot in scene.slots() for p in parameters_of(slot.value) if of_effect(slot, alone) is mine}
+        for mine in (True, False)
+    )
+    assert own or gone.kind == "ledger"
+    assert not (own - others) & still
+    assert not any(re.search(rf"\b{parameter}\b", after.text) for parameter in own - others)
+
+    # functions, memory, latches, assignments
+    functions = {n for n, value in after.names.items() if callable(value) and not n.startswith("_")}
+    tree = ast.parse(after.text)
+    assigned = {
+        target.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    if gone.kind == "contact":
+        assert f"contact_{effect}" not in functions
+        assert not [n for n in assigned if n.startswith(f"{effect}_")]
+    if gone.kind == "friction":
+        others = tuple(f"{effect.pair}_" for effect in lean.all(Friction))
+        left = [n for n in assigned if not n.startswith(others) and not any(parameter in n for parameter in still)]
+        assert not [n for n in left if "friction" in n or "drag" in n or "sliding" in n]
+    if gone.kind == "ledger":
+        assert not {"ledger", "energy"} & functions
+        assert after.MEMORY == after.DISSIPATED == ()
+        assert not [n for n in assigned if "power" in n or "energy" in n.replace("energy_scale", "") or "reaction" in n]
+    if gone.kind == "gravity" and not lean.all(JointSpring):
+        assert not np.any(after.call("applied", t=1e-3, q=after.start()[0], u=after.start()[1]))
+    if gone.kind == "drive":
+        assert len(after.SPEEDS) == len(before.SPEEDS) + 1
+        assert "energy_ledger.input" not in dict(after.MEMORY)
+    assert not [
+        row
+        for table in ("MEMORY", "LATCHES", "PAIRS", "OUTPUTS")
+        for row in getattr(after, table)
+        for one in alone
+        if row[0].split(".")[0] == one
+    ]
+    assert sum(n for _, n in after.OPERATIONS) < sum(n for _, n in before.OPERATIONS) or gone.kind == "drive"
+
+
+def of_effect(slot, names):
+    """Whether a quantity of a scene is one of these effects' own."""
+    return any(slot.where.startswith(f"effect {name},") for name in names)
+
+
+# -- planar ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["slider_crank", "slider_crank_frictionless"])
+def test_a_plane_mechanism_has_plane_equations(name):
+    """Across the plane there are rates of turn, moments and inertias; no place, velocity or force."""
+    across = set(re.findall(r"^    (\w+_z) = ", committed(name), re.M))
+    assert across
+    assert {n for n in across if not re.fullmatch(r"\w+(_torque|_I_z|_J_z)_z|(crank|rod|slider)_rate_z", n)} == set()
+    along = set(re.findall(r"^    (\w+)_[xy] = ", committed(name), re.M))
+    assert not {n for n in along if re.fullmatch(r"(crank|rod|slider)_(rate|spin)|\w+_torque", n)}

@@ -1,0 +1,453 @@
+"""Absolute coordinates against joint coordinates: the same mechanism, at random states, moves, stores and is driven in the same way."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from derived import Derived, rate_along
+from kane import TURNED, Tree, chain, line, link
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Direction,
+    Drive,
+    EnergyLedger,
+    Gravity,
+    InputError,
+    Joint,
+    JointDamper,
+    JointForce,
+    JointFriction,
+    JointSpring,
+    Mechanism,
+    Parameter,
+    Potential,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    T,
+    Weld,
+    X,
+    Y,
+    Z,
+    coordinate_of,
+    speed_of,
+)
+from hertzwerk.derive.equations.derivation import derivation_of
+from hertzwerk.derive.equations.module.equation_system import System
+from hertzwerk.derive.equations.motion import equations_of_motion
+from hertzwerk.derive.equations.motion.absolute_coordinates import absolute
+from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
+from hertzwerk.derive.laws import smooth_coulomb
+from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
+
+P = Parameter
+K, REST, D, MU, V, R, N, F = (
+    P(*row) for row in (("k_turn", "N m/rad", 3.0), ("rest", "rad", 0.3), ("d_turn", "N m s/rad", 0.7), ("mu", "1", 0.2), ("v_s", "m/s", 0.1),
+                        ("journal", "m", 0.03), ("load", "N", 40.0), ("push", "N", 5.0))
+)  # fmt: skip
+KS, DS, FREQUENCY, SWING = (
+    P("k_slide", "N/m", 20.0),
+    P("d_slide", "N s/m", 0.4),
+    P("frequency", "1/s", 3.0),
+    P("swing", "rad", 0.6),
+)
+
+
+def names(tree: Tree) -> list[str]:
+    return [joint.name for joint in tree.scene().mechanism.joints]
+
+
+def loaded(tree: Tree, *effects) -> Scene:
+    """A scene of the tree with more effects."""
+    scene = tree.scene()
+    return replace(scene, effects=(*scene.effects, *effects))
+
+
+def hung(*bodies: tuple[Body, Direction, tuple], name: str = "hung", last: tuple = ()) -> Scene:
+    """A chain under gravity: each body on a hinge about an axis at a point of the one before."""
+    joints, before = [], GROUND
+    for body, axis, place in bodies:
+        joints.append(Revolute(f"at_{body.name}", before.at(*place), body, axis=axis))
+        before = body
+    effects = (Gravity("gravity", P("g", "m/s^2", 9.81), -Y), EnergyLedger())
+    return Scene(Mechanism(name, (*joints, *last)), effects, Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+
+
+LENGTH, MASS, ACROSS = P("reach", "m", 0.7), P("mass", "kg", 1.3), P("J_across", "kg m^2", 0.04)
+ORIGIN, ALONG_X, ALONG_Y = (0, 0, 0), (LENGTH, 0, 0), (0, LENGTH, 0)
+HALF_X, HALF_Y = (LENGTH / 2, 0, 0), (0, LENGTH / 2, 0)
+
+
+def bobs(n: int) -> Scene:
+    """Points with a mass on strings that stay straight."""
+    return hung(*((Body(f"bob{i}", MASS, centre=ALONG_X), Z, ALONG_X if i else ORIGIN) for i in range(n)), name="bobs")
+
+
+def rods() -> Scene:
+    """Slender rods and, between two of them, a cross without any mass."""
+    one, two = (
+        Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X),
+        Body("two", MASS, (ACROSS, 0, ACROSS), centre=HALF_Y),
+    )
+    cross, three = Body("cross", 0), Body("three", MASS, (0, ACROSS, ACROSS), centre=HALF_X)
+    return hung((one, Z, ORIGIN), (two, X, ALONG_X), (cross, Z, ALONG_Y), (three, Y, ORIGIN), name="rods")
+
+
+PLANE = Tree(
+    (
+        link("R", "+Z", -1, 1, plane=True),
+        link("P", "-X", 0, 2, plane=True, turned=(("+Z", 0.4), ("-Z", 0.7))),
+        link("R", "-Z", 1, 3, plane=True, turned=(("-Z", 0.3), None)),
+        link("L", "+Z", 0, 4, plane=True),
+        link("R", "+Z", 2, 5, plane=True),
+    )
+)
+A, B, C, D_, E = names(PLANE)
+TURN = coordinate_of(C)
+SCENES = {
+    "plane": PLANE.scene(),
+    "plane, across X": line("R+X", "P+Y", "R-X").scene(),
+    "plane, with springs, friction, forces": loaded(
+        PLANE,
+        JointSpring("torsion", C, K, REST),
+        JointSpring("axial", B, KS),
+        JointDamper("oil", C, D),
+        JointDamper("drag", B, DS),
+        JointFriction("rub", C, smooth_coulomb(MU, V), N, R),
+        JointForce("push_it", B, F * sp.cos(coordinate_of(A)) - DS * speed_of(B)),
+        Potential("stored", K * (1 - sp.cos(TURN - coordinate_of(E)))),
+        JointSpring("sideways", f"{D_}.x", KS),
+    ),
+    "plane, driven at the ground": loaded(PLANE, ConstantSpeed("motor", A, P("motor_pace", "rad/s", 2.0))),
+    "plane, driven within": loaded(PLANE, Drive("motor", C, position=SWING * sp.sin(FREQUENCY * T)), JointDamper("oil", C, D)),
+    "plane, a driven slide": loaded(PLANE, Drive("press", B, position=P("stroke", "m", 0.2) * sp.sin(FREQUENCY * T))),
+    "plane, integrated drive": loaded(
+        PLANE, Drive("motor", C, speed=P("motor_pace", "rad/s", 2.0) * sp.cos(FREQUENCY * T), start=REST)
+    ),
+    "spatial": line("R+Z", "P-X", "C+Y", "S", "U+X", "R-Y").scene(),
+    "turned points": line("R+Z", "U+Y", "C-X", second="+X", turned=TURNED).scene(),
+    "free, with a tail": line("F", "R+Y", "S").scene(),
+    "points with a mass": bobs(3),
+    "slender rods and a cross without mass": rods(),
+    "welded": line("R+Y", "W", "R+X").scene(),
+    "spatial, driven within": loaded(
+        line("R+Z", "R+X", "C+Y"),
+        Drive("motor", names(line("R+Z", "R+X", "C+Y"))[1], position=SWING * sp.sin(FREQUENCY * T)),
+        JointDamper("oil", names(line("R+Z", "R+X", "C+Y"))[1], D),
+        JointSpring("axial", f"{names(line('R+Z', 'R+X', 'C+Y'))[2]}.travel", KS),
+    ),
+}  # fmt: skip
+
+
+def both(scene: Scene) -> tuple[Derived, Derived]:
+    return Derived(scene), Derived(scene.with_coordinates("absolute"))
+
+
+def joints_state(tree: Derived, seed: int = 0):
+    """A random state by the joints."""
+    rng = np.random.default_rng(seed)
+    q, u = rng.uniform(-1, 1, tree.nq), rng.uniform(-2, 2, tree.nu)
+    for i in getattr(tree, "QUATERNIONS", ()) if "QUATERNIONS" in tree.names else ():
+        q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
+    return q, u
+
+
+def state(tree: Derived, absolute: Derived, seed: int = 0):
+    """A random state by the joints, and the same by the bodies."""
+    q, u = joints_state(tree, seed)
+    return q, u, *absolute.call("placed", t=0.3, joints=q, joint_speeds=u)
+
+
+VARIED = {  # others like them are in CI
+    *("plane, across X", "plane, driven at the ground", "plane, a driven slide", "plane, integrated drive"),
+    *("points with a mass", "welded", "spatial, driven within"),
+}
+
+
+@pytest.fixture(
+    scope="module", params=[pytest.param(name, marks=[pytest.mark.exhaustive] * (name in VARIED)) for name in SCENES]
+)
+def pair(request):
+    return both(SCENES[request.param])
+
+
+@pytest.mark.by_turns(2)
+def test_bodies_are_placed_where_the_joints_put_them(pair):
+    tree, absolute = pair
+    q, _, Q, U = state(*pair)
+    for found, expected in zip(absolute.call("poses", t=0.3, q=Q), tree.call("poses", t=0.3, q=q), strict=True):
+        assert found == pytest.approx(expected, abs=1e-13)
+    phi, rate = absolute.call("constraints", t=0.3, q=Q, u=U)
+    assert np.max(np.abs(phi)) < 1e-13
+    assert np.max(np.abs(rate)) < 1e-12
+
+
+@pytest.mark.by_turns(2)
+def test_motion_energy_and_drives_are_the_same(pair):
+    """Accelerations of the bodies: the rates of their speeds as the joints have them, by derivatives of `placed`."""
+    tree, absolute = pair
+    q, u, Q, U = state(*pair)
+    given, there = {"t": 0.3, "q": q, "u": u}, {"t": 0.3, "q": Q, "u": U}
+    f, F = tree.call("applied", **given), absolute.call("applied", **there)
+    a, reactions = tree.call("accelerations", **given, f=f)
+    found, supplied, _ = absolute.call("accelerations", **there, f=F)
+    here = {"t": 0.3, "joints": q, "joint_speeds": u}
+    expected = (
+        absolute.jacobian("placed", "t", 1, **here)[:, 0]
+        + absolute.jacobian("placed", "joints", 1, **here) @ tree.call("coordinate_rates", **given)
+        + absolute.jacobian("placed", "joint_speeds", 1, **here) @ a
+    )
+    assert found == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.max(np.abs(expected)))
+    assert supplied == pytest.approx(reactions, rel=1e-8, abs=1e-8)
+    for one, other in zip(absolute.call("energy", **there)[:2], tree.call("energy", **given)[:2], strict=True):
+        assert one == pytest.approx(other, rel=1e-12)
+    powers = absolute.call("ledger", **there, reactions=supplied), tree.call("ledger", **given, reactions=reactions)
+    assert powers[0] == pytest.approx(powers[1], rel=1e-8, abs=1e-9)
+
+
+def test_constraints_rates_and_accelerations_belong_together(pair):
+    """d(phi)/dt is the rate, and under the accelerations found the rates stay as they are; at a state with open loops for the first."""
+    _, absolute = pair
+    _, _, Q, U = state(*pair)
+    there = {"t": 0.3, "q": Q, "u": U}
+    f = absolute.call("applied", **there)
+    a, _, _ = absolute.call("accelerations", **there, f=f)
+    assert rate_along(absolute, "constraints", 0, **there, a=a) == pytest.approx(
+        absolute.call("constraints", **there)[1], abs=1e-11
+    )
+    assert np.max(np.abs(rate_along(absolute, "constraints", 1, **there, a=a))) < 1e-7
+
+
+def test_joints_are_measured_where_that_can_be_done(pair):
+    tree, absolute = pair
+    q, u, Q, U = state(*pair)
+    outputs = dict(zip((name for name, _ in absolute.OUTPUTS), absolute.call("outputs", t=0.3, q=Q, u=U), strict=True))
+    known = dict(zip((name for name, _ in (*tree.COORDINATES, *tree.SPEEDS)), (*q, *u), strict=True))
+    for name in outputs.keys() & known.keys():
+        assert outputs[name] == pytest.approx(known[name], abs=1e-12)
+    measured = {name.rsplit(".", 1)[0] for name in outputs}
+    assert measured or not {name for name in known if name.endswith((".angle", ".travel"))}
+
+
+def test_mass_matrix_is_diagonal_in_blocks():
+    """What a force on one body does to it alone is what it does: without constraints nothing else moves. Seen in the columns of a chain."""
+    program = derivation_of(chain(4, "Z").scene().with_coordinates("absolute"))
+    masses = [symbol.name for symbol in program.tape.assignments if symbol.name.startswith(("M_", "L_body"))]
+    assert not [name for name in masses if name.startswith("M_") and name.count("body") > 1]
+
+
+def test_cost_is_linear_in_the_length_of_a_chain():
+    counts = [
+        dict(Derived(chain(n, "Z").scene(ledger=False).with_coordinates("absolute")).OPERATIONS)["accelerations"]
+        for n in (4, 8, 16)
+    ]
+    assert counts[2] - counts[1] == 2 * (counts[1] - counts[0])
+
+
+def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one():
+    counts = [dict(Derived(bobs(n).with_coordinates("absolute")).OPERATIONS)["accelerations"] for n in (3, 4, 5)]
+    assert counts[2] - counts[1] == counts[1] - counts[0]
+    wanted = [
+        "one.moment_x",
+        "two.moment_y",
+        *(f"cross.{k}" for k in "xyz"),
+        *(f"cross.moment_{k}" for k in "xyz"),
+        "three.moment_x",
+    ]
+    assert lent(rods()) == wanted
+    assert lent(chain(3, "ZYX").scene()) == []
+
+
+def lent(scene: Scene) -> list[str]:
+    """Rows that a mass or an inertia is lent to."""
+    return list(System(absolute(scene)).equations.artificial_inertia)
+
+
+# -- long paths in joint coordinates -----------------------------------------------------------------------------------
+
+
+def quick_return() -> Scene:
+    """A loop with a slot block without mass, to which inertia is lent."""
+    crank, block, rocker = Body("crank", MASS, ACROSS), Body("block", 0), Body("rocker", MASS, ACROSS, centre=HALF_X)
+    joints = (
+        Revolute("main", GROUND, crank, axis=Z),
+        Revolute("pin", crank.at(*ALONG_X), block, axis=Z),
+        Revolute("swing", GROUND.at(0, -LENGTH, 0), rocker, axis=Z),
+        Prismatic("slot", rocker, block, axis=X),
+    )
+    return Scene(Mechanism("quick_return", joints), (), Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+
+
+@pytest.mark.by_turns(2)
+@pytest.mark.parametrize(
+    "name", ["spatial", "turned points", "free, with a tail", "slender rods and a cross without mass", "quick return"]
+)
+def test_articulated_bodies_accelerate_as_elimination_has_it(name, monkeypatch):
+    found = []
+    for longest in (0, 1000):
+        monkeypatch.setattr(equations_of_motion, "LONG_PATH", longest)
+        found.append(Derived(quick_return() if name == "quick return" else SCENES[name]))
+    q, u = joints_state(found[0])
+    one, other = (each.call("accelerations", t=0.3, q=q, u=u, f=np.arange(1.0, len(u) + 1))[0] for each in found)
+    assert one == pytest.approx(other, rel=1e-8, abs=1e-9 * np.max(np.abs(other)))
+    assert found[0].OPERATIONS != found[1].OPERATIONS  # two ways
+
+
+@pytest.mark.parametrize(("axes", "lengths"), [("Z", (11, 12, 13)), ("ZYX", (12, 15, 18))])
+def test_steps_in_joint_coordinates_are_linear_in_the_length_of_a_chain(axes, lengths):
+    """Each further link about the same axis takes as many assignments as the one before."""
+    counts = []
+    for n in lengths:
+        program = derivation_of(chain(n, axes).scene(ledger=False))
+        counts += [len(function.body) for function in program.functions if function.name == "accelerations"]
+    assert counts[2] - counts[1] == counts[1] - counts[0]
+
+
+# -- which coordinates -------------------------------------------------------------------------------------------------
+
+
+def trestle(n: int) -> Scene:
+    """A beam of n hinged spans, with a leg under each second hinge: every loop is in the path of those beyond it."""
+    spans, legs = ([Body(f"{what}{i}", MASS, ACROSS, centre=HALF_X) for i in range(n)] for what in ("span", "leg"))
+    joints, before = [], GROUND.at(*ORIGIN)
+    for i, (span, leg) in enumerate(zip(spans, legs, strict=True)):
+        joints.append(Revolute(f"hinge{i}", before, span, axis=Z))
+        before = span.at(*ALONG_X)
+        if i % 2:
+            foot = GROUND.at((i + 1) * LENGTH, -LENGTH, 0)
+            joints += Revolute(f"knee{i}", before, leg, axis=Z), Revolute(f"foot{i}", foot, leg.at(*ALONG_X), axis=Z)
+    return Scene(Mechanism("trestle", tuple(joints)), (), Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+
+
+def test_auto_keeps_the_cheaper_and_says_so():
+    short, long = (Derived(scene.with_coordinates("auto")) for scene in (chain(2, "Z").scene(ledger=False), trestle(8)))
+    assert "JOINT_COORDINATES" not in short.names
+    assert "Coordinates: of the joints, as the cheaper" in short.text
+    assert "JOINT_COORDINATES" in long.names
+    assert "Coordinates: absolute, as the cheaper" in long.text
+
+
+def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
+    text = Derived(
+        hung((Body("one", MASS, ACROSS), Z, ORIGIN), (Body("two", MASS, ACROSS), X, ALONG_X)).with_coordinates("auto")
+    ).text
+    assert "Coordinates: of the joints; the bodies' own cannot be had: body one, inertia" in text
+
+
+def test_equations_are_shown_in_absolute_coordinates():
+    text = equations_of(SCENES["plane, driven within"].with_coordinates("absolute")).markdown()
+    assert "body4.x" in text
+    assert f"{C}.turned_angle" in text  # what the drive prescribes
+
+
+def test_joint_coordinates_leave_no_trace():
+    assert "Coordinates:" not in Derived(slider_crank).text
+
+
+def test_a_body_that_nothing_turns_and_one_that_is_driven_have_no_coordinates_for_it():
+    found = Derived(slider_crank.with_coordinates("absolute"))
+    assert [name for name, _ in found.COORDINATES] == ["rod.x", "rod.y", "rod.angle", "slider.x", "slider.y"]
+
+
+def test_a_base_joint_is_named_after_its_body_unless_a_joint_is():
+    body = Body("pin", P("mass", "kg", 1.0))
+    length, speed = P("reach", "m", 1.0), P("pace", "m/s", 1.0)
+    scene = Scene(
+        Mechanism("one", (Prismatic("pin", GROUND, body, X),)), (), Scales(length, speed), coordinates="absolute"
+    )
+    assert [name for name, _ in Derived(scene).COORDINATES] == ["pin_base.x", "pin_base.y"]
+
+
+# -- bad input ---------------------------------------------------------------------------------------------------------
+
+
+def faults_of(scene: Scene) -> dict[str, str]:
+    with pytest.raises(InputError) as error:
+        Derived(scene.with_coordinates("absolute"))
+    return {fault.where: fault.found for fault in error.value.faults}
+
+
+def test_another_word_is_refused():
+    with pytest.raises(InputError, match="coordinates: found 'cartesian'; expected 'tree', 'absolute' or 'auto'"):
+        slider_crank.with_coordinates("cartesian")
+
+
+def test_inertias_that_cannot_be_told_come_all_at_once():
+    nothing, full = P("nothing", "kg m^2", 0.0), (ACROSS, ACROSS, ACROSS)
+    one, two, three = (
+        Body("one", 0),
+        Body("two", MASS, ACROSS),
+        Body("three", MASS, (nothing, ACROSS, ACROSS), centre=HALF_Y),
+    )
+    thin = Body("thin", MASS, (0, ACROSS, ACROSS))
+    chained = (one, Z, ORIGIN), (two, X, ALONG_X), (three, X, ALONG_X), (thin, Z, ORIGIN)
+    tips = [Body("tip", MASS, inertia) for inertia in ((ACROSS, 0, ACROSS), full)]
+    found, other = (faults_of(hung(*chained, last=(Weld("glued", thin.at(*ALONG_X), tip),))) for tip in tips)
+    assert found == {
+        "body two, inertia": "J_across, about the joint's axis alone",
+        "body three, inertia": "(nothing, J_across, J_across), zero at the defaults",
+        "body thin, inertia": "(0, J_across, J_across), and welded to it tip, without one about every axis",
+    }
+    assert other.keys() == found.keys() - {"body thin, inertia"}
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_a_body_without_a_mass_at_the_end_of_a_chain_is_refused(coordinates):
+    with pytest.raises(InputError, match="body cross, mass: found 0 kg at the end of a chain"):
+        hung(
+            (Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X), Z, ORIGIN), (Body("cross", 0), X, ALONG_X)
+        ).with_coordinates(coordinates)
+
+
+@dataclass(frozen=True, init=False)
+class Wrist(Joint):
+    """Three turns about one point: where the bodies are, their angles follow by convention only."""
+
+    @property
+    def freedoms(self):
+        return tuple(self.turn(axis, f"t{k}") for k, axis in enumerate((Z, X, Y)))
+
+
+def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
+    arm, hand = (Body(name, MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y) for name in ("arm", "hand"))
+    hung_hand = replace(
+        hung((arm, Z, ORIGIN)),
+        mechanism=Mechanism("wrist", (Revolute("axle", GROUND, arm, Z), Wrist("wrist", arm, hand))),
+    )
+    effects = (
+        JointSpring("torsion", "wrist.t1", K, REST),
+        JointDamper("oil", "wrist.t0", D),
+        JointForce("twist", "axle", K * sp.sin(coordinate_of("wrist.t2"))),
+        JointForce("tug", "axle", K * sp.sin(coordinate_of("axle"))),
+    )
+    found = faults_of(replace(hung_hand, effects=(*hung_hand.effects, *effects)))
+    assert found == {
+        f"effect {effect}": f"wrist.{turn}, of a wrist joint"
+        for effect, turn in (("torsion", "t1"), ("oil", "t0"), ("twist", "t2"))
+    }
+
+
+def test_an_arm_is_asked_for_where_bodies_turn():
+    m, J, length, w = P("mass", "kg", 1.0), P("inertia", "kg m^2", 0.1), P("reach", "m", 1.0), P("pace", "rad/s", 1.0)
+    arm, bead = Body("arm", m, J), Body("bead", m, J)
+    joints = (Revolute("axle", GROUND, arm, Z), Prismatic("rail", arm, bead, X))
+    scene = Scene(Mechanism("rail", joints), (ConstantSpeed("motor", "axle", w), Gravity("gravity", P("g", "m/s^2", 9.81), -Y)),
+                  Scales(length, length * w), Start({"rail": length}))  # fmt: skip
+    assert faults_of(scene) == {"scales": "no arm"}
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_axes_that_coincide_with_no_mass_between_them_are_refused(coordinates):
+    hub, cross, one = (
+        Body("hub", MASS, (ACROSS, ACROSS, ACROSS)),
+        Body("cross", 0),
+        Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
+    )
+    with pytest.raises(InputError, match=r"axes that coincide: .* together move no mass; .* without one: cross"):
+        Derived(hung((hub, Z, ORIGIN), (cross, X, ORIGIN), (one, X, ORIGIN)).with_coordinates(coordinates))

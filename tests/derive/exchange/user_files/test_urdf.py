@@ -1,0 +1,302 @@
+"""Robots of URDF files: mass matrices of public robots by a second derivation, and every fault of a file at once."""
+
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.spatial.transform import Rotation
+
+from hertzwerk.derive import (
+    GROUND,
+    Contact,
+    EnergyLedger,
+    Gravity,
+    InputError,
+    Parameter,
+    Scales,
+    SphereOnPlane,
+    Start,
+    Y,
+    Z,
+    from_urdf,
+    laws,
+)
+from hertzwerk.derive.exchange.user_files.urdf import Robot
+from hertzwerk.runtime import load, simulate
+from reference.robots import ROBOTS, Row, urdf
+
+SCALES = Scales(length=Parameter("size", "m", 0.1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 0.1))
+GRAVITY = Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Z)
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "robot.urdf"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def robot_of(folder: Path, name: str) -> tuple[Robot, list[Row]]:
+    rows = ROBOTS[name]()
+    return from_urdf(written(folder, urdf(name, rows)), "floating" if name == "solo" else "fixed"), rows
+
+
+def mass_matrix(model, q, u):
+    """Second derivative of the kinetic energy by the speeds, exact."""
+    energy, c = model.function("energy"), model.bind().c
+    symbol = ca.SX.sym("u", len(u))
+    hessian = ca.Function("M", [symbol], [ca.hessian(energy(0, q, symbol, c)[0], symbol)[0]])
+    return np.array(hessian(u))
+
+
+def textbook_mass_matrix(rows: list[Row], q: np.ndarray, floating: bool) -> np.ndarray:
+    """Sum of J_v^T m J_v + J_w^T J J_w over the links, by geometric Jacobians (Spong, Robot Modeling and Control, 7.2)."""
+    moving = [row.joint for row in rows if row.kind == "revolute"]
+    start = 6 if floating else 0
+    size = start + len(moving)
+    pose: dict[str, tuple] = {}
+    M = np.zeros((size, size))
+    for row in rows:
+        if not row.joint:
+            R, p = Rotation.from_quat(np.roll(q[3:7], -1)).as_matrix(), q[:3]
+            columns = {k: (np.eye(3)[k], None, None) for k in range(3)} | {3 + k: (None, R[:, k], p) for k in range(3)}
+        else:
+            R, p, columns = pose.get(row.parent, (np.eye(3), np.zeros(3), {}))
+            p, R = p + R @ row.xyz, R @ Rotation.from_euler("xyz", row.rpy).as_matrix()  # about fixed axes
+            if row.joint in moving:
+                k = moving.index(row.joint)
+                columns = {**columns, start + k: (None, R @ row.axis, p)}
+                R = R @ Rotation.from_rotvec(q[start + floating + k] * np.array(row.axis)).as_matrix()
+        pose[row.child] = (R, p, columns)
+        xx, xy, xz, yy, yz, zz = row.inertia
+        inertia = R @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ R.T
+        Jv, Jw = np.zeros((3, size)), np.zeros((3, size))
+        for k, (along, about, at) in columns.items():
+            Jv[:, k] = along if about is None else np.cross(about, p + R @ row.centre - at)
+            Jw[:, k] = 0 if about is None else about
+        M += row.mass * Jv.T @ Jv + Jw.T @ inertia @ Jw
+    return M
+
+
+def state_of(robot: Robot, seed: int):
+    rng = np.random.default_rng(seed)
+    q = np.concatenate([rng.uniform(-1, 1, len(freedom.coordinates)) for freedom in robot.mechanism.freedoms])
+    if len(q) == 15:
+        q[3:7] /= np.linalg.norm(q[3:7])
+    return q, rng.normal(size=sum(len(freedom.speeds) for freedom in robot.mechanism.freedoms))
+
+
+def test_mass_matrices_of_public_robots_by_a_second_derivation(tmp_path):
+    for name in ROBOTS:
+        robot, rows = robot_of(tmp_path, name)
+        model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+        for seed in range(3):
+            q, u = state_of(robot, seed)
+            expected = textbook_mass_matrix(rows, q, name == "solo")
+            assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max(), name
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", ROBOTS)
+def test_mass_matrix_and_accelerations_against_pinocchio(tmp_path, name):
+    pin = pytest.importorskip("pinocchio")  # pip install pin
+    robot, rows = robot_of(tmp_path, name)
+    floating = name == "solo"
+    model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES).without(*(e.name for e in robot.effects)))
+    base = [pin.JointModelFreeFlyer()] if floating else []
+    theirs = pin.buildModelFromUrdf(str(tmp_path / "robot.urdf"), *base)
+    data = theirs.createData()
+    places = [theirs.joints[theirs.getJointId(row.joint)].idx_v for row in rows if row.kind == "revolute"]
+    accelerations = model.function("accelerations")
+    for seed in range(5):
+        q, u = state_of(robot, seed)
+        # theirs has a quaternion with its scalar last, and speeds of the base in its own axes
+        qs, us, S = np.zeros(theirs.nq), np.zeros(theirs.nv), np.zeros((theirs.nv, theirs.nv))
+        first = 6 if floating else 0
+        if floating:
+            R = Rotation.from_quat(np.roll(q[3:7], -1)).as_matrix()
+            qs[:7], S[:3, :3], S[3:6, 3:6] = np.concatenate([q[:3], np.roll(q[3:7], -1)]), R.T, np.eye(3)
+        for k, place in enumerate(places):
+            qs[place + floating], S[place, first + k] = q[first + floating + k], 1
+        us = S @ u
+        M = pin.crba(theirs, data, qs)
+        M = S.T @ (np.triu(M) + np.triu(M, 1).T) @ S
+        assert np.abs(mass_matrix(model, q, u) - M).max() < 1e-12 * np.abs(M).max()
+        c = model.bind().c
+        a = np.array(accelerations(0, q, u, model.function("applied")(0, q, u, c), c)[0]).ravel()
+        expected = pin.aba(theirs, data, qs, us, np.zeros(theirs.nv))
+        if floating:  # d(R^T v)/dt = R^T v' - w x R^T v
+            expected[:3] += np.cross(us[3:6], us[:3])
+        # forces of inertia, as accelerations lose digits by the condition of M
+        assert np.abs(M @ (a - np.linalg.solve(S, expected))).max() < 1e-12 * np.abs(M @ a).max() + 1e-12 * 9.81
+
+
+LINK = (
+    '<link name="{}"><inertial><origin xyz="{}" rpy="{}"/><mass value="2"/>'
+    '<inertia ixx="0.02" iyy="0.03" izz="0.04" ixy="0.001" ixz="0.002" iyz="0.003"/></inertial>{}</link>'
+)
+
+
+def robot_with(*joints: str, links: str = "abc", solid: str = "", rpy: str = "0 0 0") -> str:
+    made = "".join(LINK.format(link, "0.1 0.02 0.03", rpy, solid) for link in links)
+    return f'<robot name="arm"><link name="base"/>{made}{"".join(joints)}</robot>'
+
+
+def joint(name: str, kind: str, parent: str, child: str, more: str = "") -> str:
+    return f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{more}</joint>'
+
+
+def test_an_inertia_in_turned_axes_is_that_of_the_turned_tensor(tmp_path):
+    angles = (0.3, -0.4, 0.5)
+    text = robot_with(joint("j", "floating", "base", "a"), links="a", rpy=" ".join(map(str, angles)))
+    body = from_urdf(written(tmp_path, text)).bodies["a"]
+    R = Rotation.from_euler("xyz", angles).as_matrix()
+    expected = R @ [[0.02, 0.001, 0.002], [0.001, 0.03, 0.003], [0.002, 0.003, 0.04]] @ R.T
+    found = np.array([[float(value.default) for value in row] for row in body.tensor])
+    assert np.abs(found - expected).max() < 1e-16
+    assert np.abs(found - R.T @ found @ R).max() > 1e-3  # turned the other way it would be another
+    text = robot_with(joint("j", "continuous", "base", "a", '<origin rpy="0.3 -0.4 0.5"/>'), links="a")
+    axes = from_urdf(written(tmp_path, text)).mechanism.joints[0].parent.axes
+    turns = {symbol: symbol.si for row in axes for value in row for symbol in sp.sympify(value).free_symbols}
+    assert np.abs(np.array(sp.Matrix(axes).xreplace(turns), dtype=float) - R).max() < 1e-15
+
+
+def test_joints_of_every_type_limits_and_dampers(tmp_path):
+    text = robot_with(
+        joint("turn", "continuous", "base", "a", '<axis xyz="0 0 2"/><dynamics damping="0.5" friction="0.1"/>'),
+        joint("slide", "prismatic", "a", "b", '<axis xyz="0 1 1"/><limit lower="-0.1" upper="0.2" effort="20" velocity="0.3"/>'
+              '<mimic joint="turn" multiplier="0.01" offset="0.05"/>'),
+        joint("sheet", "planar", "b", "c", '<axis xyz="0 1 0"/>'),
+        joint("glued", "fixed", "c", "d"),
+        joint("loose-end", "floating", "base", "e"),
+        links="abcde",
+    )  # fmt: skip
+    robot = from_urdf(written(tmp_path, text))
+    assert [type(j).__name__ for j in robot.mechanism.joints] == ["Revolute", "Prismatic", "Planar", "Weld", "Free"]
+    assert robot.mechanism.joints[-1].name == "loose_end"
+    assert robot.mechanism.joints[2].normal == Y
+    assert (robot.limits["slide"].upper, robot.limits["slide"].effort) == (0.2, 20)
+    assert robot.friction == {"turn": 0.1}
+    run = simulate(
+        load(robot.scene(EnergyLedger(), scales=SCALES, start=Start({"turn": 0}, {"turn": Parameter("w", "rad/s", 2)}))),
+        duration="0.3 s", accuracy=1e-8,
+    )  # fmt: skip
+    assert run.outcome.name == "finished"
+    assert np.abs(run["slide.travel"] - 0.01 * run["turn.angle"] - 0.05).max() < 1e-9
+    assert run["turn_damper.dissipated"][-1] > 0.1
+    assert run["turn_damper.power"] == pytest.approx(0.5 * run["turn.speed"] ** 2)
+
+
+FOOT = '<collision><origin xyz="0 0 -0.1"/><geometry><sphere radius="0.02"/></geometry></collision>'
+MESH = '<collision><geometry><mesh filename="package://foot.stl"/></geometry></collision>'
+
+
+BOX = '<collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision>'
+ROD = '<collision><geometry><cylinder radius="0.02" length="0.5"/></geometry></collision>'
+
+
+def test_solids_have_the_sizes_of_the_file(tmp_path):
+    text = robot_with(joint("drop", "prismatic", "base", "a"), links="a", solid=BOX + ROD)
+    box, rod = from_urdf(written(tmp_path, text)).collisions["a"]
+    assert {what: size.si for what, size in box.sizes.items()} == {"x": 0.1, "y": 0.2, "z": 0.3}
+    assert {what: size.si for what, size in rod.sizes.items()} == {"radius": 0.02, "length": 0.5}
+
+
+def test_a_foot_of_the_file_falls_on_a_floor(tmp_path):
+    text = robot_with(joint("drop", "prismatic", "base", "a", '<axis xyz="0 0 1"/>'), links="a", solid=FOOT + MESH)
+    robot = from_urdf(written(tmp_path, text))
+    assert robot.left_out == ("meshes, of a: their contact is for pairs of the scene to declare",)
+    (foot,) = robot.collisions["a"]
+    assert foot.kind == "sphere"
+    floor = SphereOnPlane("floor", foot.at, foot.sizes["radius"], GROUND.at(0, 0, 0), normal=Z)
+    law = laws.power(Parameter("K", "N/m^1.5", 1e8), 1.5)
+    height = Parameter("height", "m", 0.62)  # 0.5 m above contact
+    scene = robot.scene(GRAVITY, Contact("floor", law), pairs=(floor,), scales=SCALES, start=Start({"drop": height}))
+    run = simulate(load(scene), duration="0.4 s")
+    assert run.impacts[0].t == pytest.approx((2 * 0.5 / 9.81) ** 0.5, rel=1e-6)
+    assert run.impacts[0].speed == pytest.approx((2 * 0.5 * 9.81) ** 0.5, rel=1e-6)
+
+
+def test_a_floating_base_falls(tmp_path):
+    robot, _ = robot_of(tmp_path, "solo")
+    run = simulate(load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES)), duration="0.2 s")
+    assert run["floating_base.z"][-1] == pytest.approx(-9.81 * 0.2**2 / 2, rel=1e-9)
+
+
+def faults_of(folder: Path, text: str, base: str = "fixed") -> str:
+    with pytest.raises(InputError) as caught:
+        from_urdf(written(folder, text), base)
+    return str(caught.value)
+
+
+def test_every_fault_of_elements_is_told_at_once(tmp_path):
+    told = faults_of(
+        tmp_path,
+        '<robot name="r"><link name="a"><inertial><mass value="heavy"/><inertia ixx="1" iyy="nan" izz="1"/></inertial>'
+        '<collision><geometry><sphere radius="-1"/></geometry></collision></link><link/>'
+        + joint("j", "hinge", "a", "b", '<axis xyz="0 1"/>') + '<joint name="k" type="fixed"><child link="a"/></joint></robot>',
+    )  # fmt: skip
+    for part in (
+        "link a, inertial.mass.value: found 'heavy'; expected a mass of at least 0 kg",
+        "link a, inertial.inertia.iyy: found 'nan'; expected a finite number",
+        "link a, collision.0.geometry.sphere.radius: found '-1'; expected a positive number",
+        "link 2, name: found none; expected a name",
+        "joint j, type: found 'hinge'; expected revolute, continuous, prismatic, fixed, floating or planar",
+        "joint j, axis.xyz: found none; expected three numbers",
+        "joint k, parent: found none; expected reference to a link",
+    ):
+        assert part in told, told
+
+
+def test_every_fault_between_elements_is_told_at_once(tmp_path):
+    told = faults_of(
+        tmp_path,
+        '<robot name="r"><link name="base"/><link name="a"/>'
+        + "".join(LINK.format(link, "0 0 0", "0 0 0", "") for link in ("b", "c", "c-1", "c_1"))
+        + joint("j", "revolute", "base", "a", '<axis xyz="0 0 0"/>')
+        + joint("k", "planar", "a", "b", '<axis xyz="0 1 1"/>')
+        + joint("l", "floating", "b", "nowhere", '<mimic joint="j"/>')
+        + joint("m", "revolute", "b", "c", '<mimic joint="none"/>')
+        + joint("n", "fixed", "a", "c") + joint("o", "fixed", "a", "c-1") + joint("p", "fixed", "a", "c_1") + "</robot>",
+    )  # fmt: skip
+    for part in (
+        "link c_1: found 2 of this name",
+        "joint j, axis: found 0 0 0",
+        "joint k, axis: found (0.0, 1.0, 1.0); expected an axis of the joint's frame",
+        "joint l, child: found nowhere, which is no link",
+        "joint l, mimic: found l, a floating joint; expected a joint of one coordinate",
+        "joint m, mimic: found none, which is no joint",
+        "joint m, joint n: found c, which another joint carries too",
+    ):
+        assert part in told, told
+
+
+def test_a_moving_link_without_inertia_is_named(tmp_path):
+    text = '<robot name="r"><link name="base"/><link name="a"/><link name="tool"/>'
+    told = faults_of(
+        tmp_path, text + joint("j", "revolute", "base", "a") + joint("k", "fixed", "a", "tool") + "</robot>"
+    )
+    assert "link a: found no <inertial>, and joint j moves it" in told
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("<robot name='r'>", "expected a URDF file"),
+        ("<sdf/>", "found the root element <sdf>"),
+        ('<robot name="r"><link name="a"/><link name="b"/></robot>', "found 2 that no joint carries: a, b"),
+        ('<robot name="r"/>', "found 0 that no joint carries"),
+        ('<robot name="r">' + LINK.format("a", "0 0 0", "0 0 0", "") + joint("j", "fixed", "a", "a") + "</robot>", "0 that no joint carries"),
+        ('<!DOCTYPE x [<!ENTITY f SYSTEM "file:///etc/hostname">]><robot name="&f;"><link name="a"/></robot>', "expected a URDF file"),
+        ('<robot name="r"><link name="__import__(\'os\').system(\'x\')"/></robot>', "found the name '__import__"),
+    ],
+)  # fmt: skip
+def test_what_is_no_robot_is_refused(tmp_path, text, told):
+    assert told in faults_of(tmp_path, text)
+
+
+def test_a_file_that_is_not_there_and_a_base_that_is_none(tmp_path):
+    with pytest.raises(InputError, match="no such file"):
+        from_urdf(tmp_path / "none.urdf")
+    assert "expected 'fixed' or 'floating'" in faults_of(tmp_path, robot_with(links=""), base="loose")

@@ -1,0 +1,355 @@
+"""Text of expressions and functions: it means what the SymPy expression means, it is cheap, and nothing unknown slips through."""
+
+import ast
+from dataclasses import fields, is_dataclass, replace
+
+import casadi as ca
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from derived import Derived
+from each import each
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+
+from hertzwerk.derive import (  # fmt: skip
+    GROUND,
+    Body,
+    Contact,
+    EnergyLedger,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Y,
+    generate,
+)
+from hertzwerk.derive.expressions.algebra.functions import Where
+from hertzwerk.derive.laws import flores, power
+from hertzwerk.derive.laws.formulas.damping import e
+from hertzwerk.derive.laws.law import BoundLaw
+from hertzwerk.derive.program.emit.cost import operations
+from hertzwerk.derive.program.expression_text import EmitError, expression_text
+from hertzwerk.derive.program.program import OWN
+from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
+
+x, y, z, n = sp.symbols("x y z n", real=True)
+VALUES = {x: 0.7, y: 1.9, z: 0.31, n: 2.25}
+
+
+def run(text, values=VALUES):
+    """Value of an expression's text, as CasADi computes it."""
+    out = eval(text, {"ca": ca}, {symbol.name: ca.DM(value) for symbol, value in values.items()})
+    return float(ca.DM(out))
+
+
+def exact(expression, values=VALUES):
+    """SymPy's own value, 30 digits; the inputs are the doubles."""
+    return sp.N(
+        sp.sympify(expression).xreplace({symbol: sp.Float(value, 30) for symbol, value in values.items()}).doit(), 30
+    )
+
+
+# -- random expressions ------------------------------------------------------------------------------------------------
+
+LEAVES = st.sampled_from(
+    [x, y, z, sp.Integer(2), sp.Integer(-3), sp.Rational(1, 2), sp.Rational(-4, 3), sp.Float(0.1), sp.pi]
+)
+EXPONENTS = (
+    [sp.Integer(k) for k in (-3, -2, -1, 2, 3, 4)]
+    + [sp.Rational(k, 2) for k in (-3, -1, 1, 3, 5)]
+    + [sp.Rational(2, 3)]
+)
+
+
+def compound(parts):
+    positive = parts.map(lambda a: a**2 + sp.Rational(1, 4))
+    pair = st.tuples(parts, parts)
+    return st.one_of(
+        pair.map(lambda ab: ab[0] + ab[1]),
+        pair.map(lambda ab: ab[0] - ab[1]),
+        pair.map(lambda ab: ab[0] * ab[1]),
+        st.tuples(parts, positive).map(lambda ab: ab[0] / ab[1]),
+        st.tuples(positive, st.sampled_from(EXPONENTS)).map(lambda ab: ab[0] ** ab[1]),
+        st.tuples(st.sampled_from([x, y, z]), st.sampled_from([*EXPONENTS, n, n - 1, -n])).map(lambda ab: ab[0] ** ab[1]),
+        pair.map(lambda ab: -ab[0] * (ab[1] - x)),
+        parts.map(sp.sin),
+        parts.map(sp.cos),
+        parts.map(sp.tanh),
+        parts.map(lambda a: sp.exp(sp.tanh(a))),
+        parts.map(lambda a: sp.log(a**2 + 1)),
+        parts.map(sp.atan),
+        parts.map(sp.Abs),
+        pair.map(lambda ab: sp.Min(*ab)),
+        pair.map(lambda ab: sp.Max(*ab, z)),
+        pair.map(lambda ab: Where(x > y, *ab)),
+        pair.map(lambda ab: Where(z <= y, *ab)),
+        pair.map(lambda ab: sp.atan2(ab[0], ab[1] ** 2 + 1)),
+    )  # fmt: skip
+
+
+@settings(max_examples=150, phases=[Phase.explicit, Phase.generate])
+@given(st.recursive(LEAVES, compound, max_leaves=8))
+def test_text_means_what_the_expression_means(expression):
+    nodes = [node for node in sp.preorder_traversal(expression) if not node.is_Relational and not node.is_Boolean]
+    size = max(abs(exact(node)) for node in nodes)  # what rounding errors are measured by
+    assert abs(run(expression_text(expression)) - exact(expression)) <= 1e-12 * max(1, size) * len(nodes)
+
+
+@each("expression", [
+        -x, -x * y, x - y, -x - y, x - (y - z), x / y / z, x / (y * z), 1 / (x + y), -1 / x, x * y / (z * (x + y)), sp.Rational(-3, 4) * x,
+        sp.Rational(1, 3) - x, x**-2, (x * y) ** -1, (x + y) ** -2, (x + y) ** sp.Rational(3, 2), x ** sp.Rational(-3, 2), x / sp.sqrt(y),
+        (x + 1) ** n, x ** (n - 1), x**-n, 2**x, sp.Rational(2, 3) ** x, sp.sqrt(2) * x, x**7, (-x) ** 3, (x - y) ** 3, sp.exp(1) * x,
+        x * sp.Float("1e-300"), sp.Float("0.1") + x, Where(x > 0, x, -x), Where(x > y, 1, 0) * 3, x - Where(x < y, z, 0), x**2 * y**-3,
+        -(x + y) / z, 1 / (x / y + 1), x ** sp.Rational(1, 3), sp.Mul(x, sp.Pow(y, -1), sp.Pow(z, -2)), -(x**2), (x + y) * (x - y),
+        sp.asin(z), sp.acos(z), sp.sinh(x), sp.cosh(x), sp.tan(x), sp.sign(x - y) * z, sp.Max(x, y) - sp.Min(x, y, z),
+    ])  # fmt: skip
+def test_signs_parentheses_and_quotients(expression):
+    assert run(expression_text(expression)) == pytest.approx(float(exact(expression)), rel=4e-16 * 8, abs=1e-310)
+
+
+def test_the_comparison_would_notice_a_missing_parenthesis():
+    text = expression_text(x * (y - z)).replace("(", "").replace(")", "")
+    assert run(text) != pytest.approx(float(exact(x * (y - z))))
+
+
+# -- strength reduction ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("expression", "text"),
+    [
+        (x**2, "x*x"),
+        (x**3, "x*x*x"),
+        (x ** sp.Rational(3, 2), "x*ca.sqrt(x)"),
+        (x ** sp.Rational(5, 2), "x*x*ca.sqrt(x)"),
+        (sp.sqrt(x), "ca.sqrt(x)"),
+        (1 / sp.sqrt(x), "1/ca.sqrt(x)"),
+        (x**-1, "1/x"),
+        (x**n, "x**n"),
+    ],
+)
+def test_powers_are_reduced_to_products_and_roots(expression, text):
+    assert expression_text(expression) == text
+
+
+@pytest.mark.parametrize("exponent", [2, 3, "1/2", "3/2", "5/2", "-1/2", "-3/2", -1, -2])
+def test_no_general_power_of_a_name_where_a_cheaper_form_exists(exponent):
+    assert "**" not in expression_text(y * x ** sp.Rational(exponent))
+
+
+def test_hertz_forces_of_a_generated_module_take_no_general_power():
+    assert "**" not in generate(slider_crank)
+
+
+def test_operations_are_counted():
+    """By hand: 2 products, a sum, a root, a negation, a comparison and a choice."""
+    text = "def f(x, c):\n    y = c[0]*x + ca.sqrt(x*x)\n    return ca.vertcat(-y, ca.if_else(y > 0, y, -1))\n"
+    assert operations(text) == 2 + 1 + 1 + 1 + 1 + 1
+
+
+def parsed_operations(node):
+    """Operations by Python's own parser: of a sign in front of a number none, of packing none, of `*[x]*n` those of n."""
+    if isinstance(node, ast.Starred):
+        return node.value.right.value * parsed_operations(node.value.left)
+    inside = sum(map(parsed_operations, ast.iter_child_nodes(node)))
+    if isinstance(node, ast.Call):
+        return inside + (getattr(node.func, "attr", "") != "vertcat")
+    if isinstance(node, ast.UnaryOp):
+        return inside + (not isinstance(node.operand, ast.Constant))
+    return inside + isinstance(node, ast.BinOp | ast.Compare)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        -x, -2 * x, -(x + y) * n, 1e-5 * x - 3e20 * y, x - 1e-7, 2 - x, x / 3 - y / (x * n), -(2**n), 3 * 2**-n, -(x**2) - y**n, x**-2.5,
+        sp.sqrt(x) * x**4, -sp.sin(-x) + sp.cos(x - y) ** 2, sp.Max(x, -y, 3), sp.Rational(-2, 3) * x, x * sp.Rational(5, 7),
+        Where(x > y + 1, -x, y), Where(sp.Le(x, -1), x, -2), sp.atan2(-y, x), sp.exp(-x / y),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_operations_are_those_that_python_parses(expression):
+    text = expression_text(expression)
+    assert operations(text) == parsed_operations(ast.parse(text)) > 0
+
+
+def test_operations_of_a_module_are_those_that_python_parses():
+    text, scope = generate(slider_crank), {}
+    functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+    exec(text, scope)
+    assert dict(scope["OPERATIONS"]) == {node.name: parsed_operations(node) for node in functions}
+
+
+# -- what is not known -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "node",
+    [
+        sp.Function("mystery")(x), sp.besselj(0, x), sp.Heaviside(x), sp.Piecewise((x, x > 0), (y, True)), sp.Derivative(sp.Function("f")(x), x),
+        sp.Integral(sp.Function("f")(x), x), sp.I * x, sp.zoo, sp.oo, sp.nan, sp.erf(x), sp.LambertW(x), sp.LambertW(x, 2), sp.Eq(x, y),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_a_node_without_a_rule_is_an_error(node):
+    with pytest.raises(EmitError):
+        expression_text(node)
+    with pytest.raises(EmitError):
+        expression_text(sp.Mul(2, sp.sin(node)) if not node.is_Relational and node.is_finite is not False else node)
+
+
+# -- text of modules ---------------------------------------------------------------------------------------------------
+
+HOSTILE = 'a "quoted" """summary""" with C:\\new\\x, {braces}, %s and a\nline end'
+
+
+def drop(summary="", mass="mass", stiffness="stiffness", radius="radius", default=2.0, damping=None):
+    """A ball on a floor."""
+    ball = Body("ball", Parameter(mass, "kg", default))
+    size = Parameter(radius, "m", 0.1)
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), size, GROUND.at(0, 0, 0), Y)
+    contact = Contact(
+        "floor", power(Parameter(stiffness, "N/m^1.5", 1e6), 1.5), damping or flores(Parameter("restitution", "1", 0.8))
+    )
+    return Scene(
+        Mechanism("drop", (Prismatic("fall", GROUND, ball, Y),), (floor,)),
+        (Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), contact, EnergyLedger()),
+        Scales(length=size, speed=Parameter("pace", "m/s", 1)),
+        summary=summary,
+    )  # fmt: skip
+
+
+def in_contact(derived):
+    """Forces at one state in contact."""
+    return np.concatenate(derived.call("contact_floor", q=[0.09], u=[-1.0], m=[3.0]))
+
+
+def test_any_summary_and_source_make_a_module_that_holds_them():
+    derived = Derived(text=generate(drop(HOSTILE), source=HOSTILE))
+    assert derived.SUMMARY == HOSTILE
+    assert derived.SOURCE == HOSTILE
+    assert in_contact(derived) == pytest.approx(in_contact(Derived(drop())))
+
+
+NAMES = [
+    "ca",
+    "t",
+    "p",
+    "q",
+    "u",
+    "a",
+    "f",
+    "z",
+    "m",
+    "c",
+    "reactions",
+    "casadi",
+    "x1",
+    "x2",
+    "k1",
+    "inverse_mass",
+    "base",
+    "gaps",
+    "floor_gap",
+    "fall_travel",
+    "float",
+]
+
+
+@pytest.mark.by_turns(3)
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("what", ["mass", "stiffness", "radius"])
+def test_no_name_of_a_parameter_changes_the_equations(name, what):
+    """Names of arguments and of CasADi give way to those of a scene, which may be a textbook's letters."""
+    assert in_contact(Derived(drop(**{what: name}))) == pytest.approx(in_contact(Derived(drop())), rel=1e-15)
+
+
+def test_names_of_shared_sub_expressions_do_not_overwrite_parameters():
+    """The slider-crank names sub-expressions in words, else x1, x2; parameters of these names keep their values."""
+    rename = {"crank_radius": "clearance_squared", "rod_length": "x1", "bush_radius": "x2"}
+    text = generate(slider_crank)
+    assert "    clearance_squared = clearance*clearance" in text
+    renamed = _renamed(slider_crank, rename)
+    a, b = Derived(slider_crank), Derived(renamed)
+    at = {"t": 1e-3, "q": [0.3, 0.16], "u": [-500.0, 3.0], "m": [2.0]}
+    for ours, theirs in zip(a.call("contact_slider_pin", **at), b.call("contact_slider_pin", **at), strict=True):
+        assert ours == pytest.approx(theirs, rel=1e-12)
+
+
+def test_parameters_may_have_every_name_that_the_text_has_for_itself():
+    """All functions of a module with a drive, loops, a contact, memory and a ledger: the same values at any arguments."""
+    scene = slider_crank.with_coordinates("absolute")
+    a, b = Derived(scene), Derived(_renamed(scene, dict(zip(scene.parameters, [*OWN, *OWN.values()], strict=False))))
+    assert [name for name, *_ in b.PARAMETERS[: len(OWN)]] == list(OWN)
+    used = {name for function, _ in a.OPERATIONS for name in a.arguments(function)}
+    assert used == set(OWN) - {
+        "ca",
+        "multipliers",
+        "friction",
+        "touching",
+    }  # those of a scene without a drive, and of readings
+    given = {name: np.random.default_rng(1).normal(size=60) for name in used} | {"t": 0.3}
+    for function, _ in a.OPERATIONS:
+        theirs = {name: given[name] for name in a.arguments(function) if name not in "pc"}
+        ours = [np.hstack(derived.call(function, **theirs)) for derived in (a, b)] if function != "constants" else ()
+        assert function == "constants" or ours[0] == pytest.approx(ours[1], rel=1e-9, abs=1e-9, nan_ok=True), function
+
+
+def _renamed(scene, names):
+    """The scene with some parameters renamed, by walking its declaration."""
+    new = {
+        p: Parameter(names[p.name], p.unit, p.default, p.meaning) for p in scene.parameters.values() if p.name in names
+    }
+    bodies = {}
+
+    def walk(value):
+        if isinstance(value, sp.Basic):
+            return value.xreplace(new)
+        if isinstance(value, Body):
+            if value not in bodies:
+                bodies[value] = Body(value.name, walk(value.mass), walk(value.inertia), walk(value.centre))
+            return bodies[value]
+        if isinstance(value, tuple):
+            return tuple(walk(part) for part in value)
+        if value is GROUND:
+            return value
+        if isinstance(value, dict):
+            return {key: walk(part) for key, part in value.items()}
+        if isinstance(value, BoundLaw):
+            return replace(value, values=walk(value.values), materials=walk(value.materials))
+        if is_dataclass(value):
+            return replace(value, **{field.name: walk(getattr(value, field.name)) for field in fields(value)})
+        return value
+
+    return walk(scene)
+
+
+def test_a_numpy_default_is_written_as_a_number():
+    text = generate(drop(default=np.float64(0.1)))
+    assert '("mass", "kg", 0.1,' in text
+
+
+def test_long_returns_are_wrapped_and_still_python():
+    """Names of many lengths move the line breaks through every column."""
+    for length in range(1, 60, 3):
+        text = generate(drop(radius="r" * length))
+        ast.parse(text)
+        assert max(map(len, text.split("\n\n\ndef ", 1)[1].splitlines())) < 200
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e-3, 0.1, 0.4, 0.6, 0.9, 0.999, 1.0])
+def test_the_lower_branch_of_lamberts_w(scale):
+    """A damping factor -W_-1(-e/exp(1)) comes out as mpmath has it; near the branch point only half the digits exist."""
+    law = replace(flores, name="lambert", factor=-sp.LambertW(-e * sp.exp(-1), -1))
+    derived = Derived(drop(damping=law(Parameter("restitution", "1", scale))))
+    elastic = 1e6 * 0.01**1.5
+    factor = (in_contact(derived)[2] / elastic - 1) * 3.0 / 1.0  # F (1 + h v/v0), approach 3 m/s, rate 1 m/s
+    with mpmath.workdps(40):
+        argument = -mpmath.mpf(scale) / mpmath.e
+        expected = -mpmath.lambertw(argument, -1).real
+    assert factor == pytest.approx(float(expected), rel=1e-7 if scale == 1.0 else 2e-12 / (1 - scale) ** 0.5)

@@ -1,0 +1,268 @@
+"""Scenario files: the built-in ones are sound and come out; faulty ones are refused with all their faults; a check can fail."""
+
+import pytest
+
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.analysis.validation import scenarios
+from hertzwerk.runtime.analysis.validation.scenario import load_scenario
+from hertzwerk.runtime.analysis.validation.validate import measure, run_scenario, validate
+from hertzwerk.runtime.engine.model.build import built_in_scenes
+
+GOOD = """
+scene = "two_spheres"
+duration = "0.1 s"
+[[checks]]
+quantity = "impacts.0.speed"
+expected = "0.3 m/s"
+tolerance = 1e-9
+source = "the striker's speed"
+"""
+
+
+@pytest.fixture(scope="module")
+def spheres():
+    return run_scenario(load_scenario("two_spheres"))
+
+
+def written(tmp_path, text):
+    path = tmp_path / "s.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_every_built_in_scene_has_a_scenario():
+    assert scenarios.names() == built_in_scenes()
+    assert all(load_scenario(name).scene == name for name in scenarios.names())
+    assert all(load_scenario(name).checks for name in scenarios.names())
+
+
+@pytest.mark.parametrize("name", scenarios.names())
+def test_built_in_scenarios_come_out(name):
+    scenario = load_scenario(name)
+    solution = run_scenario(scenario)
+    assert solution.outcome.name == scenario.outcome
+    failed = [str(verdict) for verdict in validate(scenario, solution) if not verdict.passed]
+    assert failed == []
+    assert solution.model.has_ledger
+    assert solution.energy_residual < 10 * scenario.accuracy
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", scenarios.names())
+def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
+    """No limit of the program's own ends it; within a horizon that is claimed runs agree, and what is met is not out of reach."""
+    scenario, model = load_scenario(name), load(name)
+    duration = 10 * float(scenario.duration.split()[0])
+    given = {
+        "duration": f"{duration!r} {scenario.duration.split()[1]}",
+        "parameters": scenario.parameters,
+        "initial": scenario.initial,
+    }
+    run = simulate(model, **given)
+    assert run.t_end == run.duration
+    assert run.energy_residual < 1e-6
+    if run.outcome.name == "beyond_horizon":
+        assert run.error.worst > 1e-2
+        shorter = simulate(model, **given | {"duration": 0.9 * run.error.horizon}, accuracy=1e-2)
+        assert shorter.outcome.finished
+    elif run.outcome.name == "accuracy_unreachable":
+        assert 1e-6 < run.error.floor <= run.error.worst < 1e-2
+        assert simulate(model, **given, accuracy=10 * run.error.floor).outcome.finished
+    else:
+        assert run.outcome.finished
+        assert run.error.worst <= 1e-6
+
+
+# Per scenario: a parameter off by 1 %, the check that must then fail, and how long a run it takes to see it.
+FAULTS = {
+    "ball_bearing": ("pitch_diameter = 39.4304 mm", "final.spin_0.speed", ""),
+    "andrews_squeezer": ("m7 = 0.0555298 kg", "final.beta.angle", ""),
+    "gears_with_backlash": ("wheel_inertia = 2.02e-3 kg m^2", "final.idler.angle", ""),
+    "geneva_drive": ("crank_speed = 121.2 rpm", "min.axle.speed", "90 ms"),
+    "geared_hoist": ("drum_radius = 80.8 mm", "final.rope_end.travel", ""),
+    "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""),
+    "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"),
+    "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
+    "bicycle": ("trail = 0.0808 m", "final.steer.angle", ""),
+    "bouncing_ball": ("drop_height = 1.01 m", "impacts.0.t", "0.5 s"),
+    "cam_follower": ("lift = 10.1 mm", "max.guide.travel", ""),
+    "bricard": ("gravity = 9.9081 m/s^2", "final.hinge_a.angle", ""),
+    "double_pendulum": ("length = 1.01 m", "final.elbow.angle", ""),
+    "flyball_governor": ("ball_mass = 2.02 kg", "max.right_hinge.angle", ""),
+    "four_bar_clearance": ("rocker_inertia = 1.515e-4 kg m^2", "impacts.0.t", "2 ms"),
+    "journal_in_bearing": ("load = 505 N", "final.bearing.penetration", ""),
+    "journal_lubricated": ("viscosity = 0.0505 Pa s", "final.shaft.x", ""),
+    "n_four_bar": ("gravity = 9.9081 m/s^2", "final.foot_0.angle", ""),
+    "newtons_cradle": ("length = 0.2525 m", "impacts.0.speed", "0.3 s"),
+    "pendulum": ("length = 1.01 m", "final.hinge.speed", ""),
+    "slider_crank": ("slider_mass = 0.1414 kg", "impacts.0.peak_penetration", "1 ms"),
+    "slider_crank_dc_motor": ("rod_mass_centre = 0.0606 m", "impacts.0.t", "1 ms"),
+    "slider_crank_frictionless": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
+    "slider_crank_three_clearances": ("rod_mass_centre = 0.0606 m", "impacts.0.t", "1 ms"),
+    "slider_crank_two_clearances": ("gravity = 9.9081 m/s^2", "impacts.0.speed", "1 ms"),
+    "soft_ball": ("stiffness = 1.414e8 N/m^1.5", "impacts.0.peak_force", "0.6 s"),
+    "spatial_slider_crank": ("rod_inertia_x = 4.04e-4 kg m^2", "impacts.0.t", "2 ms"),
+    "tippe_top": ("start_spin = 156.55 rad/s", "final.flight.angular_speed_y", ""),
+    "translational_clearance": ("slider_mass = 0.07676 kg", "impacts.0.t", "3 ms"),
+    "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
+}
+
+
+@pytest.mark.by_turns(5)
+@pytest.mark.slow
+@pytest.mark.parametrize("name", scenarios.names())
+def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
+    given, quantity, duration = FAULTS[name]
+    parameter, _, value = given.partition(" = ")
+    scenario, model = load_scenario(name), load(name)
+    plain = {"duration": duration or scenario.duration, "tolerance": scenario.accuracy, "method": scenario.method}
+    for parameters, passed in (({}, True), ({parameter: value}, False)):
+        if passed and not duration:
+            continue  # which is seen above
+        run = simulate(model, **plain, initial=scenario.initial, parameters={**scenario.parameters, **parameters})
+        assert {v.passed for v in validate(scenario, run) if v.check.quantity == quantity} == {passed}
+
+
+@pytest.mark.parametrize(
+    ("check", "passes"),
+    [
+        ('expected = "0.3 m/s"\ntolerance = 1e-9', True),
+        ('expected = "300 mm/s"\ntolerance = 1e-9', True),
+        ('expected = "0.3001 m/s"\ntolerance = 1e-4', False),
+        ('expected = "-0.3 m/s"\ntolerance = 0.5', False),
+        ('at_most = "0.31 m/s"', True),
+        ('at_most = "0.29 m/s"', False),
+    ],
+)
+def test_a_check_can_fail(tmp_path, spheres, check, passes):
+    text = GOOD.replace('expected = "0.3 m/s"\ntolerance = 1e-9', check)
+    (verdict,) = validate(load_scenario(written(tmp_path, text)), spheres)
+    assert verdict.passed is passes
+    assert verdict.measured == pytest.approx(0.3)
+    unit = "mm/s" if "mm/s" in check else "m/s"  # both numbers in the unit of the expected one
+    assert f"impacts.0.speed = {300 if unit == 'mm/s' else 0.3} {unit}, expected" in str(verdict)
+
+
+def test_what_does_not_exist_fails_and_is_not_invented(tmp_path, spheres):
+    text = GOOD.replace("impacts.0.speed", "impacts.7.speed")
+    (verdict,) = validate(load_scenario(written(tmp_path, text)), spheres)
+    assert verdict.measured is None
+    assert not verdict.passed
+
+
+def test_quantities_are_those_of_the_solution(spheres):
+    assert measure(spheres, "impacts") == 1
+    assert measure(spheres, "final.target_path.speed") == spheres["target_path.speed"][-1]
+    assert measure(spheres, "max.target_path.speed") == max(spheres["target_path.speed"])
+    assert measure(spheres, "min.spheres.gap") == min(spheres["spheres.gap"])
+    assert (
+        measure(spheres, "largest.spheres.gap_rate")
+        == max(abs(spheres["spheres.gap_rate"]))
+        == -min(spheres["spheres.gap_rate"])
+    )
+    assert measure(spheres, "energy_residual") == spheres.energy_residual
+
+
+def test_a_check_in_the_wrong_unit_is_refused(tmp_path, spheres):
+    with pytest.raises(InputError, match=r"impacts\.0\.speed.*m/s"):
+        load_scenario(written(tmp_path, GOOD.replace("0.3 m/s", "0.3 m")))
+    scenario = load_scenario("two_spheres")
+    wrong = scenario.checks[0].model_copy(update={"expected": "1 kg"})
+    with pytest.raises(InputError, match="a quantity in"):
+        validate(scenario.model_copy(update={"checks": (wrong,)}), spheres)
+
+
+def test_a_check_of_an_unknown_name_is_refused(tmp_path):
+    with pytest.raises(InputError, match=r"target_path\.speed"):
+        load_scenario(written(tmp_path, GOOD.replace("impacts.0.speed", "final.target_pat.speed")))
+
+
+def test_all_faults_of_a_file_come_at_once(tmp_path):
+    text = """
+scene = "two_spheres"
+duration = "0.1 kg"
+accuracy = 2.0
+method = "euler"
+unknown = 1
+[parameters]
+mass = "2 furlongs per fortnight"
+[[checks]]
+quantity = "impacts.first.speed"
+expected = "0.3 m/s"
+source = "x"
+"""
+    with pytest.raises(InputError) as caught:
+        load_scenario(written(tmp_path, text))
+    places = {fault.where for fault in caught.value.faults}
+    assert places == {"duration", "accuracy", "method", "unknown", "parameters.mass", "checks.0.quantity"}
+
+
+def test_faults_of_form_and_of_meaning_come_at_once_and_can_be_read(tmp_path):
+    text = """
+scene = "two_spheres"
+accuracy = 2.0
+parametres = 1
+[parameters]
+mas = "1 kg"
+mass = "1 m"
+speed = 3
+[[checks]]
+quantity = "final.target_path.sped"
+expected = "1 m/s"
+tolerance = 1e-3
+source = "x"
+[[checks]]
+quantity = "impacts.0.speed"
+at_most = "1 m"
+source = "x"
+[[checks]]
+quantity = "impacts"
+expected = "1"
+"""
+    with pytest.raises(InputError) as caught:
+        load_scenario(written(tmp_path, text))
+    told = {fault.where: fault for fault in caught.value.faults}
+    assert set(told) == {
+        *("duration", "accuracy", "parametres", "parameters.speed", "mas", "mass", "checks.2.source"),
+        *("checks.0.final.target_path.sped", "checks.1.impacts.0.speed"),
+    }
+    assert str(told["duration"]).startswith("duration: found none; expected a positive time or revolutions")
+    assert "did you mean parameters?" in told["parametres"].remedy
+    assert told["accuracy"].expected == "a number in 1e-12..1e-1"
+    assert "such as target_path.speed" in told["checks.0.final.target_path.sped"].expected
+    assert not any("Field required" in str(fault) or "Input should" in str(fault) for fault in told.values())
+
+
+def test_a_duration_may_be_revolutions_of_the_one_drive_there_is(tmp_path):
+    text = 'scene = "slider_crank"\nduration = "0.05 rev"\naccuracy = 1e-3\n'
+    solution = run_scenario(load_scenario(written(tmp_path, text)))
+    assert solution.duration == pytest.approx(0.05 * 60 / 5000, rel=1e-12)
+    with pytest.raises(InputError, match="one drive of constant speed"):
+        load_scenario(written(tmp_path, GOOD.replace("0.1 s", "2 rev")))
+
+
+@pytest.mark.parametrize("duration", ["-1 s", "0 s", "1", "nan s", "inf s", "5 mm"])
+def test_durations_are_positive_times(tmp_path, duration):
+    with pytest.raises(InputError, match="duration"):
+        load_scenario(written(tmp_path, GOOD.replace("0.1 s", duration)))
+
+
+@pytest.mark.parametrize(
+    "form", ["tolerance = 1e-3", 'expected = "0 m/s"\ntolerance = 1e-3', 'expected = "1 m/s"\nat_most = "1 m/s"']
+)
+def test_a_check_has_one_complete_form(tmp_path, form):
+    with pytest.raises(InputError, match="checks"):
+        load_scenario(written(tmp_path, GOOD.replace('expected = "0.3 m/s"\ntolerance = 1e-9', form)))
+
+
+@pytest.mark.parametrize("target", ["nowhere", "nowhere.toml"])
+def test_a_missing_scenario_is_bad_input(target, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError, match="nowhere"):
+        load_scenario(target)
+
+
+def test_text_that_is_no_toml_is_bad_input(tmp_path):
+    with pytest.raises(InputError, match="TOML"):
+        load_scenario(written(tmp_path, "scene = "))

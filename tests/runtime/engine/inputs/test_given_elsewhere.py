@@ -1,0 +1,130 @@
+"""Inputs on the command line, in scenario and sweep files, in sweeps and statics: the same values as in Python."""
+
+import json
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from shaken import MASS, STIFFNESS, shaken
+
+from hertzwerk.derive import InputError
+from hertzwerk.runtime import Samples, equilibrium, modes, simulate, sweep
+from hertzwerk.runtime.analysis.validation.scenario import load_scenario
+from hertzwerk.runtime.analysis.validation.validate import run_scenario, validate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.inputs.input_values import located
+from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
+
+SCENE = """
+from hertzwerk.derive import GROUND, Body, EnergyLedger, Input, JointForce, JointSpring, Mechanism, Parameter, Prismatic, Scales, Scene, X
+
+block = Body("block", Parameter("mass", "kg", 2))
+scene = Scene(
+    Mechanism("pushed", (Prismatic("slide", GROUND, block, axis=X),)),
+    (JointSpring("spring", "slide", Parameter("stiffness", "N/m", 50)), JointForce("motor", "slide", Input("push", "N")), EnergyLedger()),
+    Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1)),
+)
+"""
+TIMES, LOADS = (0.0, 0.5, 1.0, 2.0), (0.0, 3.0, -1.0, 0.0)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    (tmp_path / "pushed.py").write_text(SCENE)
+    rows = "".join(f"{1e3 * t:g},{v:g}\n" for t, v in zip(TIMES, LOADS, strict=True))
+    (tmp_path / "bench.csv").write_text(f"time [ms],load [N]\n{rows}")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def called(*arguments):
+    return CliRunner().invoke(main, arguments)
+
+
+def test_the_command_line_takes_constants_and_columns_of_files_and_a_run_goes_on_with_them(folder):
+    made = called("run", "pushed.py", "--duration", "1 s", "--input", "push=bench.csv:load", "--out", "a", "--no-plots")
+    assert made.exit_code == 0, made.output
+    command = ("run", "--continue", "a", "--duration", "2 s", "--out", "b", "--no-plots")
+    assert called(*command).exit_code == 0
+    assert called(*command[:-2], "c", "--no-plots", "--input", "push=3 N").exit_code == 2
+    (folder / "bench.csv").write_text((folder / "bench.csv").read_text().replace("3", "4"))
+    refused = called(*command[:-2], "c", "--no-plots")
+    assert refused.exit_code == 2 and "other equations or inputs" in refused.output
+    wrong = called(
+        "run",
+        "pushed.py",
+        "--duration",
+        "3 s",
+        "--input",
+        "push=bench.csv:loud",
+        "--input",
+        "shove=3 N",
+        "--set",
+        "mass=2 N",
+    )
+    assert wrong.exit_code == 2 and all(part in wrong.output for part in ("3 faults", "push, loud", "shove", "mass"))
+    at_rest = called("statics", "pushed.py", "--input", "push=5 N", "--json")
+    assert at_rest.exit_code == 0 and json.loads(at_rest.output)
+
+
+def test_a_scenario_has_inputs_by_files_beside_it(folder):
+    path = folder / "push.toml"
+    path.write_text(
+        'scene = "pushed.py"\nduration = "2 s"\naccuracy = 1e-9\n[inputs]\npush = "bench.csv:load"\n[[checks]]\nquantity = "max.push"\n'
+        'expected = "3 N"\ntolerance = 1e-9\nsource = "the file"\n'
+    )
+    scenario = load_scenario(path)
+    assert all(verdict.passed for verdict in validate(scenario, run_scenario(scenario)))
+    path.write_text(path.read_text().replace('"bench.csv:load"', '"3 m"'))
+    with pytest.raises(InputError, match="input push"):
+        load_scenario(path)
+
+
+def test_a_sweep_has_the_same_inputs_in_all_rows_and_keys_them_by_their_values(folder):
+    design = {"stiffness": "40..60 N/m:3"}
+    asked = {"duration": "1 s", "tolerance": 1e-9, "workers": 1, "into": folder / "rows"}
+    file = folder / "push.toml"
+    file.write_text(
+        'target = "pushed.py"\nduration = "1 s"\n[inputs]\npush = "bench.csv:load"\n[over]\nstiffness = "40..60 N/m:3"\n'
+    )
+    arguments = read_sweep(file)
+    assert arguments["inputs"] == {"push": str(folder / "bench.csv:load")}
+    table = sweep("pushed.py", design, inputs=arguments["inputs"], **asked)
+    run = simulate(
+        shaken(), duration="1 s", tolerance=1e-9, inputs={"push": (TIMES, LOADS)}, parameters={"damping": "0 N s/m"}
+    )
+    assert table["final.slide.travel"][1] == pytest.approx(run["slide.travel"][-1], abs=1e-8)
+    again = sweep("pushed.py", design, inputs={"push": "bench.csv:load"}, **asked)  # the same file by another name
+    assert np.array_equal(again["final.slide.travel"], table["final.slide.travel"])
+    with pytest.raises(InputError, match="signals"):
+        sweep("pushed.py", design, inputs={"push": "2 N"}, **asked)
+    with pytest.raises(InputError, match="input push: found no value"):
+        sweep("pushed.py", design, duration="1 s")
+
+
+def test_statics_have_the_value_of_the_time():
+    push = Samples(TIMES, LOADS, ("s", "N"))
+    for at, force in ((0.0, 0.0), ("0.25 s", 1.5), ("1 s", -1.0)):
+        rest = equilibrium(shaken(), inputs={"push": push}, at=at)
+        assert rest.found and rest["slide.travel"][0] == pytest.approx(force / STIFFNESS, abs=1e-9)
+    (mode,) = modes(shaken(), inputs={"push": "3 N"})
+    assert abs(mode.eigenvalue) == pytest.approx(np.sqrt(STIFFNESS / MASS), rel=1e-9)
+    with pytest.raises(InputError, match="no value"):
+        equilibrium(shaken())
+    with pytest.raises(InputError, match="values over the whole run"):
+        equilibrium(shaken(), inputs={"push": push}, at="3 s")
+
+
+@pytest.mark.parametrize(
+    ("text", "there"),
+    [
+        ("push=bench.csv:load", "push=/data/bench.csv:load"),
+        ("bench.csv:load:held", "/data/bench.csv:load:held"),
+        ("push=/tmp/bench.csv:load", "push=/tmp/bench.csv:load"),
+        ("push=3 N", "push=3 N"),
+    ],
+)
+def test_files_are_seen_from_a_folder(text, there, tmp_path):
+    from pathlib import Path
+
+    assert located(text, Path("/data")) == there

@@ -1,0 +1,531 @@
+"""Set-valued Coulomb friction in the engine: slip and stick as modes, against closed forms, impulses, and another way of writing the same thing."""
+
+import math
+from functools import cache
+from types import ModuleType
+
+import casadi as ca
+import numpy as np
+import pytest
+from blocks import CARRIAGE, GRAVITY, MASS, STIFFNESS, WEIGHT, block
+from each import each
+from scipy.optimize import brentq
+
+from hertzwerk.derive import (  # fmt: skip
+    GROUND,
+    Body,
+    Contact,
+    EnergyLedger,
+    Friction,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    X,
+    Y,
+    Z,
+)
+from hertzwerk.derive.laws import LAWS, coulomb, flores, kelvin_voigt, power
+from hertzwerk.derive.scenes import slider_crank
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.engine.integration.step import implicit_step
+from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
+from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.solution.error_scales import of_parameters
+from hertzwerk.runtime.engine.solution.solution import Solution
+
+pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
+
+METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
+REFERENCES = ("cvodes", "idas")
+CVODES, IDAS = (pytest.param(method, marks=pytest.mark.slow) for method in REFERENCES)
+MU_K, MU_S = 0.2, 0.3
+MOVING = MASS + CARRIAGE  # kg
+CRITICAL = math.atan(MU_S * MASS / MOVING)  # rad: MOVING g sin = mu_s MASS g cos
+
+
+def dry(name="", mu_k=MU_K, mu_s=MU_S):
+    return coulomb(Parameter(f"mu_k{name}", "1", mu_k), Parameter(f"mu_s{name}", "1", mu_s))
+
+
+@cache
+def built(scene, *given, **options):
+    """The model of a scene, derived once."""
+    return load(scene(*given, **options))
+
+
+DRY = dry()
+
+
+@pytest.fixture(scope="module")
+def model():
+    return built(block, DRY)
+
+
+# ---- one block -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("method", [*METHODS, *REFERENCES])
+def test_sliding_to_rest(model, method):
+    run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slide": "1 m/s"})
+    deceleration = MU_K * WEIGHT / MOVING
+    slip, force = run["floor_0.slip"], run["floor_0.friction_force"]
+    sticks = np.flatnonzero(slip == 0)
+    assert run.outcome.finished
+    assert run.t[sticks[0]] == pytest.approx(1 / deceleration, rel=1e-8)
+    assert run.final["along_0.travel"] == pytest.approx(1 / (2 * deceleration), rel=1e-8)
+    assert np.max(np.abs(run["along_0.speed"][sticks])) < 1e-15
+    assert np.array_equal(sticks, np.arange(sticks[0], len(slip)))  # once it sticks it stays
+    assert np.all(slip[: sticks[0]] == -1)  # the tangent is -x
+    assert force[: sticks[0]] == pytest.approx(MU_K * WEIGHT, rel=1e-6)
+    assert np.max(np.abs(force[sticks])) < 1e-9
+    assert run.energy_residual < 1e-8
+    assert run["energy_ledger.input"][-1] == 0 if "energy_ledger.input" in run.names else True
+    assert run.final["rub_0.dissipated"] == pytest.approx(MOVING / 2, rel=1e-8)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_just_below_the_friction_angle_nothing_moves(model, method):
+    run = simulate(model, duration="10 s", method=method, parameters={"slope": (1 - 1e-6) * CRITICAL}, tolerance=1e-6)
+    assert np.all(run["floor_0.slip"] == 0)
+    assert np.max(np.abs(run["along_0.speed"])) < 1e-14
+    assert np.max(np.abs(run["along_0.travel"])) < 1e-13
+    assert run["floor_0.friction_force"][-1] == pytest.approx(MOVING * GRAVITY * math.sin(CRITICAL), rel=2e-6)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_just_above_the_friction_angle_it_slides(model, method):
+    angle = (1 + 1e-6) * CRITICAL
+    run = simulate(model, duration="2 s", method=method, tolerance=1e-8, parameters={"slope": angle})
+    a = GRAVITY * math.sin(angle) - MU_K * WEIGHT * math.cos(angle) / MOVING
+    assert run.final["along_0.speed"] == pytest.approx(2 * a, rel=1e-8)
+    assert run.final["along_0.travel"] == pytest.approx(2 * a, rel=1e-8)
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
+def test_a_tilting_plane_lets_go_at_the_static_angle(method):
+    """The turning adds a centripetal acceleration to the load: MOVING g sin = mu_s MASS (g cos - turn^2 height)."""
+    turn = 0.2
+    run = simulate(built(block, DRY, turn=turn), duration="2 s", method=method, tolerance=1e-8)
+    slips = np.flatnonzero(run["floor_0.slip"] != 0)
+    height = float(run["up_0.travel"][slips[0]])
+
+    def excess(angle):
+        return MOVING * math.sin(angle) - MU_S * MASS * (math.cos(angle) - turn**2 * height / GRAVITY)
+
+    assert turn * run.t[slips[0]] == pytest.approx(brentq(excess, 0.1, 0.4), rel=2e-6)
+    assert np.max(np.abs(run["along_0.speed"][: slips[0]])) < 1e-12
+    assert run["floor_0.slip"][slips[0]] == run["floor_0.slip"][-1] == 1  # downhill is -x, the tangent too
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
+def test_thrown_uphill_it_turns_without_sticking(model, method):
+    """Steeper than the friction angle: up with g (sin + mu cos), down with g (sin - mu cos), nothing in between."""
+    angle, speed = 0.5, 1.0
+    run = simulate(
+        model, duration="1 s", method=method, tolerance=1e-8,
+        parameters={"slope": angle, "slide": f"{-speed} m/s"},
+    )  # fmt: skip
+    drag = MU_K * WEIGHT * math.cos(angle) / MOVING
+    up, down = GRAVITY * math.sin(angle) + drag, GRAVITY * math.sin(angle) - drag
+    t = speed / up
+    assert not np.any(run["floor_0.slip"] == 0)
+    assert run.t[np.flatnonzero(run["floor_0.slip"] == -1)[0]] == pytest.approx(t, rel=1e-8)
+    assert run.final["along_0.speed"] == pytest.approx(down * (1 - t), rel=1e-8)
+    assert run.final["along_0.travel"] == pytest.approx(-(speed**2) / (2 * up) + down * (1 - t) ** 2 / 2, rel=1e-8)
+    assert run.energy_residual < 1e-7
+
+
+def test_bounces_take_an_impulse_each():
+    """Sliding all the while: what friction takes is mu_k times what the floor gives, MASS times the changes of speed plus the weight's."""
+    run = simulate(
+        built(block, DRY), duration="0.3 s", tolerance=1e-9,
+        parameters={"slide": "3 m/s", "height": "20 mm", "restitution": 1},  # less, and the law would pull before it ends
+    )  # fmt: skip
+    pushed = MASS * (run["up_0.speed"][-1] - run["up_0.speed"][0]) + WEIGHT * 0.3
+    assert len(run.impacts) == 2
+    assert run.final["along_0.speed"] == pytest.approx(3 - MU_K * pushed / MOVING, rel=1e-9)
+    assert run.energy_residual < 1e-8
+    assert set(run["floor_0.slip"][run["floor_0.mode"] == 1]) == {-1.0}
+    assert set(run["floor_0.slip"][run["floor_0.mode"] == 0]) == {0.0}
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES, IDAS])
+def test_bounces_on_a_slope_agree(model, method):
+    """Dropped on a slope it would stay on: slips, sticks while pressed hard, slips again before it leaves; every method finds the same."""
+    given = {"duration": "0.15 s", "parameters": {"slope": 0.2, "height": "2 mm", "restitution": 0.6}}
+    best = simulate(model, tolerance=1e-11, **given)
+    run = simulate(model, tolerance=1e-8, method=method, **given)
+    slip, mode = best["floor_0.slip"], best["floor_0.mode"]
+    assert {-1.0, 0.0} <= set(slip[mode == 1])
+    assert run.final["along_0.travel"] == pytest.approx(best.final["along_0.travel"], abs=1e-7)
+    assert run.final["along_0.speed"] == pytest.approx(best.final["along_0.speed"], abs=2e-6)
+    assert run.energy_residual < (3e-6 if method in REFERENCES else 1e-6)  # of what moves, millimetres high
+
+
+@pytest.mark.parametrize("method", ["dop853", pytest.param("esdirk", marks=pytest.mark.exhaustive)])
+def test_compiled_is_bitwise_the_virtual_machine(model, method):
+    parameters = {"slope": 0.2, "height": "2 mm", "slide": "-0.3 m/s", "restitution": 0.6}
+    given = {"duration": "0.3 s", "tolerance": 1e-6, "method": method, "parameters": parameters}
+    one, two = (simulate(model, compiled=compiled, **given) for compiled in (False, True))
+    assert {-1.0, 0.0, 1.0} <= set(one["floor_0.slip"])
+    assert np.array_equal(one.history.rows, two.history.rows)
+
+
+def test_a_saved_run_keeps_slip_and_friction_force(model, tmp_path):
+    run = simulate(model, duration="0.7 s", parameters={"slide": "1 m/s"}, tolerance=1e-6)
+    back = Solution.load(run.save(tmp_path / "run.npz"))
+    for name in ("floor_0.slip", "floor_0.friction_force", "floor_0.sliding_velocity"):
+        assert np.array_equal(back[name], run[name])
+    assert back.history.units["floor_0.friction_force"] == "N"
+
+
+# ---- several contacts ------------------------------------------------------------------------------------------------
+
+FEET = 0.2  # m, from the middle
+
+
+def sledge(angle=0.0, *, rocks=False, speed=0.0):
+    """A body on two feet, 2 kg, on a plane on a heavy ramp; with `rocks` it may turn too."""
+    weight, radius, alpha = Parameter("mass", "kg", 2), Parameter("radius", "m", 0.05), Parameter("slope", "rad", angle)
+    gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", STIFFNESS)
+    inertia, foot = Parameter("inertia", "kg m^2", 0.03), Parameter("foot", "m", FEET)
+    ramp = Body("ramp", mass=weight, inertia=Parameter("ramp_inertia", "kg m^2", 1e16))
+    light = Parameter("light", "kg", 1e-9)
+    frame, lift = Body("frame", mass=light, inertia=inertia), Body("lift", mass=weight, inertia=inertia)
+    joints = [Revolute("tilt", GROUND, ramp, axis=Z), Prismatic("along", ramp, frame, axis=X)]
+    body = lift
+    if rocks:
+        lift, body = Body("lift", mass=light, inertia=inertia), Body("body", mass=weight, inertia=inertia)
+    joints.append(Prismatic("up", frame, lift, axis=Y))
+    if rocks:
+        joints.append(Revolute("rock", lift, body, axis=Z))
+    pairs, effects = [], [Gravity("gravity", gravity, direction=-Y), EnergyLedger()]
+    for name, x in (("rear", -foot), ("front", foot)):
+        pairs.append(SphereOnPlane(name, body.at(x, 0, 0), radius, ramp.at(0, 0, 0), Y))
+        effects.append(Contact(name, power(stiffness, 1), kelvin_voigt(Parameter("restitution", "1", 0.2))))
+        effects.append(Friction(f"{name}_rub", name, dry(mu_s=0.3)))
+    return Scene(
+        Mechanism("sledge", tuple(joints), tuple(pairs)),
+        tuple(effects),
+        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius),
+        Start(
+            position={"up": radius - weight * gravity / (2 * stiffness), "tilt": -alpha},
+            speed={"along": Parameter("slide", "m/s", speed)},
+        ),
+    )
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_redundant_contacts_share_what_they_hold(method):
+    """Two feet that cannot but stick together: one force to share, so each takes half."""
+    model = built(sledge)
+    run = simulate(model, duration="2 s", method=method, parameters={"slope": 0.25}, tolerance=1e-6)
+    assert run.outcome.finished
+    for foot in ("rear", "front"):
+        assert run[f"{foot}.friction_force"][-1] == pytest.approx(GRAVITY * math.sin(0.25), rel=1e-7)
+    assert np.max(np.abs(run["along.speed"])) < 1e-13
+    run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slope": 0.35})
+    assert run.final["along.speed"] == pytest.approx(GRAVITY * (math.sin(0.35) - MU_K * math.cos(0.35)), rel=1e-6)
+    run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slide": "1 m/s"})
+    assert run.final["along.travel"] == pytest.approx(1 / (2 * MU_K * GRAVITY), rel=1e-8)
+    assert run.final["along.speed"] == pytest.approx(0, abs=1e-14)
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_body_that_rocks_loads_its_feet_unequally(method):
+    """Braking at the feet, which are below the middle, loads the front one: mu_k g m radius = (N_front - N_rear) FEET."""
+    run = simulate(
+        built(sledge, rocks=True), duration="1.5 s", method=method, tolerance=1e-8, parameters={"slide": "2 m/s"}
+    )
+    rows = run.at(np.linspace(0.3, 0.9, 300))
+    shift = np.mean(rows["front.normal_force"] - rows["rear.normal_force"])
+    assert shift * FEET == pytest.approx(2 * MU_K * GRAVITY * 0.05, rel=1e-3)
+    assert run.final["along.travel"] == pytest.approx(2**2 / (2 * MU_K * GRAVITY), rel=1e-5)
+    assert run["front.slip"][-1] == run["rear.slip"][-1] == 0
+    assert abs(run.final["along.speed"]) < 1e-8  # the tolerance
+    assert run.energy_residual < 1e-7
+
+
+def stack(upper, lower):
+    """A slab, 3 kg, on the ground, and a block, 1 kg, on the slab; both slide at 1 m/s at the start."""
+    radius, stiffness = Parameter("radius", "m", 0.1), Parameter("stiffness", "N/m", STIFFNESS)
+    gravity, light = Parameter("gravity", "m/s^2", GRAVITY), Parameter("light", "kg", 1e-9)
+    slab_mass, block_mass = Parameter("slab_mass", "kg", 3), Parameter("block_mass", "kg", 1)
+    sled, slab = Body("sled", mass=light), Body("slab", mass=slab_mass)
+    cart, top = Body("cart", mass=light), Body("top", mass=block_mass)
+    joints = (
+        Prismatic("sled_x", GROUND, sled, axis=X), Prismatic("slab_y", sled, slab, axis=Y),
+        Prismatic("cart_x", slab, cart, axis=X), Prismatic("top_y", cart, top, axis=Y),
+    )  # fmt: skip
+    pairs = (
+        SphereOnPlane("ground", slab.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),
+        SphereOnPlane("deck", top.at(0, 0, 0), radius, slab.at(0, 0, 0), Y),
+    )
+    damping = kelvin_voigt(Parameter("restitution", "1", 0.2))
+    return Scene(
+        Mechanism("stack", joints, pairs),
+        (
+            Gravity("gravity", gravity, direction=-Y),
+            Contact("ground", power(stiffness, 1), damping), Friction("below", "ground", dry("_below", lower, lower)),
+            Contact("deck", power(stiffness, 1), damping), Friction("above", "deck", dry("_above", upper, upper)),
+            EnergyLedger(),
+        ),
+        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1)),
+        Start(
+            position={
+                "slab_y": radius - gravity * (slab_mass + block_mass) / stiffness,
+                "top_y": radius - gravity * block_mass / stiffness,
+            },
+            speed={"sled_x": Parameter("slide", "m/s", 1)},
+        ),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
+def test_stuck_on_what_slides(method):
+    """0.4 above holds what 0.2 below takes: slab and block brake as one, each friction force through the other's mass."""
+    run = simulate(built(stack, 0.4, 0.2), duration="0.6 s", method=method, tolerance=1e-8)
+    slides = run.t < 0.5
+    assert np.all(run["deck.slip"] == 0)
+    assert np.abs(run["deck.friction_force"][slides]) == pytest.approx(0.2 * GRAVITY, rel=1e-6)
+    assert run.final["sled_x.travel"] == pytest.approx(1 / (2 * 0.2 * GRAVITY), rel=1e-8)
+    assert abs(run.final["cart_x.travel"]) < 1e-10
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
+def test_sliding_on_what_sticks(method):
+    """0.1 above, 0.3 below: the slab brakes faster and stands still under the block, which slides on for as long as 0.1 g takes."""
+    run = simulate(built(stack, 0.1, 0.3), duration="1.2 s", method=method, tolerance=1e-8)
+    slab = (0.3 * 4 * GRAVITY - 0.1 * GRAVITY) / 3
+    assert run.final["sled_x.travel"] == pytest.approx(1 / (2 * slab), rel=1e-8)
+    assert run.final["cart_x.travel"] == pytest.approx(1 / (2 * 0.1 * GRAVITY) - 1 / (2 * slab), rel=1e-8)
+    between = (run.t > 1 / slab + 0.01) & (run.t < 1 / (0.1 * GRAVITY) - 0.01)
+    assert np.all(run["ground.slip"][between] == 0)
+    assert np.abs(run["ground.friction_force"][between]) == pytest.approx(0.1 * GRAVITY, rel=1e-6)
+    assert run.final["sled_x.speed"] == pytest.approx(0, abs=1e-14)
+    assert run.final["cart_x.speed"] == pytest.approx(0, abs=1e-14)
+
+
+# ---- a ball that rolls -----------------------------------------------------------------------------------------------
+
+RADIUS = 0.02  # m
+
+
+def ball(height=0.0, stiffness=STIFFNESS):
+    """A ball in the plane, 0.1 kg, thrown along with backspin."""
+    mass, radius = Parameter("mass", "kg", 0.1), Parameter("radius", "m", RADIUS)
+    light, gravity = Parameter("light", "kg", 1e-12), Parameter("gravity", "m/s^2", GRAVITY)
+    cart, lift = Body("cart", mass=light), Body("lift", mass=light)
+    sphere = Body("sphere", mass=mass, inertia=2 * mass * radius**2 / 5)
+    joints = (
+        Prismatic("x", GROUND, cart, axis=X), Prismatic("y", cart, lift, axis=Y), Revolute("spin", lift, sphere, axis=Z),
+    )  # fmt: skip
+    K = Parameter("stiffness", "N/m", stiffness)
+    return Scene(
+        Mechanism("ball", joints, (SphereOnPlane("floor", sphere.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),)),
+        (
+            Gravity("gravity", gravity, direction=-Y),
+            Contact("floor", power(K, 1), flores(Parameter("restitution", "1", 0.7))),
+            Friction("rub", "floor", dry()),
+            EnergyLedger(),
+        ),
+        Scales(length=Parameter("depth", "mm", 0.01), speed=Parameter("pace", "m/s", 1), arm=radius),
+        Start(
+            position={"y": radius - mass * gravity / K + Parameter("height", "m", height)},
+            speed={"x": Parameter("throw", "m/s", 1), "y": -Parameter("fall", "m/s", 0), "spin": Parameter("backspin", "rad/s", 60)},
+        ),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
+def test_sliding_becomes_rolling(method):
+    """About the point of contact the angular momentum stays: rolling at (5 v - 2 r w)/7, here after t = 2 (v + r w)/(7 mu g)."""
+    run = simulate(built(ball), duration="1 s", method=method, tolerance=1e-8)
+    v, w = 1.0, 60.0
+    rolling = (5 * v - 2 * RADIUS * w) / 7
+    begins = np.flatnonzero(run["floor.slip"] == 0)[0]
+    assert run.t[begins] == pytest.approx(2 * (v + RADIUS * w) / (7 * MU_K * GRAVITY), rel=1e-7)
+    assert run["x.speed"][begins:] == pytest.approx(rolling, rel=1e-7)
+    assert run.final["spin.speed"] == pytest.approx(-rolling / RADIUS, rel=1e-7)
+    assert np.max(np.abs(run["floor.friction_force"][begins:])) < 1e-8
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", CVODES])
+@pytest.mark.parametrize(("mu", "grips_it"), [(0.05, False), (0.9, True)])
+def test_a_bounce_with_backspin(method, mu, grips_it):
+    """One short impact: sliding throughout it takes mu (1 + e) v_n along; with enough friction the ball leaves rolling."""
+    run = simulate(
+        built(ball, 0.01), duration="40 ms", method=method, tolerance=1e-8,
+        parameters={"mu_k": mu, "mu_s": mu, "fall": "2 m/s", "stiffness": "1e6 N/m", "gravity": "1e-6 m/s^2"},
+    )  # fmt: skip
+    (impact,) = run.impacts
+    leaves = run.final["y.speed"]
+    v, w = 1.0, 60.0
+    along = (5 * v - 2 * RADIUS * w) / 7 if grips_it else v - mu * (leaves + impact.speed)
+    assert run.final["x.speed"] == pytest.approx(along, rel=1e-6)
+    assert run.final["spin.speed"] == pytest.approx(w - 5 / (2 * RADIUS) * (v - along), rel=1e-6)
+    assert run.energy_residual < 1e-6
+
+
+# ---- an oscillator on a belt, written by hand ------------------------------------------------------------------------
+
+
+@cache
+def oscillator(mu_k, mu_s, load_force=10.0, spring=100.0):
+    """A point of 1 kg on a spring, pressed on a belt by a constant force; start x0, v0; the belt moves at `belt`."""
+    module = ModuleType("oscillator")
+    none = ca.SX(0, 1)
+    module.__dict__.update(
+        NAME="oscillator", SOURCE="tests/runtime/engine/integration/friction/test_coulomb.py", SUMMARY="", EFFECTS=(), UNCHECKED=(), LIMITS=(),
+        PARAMETERS=(("x0", "m", 0.0, ""), ("v0", "m/s", 0.0, ""), ("belt", "m/s", 0.0, "")),
+        COORDINATES=(("path.travel", "m"),), SPEEDS=(("path.speed", "m/s"),), MEMORY=(("rub.dissipated", "J"),),
+        LATCHES=(), SLIPS=(("touch.slip", "1", 0),), PAIRS=(("touch", "by_hand"),), DISSIPATED=(0,), OUTPUTS=(),
+        CONSTANTS=(("belt", "m/s"),), BODIES=("point",), OPERATIONS=(),
+        constants=lambda p: p[2],
+        start=lambda p: (p[0], p[1]),
+        scales=lambda p: (0.1, 1.0, 1.0, ca.SX([0.1, 1.0, 10.0, 1.0])),
+        coordinate_rates=lambda t, q, u, c: u,
+        gaps=lambda t, q, u, c: (ca.SX(-1), ca.SX(0)),
+        gap_accelerations=lambda t, q, u, a, c: ca.SX(0),
+        applied=lambda t, q, u, c: -spring * q,
+        accelerations=lambda t, q, u, f, c: (f, none),
+        contact_touch=lambda t, q, u, z, m, c: (
+            ca.SX(0), ca.SX(0), ca.SX(load_force), u - c[0], ca.SX(1),
+            ca.SX(1), -(u - c[0]), ca.SX(mu_k * load_force), ca.SX(mu_s * load_force),
+        ),
+        ledger=lambda t, q, u, reactions, c: ca.SX(0),
+        energy=lambda t, q, u, c: (u * u / 2, spring * q * q / 2, ca.SX(0)),
+        poses=lambda t, q, c: (ca.vertcat(q, 0, 0), ca.SX([1, 0, 0, 0, 1, 0, 0, 0, 1])),
+        outputs=lambda t, q, u, c: none,
+    )  # fmt: skip
+    return Model(module)
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES, IDAS])
+def test_free_oscillations_lose_four_friction_lengths_each(method):
+    """Turning points x0 - 2 n mu_k N/k, half a period apart, until one lies within mu_s N/k, where it stays."""
+    way, x0 = 0.02, 0.115  # mu_k N/k, m; mu_s N/k = 0.03 m
+    run = simulate(
+        oscillator(0.2, 0.3), duration="2 s", method=method, tolerance=1e-8, parameters={"x0": f"{x0} m"}
+    )  # fmt: skip
+    changes = np.flatnonzero(np.diff(run["touch.slip"])) + 1
+    turns = 3  # 0.115 -> -0.075 -> 0.035 -> 0.005
+    assert run.t[changes] == pytest.approx([math.pi / 10 * n for n in range(1, turns + 1)], rel=1e-6)
+    assert run["path.travel"][changes] == pytest.approx([-(x0 - 2 * way), x0 - 4 * way, -(x0 - 6 * way)], abs=2e-8)
+    assert list(run["touch.slip"][changes]) == [1, -1, 0]
+    assert run.final["path.travel"] == pytest.approx(-(x0 - 6 * way), abs=2e-8)
+    assert abs(run.final["path.speed"]) < 1e-16
+    assert run.energy_residual < (1e-6 if method in REFERENCES else 1e-7)
+
+
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
+def test_stick_slip_on_a_belt_has_the_closed_period(method):
+    """Sticks until k x = mu_s N, slips as a free oscillation about mu_k N/k until it meets the belt's speed again."""
+    belt, omega, rise = 0.05, 10.0, 0.01  # rise: (mu_s - mu_k) N/k
+    run = simulate(
+        oscillator(0.2, 0.3), duration="6 s", method=method, tolerance=1e-9, parameters={"belt": f"{belt} m/s"}
+    )
+    slip = run["touch.slip"]
+    lets_go = np.flatnonzero((slip[:-1] == 0) & (slip[1:] == -1)) + 1
+    holds = np.flatnonzero((slip[:-1] == -1) & (slip[1:] == 0)) + 1
+    sliding = 2 * (math.pi - math.atan(omega * rise / belt)) / omega
+    assert len(lets_go) >= 5
+    assert run["path.travel"][lets_go] == pytest.approx(0.03, rel=1e-7)
+    assert np.diff(run.t[lets_go]) == pytest.approx(sliding + 2 * rise / belt, rel=1e-6)
+    assert run.t[holds[1:5]] - run.t[lets_go[:4] if holds[0] < lets_go[0] else lets_go[1:5]] == pytest.approx(
+        sliding, rel=1e-6
+    )
+    sticking = slip == 0
+    assert run["path.speed"][sticking] == pytest.approx(belt, abs=1e-13)
+
+
+def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
+    """The smoothed law goes over into the set-valued one as its layer gets thinner."""
+    mu = {"friction_coefficient": 0.1}
+    sharp = slider_crank.scene.replace(
+        slider_pin_friction=Friction("slider_pin_friction", "slider_pin", dry(mu_k=0.1, mu_s=0.1))
+    )
+    model, smooth = load(sharp), load("slider_crank")
+    given = {"duration": "6 ms", "tolerance": 1e-8}
+    runs = {method: simulate(model, method=method, **given) for method in ("dop853", "esdirk", "cvodes")}
+    travel = runs["dop853"].final["guide.travel"]
+    assert {-1.0, 0.0, 1.0} == set(runs["dop853"]["slider_pin.slip"])
+    for method, run in runs.items():
+        assert run.final["guide.travel"] == pytest.approx(travel, abs=3e-8 if method in REFERENCES else 2e-9)
+        assert run.energy_residual < 1e-6
+    layers = ("1e-2 m/s", "1e-3 m/s", "1e-4 m/s")
+    errors = [
+        abs(
+            simulate(smooth, method="esdirk", parameters=mu | {"friction_speed": layer}, **given).final["guide.travel"]
+            - travel
+        )
+        for layer in layers
+    ]
+    assert errors == sorted(errors, reverse=True)
+    assert errors[-1] < 1e-7
+
+
+# ---- the equations ---------------------------------------------------------------------------------------------------
+
+
+@each("slips", [(0, 0), (0, 1), (-1, 0), (1, -1)])
+@pytest.mark.parametrize("large", [False, True])
+def test_jacobian_against_differences(monkeypatch, slips, large):
+    """Through the solution of sticking written out, and as of a large model from the equations that it solves."""
+    monkeypatch.setattr(implicit_step, "LARGE", 0 if large else math.inf)
+    model = built.__wrapped__(sledge, rocks=True)
+    bound = model.bind({"slope": 0.2})
+    q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
+    scale = of_parameters(model, bound).state
+    u = u + np.array([0, 0.1, -0.02, 0.3])
+    q[3] = 0.02  # level, the feet would be one: then only the sum of their forces is known
+    q[2] -= 5e-3
+    y = np.concatenate([q, u, np.zeros(model.nz)])
+    given = (np.ones(model.k), np.array(slips, dtype=float), bound.c)
+    J = np.array(linearised(model)(0.0, y, *given)[0])
+    rates = flow(model).rates
+    steps = np.diag(1e-3 * scale)
+    differences = [
+        np.array(rates(0.0, y + h, *given) - rates(0.0, y - h, *given)).ravel() / (2 * h[i])
+        for i, h in enumerate(steps)
+    ]
+    size = np.max(np.abs(J), axis=1, keepdims=True) + 1e-300
+    assert np.max(np.abs(np.array(differences).T - J) / size) < 1e-5  # rounding of what both feet hold, over the step
+
+
+def test_the_direction_of_friction_is_that_of_sliding():
+    """The generalised force per newton is the gradient of the sliding velocity by the speeds: what the linear system of sticking rests on."""
+    model = built(sledge, rocks=True)
+    bound = model.bind({"slope": 0.2})
+    q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
+    q[3], y = 0.01, np.concatenate([q, u, np.zeros(model.nz)])
+    t, symbol = ca.SX.sym("t"), ca.SX.sym("y", y.size)
+    grip = grips(model, BY_MODE, t, symbol, ca.SX.ones(2), ca.SX.zeros(2), ca.SX(bound.c))
+    both = ca.Function(
+        "both", [t, symbol], [grip.along, ca.jacobian(grip.velocity, symbol)[:, model.nq : 2 * model.nq]]
+    )
+    along, gradient = (np.array(x) for x in both(0.0, y))
+    assert np.allclose(along[: model.nu].T, gradient, rtol=1e-13, atol=1e-15)
+    assert abs(along[3, 0]) > 0.04  # the feet are below the middle
+
+
+def test_nothing_of_it_where_no_law_has_modes():
+    smooth = LAWS["smooth_coulomb"](Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 1e-3))
+    model = built(block, smooth)
+    assert not hasattr(model.module, "SLIPS")
+    assert flow(model).ends.size1_out("margin") == 0
+    assert "floor_0.slip" not in simulate(model, duration="1 ms", tolerance=1e-6).names

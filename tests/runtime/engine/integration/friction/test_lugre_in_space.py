@@ -1,0 +1,278 @@
+"""LuGre friction with two directions of sliding: bristles that bend, tilt and twirl, against equations of their own and closed forms."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from balls import GRAVITY, MASS, RADIUS, STIFFNESS, ball
+from scipy.integrate import solve_ivp
+
+from hertzwerk.derive import (  # fmt: skip
+    GROUND,
+    Body,
+    Contact,
+    Drive,
+    Free,
+    Friction,
+    Gravity,
+    InputError,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    SphereOnSphere,
+    Start,
+    T,
+    X,
+    Y,
+    Z,
+    derive,
+)
+from hertzwerk.derive.laws import LAWS, kelvin_voigt, lugre, power
+from hertzwerk.derive.laws.law import FrictionLaw, N, Quantity, s, z
+from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
+from hertzwerk.runtime.engine.solution.error_scales import of_parameters
+
+pytestmark = pytest.mark.by_turns(6)  # methods and coordinates that run the same code
+
+MU_K, MU_S, V_S, S_0, S_1 = 0.2, 0.3, 0.05, 1e4, 20.0
+METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
+
+
+def bristles():
+    return lugre(
+        Parameter("mu_k", "1", MU_K), Parameter("mu_s", "1", MU_S), Parameter("v_S", "m/s", V_S),
+        Parameter("s_0", "1/m", S_0), Parameter("s_1", "s/m", S_1), Parameter("c_v", "N s/m", 0),
+    )  # fmt: skip
+
+
+@cache
+def built(**options):
+    """The model of a ball, derived once."""
+    return load(ball(bristles(), **options))
+
+
+def level(speed):
+    """Coefficient of steady sliding."""
+    return MU_K + (MU_S - MU_K) * math.exp(-((speed / V_S) ** 2))
+
+
+# ---- a ball that slides, rolls and spins -----------------------------------------------------------------------------
+
+SHOT = {"v_x": 0.5, "v_z": 0.2, "w_x": 20.0, "w_y": 60.0, "w_z": 5.0}
+
+
+def rates(_, state):
+    """Rates of place, velocity, spins and bristle (x, z each) of a ball on a level floor, pressed by its weight."""
+    v, w, bent, twirl = state[2:4], state[4:7], state[7:9], state[5] / 2
+    slip = np.array([v[0] + RADIUS * w[2], v[1] - RADIUS * w[0]])  # v + w x (-r e_y)
+    own = slip - S_0 * np.linalg.norm(slip) * bent / level(np.linalg.norm(slip))
+    own += twirl * np.array([bent[1], -bent[0]])  # it turns about the normal with half the ball's spin
+    pull = -MASS * GRAVITY * (S_0 * bent + S_1 * (own - twirl * np.array([bent[1], -bent[0]])))
+    moment = np.array([-RADIUS * pull[1], 0, RADIUS * pull[0]]) / (0.4 * MASS * RADIUS**2)
+    return [*v, *(pull / MASS), *moment, *own]
+
+
+@cache
+def shot():
+    start = [0, 0, SHOT["v_x"], SHOT["v_z"], SHOT["w_x"], SHOT["w_y"], SHOT["w_z"], 0, 0]
+    times = np.array([2e-3, 0.02, 0.06, 0.2])
+    return times, solve_ivp(rates, (0, 0.2), start, "Radau", t_eval=times, rtol=1e-10, atol=1e-13).y
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+@pytest.mark.parametrize("method", METHODS)
+def test_a_ball_that_spins_is_what_scipy_finds(method, coordinates):
+    times, known = shot()
+    units = {name: (value, "m/s" if name[0] == "v" else "rad/s") for name, value in SHOT.items()}
+    run = simulate(built(coordinates=coordinates), duration="0.2 s", method=method, tolerance=1e-8, parameters=units)
+    seen = run.at(times)
+    for row, name in enumerate(["x", "z", "x_speed", "z_speed"]):
+        assert seen[f"flight.{name}"] == pytest.approx(known[row], abs=1e-7)
+    for row, axis in enumerate("xz", 7):
+        assert seen[f"rub.bristle_{axis}"] == pytest.approx(known[row], abs=1e-5 * MU_S / S_0)
+    assert np.max(np.abs(known[8, :2])) > 0.1 * MU_S / S_0
+    assert run.energy_residual < 1e-7
+    assert run.outcome.finished
+
+
+# ---- presliding ------------------------------------------------------------------------------------------------------
+
+
+def test_bristles_are_springs_of_load_times_stiffness_in_every_direction():
+    """A particle at rest: two vibrations of sqrt(s_0 g), damped by s_1 g; they may stick anywhere."""
+    found = modes(built(turns=False))
+    sideways = [mode for mode in found.modes if mode.eigenvalue and abs(mode.shape["y.travel"]) < 1e-6]
+    assert len(sideways) == 2
+    for mode in sideways:
+        assert abs(mode.eigenvalue) == pytest.approx(math.sqrt(S_0 * GRAVITY), rel=1e-9)
+        assert -2 * mode.eigenvalue.real == pytest.approx(S_1 * GRAVITY, rel=1e-6)
+
+
+def test_held_on_a_slope_by_its_bristle():
+    """Within mu_s, whatever the direction; the deflection is tan(slope)/s_0."""
+    held = equilibrium(built(turns=False), parameters={"slope": 0.1})
+    assert held.found
+    assert held.sticking["rub"] == pytest.approx(math.tan(0.1) / S_0, rel=1e-9)
+    assert (
+        equilibrium(built(turns=False), parameters={"slope": math.atan(MU_S) * 1.01}).outcome.name == "no_equilibrium"
+    )
+    run = simulate(
+        built(turns=False), duration="0.3 s", method="esdirk", tolerance=1e-8, parameters={"slope": 0.1}, initial=held
+    )
+    assert abs(run.final["x.speed"]) < 1e-8
+
+
+# ---- driven: sliding that goes on, and what an observer who turns sees -----------------------------------------------
+
+
+@cache
+def driven():
+    """A ball carried along X and Z of a plate at given speeds, that only presses; the plate turns about Y."""
+    plate, cart, sledge, body = (Body(name, 1, 1e-3) for name in ("plate", "cart", "sledge", "body"))
+    mass, radius = Parameter("mass", "kg", MASS), Parameter("radius", "m", RADIUS)
+    plate, cart, sledge = (
+        Body(name, mass, (Parameter("inertia", "kg m^2", 1),) * 3) for name in ("plate", "cart", "sledge")
+    )
+    body = Body("body", mass, (0.4 * mass * radius**2,) * 3)
+    turn, wave = Parameter("turn", "rad/s", 0), Parameter("wave", "mm", 0)
+    joints = (
+        Revolute("table", GROUND, plate, axis=Y), Prismatic("x", plate, cart, axis=X),
+        Prismatic("z", cart, sledge, axis=Z), Prismatic("y", sledge, body, axis=Y),
+    )  # fmt: skip
+    pair = SphereOnPlane("floor", body.at(0, 0, 0), radius, plate.at(0, 0, 0), Y)
+    stiffness, gravity = Parameter("stiffness", "N/m", STIFFNESS), Parameter("gravity", "m/s^2", GRAVITY)
+    rate = Parameter("rate", "rad/s", 20)
+    effects = (
+        Drive("turning", "table", position=turn * T),
+        Drive("along", "x", position=Parameter("v_x", "m/s", 0) * T + wave * sp.sin(rate * T)),
+        Drive("across", "z", position=Parameter("v_z", "m/s", 0) * T + wave * sp.sin(2 * rate * T)),
+        Gravity("gravity", gravity, direction=-Y), Contact("floor", power(stiffness, 1), kelvin_voigt(Parameter("e", "1", 0.2))),
+        Friction("rub", "floor", bristles()),
+    )  # fmt: skip
+    scales = Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius)
+    return load(
+        Scene(
+            Mechanism("driven", joints, (pair,)),
+            effects,
+            scales,
+            Start(position={"y": radius - mass * gravity / stiffness}),
+        )
+    )
+
+
+@pytest.mark.parametrize(("speed", "way"), [(0.01, 0.3), (0.05, 2.0), (0.3, -1.1)])
+def test_steady_sliding_is_on_the_stribeck_curve_in_every_direction(speed, way):
+    given = {"v_x": (speed * math.cos(way), "m/s"), "v_z": (speed * math.sin(way), "m/s")}
+    run = simulate(driven(), duration="0.5 s", method="esdirk", tolerance=1e-8, parameters=given)
+    bent = np.array([run.final["rub.bristle_x"], run.final["rub.bristle_z"]])
+    ahead = np.array([math.cos(way), math.sin(way)])
+    assert bent == pytest.approx(level(speed) / S_0 * ahead, abs=1e-6 * MU_S / S_0)
+    force = np.array([run[f"floor.friction_force_{axis}"][-1] for axis in "xyz"])
+    assert force[[0, 2]] == pytest.approx(-level(speed) * MASS * GRAVITY * ahead, rel=1e-5)
+    assert force[1] == 0
+    assert run["floor.friction_force"][-1] == pytest.approx(-np.linalg.norm(force), rel=1e-12)
+
+
+def test_bristles_are_the_same_to_an_observer_who_turns():
+    """Plate and ball turned together, at any rate: in the plate's axes the bristle does what it does at rest."""
+    times, turn = np.linspace(0.05, 0.5, 10), 7.0
+    given = {"wave": "0.2 mm"}
+    still, moved = (
+        simulate(
+            driven(), duration="0.5 s", method="esdirk", tolerance=1e-9, parameters=given | {"turn": (rate, "rad/s")}
+        ).at(times)
+        for rate in (0.0, turn)
+    )
+    bent, seen = (np.array([run[f"rub.bristle_{axis}"] for axis in "xz"]) for run in (still, moved))
+    cos, sin = np.cos(turn * times), np.sin(turn * times)
+    back = np.array([cos * seen[0] - sin * seen[1], sin * seen[0] + cos * seen[1]])  # a turn about Y takes X to -Z
+    assert np.max(np.abs(bent)) > 0.5 * MU_K / S_0
+    assert np.max(np.abs(back - bent)) < 1e-6 * MU_S / S_0
+    assert np.max(np.abs(seen - bent)) > 0.1 * MU_S / S_0
+
+
+# ---- normals that turn -----------------------------------------------------------------------------------------------
+
+
+def two_balls(**coordinates):
+    """A ball that falls on another, aside and spinning: the normal turns while they touch."""
+    mass, radius = Parameter("mass", "kg", MASS), Parameter("radius", "m", RADIUS)
+    upper = Body("upper", mass, (0.4 * mass * radius**2,) * 3)
+    pair = SphereOnSphere("touch", upper.at(0, 0, 0), GROUND.at(0, 0, 0), radius, radius)
+    effects = (
+        Gravity("gravity", Parameter("gravity", "m/s^2", GRAVITY), direction=-Y),
+        Contact("touch", power(Parameter("stiffness", "N/m", 1e4), 1)), Friction("rub", "touch", bristles()),
+    )  # fmt: skip
+    start = Start(
+        position={"flight.x": 0.2 * radius, "flight.z": 0.1 * radius, "flight.y": 1.94 * radius},
+        speed={
+            "flight.x_speed": Parameter("v", "m/s", 0.3),
+            "flight.angular_speed_y": Parameter("w_y", "rad/s", 50),
+            "flight.angular_speed_x": Parameter("w_x", "rad/s", 9),
+        },
+    )
+    scales = Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius)
+    return load(
+        Scene(Mechanism("two_balls", (Free("flight", GROUND, upper),), (pair,)), effects, scales, start, **coordinates)
+    )
+
+
+def test_bristles_stay_in_the_tangent_plane_that_tilts():
+    runs = [
+        simulate(two_balls(coordinates=c), duration="20 ms", method="dop853", tolerance=1e-9)
+        for c in ("tree", "absolute")
+    ]
+    run = runs[0]
+    bent = np.array([run[f"rub.bristle_{axis}"] for axis in "xyz"])
+    normal = np.array([run[f"flight.{axis}"] for axis in "xyz"])
+    normal /= np.linalg.norm(normal, axis=0)
+    touches = run["touch.mode"] == 1
+    assert np.ptp(normal[0][touches]) > 0.02
+    assert np.max(np.abs(bent)) > 0.5 * MU_K / S_0
+    assert np.max(np.abs(np.sum(bent * normal, axis=0))) < 1e-6 * MU_S / S_0
+    for name in ("flight.x", "flight.z", "flight.x_speed", "rub.bristle_y"):
+        assert runs[1].final[name] == pytest.approx(run.final[name], rel=1e-6, abs=1e-12)
+
+
+def test_jacobian_against_differences():
+    model = two_balls()
+    bound = model.bind()
+    q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
+    y = np.concatenate([q, u, [2e-5, -1e-5, 1e-5]])
+    y[3:7] = np.array([0.7, 0.1, -0.5, 0.5]) / np.linalg.norm([0.7, 0.1, -0.5, 0.5])
+    given = (np.ones(model.k), np.zeros(0), bound.c)
+    for still in (False, True):
+        y[7:13] *= not still
+        J, of = np.array(linearised(model)(0.0, y, *given)[0]), flow(model).rates
+        assert np.all(np.isfinite(J))
+        if not still:  # at rest the decay |s| z has a corner
+            steps = np.diag(1e-7 * of_parameters(model, bound).state)
+            differences = [
+                np.array(of(0.0, y + h, *given) - of(0.0, y - h, *given)).ravel() / (2 * h[i])
+                for i, h in enumerate(steps)
+            ]
+            size = np.max(np.abs(J), axis=1, keepdims=True) + 1e-300
+            assert np.max(np.abs(np.array(differences).T - J) / size) < 1e-5
+
+
+# ---- other laws ------------------------------------------------------------------------------------------------------
+
+
+def test_a_law_that_is_not_linear_in_its_deflection_is_refused():
+    mu, k = (Quantity(name, unit, name) for name, unit in (("mu", "1"), ("k", "1/m")))
+    cubic = FrictionLaw(
+        name="cubic", title="bristles that harden", parameters=(mu, k), force=mu * N * (k * z + (k * z) ** 3),
+        memory=((z, s - k * sp.Abs(s) * z, 1 / k),), source="test", grade="D",
+    )  # fmt: skip
+    assert cubic.in_two_directions is None
+    assert all(law.in_two_directions for law in LAWS.values() if isinstance(law, FrictionLaw) and law.memory)
+    with pytest.raises(InputError, match=r"(?s)effect rub: found law cubic at floor.*linear in its deflection.*lugre"):
+        derive(ball(cubic(Parameter("mu", "1", 0.3), Parameter("k", "1/m", 1e4))))

@@ -1,0 +1,162 @@
+"""compiled="auto": short runs stay in the virtual machine, long ones go on as C, and no digit changes."""
+
+import itertools
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime import Solution, load, simulate, simulation
+from hertzwerk.runtime.engine.integration.loop import automatic_compilation, c_compilation, chunk
+from hertzwerk.runtime.engine.integration.loop.c_files import CFile
+
+
+@pytest.fixture
+def crank(tmp_path, monkeypatch):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    return load("slider_crank_frictionless")
+
+
+@pytest.fixture
+def eager(monkeypatch):
+    """Any time ahead is worth a compilation."""
+    monkeypatch.setattr(automatic_compilation, "LOOK", 0.0)
+    monkeypatch.setattr(automatic_compilation, "GAIN", 1e9)
+    monkeypatch.setattr(automatic_compilation, "SURE", 0.0)
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Every chunk takes 10 ms, whatever the machine does."""
+
+    def ticking():
+        return itertools.count(step=0.01).__next__
+
+    faked = SimpleNamespace(perf_counter=ticking(), thread_time=ticking())
+    for module in (chunk, simulation):
+        monkeypatch.setattr(module, "time", faked)
+
+
+def test_a_short_run_is_not_compiled(crank, clock, tmp_path):
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
+    assert not run.compiled
+    assert run.statistics.compile_s == 0
+    assert not (tmp_path / "cache").exists()
+
+
+def test_a_run_changes_to_c_on_the_way_and_no_bit_changes(crank, eager, tmp_path):
+    options = {"duration": "24 ms", "tolerance": 1e-8}
+    machine = simulate(crank, compiled=False, **options)
+    run = simulate(crank, **options)
+    assert run.compiled
+    assert run.statistics.compile_s > 0.05
+    assert run.statistics.wall_s < run.statistics.compile_s
+    assert np.array_equal(machine.history.rows, run.history.rows)
+    assert Solution.load(run.save(tmp_path / "run.npz")).statistics == run.statistics
+    again = simulate(crank, **options)  # from the start on
+    assert again.compiled
+    assert again.statistics.compile_s == 0
+    assert np.array_equal(machine.history.rows, again.history.rows)
+    assert not simulate(crank, compiled=False, **options).compiled
+
+
+def test_a_cached_library_is_used_at_once(crank, monkeypatch):
+    simulate(crank, duration="1 ms", compiled=True, tolerance=1e-6)
+    monkeypatch.setattr(automatic_compilation, "LOOK", 0.0)
+    monkeypatch.setattr(c_compilation, "compile_files", None)  # a call of it fails
+    assert simulate(load(crank.name), duration="24 ms", tolerance=1e-8).compiled
+
+
+def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    c_compilation._compiler.cache_clear()
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
+    c_compilation._compiler.cache_clear()
+    assert run.outcome.finished
+    assert not run.compiled
+
+
+@pytest.fixture
+def wanted(clock, monkeypatch):
+    """How long a run had to go whenever it asked whether to compile."""
+    asked: list[float] = []
+    monkeypatch.setattr(
+        automatic_compilation.Code, "compiled_if_faster", lambda self, elapsed, ahead, poll: asked.append(ahead)
+    )
+    return asked
+
+
+@pytest.mark.parametrize("limit", [{"max_steps": 2000}, {"wall_time": 0.1}])
+def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, wanted, limit):
+    run = simulate(crank, duration="100 s", tolerance=1e-8, **limit)
+    assert not run.outcome.finished
+    assert wanted == []
+    simulate(crank, duration="100 s", tolerance=1e-8, max_events=100)  # which nobody can foresee
+    assert min(wanted) > 10
+
+
+@pytest.mark.parametrize(("needed", "begun"), [(1.0, True), (3.0, False), (50.0, False)])
+def test_a_compiler_is_not_started_that_cannot_pay_within_the_limit(crank, clock, monkeypatch, needed, begun):
+    """Of 10 s: a quarter of what is left may go into it, and only where it saves more."""
+    started = []
+
+    def compile_files(*_):
+        started.append(chunk.time.perf_counter())
+        raise c_compilation.NoCompilerError
+
+    monkeypatch.setattr(c_compilation, "compile_seconds", lambda _: needed)
+    monkeypatch.setattr(c_compilation, "compile_files", compile_files)
+    run = simulate(crank, duration="100 s", tolerance=1e-8, wall_time=10.0)
+    assert run.outcome.name == "wall_time_limit"
+    assert bool(started) is begun
+
+
+# Files of the C of built-in scenes, each its level and length [MB], and the processor's time that GCC 12 took of them all [s].
+MEASURED = {
+    "bouncing_ball": ((("-O3", 0.106), ("-O1", 0.033)), 1.11),
+    "slider_crank by both methods": ((("-O3", 0.385), ("-O1", 0.064)), 3.5),
+    "newtons_cradle": ((("-O3", 0.477), ("-O1", 0.164)), 4.2),
+    "bicycle": ((("-O3", 0.467),), 4.2),
+    "bicycle by both methods": ((("-O3", 0.440), ("-O3", 0.554)), 14.7),
+    "translational_clearance": ((("-O3", 0.545), ("-O1", 0.203)), 6.6),
+    "ball_bearing": ((("-O3", 0.324), ("-O1", 0.297), ("-O1", 0.259)), 9.1),
+    "woodpecker by both methods": ((("-O3", 0.492), ("-O3", 0.381), ("-O3", 0.438), ("-O1", 0.123)), 14.8),
+}
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_the_time_to_compile_is_known_beforehand(name, monkeypatch):
+    """By files one after the other; side by side it is that of the longest, or of all shared among the cores."""
+    sizes, took = MEASURED[name]
+    files = [CFile("x" * round(1e6 * length), level) for level, length in sizes]
+    monkeypatch.setattr(c_compilation, "cores", lambda: 1)
+    alone = c_compilation.compile_seconds(files)
+    assert 1 / 1.5 < alone / took < 1.5
+    monkeypatch.setattr(c_compilation, "cores", lambda: 2)
+    longest = max(c_compilation.compile_seconds([file]) for file in files)
+    assert c_compilation.compile_seconds(files) == pytest.approx(max(longest, alone / 2))
+
+
+def test_a_run_is_not_compiled_for_the_time_it_took_to_build_what_chooses(wanted, monkeypatch):
+    """Two minutes to build what takes 0.1 s to run, on a loaded machine: as if an hour were ahead."""
+    building = automatic_compilation.AutomaticCallers.use_choice
+    late = []
+
+    def slowly(callers, poll):
+        building(callers, poll)
+        late.append(120.0)
+
+    elapsed, worked = chunk.time.perf_counter, chunk.time.thread_time
+    shifted = SimpleNamespace(perf_counter=lambda: elapsed() + sum(late), thread_time=lambda: worked() + sum(late))
+    monkeypatch.setattr(chunk, "time", shifted)
+    monkeypatch.setattr(automatic_compilation.AutomaticCallers, "use_choice", slowly)
+    simulate(load("journal_lubricated"), duration="0.3 s", tolerance=1e-6)
+    assert late
+    assert max(wanted, default=0) < 60
+
+
+def test_what_compiled_may_be(crank):
+    with pytest.raises(InputError, match="auto"):
+        simulate(crank, duration="1 ms", compiled="always", tolerance=1e-6)

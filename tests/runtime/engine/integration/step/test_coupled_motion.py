@@ -1,0 +1,385 @@
+"""Couplings against closed forms: reduced inertias, Willis' equation, a rack, a screw, a differential, Cardan's circles, a Scotch yoke."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from loops import four_bar, rad
+from scipy.optimize import brentq
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Coupling,
+    Cylindrical,
+    Drive,
+    EnergyLedger,
+    Gravity,
+    InputError,
+    JointForce,
+    JointSpring,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    T,
+    X,
+    Y,
+    Z,
+    coordinate_of,
+)
+from hertzwerk.derive.equations.motion import constraints as coupled
+from hertzwerk.derive.laws import power
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.engine.integration.tableaux.methods import EXPLICIT, IMPLICIT
+
+BOTH = ("tree", "absolute")
+TOLERANCE, EXACT = 1e-10, 1e-9
+r, pace = Parameter("arm_length", "m", 0.4), Parameter("pace", "m/s", 1.0)
+m, g = Parameter("wheel_mass", "kg", 2.0), Parameter("g", "m/s^2", 9.81)
+J1, J2, J3 = (Parameter(f"J{k}", "kg m^2", value) for k, value in ((1, 0.2), (2, 0.05), (3, 0.11)))
+M, ratio = Parameter("M", "N m", 2.0), Parameter("ratio", "1", -3.0)
+wheel, pinion, third = (Body(f"{name}_body", m, J) for name, J in (("wheel", J1), ("pinion", J2), ("third", J3)))
+WHEEL, PINION = Revolute("wheel", GROUND, wheel, axis=Z), Revolute("pinion", GROUND.at(r, 0, 0), pinion, axis=Z)
+MESH = Coupling("mesh", "pinion", "wheel", ratio)
+MOTOR = JointForce("motor", "wheel", M)
+
+
+def scene(joints, *effects, **start) -> Scene:
+    return Scene(
+        Mechanism("coupled", joints), (*effects, EnergyLedger()), Scales(r, pace, arm=r), Start(**start)
+    )  # fmt: skip
+
+
+def gears(*effects, **start) -> Scene:
+    return scene((WHEEL, PINION), *(effects or (MOTOR, MESH)), **start)
+
+
+def run(declared: Scene, coordinates: str = "tree", duration: float = 2.0, **options):
+    found = simulate(
+        load(declared.with_coordinates(coordinates)), duration=duration, **{"tolerance": TOLERANCE, **options}
+    )
+    assert found.outcome.finished
+    assert found.energy_residual < EXACT
+    assert max(np.max(np.abs(found[name])) for name in found.model.constraints) < EXACT
+    return found
+
+
+def at_rate(found, name: str, acceleration: float) -> None:
+    """A speed that grows from its start at a constant rate."""
+    assert found[name] == pytest.approx(found[name][0] + acceleration * found.t, abs=EXACT, rel=EXACT)
+
+
+# -- linear couplings --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_geared_pair_has_the_inertia_of_both(coordinates):
+    """J1 + i^2 J2 on the wheel's shaft; what holds the mesh turns the pinion alone."""
+    found, rate = run(gears(), coordinates), 2.0 / (0.2 + 9 * 0.05)
+    at_rate(found, "wheel.speed", rate)
+    at_rate(found, "pinion.speed", -3 * rate)
+    assert found["mesh.moment"] == pytest.approx(0.05 * -3 * rate, rel=EXACT)
+    assert 2.0 + 3.0 * found["mesh.moment"] == pytest.approx(0.2 * rate, rel=EXACT)  # what is left for the wheel
+
+
+def test_the_force_is_on_the_first_coordinate():
+    """The same mesh told from the other shaft: wheel = pinion/i, its torque on the wheel is -i times that on the pinion."""
+    told = run(gears()), run(gears(MOTOR, Coupling("mesh", "wheel", "pinion", 1 / ratio)))
+    one, other = (found["mesh.moment"][-1] for found in told)
+    assert other == pytest.approx(3.0 * one, rel=EXACT)
+    assert told[1]["wheel.angle"][-1] == pytest.approx(told[0]["wheel.angle"][-1], rel=EXACT)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("coordinates", BOTH)
+@pytest.mark.parametrize("method", [*EXPLICIT, *IMPLICIT])
+def test_every_method_turns_gears(method, coordinates):
+    found = run(gears(), coordinates, duration=0.5, method=method, tolerance=1e-7)
+    assert found["wheel.speed"][-1] == pytest.approx(0.5 * 2.0 / 0.65, rel=1e-6)
+    assert found["mesh.moment"][-1] == pytest.approx(0.05 * -3 * 2.0 / 0.65, rel=1e-6)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_an_offset_and_a_start_are_kept(coordinates):
+    """One angle and one speed are given, of different shafts; the others follow."""
+    offset, given, turned = (
+        Parameter("offset", "deg", 30),
+        Parameter("given", "rad", 0.3),
+        Parameter("w0", "rad/s", 0.6),
+    )
+    mesh = replace(MESH, offset=offset)
+    found = run(gears(MOTOR, mesh, position={"wheel": given}, speed={"pinion": turned}), coordinates)
+    assert found["pinion.angle"][0] == pytest.approx(-0.9 + np.pi / 6, abs=1e-12)
+    assert found["wheel.speed"][0] == pytest.approx(-0.2, abs=1e-12)
+    assert found["pinion.angle"] == pytest.approx(-3 * found["wheel.angle"] + np.pi / 6, abs=EXACT)
+
+
+def test_a_start_that_contradicts_names_both_coordinates():
+    given = {"wheel": Parameter("one", "rad", 0.3), "pinion": Parameter("other", "rad", 0.3)}
+    with pytest.raises(InputError, match=r"mesh off by 1\.2 rad; expected .*couplings that hold") as error:
+        run(gears(MOTOR, MESH, position=given))
+    assert "given: wheel.angle, pinion.angle" in error.value.faults[0].remedy
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_planetary_gear_obeys_willis(coordinates):
+    """Sun 0.1 m, planet 0.05 m, ring 0.2 m that stands: carrier = sun/(1 + ring/sun), and the energy of all at the sun's speed."""
+    rs, rp = Parameter("sun_radius", "m", 0.1), Parameter("planet_radius", "m", 0.05)
+    rr = rs + 2 * rp
+    sun, carrier, planet = coordinate_of("wheel"), coordinate_of("carrier"), coordinate_of("planet")
+    joints = (
+        WHEEL,
+        Revolute("carrier", GROUND, third, axis=Z),
+        Revolute("planet", third.at(rs + rp, 0, 0), pinion, axis=Z),
+    )
+    inner = Coupling("inner", equation=(sun - carrier) * rs / rp + planet)
+    found = run(scene(joints, MOTOR, inner, Coupling("outer", "planet", "carrier", -rr / rp)), coordinates)
+    over = 1 / (1 + 0.2 / 0.1)  # Willis, carrier over sun
+    spin = over * (1 - 0.2 / 0.05)  # planet's rotation against the ground over the sun's
+    reduced = 0.2 + over**2 * (0.11 + 2.0 * 0.15**2) + spin**2 * 0.05
+    at_rate(found, "wheel.speed", 2.0 / reduced)
+    at_rate(found, "carrier.speed", over * 2.0 / reduced)
+    # torque on the planet's angle from the sun's side: on the sun acts rs/rp times as much
+    assert 2.0 + found["inner.moment"][-1] * 0.1 / 0.05 == pytest.approx(0.2 * 2.0 / reduced, rel=EXACT)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_rack_falls_with_its_pinion(coordinates):
+    """-m g = (m + J/r^2) a; the rack is held by J a/r^2."""
+    joints = Prismatic("rack", GROUND, third, axis=Y), WHEEL
+    mesh = Coupling("mesh", "rack", "wheel", r)
+    found = run(scene(joints, Gravity("gravity", g, -Y), mesh), coordinates, duration=1.0)
+    a = -2.0 * 9.81 / (2.0 + 0.2 / 0.4**2)
+    at_rate(found, "rack.speed", a)
+    assert found["mesh.force"] == pytest.approx(-0.2 * a / 0.4**2, rel=EXACT)
+    assert found.history.units["mesh.force"] == "N"
+
+
+def test_a_screw_press_is_lifted_by_its_torque():
+    """h = lead/2 pi: (J + m h^2) alpha = M - m g h, on one body that turns and slides."""
+    lead = Parameter("lead", "mm", 800)
+    nut = Body("nut", m, (J3, J3, J1))
+    screw = Coupling("screw", "press.travel", "press.angle", lead / (2 * sp.pi))
+    turned = JointForce("spindle", "press.angle", M)
+    weight = Gravity("gravity", g, -Z)
+    found = run(scene((Cylindrical("press", GROUND, nut, axis=Z),), turned, weight, screw), duration=1.0)
+    h = 0.8 / (2 * np.pi)
+    alpha = (2.0 - 2.0 * 9.81 * h) / (0.2 + 2.0 * h**2)
+    at_rate(found, "press.angle_speed", alpha)
+    assert found["screw.force"] == pytest.approx(2.0 * (9.81 + h * alpha), rel=EXACT)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_differential_halves_the_torque(coordinates):
+    """left + right = 2 case: both sides get the same torque, whatever they carry."""
+    joints = WHEEL, PINION, Revolute("case", GROUND.at(0, r, 0), third, axis=Z)
+    left, right, case = map(coordinate_of, ("wheel", "pinion", "case"))
+    both = Coupling("both", equation=left + right - 2 * case)
+    found = run(scene(joints, JointForce("motor", "case", M), both), coordinates)
+    torque = 2.0 / (2 + 0.11 * (1 / 0.2 + 1 / 0.05) / 2)
+    assert found["both.moment"] == pytest.approx(torque, rel=EXACT)
+    at_rate(found, "wheel.speed", torque / 0.2)
+    at_rate(found, "pinion.speed", torque / 0.05)
+
+
+# -- equations that bend -----------------------------------------------------------------------------------------------
+
+
+def yoke(**start) -> Scene:
+    """A crank of 0.4 m that moves a slide by a slot across it."""
+    joints = WHEEL, Prismatic("slide", GROUND, third, axis=X)
+    slot = Coupling("slot", equation=coordinate_of("slide") - r * sp.cos(coordinate_of("wheel")))
+    return scene(joints, slot, speed={"wheel": Parameter("w0", "rad/s", 5.0)}, **start)
+
+
+def yoke_is_right(coordinates: str) -> None:
+    found = run(yoke(position={"wheel": Parameter("given", "rad", 0.2)}), coordinates, duration=3.0)
+    inertia = 0.2 + 2.0 * 0.4**2 * np.sin(found["wheel.angle"]) ** 2
+    assert found["wheel.speed"] == pytest.approx(5.0 * np.sqrt(inertia[0] / inertia), rel=EXACT)
+    phi, w = found["wheel.angle"], found["wheel.speed"]
+    alpha = -2.0 * 0.4**2 * np.sin(phi) * np.cos(phi) * w**2 / inertia
+    assert found["slot.force"] == pytest.approx(-2.0 * 0.4 * (np.cos(phi) * w**2 + np.sin(phi) * alpha), abs=1e-8)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_scotch_yoke_has_an_inertia_of_its_angle(coordinates):
+    yoke_is_right(coordinates)
+
+
+def pen(turns: float = -2.0) -> Scene:
+    """A wheel that rolls in a ring of twice its radius, a point of its rim pinned to a pen that slides along X, on a spring."""
+    along = Prismatic("along", GROUND, Body("pen", m), axis=X)
+    planet = Revolute("planet", third.at(r, 0, 0), pinion, axis=Z)
+    tip = Revolute("tip", along.child, pinion.at(r, 0, 0), axis=Z)
+    ring = Coupling("ring", "planet", "carrier", Parameter("turns", "1", turns))
+    spring = JointSpring("spring", "along", Parameter("stiffness", "N/m", 50.0))
+    joints = Revolute("carrier", GROUND, third, axis=Z), planet, along, tip
+    return scene(joints, ring, spring, position={"carrier": Parameter("given", "rad", 0.5)})
+
+
+@pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.slow)])
+def test_cardan_circles_draw_a_line(coordinates):
+    """The rim is at 2 r cos(c), with a pen on a spring; the pen's guide holds the ring's coupling too, a redundant constraint."""
+    found = run(pen(), coordinates, duration=3.0)
+    c, w = found["carrier.angle"], found["carrier.speed"]
+    assert np.ptp(c) > 2.0
+    assert found["along.travel"] == pytest.approx(0.8 * np.cos(c), abs=EXACT)
+    inertia = 0.11 + 2.0 * 0.4**2 + 0.05 + 2.0 * (0.8 * np.sin(c)) ** 2
+    assert inertia * w**2 / 2 + 25.0 * (0.8 * np.cos(c)) ** 2 == pytest.approx(
+        25.0 * (0.8 * np.cos(0.5)) ** 2, rel=EXACT
+    )
+    assert any("tip.force_y, ring.moment" in warning for warning in found.warnings)
+
+
+def test_circles_that_draw_no_line_lock():
+    """Another ratio by a part in a thousand: the pen cannot be where its guide and its rim want it."""
+    with pytest.raises(InputError, match=r"over-determined .*ring off by 0\.0"):
+        run(pen(-2.002))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_loop_drives_a_wheel_by_its_rocker(coordinates):
+    """A four-bar whose rocker is geared to a flywheel: the same as with the flywheel's inertia on the rocker, i^2 J."""
+    lift = rad(0.4)
+    plain = four_bar(0.5, 1.5, 1.2, 1.6, position={"main": lift})
+    rocker = plain.mechanism.joints[2].child.body
+    geared = replace(
+        plain,
+        mechanism=replace(plain.mechanism, joints=(*plain.mechanism.joints[:3], WHEEL, plain.mechanism.joints[3])),
+        effects=(*plain.effects, Coupling("mesh", "wheel", "foot", ratio)),
+    )
+    heavier = replace(rocker, inertia=Parameter("rocker_inertia", "kg m^2", 0.1 + 9 * 0.2))
+    main, left, foot, right = plain.mechanism.joints
+    joints = (
+        main,
+        left,
+        Revolute("foot", foot.parent, heavier, axis=Z),
+        Revolute("right", right.parent, heavier.at(*right.child.position), axis=Z),
+    )
+    reduced = replace(plain, mechanism=replace(plain.mechanism, joints=joints))
+    found, same = run(geared, coordinates, duration=2.0), run(reduced, duration=2.0)
+    at = np.linspace(0, 2, 20)
+    assert np.ptp(same["foot.angle"]) > 0.3
+    assert found.at(at)["main.angle"] == pytest.approx(same.at(at)["main.angle"], abs=1e-8)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_rack_hits_a_stop_with_the_inertia_of_its_pinion(coordinates):
+    """Free fall of m + J/r^2 by m g, then Hertz' spring: its depth from the energy of both, gravity's on the way in too."""
+    drop, stiff = Parameter("drop_height", "m", 0.2), Parameter("stiffness", "N/m^1.5", 1e7)
+    joints = Prismatic("rack", GROUND, third, axis=Y), WHEEL
+    stop = SphereOnPlane("stop", third.at(0, 0, 0), Parameter("tip", "m", 0.02), GROUND.at(0, -r, 0), Y)
+    effects = (
+        Gravity("gravity", g, -Y),
+        Contact("stop", power(stiff, 1.5)),
+        Coupling("mesh", "rack", "wheel", r),
+        EnergyLedger(),
+    )
+    declared = Scene(
+        Mechanism("coupled", joints, (stop,)),
+        effects,
+        Scales(r, pace, arm=r),
+        Start(position={"rack": drop + Parameter("tip", "m", 0.02) - r}),
+    )
+    found = run(declared, coordinates, duration=0.4)
+    weight, both = 2.0 * 9.81, 2.0 + 0.2 / 0.4**2
+    first = found.impacts[0]
+    assert first.t == pytest.approx(np.sqrt(2 * 0.2 * both / weight), rel=EXACT)
+    assert first.speed == pytest.approx(np.sqrt(2 * 0.2 * weight / both), rel=EXACT)
+    depth = brentq(lambda d: 0.4 * 1e7 * d**2.5 - weight * (0.2 + d), 1e-6, 0.1, xtol=1e-15)
+    assert first.peak_penetration == pytest.approx(depth, rel=1e-8)
+    rate = (found["stop.normal_force"] - weight) / both  # at every row, in contact and apart
+    assert found["mesh.force"] == pytest.approx(-0.2 / 0.4**2 * rate, rel=1e-8, abs=1e-8)
+
+
+# -- what is driven ----------------------------------------------------------------------------------------------------
+
+k = Parameter("angular_rate", "rad/s^2", 0.7)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+@pytest.mark.parametrize("driven", ["wheel", "pinion"])
+def test_a_drive_moves_what_is_coupled_to_it(driven, coordinates):
+    """The drive puts in the energy of both; what it turns itself is no part of what holds the mesh."""
+    found = run(gears(Drive("drive", driven, position=k * T**2 / 2), MESH), coordinates)
+    at_wheel, at_pinion = (0.7, -2.1) if driven == "wheel" else (-0.7 / 3, 0.7)
+    free, rate = ("pinion", at_pinion) if driven == "wheel" else ("wheel", at_wheel)
+    at_rate(found, f"{free}.speed", rate)
+    torque = 0.05 * at_pinion if driven == "wheel" else 0.2 * at_wheel / 3.0
+    assert found["mesh.moment"] == pytest.approx(torque, rel=EXACT)
+    energy = (0.2 * at_wheel**2 + 0.05 * at_pinion**2) * 2.0**2 / 2
+    assert found["energy_ledger.input"][-1] == pytest.approx(energy, rel=EXACT)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_time_in_an_equation_puts_work_in(coordinates):
+    """pinion + 3 wheel = k t^2/2: the torque that turns both apart, and its work."""
+    apart = Coupling("apart", equation=coordinate_of("pinion") - ratio * coordinate_of("wheel") - k * T**2 / 2)
+    found = run(gears(apart), coordinates)
+    torque = 0.7 / (1 / 0.05 + 9 / 0.2)
+    assert found["apart.moment"] == pytest.approx(torque, rel=EXACT)
+    at_rate(found, "wheel.speed", 3 * torque / 0.2)
+    assert found["energy_ledger.input"][-1] == pytest.approx(torque * 0.7 * 2.0**2 / 2, rel=EXACT)
+
+
+# -- couplings that say the same, or the contrary ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_coupling_told_twice_holds_once(coordinates):
+    found = run(gears(MOTOR, MESH, Coupling("again", "wheel", "pinion", 1 / ratio)), coordinates)
+    at_rate(found, "wheel.speed", 2.0 / 0.65)
+    assert any("mesh.moment, again.moment" in warning for warning in found.warnings)
+
+
+def test_couplings_that_contradict_are_refused():
+    other = replace(MESH, name="other", offset=Parameter("offset", "rad", 0.1))
+    with pytest.raises(InputError, match=r"mesh off by 0\.05 rad, other off by 0\.05 rad"):
+        run(gears(MOTOR, MESH, other))
+
+
+def test_couplings_of_two_ratios_lock():
+    """Only zero and zero fulfil both, so that nothing turns: the motor is held, by the one more than by the other."""
+    found = run(gears(MOTOR, MESH, replace(MESH, name="other", ratio=2 * ratio)))
+    assert found["wheel.angle"] == pytest.approx(0, abs=1e-15)
+    one, other = found["mesh.moment"][-1], found["other.moment"][-1]
+    assert [one + other, 2.0 + 3 * one + 6 * other] == pytest.approx([0, 0], abs=EXACT)
+
+
+# -- seeded faults -----------------------------------------------------------------------------------------------------
+
+
+def wrong_bias(constraint):
+    return replace(constraint, bias=constraint.bias * sp.Rational(9999, 10000))
+
+
+def wrong_column(constraint):
+    return replace(constraint, column=dict(list(constraint.column.items())[:1]))
+
+
+def unbooked(constraint):
+    return replace(constraint, by_time=sp.S.Zero, drives="")
+
+
+FAULTS = {
+    "curvature": (wrong_bias, lambda: yoke_is_right("tree")),
+    "one side only": (wrong_column, lambda: test_a_geared_pair_has_the_inertia_of_both("tree")),
+    "work": (unbooked, lambda: test_time_in_an_equation_puts_work_in("tree")),
+}
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_a_fault_in_the_derivation_is_seen(name, monkeypatch):
+    fault, check = FAULTS[name]
+    right = coupled._coupled
+    monkeypatch.setattr(coupled, "_coupled", lambda *given: fault(right(*given)))
+    with pytest.raises((AssertionError, InputError)):
+        check()

@@ -1,0 +1,575 @@
+"""The engine against closed forms, against itself as C, and at the edges: every outcome, every kind of bad input."""
+
+import math
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+
+import casadi as ca
+import numpy as np
+import pytest
+from each import each
+from handmade import point
+
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.engine.integration.loop import c_compilation, c_files
+from hertzwerk.runtime.engine.integration.step import explicit_step, implicit_step
+from reference import closed_forms
+from reference.slider_crank import SliderCrank, reference
+
+pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
+
+METHODS = {"dopri5": 1e-12, "dop853": 1e-11}  # the tolerance that gives 1e-9 over an impact
+DROP = 4.42944692
+
+
+@pytest.fixture(autouse=True)
+def little_optimised(monkeypatch):
+    """As what runs seldom is compiled, by -O1."""
+    monkeypatch.setattr(c_files, "OFTEN", c_files.SELDOM)
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return load("bouncing_ball")
+
+
+@pytest.fixture(scope="module")
+def crank():
+    return load("slider_crank_frictionless")
+
+
+def impact_alone(ball, method, **parameters):
+    """The ball at the surface, DROP m/s, no gravity."""
+    return simulate(
+        ball,
+        duration="1 ms",
+        tolerance=METHODS[method],
+        method=method,
+        parameters={"gravity": "0 m/s^2", **parameters},
+        initial={"vertical.travel": "0.1 m", "vertical.speed": f"{-DROP} m/s"},
+    )
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_elastic_impact_of_two_bodies(ball, method):
+    run = impact_alone(ball, method, restitution=1.0)
+    exact = closed_forms.collision("2.4e10", 1.5, 1, str(DROP))
+    (impact,) = run.impacts
+    assert impact.t == 0
+    assert impact.peak_penetration == pytest.approx(exact.depth, rel=1e-9)
+    assert impact.peak_force == pytest.approx(exact.peak_force, rel=1e-9)
+    assert impact.duration == pytest.approx(exact.duration, rel=1e-9)
+    assert run.final["vertical.speed"] == pytest.approx(DROP, rel=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("e", [0.95, 0.5, 0.05])
+def test_damped_impact_of_two_bodies(ball, method, e):
+    h = closed_forms.factor("flores", str(e))
+    exact = closed_forms.collision("2.4e10", 1.5, 1, str(DROP), h)
+    run = impact_alone(ball, method, restitution=e)
+    (impact,) = run.impacts
+    assert impact.peak_penetration == pytest.approx(exact.depth, rel=1e-9)
+    assert impact.peak_force == pytest.approx(exact.peak_force, rel=1e-9)
+    assert run.final["vertical.speed"] / DROP == pytest.approx(exact.restitution, rel=1e-9)
+    assert run.final["floor.dissipated"] == pytest.approx(exact.dissipated, rel=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_drop_on_the_plane(ball, method):
+    run = simulate(ball, duration="0.46 s", tolerance=METHODS[method], method=method, parameters={"restitution": 1.0})
+    (impact,) = run.impacts
+    v0 = closed_forms.drop_speed(1, "9.81")
+    assert impact.speed == pytest.approx(v0, rel=1e-12)
+    assert impact.peak_penetration == pytest.approx(
+        closed_forms.depth_with_gravity("2.4e10", 1.5, 1, v0, "9.81"), rel=1e-9
+    )
+    assert run.energy_residual < 1e-9
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("e", [0.9, 0.5])
+def test_between_two_walls_bounce_by_bounce(method, e):
+    run = simulate(
+        load("ball_between_walls"), duration="4 s", tolerance=1e-12, method=method, parameters={"restitution": e}
+    )
+    h = closed_forms.factor("hunt_crossley", str(e))
+    bounces = closed_forms.ball_between_walls("1e6", 1, "1.6", 10, h, 10, "0.4", "0.8")
+    impacts = run.impacts[:10]
+    count = min(len(impacts), 10)
+    assert count == (10 if e == 0.9 else sum(b.onset < 4 for b in bounces))
+    for impact, bounce in zip(impacts, bounces, strict=False):
+        assert impact.t == pytest.approx(bounce.onset, rel=1e-8)
+        assert impact.speed == pytest.approx(bounce.approach, rel=1e-8)
+        assert impact.peak_penetration == pytest.approx(bounce.depth, rel=1e-8)
+    assert [impact.contact for impact in impacts] == [("right_wall", "left_wall")[i % 2] for i in range(count)]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_errors_fall_with_accuracy_until_rounding(ball, method):
+    exact = closed_forms.drop_speed(1, "9.81")
+    errors = []
+    for tolerance in (1e-4, 1e-6, 1e-8, 1e-10, 1e-12):
+        run = simulate(ball, duration="0.46 s", tolerance=tolerance, method=method, parameters={"restitution": 1.0})
+        t = run.t[-1] - run.impacts[0].t - run.impacts[0].duration
+        errors.append(abs(run.final["vertical.speed"] + 9.81 * t - exact) / exact)
+    assert all(error < 10 * tolerance for error, tolerance in zip(errors, (1e-4, 1e-6, 1e-7, 1e-9, 1e-10), strict=True))
+    assert errors[-1] < 1e-10
+    assert all(later < earlier for earlier, later in pairwise(errors[1:]))
+
+
+@pytest.mark.parametrize(("method", "order"), [("dopri5", 5), ("dop853", 8)])
+def test_on_a_smooth_motion_the_work_grows_as_the_order_says(method, order):
+    """Oscillator x'' = -x over 20 s: steps ~ tolerance^(-1/order of the error estimate), error proportional to tolerance."""
+    model = point(push=lambda t, x, v: -x)
+    runs = [simulate(model, duration=20.0, tolerance=a, method=method) for a in (1e-5, 1e-9)]
+    errors = [abs(run.final["path.travel"] - math.cos(20)) for run in runs]
+    assert errors[1] < 1e-3 * errors[0]
+    growth = math.log(runs[1].statistics.steps / runs[0].statistics.steps) / math.log(1e4)
+    assert growth == pytest.approx(1 / order, abs=0.3 / order)
+
+
+def test_work_at_a_given_error_of_the_slider_crank(crank):
+    """Impacts amplify errors at random: the mean over tolerances counts. The hand-written program needs 6050 evaluations for 5e-5 (10 ms)."""
+    truth = reference(friction=False)
+    logarithms, evaluations = [], []
+    for tolerance in np.logspace(-6, -9, 13):
+        run = simulate(crank, duration="10 ms", tolerance=tolerance)
+        angle, travel, spin, speed = (run.final[name] for name in (*crank.coordinates, *crank.speeds))
+        w = SliderCrank().w
+        logarithms.append(math.log10(truth.error(0.010, (angle + 0.010 * w, travel, spin + w, speed))))
+        evaluations.append(run.statistics.rhs_evaluations)
+    assert np.mean(logarithms) < math.log10(2e-5)
+    assert np.mean(evaluations) < 7500
+
+
+def test_landings_cost_little(crank):
+    """Aimed and nudged: on parabolic flights no step is taken twice, and one in two elsewhere."""
+    run = simulate(load("ball_between_walls"), duration="4 s", tolerance=1e-8)
+    assert run.statistics.events > 10
+    assert run.statistics.retaken == 0
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
+    assert run.statistics.retaken < run.statistics.events  # an onset and an end each
+
+
+def test_first_impact_of_the_slider_crank(crank):
+    run = simulate(crank, duration="0.3 ms", tolerance=1e-8)
+    (impact,) = run.impacts
+    assert impact.t == pytest.approx(2.2728e-4, rel=1e-4)
+    assert impact.speed == pytest.approx(4.38583, rel=1e-5)
+    assert impact.peak_penetration == pytest.approx(7.795e-5, rel=1e-3)
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.parametrize("name", ["slider_crank", "slider_crank_frictionless"])
+def test_ledger_closes_with_tolerance(name):
+    residuals = [simulate(load(name), duration="24 ms", tolerance=a).energy_residual for a in (1e-6, 1e-8, 1e-10)]
+    assert residuals[0] < 1e-5
+    assert residuals[2] < 1e-8
+    assert residuals == sorted(residuals, reverse=True)
+
+
+def test_methods_agree_before_errors_grow(crank):
+    first, second = (simulate(crank, duration="2 ms", tolerance=1e-11, method=method) for method in METHODS)
+    assert first.final["guide.travel"] == pytest.approx(second.final["guide.travel"], abs=1e-11)
+    assert len(first.impacts) == len(second.impacts)
+
+
+@pytest.mark.parametrize("name", ["bouncing_ball", "slider_crank"])
+def test_compiled_is_bitwise_the_virtual_machine(name, tmp_path, monkeypatch):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    model, duration = load(name), "24 ms" if name == "slider_crank" else "5 s"
+    machine = simulate(model, duration=duration, tolerance=1e-8)
+    native = simulate(model, duration=duration, tolerance=1e-8, compiled=True)
+    assert np.array_equal(machine.history.rows, native.history.rows)
+    libraries = list((tmp_path / "cache").iterdir())
+    assert [library.suffix for library in libraries] == [".so"]
+    before = libraries[0].stat().st_mtime_ns
+    again = simulate(load(name), duration=duration, tolerance=1e-8, compiled=True)
+    assert libraries[0].stat().st_mtime_ns == before  # found, not compiled again
+    assert np.array_equal(machine.history.rows, again.history.rows)
+
+
+def test_without_a_compiler_the_message_names_the_way_out(crank, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    c_compilation._compiler.cache_clear()
+    with pytest.raises(InputError, match="compiled=False"):
+        simulate(load("slider_crank"), duration="1 ms", compiled=True, tolerance=1e-6)
+    c_compilation._compiler.cache_clear()
+
+
+def test_dense_output_has_the_method_s_accuracy(ball):
+    run = simulate(ball, duration="1 s", tolerance=1e-10, parameters={"restitution": 1.0})
+    times = np.linspace(0, 0.45, 50)
+    between = run.at(times)
+    assert np.allclose(between["vertical.travel"], 1.1 - 9.81 * times**2 / 2, rtol=0, atol=1e-13)
+    middle = run.impacts[0].t + np.linspace(0, 1, 200) * run.impacts[0].duration
+    energy = run.at(middle)["energy"]
+    assert np.max(np.abs(energy - energy[0])) < 1e-8 * 9.81
+    assert np.array_equal(run.at(run.t)["vertical.speed"], run["vertical.speed"])
+    with pytest.raises(ValueError, match="outside the run"):
+        run.at([1.5])
+
+
+@pytest.mark.parametrize(
+    "norm", [lambda e: explicit_step._norm([e], 1.0, of_each=False), lambda e: implicit_step._norm(e, 1.0, 0 * e)]
+)
+def test_bodies_that_err_nothing_do_not_excuse_the_two_that_collide(norm):
+    """Of few entries the error is the root of their mean square; more than eight dilute it no further."""
+    few, more, many = (ca.vertcat(ca.DM([3.0, 4.0]), ca.DM.zeros(n)) for n in (0, 6, 98))
+    assert float(norm(few)) == pytest.approx(math.sqrt(25 / 2), rel=1e-14)
+    assert float(norm(more)) == pytest.approx(math.sqrt(25 / 8), rel=1e-14)
+    assert float(norm(many)) == float(norm(more))
+
+
+# ---- starts ----------------------------------------------------------------------------------------------------------
+
+
+def elastic(**options):
+    return point(
+        lambda d, v, v0: 1e4 * d * (1 + 0 * v0), scales=(1e-2, 1.0, 100.0, 1.0), stored=lambda d: 5e3 * d * d, **options
+    )
+
+
+def test_start_in_deep_penetration_at_rest():
+    run = simulate(elastic(), duration=0.05, tolerance=1e-10, initial={"path.travel": "-0.01 m"})
+    assert run.final["path.speed"] == pytest.approx(1.0, rel=1e-8)  # w d = 100 * 0.01
+    assert run.impacts[0].duration == pytest.approx(math.pi / 200, rel=1e-8)
+    assert run.energy_residual < 1e-9
+    assert any("approach_floor" in warning for warning in run.warnings)
+
+
+def test_start_on_the_surface_leaving_it():
+    run = simulate(elastic(), duration=1.0, initial={"path.travel": "0 m", "path.speed": "1 m/s"}, tolerance=1e-6)
+    assert run.impacts == ()
+    assert run.final["path.travel"] == pytest.approx(1.0, rel=1e-12)
+
+
+def test_start_where_the_law_would_pull_is_released():
+    damped = point(lambda d, v, v0: 1e4 * d * (1 + v / v0), scales=(1e-2, 1.0, 100.0, 1.0))
+    run = simulate(damped, duration=0.05, initial={"path.travel": "-0.01 m", "path.speed": "1 m/s"}, tolerance=1e-6)
+    assert run.final["path.travel"] == pytest.approx(0.04, rel=1e-12)  # no force at all
+    assert run["surface.mode"][0] == 2
+
+
+def test_a_ball_at_rest_in_its_static_penetration_stays_there():
+    model = point(
+        lambda d, v, v0: 1e4 * d * (1 + 0 * v0), push=lambda t, x, v: -9.81 + 0 * t, scales=(1e-3, 1.0, 10.0, 1.0)
+    )
+    run = simulate(model, duration=1.0, tolerance=1e-8, initial={"path.travel": "-9.81e-4 m"})
+    assert run.outcome.finished
+    assert np.max(np.abs(run["path.travel"] + 9.81e-4)) < 1e-9
+    assert run.impacts[0].duration is None
+
+
+def test_a_push_on_a_body_at_rest_is_not_stepped_over():
+    """At rest steps grow; K = 9.81 N/m from x = -1 m, pushed by 0.1 N for 1.2 s of 10 s: it swings by 2 P/K sin(w 1.2/2) afterwards."""
+    k, push = 9.81, 0.1
+    model = point(
+        lambda d, v, v0: k * d * (1 + 0 * v0),
+        push=lambda t, x, v: -k + ca.if_else((t > 5) * (t < 6.2), push, 0),
+        scales=(1.0, 1.0, 10.0, 1.0),
+    )
+    run = simulate(model, duration=10.0, tolerance=1e-8, initial={"path.travel": "-1 m"})
+    assert np.max(np.abs(run["path.travel"][run.t < 5] + 1)) < 1e-12
+    x, v = run.final["path.travel"] + 1, run.final["path.speed"]
+    amplitude = math.hypot(x, v / math.sqrt(k))
+    assert amplitude == pytest.approx(2 * push / k * abs(math.sin(math.sqrt(k) * 0.6)), rel=1e-5)
+
+
+def test_runs_of_one_model_side_by_side_do_not_disturb_each_other(ball):
+    heights = [f"{0.5 + 0.1 * i} m" for i in range(8)]
+
+    def rows(height):
+        return simulate(ball, duration="5 s", tolerance=1e-9, parameters={"drop_height": height}).history.rows
+
+    alone = list(map(rows, heights))
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(rows, heights))
+    assert all(np.array_equal(a, b) for a, b in zip(alone, together, strict=True))
+    assert not np.array_equal(alone[0], alone[1])
+
+
+def squeezed(speed, duration):
+    """The ball between walls that overlap it by 1 mm on either side, elastic."""
+    return simulate(
+        load("ball_between_walls"),
+        duration=duration,
+        tolerance=1e-11,
+        parameters={"gap": "-1 mm", "restitution": 1.0, "speed": speed},
+    )
+
+
+def test_two_pairs_in_contact_at_once():
+    run = squeezed("0.1 m/s", 0.02)
+    w = math.sqrt(2e6 / 1.6)
+    times = np.linspace(0, 0.02, 100)
+    assert np.allclose(run.at(times)["track.travel"], 0.1 / w * np.sin(w * times), rtol=0, atol=1e-9 * 0.1 / w)
+    assert [impact.duration for impact in run.impacts] == [None, None]
+
+
+def test_pairs_that_open_and_close_while_the_other_is_in_contact():
+    """Half periods: K x^2 + m v^2 conserved; beyond 1 mm only one spring acts, from its own zero."""
+    run = squeezed("10 m/s", 0.1)
+    two, one = math.sqrt(2e6 / 1.6), math.sqrt(1e6 / 1.6)
+    middle = math.asin(1e-3 * two / 10) / two
+    speed = 10 * math.cos(two * middle)
+    beyond = (
+        math.pi - 2 * math.atan2(2e-3 * one, speed)
+    ) / one  # d'' = -one^2 d from d = 2 mm at `speed`, back to 2 mm
+    half = 2 * middle + beyond
+    opened = [impact.t + impact.duration for impact in run.impacts if impact.duration is not None]
+    assert opened[:6] == pytest.approx([middle + i * half for i in range(6)], rel=1e-8)
+    assert [impact.t for impact in run.impacts[2:8]] == pytest.approx(
+        [half - middle + i * half for i in range(6)], rel=1e-8
+    )
+    assert run.energy_residual < 1e-9
+
+
+# ---- outcomes --------------------------------------------------------------------------------------------------------
+
+
+def falling(law, **options):
+    return point(law, push=lambda t, x, v: -10.0 + 0 * t, scales=(1e-2, 1.0, 100.0, 1.0), **options)
+
+
+def stopped(run, name):
+    assert run.outcome.name == name
+    assert run.outcome.message
+    assert run.outcome.remedy
+    assert np.all(np.isfinite(run.history.rows))
+    return run
+
+
+def test_outcome_finished(ball):
+    run = simulate(ball, duration="1 s", tolerance=1e-6)
+    assert (run.outcome.name, run.t[-1]) == ("finished", 1.0)
+
+
+def test_outcome_too_many_steps(ball):
+    run = stopped(simulate(ball, duration="1 s", max_steps=5, tolerance=1e-6), "too_many_steps")
+    assert run.statistics.steps == 5
+
+
+def test_outcome_event_limit(ball):
+    run = stopped(simulate(ball, duration="5 s", max_events=3, tolerance=1e-6), "event_limit")
+    assert run.statistics.events == 4
+
+
+def test_outcome_outside_law_range():
+    model = falling(lambda d, v, v0: 1e3 * d, in_range=lambda d: d < 0.05)
+    run = stopped(simulate(model, duration=1.0, tolerance=1e-6), "outside_law_range")
+    assert run["surface.penetration"][-1] >= 0.05
+    assert "surface" in run.outcome.message
+
+
+def test_outcome_not_finite():
+    model = falling(lambda d, v, v0: ca.sqrt(0.01 - d) * 1e3)
+    run = stopped(simulate(model, duration=1.0, tolerance=1e-6), "not_finite")
+    assert -0.01 <= run.final["path.travel"] < -0.0099
+
+
+def test_outcome_not_finite_from_the_start():
+    run = simulate(point(push=lambda t, x, v: ca.log(x - 2)), duration=1.0, tolerance=1e-6)
+    assert run.outcome.name == "not_finite"
+    assert run.t == [0.0]
+
+
+def test_outcome_step_too_small():
+    """A singular force at x = 1/2 that grows without bound but never becomes infinite in a step."""
+    model = point(push=lambda t, x, v: -1 / ca.fabs(x - 0.5) ** 3, scales=(1e-6, 1e-6, 1e-6, 1e-6))
+    stopped(simulate(model, duration=10.0, tolerance=1e-12), "step_too_small")
+
+
+def test_outcome_wall_time_limit():
+    model = falling(lambda d, v, v0: 1e14 * d)
+    stopped(simulate(model, duration=1e5, tolerance=1e-10, wall_time=0.05), "wall_time_limit")
+
+
+def test_outcome_interrupted():
+    def stop(fraction):
+        raise KeyboardInterrupt
+
+    model = falling(lambda d, v, v0: 1e14 * d)
+    run = stopped(simulate(model, duration=1000.0, progress=stop, tolerance=1e-6), "interrupted")
+    assert run.t[-1] > 0
+
+
+# ---- bad input -------------------------------------------------------------------------------------------------------
+
+
+def faults_of(model, **arguments):
+    with pytest.raises(InputError) as error:
+        simulate(model, **{"duration": "1 s", **arguments})
+    return {fault.where: str(fault) for fault in error.value.faults}
+
+
+def test_all_faults_of_an_input_come_at_once(ball):
+    faults = faults_of(
+        ball,
+        duration="-1 s",
+        tolerance=0.5,
+        method="rk4",
+        parameters={
+            "mas": "1 kg",
+            "mass": "-1 kg",
+            "gravity": "3 m",
+            "drop_height": 1.0,
+            "restitution": 1.5,
+            "approach_floor": "1 knot",
+        },
+        initial={"vertical.speed": 3.0, "sideways.speed": "1 m/s", "vertical.travel": "1 kg"},
+    )
+    assert set(faults) == {
+        *("duration", "tolerance", "rk4", "mas", "mass", "gravity", "drop_height", "restitution", "approach_floor"),
+        *("vertical.speed", "sideways.speed", "vertical.travel"),
+    }
+    assert "did you mean mass" in faults["mas"]
+    assert "m/s^2" in faults["gravity"]
+    assert "1 m" in faults["drop_height"]
+
+
+@each("duration", [0, -1.0, math.nan, math.inf, "0 s", "1 m", "soon", None, True])
+def test_durations_that_are_none(ball, duration):
+    assert "duration" in faults_of(ball, duration=duration)
+
+
+@each("tolerance", [0, 9e-14, 0.11, -1e-6, math.nan, "1e-6", True])
+def test_tolerances_that_are_none(ball, tolerance):
+    assert "tolerance" in faults_of(ball, tolerance=tolerance)
+
+
+@each("tolerance", [1e-13, 1e-1])
+def test_the_edges_of_tolerance_are_allowed(ball, tolerance):
+    assert simulate(ball, duration="1 s", tolerance=tolerance).outcome.finished
+
+
+@each("value", ["nan kg", "inf kg", (math.nan, "kg"), (math.inf, "kg"), (1.0,), ("1", "kg"), None, True, "kg"])
+def test_values_that_are_none(ball, value):
+    assert "mass" in faults_of(ball, parameters={"mass": value})
+
+
+def test_an_exponent_goes_with_its_stiffness(ball):
+    alone = faults_of(ball, parameters={"exponent": 1.1})
+    assert "the same number in another unit is another stiffness" in alone["stiffness"]
+    assert "N/m^1.1" in faults_of(ball, parameters={"exponent": 1.1, "stiffness": "1e9 N/m^1.5"})["stiffness"]
+    assert "stiffness" in faults_of(ball, parameters={"exponent": 1.1, "stiffness": "1e9 N/m^exponent"})
+    assert "stiffness" in faults_of(ball, parameters={"stiffness": "1e9 N/m^1.1"})
+    both = simulate(
+        ball,
+        duration="1 s",
+        parameters={"exponent": 1.1, "stiffness": "1e9 N/m^1.1", "restitution": 1.0},
+        tolerance=1e-6,
+    )
+    n, K = 1.1, 1e9
+    depth = closed_forms.depth_with_gravity(K, n, 1, closed_forms.drop_speed(1, "9.81"), "9.81")
+    assert both.impacts[0].peak_penetration == pytest.approx(depth, rel=1e-5)
+
+
+def test_values_in_other_units_are_the_same_run(ball):
+    first = simulate(ball, duration="1 s", parameters={"mass": "2 kg", "drop_height": (50, "cm")}, tolerance=1e-6)
+    second = simulate(ball, duration="1000 ms", parameters={"mass": "2000 g", "drop_height": "0.5 m"}, tolerance=1e-6)
+    assert np.array_equal(first.history.rows, second.history.rows)
+
+
+def test_outside_the_recommended_range_is_a_warning(crank):
+    run = simulate(crank, duration="1 ms", parameters={"restitution": 0.5}, tolerance=1e-6)
+    assert any("restitution = 0.5" in warning and "recommended" in warning for warning in run.warnings)
+    assert not any("recommended" in warning for warning in simulate(crank, duration="1 ms", tolerance=1e-6).warnings)
+
+
+def test_a_derived_constant_without_a_value_is_bad_input(crank):
+    """K = 4/3 E* sqrt(R): of a modulus near the largest double it is none, and that is where all that follow from it come from."""
+    ((where, text),) = faults_of(crank, parameters={"youngs_modulus": "1.7e308 Pa"}).items()
+    assert where == "slider_pin_K"
+    for part in ("finite constant", "inf, the value of 4 * slider_pin_E_eff * ca.sqrt(slider_pin_R_eff) / 3 at ", "slider_pin_R_eff = 0.19",
+                 "follows from youngs_modulus = 1.7e+308 Pa, poissons_ratio = 0.3, clearance = 0.5 mm, bush_radius = 10 mm"):  # fmt: skip
+        assert part in text
+
+
+@pytest.mark.parametrize(
+    ("scene", "given", "found"),
+    [
+        ("slider_crank", {"clearance": "0.5 m"}, "-0.49 m, of bush_radius = 10 mm and clearance = 0.5 m"),
+        (
+            "slider_crank",
+            {"clearance": "6 mm", "bush_radius": "5 mm"},
+            "-0.001 m, of bush_radius = 5 mm and clearance = 6 mm",
+        ),
+        ("ball_in_socket", {"clearance": "1 m"}, "-0.975 m, of clearance = 1 m and socket_radius = 25 mm"),
+        ("ball_bearing", {"ball_diameter": "1 m"}, "ball_diameter = 1 m and clearance = "),
+    ],
+)
+def test_geometry_that_cannot_be_names_both_lengths(scene, given, found):
+    """A pin, a ball or a race without a radius, with and without a law that would notice."""
+    ((where, text), *_) = faults_of(load(scene), parameters=given).items()
+    assert "radius" in where and where.startswith("pair ")
+    assert found in text and "(0, inf) m" in text
+
+
+def test_geometry_that_can_just_be_is_accepted(crank):
+    assert crank.check({"clearance": "9.999 mm"})[0] is not None
+    assert crank.check({"clearance": "10 mm", "bush_radius": "10.001 mm"})[0] is not None
+    assert crank.check({"clearance": "10 mm"})[0] is None  # a pin of no radius
+
+
+# ---- the solution ----------------------------------------------------------------------------------------------------
+
+
+def test_names_and_misspelt_names(crank):
+    run = simulate(crank, duration="1 ms", tolerance=1e-6)
+    for name in run.names:
+        assert run[name].shape == run.t.shape
+        assert np.all(np.isfinite(run[name])), name
+    with pytest.raises(KeyError, match=r"guide\.travel"):
+        run["guide.trawel"]
+
+
+def test_one_line_says_how_it_went(ball):
+    text = str(simulate(ball, duration="1 s", tolerance=1e-6))
+    assert text.startswith("finished: 1 s in ")
+    assert "1 impact," in text
+    assert "energy closed to" in text
+
+
+def test_csv(ball, tmp_path):
+    run = simulate(ball, duration="1 s", tolerance=1e-6)
+    path = run.to_csv(tmp_path / "run.csv")
+    head = path.read_text().splitlines()[0].split(",")
+    assert head[:3] == ["t [s]", "vertical.travel [m]", "vertical.speed [m/s]"]
+    table = np.loadtxt(path, delimiter=",", skiprows=1)
+    assert np.array_equal(table[:, 0], run.t)
+    assert np.array_equal(table[:, 1], run["vertical.travel"])
+    with pytest.raises(FileExistsError, match="overwrite=True"):
+        run.to_csv(path)
+    run.to_csv(path, overwrite=True)
+    assert [file.name for file in tmp_path.iterdir()] == ["run.csv"]
+
+
+def test_npz_there_and_back(crank, tmp_path):
+    run = simulate(crank, duration="1 ms", tolerance=1e-6)
+    path = run.save(tmp_path / "run.npz")
+    again = Solution.load(path)
+    assert again.names == run.names
+    assert all(np.array_equal(again[name], run[name]) for name in ("t", *run.names))
+    for name in ("outcome", "statistics", "impacts", "energy_residual", "warnings", "parameters", "final", "duration"):
+        assert getattr(again, name) == getattr(run, name), name
+    assert again.model.module.PARAMETERS == crank.module.PARAMETERS
+    with pytest.raises(ValueError, match="simulate again"):
+        again.at([0.0])
+    with pytest.raises(FileExistsError):
+        run.save(path)
+
+
+def test_a_run_imports_neither_sympy_nor_a_picture_library():
+    import subprocess
+    import sys
+
+    code = (
+        "import sys; from hertzwerk.runtime import load, simulate; simulate(load('slider_crank'), duration='1 ms').impacts;"
+        "heavy = {'sympy', 'matplotlib', 'scipy', 'pydantic', 'rich', 'click'} & set(sys.modules); sys.exit(str(heavy) if heavy else 0)"
+    )
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr

@@ -1,0 +1,373 @@
+"""Readings of a run against closed forms, textbook equations, and the multipliers of absolute coordinates."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    EnergyLedger,
+    Gravity,
+    InputError,
+    Joint,
+    JointSpring,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Y,
+    Z,
+)
+from hertzwerk.derive.scenes import NAMES
+from hertzwerk.runtime import Solution, load, simulate, sweep
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.integration.step.explicit_step import flow
+from hertzwerk.runtime.engine.model.generated_text import module_of, text_of
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.solution.dense_output import Samples
+from hertzwerk.runtime.engine.solution.history import History
+
+R, L, S, MC, MR, MS, JR, W, G = 0.05, 0.16, 0.06, 0.3, 0.2, 0.4, 3e-4, 150.0, 9.81
+REDUNDANT = ("bricard", "flyball_governor")  # what holds their loops is open by redundancy, and so differs
+
+
+def gravity():
+    return Gravity("weight", Parameter("gravity", "m/s^2", G), direction=-Y)
+
+
+@pytest.fixture(scope="module")
+def crank_run():
+    """An ideal slider-crank: its slider's guide closes the loop."""
+    r, length = Parameter("r", "m", R), Parameter("l", "m", L)
+    crank = Body("crank", Parameter("crank_mass", "kg", MC), Parameter("crank_inertia", "kg m^2", 1e-4))
+    rod = Body(
+        "rod",
+        Parameter("rod_mass", "kg", MR),
+        Parameter("rod_inertia", "kg m^2", JR),
+        centre=(Parameter("s", "m", S), 0, 0),
+    )
+    slider = Body("slider", Parameter("slider_mass", "kg", MS), Parameter("slider_inertia", "kg m^2", 1e-4))
+    joints = (
+        Revolute("main", GROUND, crank, axis=Z),
+        Revolute("knee", crank.at(r, 0, 0), rod, axis=Z),
+        Revolute("wrist", rod.at(length, 0, 0), slider, axis=Z),
+        Prismatic("guide", GROUND, slider, axis=X),
+    )
+    motor = ConstantSpeed("motor", "main", Parameter("speed", "rad/s", W))
+    scene = Scene(
+        Mechanism("ideal_crank", joints),
+        effects=(motor, gravity(), EnergyLedger()),
+        scales=Scales(length=r, speed=Parameter("pace", "m/s", 5), arm=r),
+    )
+    return simulate(load(scene), duration="30 ms", tolerance=1e-11)
+
+
+def textbook(angle):
+    """Positions of the mass centres of rod and slider, the rod's angle, and the generalised inertia I(angle)."""
+    sine = -R * np.sin(angle) / L
+    cosine, turn = np.sqrt(1 - sine**2), -R * np.cos(angle) / L
+    rate = turn / cosine  # of the rod's angle
+    x_rate = -R * np.sin(angle) - L * sine * rate
+    rod_rate = -R * np.sin(angle) - S * sine * rate, R * np.cos(angle) + S * cosine * rate
+    inertia = 1e-4 + MR * (rod_rate[0] ** 2 + rod_rate[1] ** 2) + JR * rate**2 + MS * x_rate**2
+    height = MR * (R * np.sin(angle) + S * sine)
+    return R * np.cos(angle) + L * cosine, x_rate, rod_rate[0], inertia, G * height
+
+
+def derivative(of, angle):
+    return of(angle + 1e-30j).imag / 1e-30
+
+
+def test_driving_torque_is_that_of_virtual_work(crank_run):
+    angle = crank_run["main.angle"]
+    np.testing.assert_allclose(angle, W * crank_run.t, rtol=1e-14)
+    torque = W**2 / 2 * derivative(lambda a: textbook(a)[3], angle) + derivative(lambda a: textbook(a)[4], angle)
+    np.testing.assert_allclose(crank_run["motor.torque"], torque, atol=1e-7 * np.abs(torque).max())
+    np.testing.assert_allclose(crank_run["motor.power"], W * torque, atol=1e-7 * W * np.abs(torque).max())
+    put_in = Samples(crank_run)
+    scale = np.abs(crank_run["energy_ledger.input"]).max()
+    assert put_in.integral(lambda history: history["motor.power"]) == pytest.approx(
+        crank_run["energy_ledger.input"][-1], abs=1e-7 * scale
+    )
+
+
+def test_reactions_of_the_ground_are_the_rate_of_momentum(crank_run):
+    angle, run = crank_run["main.angle"], crank_run
+    np.testing.assert_allclose(run["slider.x"], textbook(angle)[0], atol=1e-9)
+    momentum = W * (MR * textbook(angle)[2] + MS * textbook(angle)[1])  # along the guide
+    np.testing.assert_allclose(run["rod.momentum_x"] + run["slider.momentum_x"], momentum, atol=1e-7)
+    rate = W**2 * derivative(lambda a: MR * textbook(a)[2] + MS * textbook(a)[1], angle)
+    np.testing.assert_allclose(run["main.reaction_x"], rate, atol=1e-7 * np.abs(rate).max())
+    weight = (MC + MR + MS) * G
+    vertical = run["main.reaction_y"] + run["guide.reaction_y"] - weight
+    np.testing.assert_allclose(vertical, MR * run["rod.y_acceleration"], atol=1e-7 * np.abs(vertical).max())
+    along = MS * W**2 * derivative(lambda a: textbook(a)[1], angle)
+    np.testing.assert_allclose(run["wrist.reaction_x"], along, atol=1e-7 * np.abs(along).max())
+    np.testing.assert_allclose(run["guide.acceleration"], along / MS, atol=1e-7 * np.abs(along / MS).max())
+    np.testing.assert_allclose(run["guide.force_y"], run["guide.reaction_y"], rtol=1e-12)  # its multiplier
+
+
+def test_acceleration_of_a_bead_on_a_driven_arm():
+    """x = 0.1 cosh(w t) along the arm: in ground axes nothing is left along it, and 2 w x' across."""
+    arm = Body("arm", Parameter("arm_mass", "kg", 1.0), Parameter("arm_inertia", "kg m^2", 0.1))
+    bead = Body("bead", Parameter("bead_mass", "kg", 0.2), Parameter("bead_inertia", "kg m^2", 1e-4))
+    joints = (Revolute("main", GROUND, arm, axis=Z), Prismatic("slot", arm, bead, axis=X))
+    scene = Scene(
+        Mechanism("bead_on_arm", joints),
+        (ConstantSpeed("drive", "main", Parameter("w", "rad/s", 3.0)),),
+        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
+        Start({"slot": Parameter("x_0", "m", 0.1)}),
+    )
+    run = simulate(load(scene), duration=0.7, tolerance=1e-11)
+    across = 2 * 3 * 0.3 * np.sinh(3 * run.t)
+    assert run["slot.travel"] == pytest.approx(0.1 * np.cosh(3 * run.t), rel=1e-9)
+    assert run["bead.x_acceleration"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
+    assert run["bead.y_acceleration"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
+
+
+@dataclass(frozen=True, init=False)
+class Polar(Joint):
+    """A turn about Z, then a slide along X: `angle`, `travel`."""
+
+    def __init__(self, name, parent, child):
+        super().__init__(name, parent, child)
+
+    @property
+    def freedoms(self):
+        return self.turn(Z), self.slide(X)
+
+
+def test_a_slide_beyond_a_turn_is_held_by_a_force_and_a_couple_that_do_no_work():
+    """x = 0.1 cosh(w t): the force across is 2 m w x'; about the axis, which the drive turns, the joint has no moment."""
+    bead = Body("bead", Parameter("bead_mass", "kg", 0.2), Parameter("bead_inertia", "kg m^2", 1e-4))
+    scene = Scene(
+        Mechanism("polar", (Polar("arm", GROUND, bead),)),
+        (ConstantSpeed("drive", "arm.angle", Parameter("w", "rad/s", 3.0)),),
+        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
+        Start({"arm.travel": Parameter("x_0", "m", 0.1)}),
+    )
+    run = simulate(load(scene), duration=0.7, tolerance=1e-11)
+    x, across = 0.1 * np.cosh(3 * run.t), 0.2 * 2 * 3 * 0.3 * np.sinh(3 * run.t)
+    assert run["arm.reaction_x"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
+    assert run["arm.reaction_y"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
+    assert run["arm.reaction_moment_z"] == pytest.approx(-x * across, abs=1e-8)
+    assert run["drive.torque"] == pytest.approx(x * across, abs=1e-8)
+
+
+def test_a_tilted_disc_on_a_turning_shaft_is_held_by_its_gyroscopic_couple():
+    """W x H, with H along the disc's axis and across it; of an upright disc it is J w W."""
+    axial, across, spin, turn, tilt = 0.02, 0.013, 40.0, 3.0, 0.4
+    frame = Body("frame", Parameter("frame_mass", "kg", 1.0), Parameter("frame_inertia", "kg m^2", 0.1))
+    inertia = Parameter("axial", "kg m^2", axial), *[Parameter("across", "kg m^2", across)] * 2
+    disc = Body("disc", Parameter("disc_mass", "kg", 2.0), inertia)
+    bearing = frame.at(0, 0, 0).turned(Z, Parameter("tilt", "rad", tilt))
+    scene = Scene(
+        Mechanism("gyroscope", (Revolute("shaft", GROUND, frame, axis=Y), Revolute("axle", bearing, disc, axis=X))),
+        (
+            ConstantSpeed("drive", "shaft", Parameter("turn", "rad/s", turn)),
+            ConstantSpeed("motor", "axle", Parameter("spin", "rad/s", spin)),
+            EnergyLedger(),
+        ),
+        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
+    )
+    run = simulate(load(scene), duration=0.5)
+    rate = turn * np.cos(tilt) * (axial * (spin + turn * np.sin(tilt)) - across * turn * np.sin(tilt))
+    assert run["axle.reaction_moment_x"] == pytest.approx(-rate * np.sin(turn * run.t), abs=1e-9)
+    assert run["axle.reaction_moment_z"] == pytest.approx(-rate * np.cos(turn * run.t), abs=1e-9)
+
+
+def test_tension_of_a_pendulum():
+    length, mass, lift = 0.7, 2.0, 1.2
+    bob = Body("bob", Parameter("mass", "kg", mass), centre=(0, -Parameter("length", "m", length), 0))
+    scene = Scene(
+        Mechanism("string", (Revolute("hinge", GROUND, bob, axis=Z),)),
+        effects=(gravity(),),
+        start=Start(position={"hinge": Parameter("lift", "rad", lift)}),
+        scales=Scales(
+            length=Parameter("scale", "m", 1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 1)
+        ),
+    )
+    run = simulate(load(scene), duration="1 s", tolerance=1e-11)
+    angle = run["hinge.angle"]
+    tension = 3 * mass * G * np.cos(angle) - 2 * mass * G * np.cos(lift)
+    np.testing.assert_allclose(
+        run["hinge.reaction_y"] * np.cos(angle) - run["hinge.reaction_x"] * np.sin(angle), tension, atol=1e-7
+    )
+    np.testing.assert_allclose(
+        run["hinge.reaction_x"] * np.cos(angle) + run["hinge.reaction_y"] * np.sin(angle), 0, atol=1e-7
+    )
+    np.testing.assert_allclose(
+        run["bob.kinetic_energy"] + run["bob.potential_energy"], -mass * G * length * np.cos(lift), rtol=1e-9
+    )
+
+
+@pytest.fixture(scope="module")
+def rattling():
+    return simulate(load("slider_crank"), duration="3 ms", tolerance=1e-8)
+
+
+def test_contact_force_is_a_vector_that_moves_the_slider(rattling):
+    run = rattling
+    touching = run["slider_pin.mode"] == 1
+    assert 20 < touching.sum() < len(touching)
+    force = np.array([run["slider_pin.force_x"], run["slider_pin.force_y"]])  # on the rod, as its pin is named first
+    np.testing.assert_allclose(force[0], -0.14 * run["guide.acceleration"], atol=1e-8 * np.abs(force).max())
+    size = np.hypot(run["slider_pin.normal_force"], run["slider_pin.friction_force"])
+    np.testing.assert_allclose(np.hypot(*force)[touching], size[touching], rtol=1e-9)
+    np.testing.assert_array_less(run["slider_pin.friction_force"] * run["slider_pin.sliding_velocity"], 1e-12)
+    bush = 10e-3 - run["slider_pin.penetration"][touching] * 0
+    at = np.hypot(run["slider_pin.point_x"] - run["guide.travel"], run["slider_pin.point_y"])[touching]
+    np.testing.assert_allclose(at, bush + run["slider_pin.penetration"][touching], atol=1e-12)
+    assert np.isnan(run["slider_pin.point_x"][~touching]).all()
+    power = run["slider_pin.power"] + run["slider_pin_friction.power"]
+    assert power[touching].max() > 0
+
+
+def carried(run, other):
+    """Histories of a model in absolute coordinates at the states of a run in joint coordinates."""
+    there, here, model = simulate(other, duration=1e-9, tolerance=1e-3).history, run.history, run.model
+    rows, bound = np.repeat(there.rows[:1], len(here.rows), axis=0), other.bind()
+    for i, (t, y, mode, m, friction) in enumerate(
+        zip(*map(here.part, ("t", "y", "mode", "m", "friction")), strict=True)
+    ):
+        q, u = other.evaluate("placed", float(t[0]), y[: model.nq], y[model.nq : model.nq + model.nu], bound.c)
+        given = {
+            "t": t,
+            "y": np.concatenate([q, u, y[model.nq + model.nu :]]),
+            "mode": mode,
+            "m": m,
+            "friction": friction,
+        }
+        given["dy"] = np.array(flow(other).rates(t, given["y"], mode, m, bound.c)).ravel()
+        for name, values in given.items():
+            rows[i, there.columns(name)] = values
+    return History(other, rows, there.controls, there.integrator, steps=False, p=there.p)
+
+
+def worst_reaction(name, model):
+    """Largest difference of a joint's reaction to its multiplier in absolute coordinates, over the largest there."""
+    run = simulate(model, duration=4e-3 if "crank" in name else 2e-2, tolerance=1e-7, output=5)
+    there = carried(run, load(name, coordinates="absolute"))
+    pairs = [
+        (f"{of}.reaction_{what.split('_')[1]}", f"{of}.{what}")
+        for of, _, what in (entry.partition(".") for entry in there.names)
+        if what in ("force_x", "force_y", "force_z") and f"{of}.reaction_x" in there.units and of not in model.pairs
+    ]
+    pairs += [
+        (each, each) for each in there.units.everything if ".reaction" in each or each.endswith((".torque", ".power"))
+    ]
+    # across the plane of motion a tree has none where it is zero by structure
+    found = {one: (run[one] if one in run.history.units else np.zeros(5), there[other]) for one, other in pairs}
+    scale = {}
+    for one, (value, _) in found.items():
+        kind = one.rpartition(".")[2].rstrip("xyz")
+        scale[kind] = max(scale.get(kind, 1e-6), np.abs(value).max())
+    arm = 1e-3  # m: where no joint carries a moment, what rounding leaves is that of forces at some arm
+    scale["reaction_moment_"] = max(scale.get("reaction_moment_", 0), arm * scale.get("reaction_", 0))
+    return max(
+        (np.abs(a - b).max() / scale[one.rpartition(".")[2].rstrip("xyz")] for one, (a, b) in found.items()),
+        default=0.0,
+    )
+
+
+@pytest.mark.by_turns(6)
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.exhaustive] * (name in ("ball_bearing", "gears_with_backlash")))
+        for name in sorted(set(NAMES) - set(REDUNDANT))
+    ],
+)
+def test_reactions_of_a_tree_are_the_multipliers_of_absolute_coordinates(name):
+    assert worst_reaction(name, load(name)) < 1e-9
+
+
+def test_a_fault_in_the_inertia_is_seen():
+    model = load("double_pendulum")
+    text = model.declaration.readings("tree")
+    assert worst_reaction("double_pendulum", model) < 1e-9
+    wrong = text.replace("gravity = p[", "gravity = 1.0001*p[")
+    assert wrong != text
+    faulty = load("double_pendulum")
+    faulty.declaration.__dict__["_readings"] = {"tree": wrong}
+    assert worst_reaction("double_pendulum", faulty) > 1e-6
+
+
+def test_joint_spring_is_no_part_of_the_reaction():
+    wheel = Body("wheel", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 0.1))
+    spring = JointSpring("coil", "shaft", Parameter("stiffness", "N m/rad", 3))
+    scene = Scene(
+        Mechanism("balance", (Revolute("shaft", GROUND, wheel, axis=Z),)),
+        effects=(spring,),
+        start=Start(position={"shaft": Parameter("lift", "rad", 0.2)}),
+        scales=Scales(
+            length=Parameter("scale", "m", 1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 1)
+        ),
+    )
+    run = simulate(load(scene), duration="0.3 s", tolerance=1e-9)
+    np.testing.assert_allclose(run["coil.torque"], -3 * run["shaft.angle"], rtol=1e-12)
+    np.testing.assert_allclose(run["coil.stored_energy"], 1.5 * run["shaft.angle"] ** 2, rtol=1e-12)
+    np.testing.assert_allclose(run["shaft.reaction_moment_z"], 0, atol=1e-15)
+    np.testing.assert_allclose(run["wheel.angular_momentum_z"], 0.1 * run["shaft.speed"], rtol=1e-12)
+
+
+def test_all_names_are_told_and_used_wherever_a_history_is(rattling, tmp_path):
+    entries = {entry.name: entry for entry in rattling.model.histories}
+    assert entries["crank_drive.torque"].derived and not entries["guide.travel"].derived
+    assert (
+        entries["main_bearing.reaction_x"].unit == "N" and "main_bearing" in entries["main_bearing.reaction_x"].meaning
+    )
+    assert "rod.x" not in rattling.names
+    beside = rattling.with_histories("rod.x", "crank_drive.power")
+    assert beside.names[-2:] == ("rod.x", "crank_drive.power")
+    again = Solution.load(beside.save(tmp_path / "run.npz"))
+    np.testing.assert_array_equal(again["rod.x"], rattling["rod.x"])
+    assert again.history.units["rod.x"] == "m"
+    with pytest.raises(KeyError, match="with_histories"):
+        again["rod.y"]
+    with pytest.raises(KeyError, match="did you mean"):
+        rattling["rod.xx"]
+    assert beside.to_csv(tmp_path / "run.csv").read_text().splitlines()[0].endswith("rod.x [m],crank_drive.power [W]")
+    table = sweep("slider_crank", over={"clearance": "0.1, 0.2 mm"}, duration="1 ms", tolerance=1e-6,
+                  outputs=["crank_drive.torque.max"], histories=["rod.y"], grid=5)  # fmt: skip
+    assert (table["crank_drive.torque.max"] > 0).all() and len(table.histories["rod.y"][0]) == 5
+    with pytest.raises(InputError, match=r"rod\.z\.max"):
+        sweep("slider_crank", over={"clearance": "0.1, 0.2 mm"}, duration="1 ms", outputs=["rod.z.max"])
+
+
+def test_a_module_alone_says_where_readings_come_from():
+    alone = Model(module_of("alone", text_of(load("pendulum").module)))
+    run = simulate(alone, duration="10 ms", tolerance=1e-6)
+    with pytest.raises(KeyError, match="load the scene and simulate"):
+        run["hinge.reaction_x"]
+    with pytest.raises(InputError, match=r"load\('pendulum'\)"):
+        alone.reading_module()
+
+
+def test_commands_list_and_write_readings(tmp_path):
+    found = CliRunner().invoke(main, ["list", "pendulum"])
+    assert found.exit_code == 0 and "hinge.reaction_x" in found.output and "kg m^2/s" in found.output
+    out = tmp_path / "run"
+    arguments = [
+        "run",
+        "pendulum",
+        "--duration",
+        "10 ms",
+        "--no-plots",
+        "--out",
+        str(out),
+        "--history",
+        "hinge.reaction_y",
+    ]
+    assert CliRunner().invoke(main, arguments).exit_code == 0
+    assert "hinge.reaction_y [N]" in (out / "states.csv").read_text().splitlines()[0]
+    refused = CliRunner().invoke(main, ["run", "pendulum", "--history", "hinge.reaction_q"])
+    assert refused.exit_code == 2 and "hinge.reaction_y" in refused.output

@@ -1,0 +1,166 @@
+"""Contacts that leave their damping law: a ball pressed on a shaken plane, in closed form for small vibrations; impacts do not."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Drive,
+    EnergyLedger,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    T,
+    Y,
+    laws,
+)
+from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.engine.model.caller import Caller
+from hertzwerk.runtime.engine.solution.contact_watch import LastingContacts
+
+MASS, GRAVITY, DEPTH, POWER = 0.3, 9.81, 1e-4, 1.5  # kg, m/s^2, m of the penetration at rest, 1
+OMEGA = 200.0  # rad/s
+SMALL, RATIO = 1e-3, 2.0  # vibration over depth, gap rate over v0
+FACTOR = POWER * SMALL / RATIO  # damping factor h for which damping and stiffness of the contact weigh alike
+RESTITUTION = float(np.sqrt(1 - FACTOR * 4 / 3))  # of Lankarani and Nikravesh, h = 3 (1 - e^2)/4
+LATCHING = [name for name, law in laws.LAWS.items() if isinstance(law, DampingLaw) and APPROACH_SPEED in law.memory]
+
+
+def steady():
+    """v0 [m/s], amplitude of the plane [m], and vibration of the penetration, complex [m], as Im(... exp(i w t)).
+
+    m (y'' - d'') = K d^n (1 + h d'/v0) - m g about K d0^n = m g: x'' + (h g/v0) x' + (n g/d0) x = y''.
+    """
+    v0 = SMALL * DEPTH * OMEGA / RATIO
+    response = 1 / (POWER * GRAVITY / DEPTH - OMEGA**2 + 1j * OMEGA * FACTOR * GRAVITY / v0)
+    amplitude = SMALL * DEPTH / abs(response) / OMEGA**2
+    return v0, amplitude, -amplitude * OMEGA**2 * response
+
+
+@cache
+def ball(damping="lankarani_nikravesh"):
+    """A ball on a plane that is moved up and down as amplitude sin(w t)."""
+    radius, shaken = Parameter("radius", "mm", 20), Parameter("amplitude", "m", 0)
+    stiffness = Parameter("stiffness", "N/m^1.5", MASS * GRAVITY / DEPTH**POWER)
+    body, table = Body("ball", Parameter("mass", "kg", MASS)), Body("table", Parameter("table_mass", "kg", 1))
+    law = getattr(laws, damping)(
+        *(Parameter(symbol.name, symbol.unit, 0.9) for symbol in laws.LAWS[damping].parameters)
+    )
+    joints = Prismatic("fall", GROUND, body, axis=Y), Prismatic("lift", GROUND, table, axis=Y)
+    return load(
+        Scene(
+            Mechanism("shaken_ball", joints, (SphereOnPlane("floor", body.at(0, 0, 0), radius, table.at(0, 0, 0), Y),)),
+            (
+                Gravity("gravity", Parameter("gravity", "m/s^2", GRAVITY), direction=-Y),
+                Drive("shaker", "lift", position=shaken * sp.sin(Parameter("omega", "rad/s", OMEGA) * T)),
+                Contact("floor", laws.power(stiffness, POWER), law),
+                EnergyLedger(),
+            ),
+            Scales(length=Parameter("depth", "m", DEPTH), speed=Parameter("pace", "m/s", 0.02)),
+            Start(position={"fall": radius - Parameter("sunk", "m", 0)}, speed={"fall": Parameter("rising", "m/s", 0)}),
+        )
+    )
+
+
+@cache
+def pressed(**options):
+    """The ball on the shaken plane in its steady vibration, for 20 of its periods."""
+    v0, amplitude, x = steady()
+    given = {
+        "e": RESTITUTION,
+        "amplitude": f"{amplitude!r} m",
+        "approach_floor": f"{v0!r} m/s",
+        "sunk": f"{DEPTH + x.imag!r} m",
+        "rising": f"{amplitude * OMEGA - (1j * OMEGA * x).imag!r} m/s",
+    }
+    start = {"floor.approach_speed": f"{v0!r} m/s"}
+    return simulate(ball(), duration=40 * np.pi / OMEGA, tolerance=1e-11, parameters=given, initial=start, **options)
+
+
+def test_a_ball_pressed_on_a_shaken_plane():
+    """Amplitude and phase of a spring and damper h K d^n/v0, power dissipated, and the largest gap rate."""
+    v0, _, x = steady()
+    run = pressed(output=2001)  # 100 a period
+    vibration = (run["floor.penetration"] - DEPTH)[1000:-1]  # ten periods
+    found = 2j * np.mean(vibration * np.exp(-1j * OMEGA * run.t[1000:-1]))
+    assert found == pytest.approx(x, rel=1e-5)
+    (left,) = run.findings.lasting
+    assert (left.pair, left.since) == ("floor", 0)
+    assert left.speed == pytest.approx(v0, rel=1e-12)
+    assert left.ratio == pytest.approx(RATIO, rel=1e-3)
+    power = MASS * FACTOR * GRAVITY / v0 * (OMEGA * abs(x)) ** 2 / 2
+    assert left.dissipated == pytest.approx(power * run.duration, rel=1e-3)
+    (warning,) = (text for text in run.warnings if "left the law of damping" in text)
+    assert warning.startswith(
+        f"a contact of floor, since t = 0 s, left the law of damping (100% of its dissipation): gap rates up to {left.ratio:.2g} times"
+    )
+    assert "hertzwerk laws" in warning
+    assert "approach_floor" in warning
+
+
+def test_nothing_is_computed_beside_the_steps(monkeypatch):
+    run = pressed()
+    monkeypatch.setattr(Caller, "__call__", None)  # a call of a model's function fails
+    observer = LastingContacts(run.model)
+    observer.take(run.history, 0)
+    assert observer.found == run.findings.lasting != ()
+
+
+def test_it_is_the_same_of_steps_that_are_kept_and_of_those_that_are_not():
+    kept, alone = pressed(), pressed(output=2)
+    assert kept.findings.lasting == alone.findings.lasting != ()
+
+
+@pytest.mark.by_turns(4)
+@pytest.mark.parametrize("damping", LATCHING)
+def test_a_ball_put_down_gently_leaves_every_law_with_v0_and_an_impact_none(damping):
+    """It is put on its plane with the least approach speed, and reaches 44 mm/s; or it falls with 1 m/s and leaves with less."""
+    given = {"duration": "20 ms", "tolerance": 1e-7, "max_steps": 20_000, "compiled": False}
+    down = simulate(ball(damping), **given, parameters={"approach_floor": "1 um/s"})
+    assert [left.pair for left in down.findings.lasting] == ["floor"]
+    assert down.findings.lasting[0].ratio > 100
+    assert any("left the law of damping" in text for text in down.warnings)
+    hit = simulate(ball(damping), **given, parameters={"sunk": "-1 mm", "rising": "-1 m/s"})
+    assert len(hit.impacts) == 1
+    assert hit.impacts[0].duration is not None
+    assert hit.findings.lasting == ()
+    assert not any("left the law" in text for text in hit.warnings)
+
+
+def test_a_damping_without_v0_has_nothing_to_leave():
+    run = simulate(ball("tsuji"), duration="20 ms", tolerance=1e-7, compiled=False)
+    assert run.findings.lasting == ()
+
+
+def test_the_flagship_says_since_when_and_how_much():
+    """Its pin comes to stay at about 0.2 s, with an approach speed that is chance."""
+    crank = load("slider_crank")
+    runs = [simulate(crank, duration="0.3 s", tolerance=1e-6, output=output, compiled=False) for output in (2, 500)]
+    first, second = (run.findings.lasting for run in runs)
+    assert first == second  # whatever is kept
+    worst = max(first, key=lambda left: left.ratio)
+    assert 0.15 < worst.since < 0.25
+    assert worst.ratio > 5
+    impacts = {impact.t: impact for impact in runs[0].impacts}
+    for left in first:
+        assert impacts[left.since].speed == pytest.approx(left.speed, rel=1e-9)
+    (text,) = (text for text in runs[0].warnings if "left the law of damping" in text)
+    assert f"{len(first)} contacts of slider_pin, the worst since t = {worst.since:.4g} s" in text
+
+
+def test_a_share_too_small_to_be_a_number_is_said_to_be_small():
+    """It was "0% of its dissipation"."""
+    run = simulate(load("bouncing_ball"), duration="5 s", parameters={"restitution": 0.7}, tolerance=1e-8)
+    (warning,) = (text for text in run.warnings if "left the law" in text)
+    assert "(less than 1% of its dissipation)" in warning

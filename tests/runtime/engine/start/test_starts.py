@@ -1,0 +1,340 @@
+"""Starts are found, kept and checked: against the closed forms of four-bar and slider-crank, which know nothing of joints, pairs or assembly."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.derive import (
+    GROUND,
+    Contact,
+    Drive,
+    InputError,
+    Mechanism,
+    Parameter,
+    PinInBush,
+    Planar,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    Z,
+)
+from hertzwerk.derive.laws import flores, hertz_point
+from hertzwerk.derive.scenes.four_bar_clearance import base, c, coupler, crank, k, l, r, rocker, steel, w
+from hertzwerk.derive.scenes.four_bar_clearance import scene as with_one
+from hertzwerk.derive.scenes.slider_crank_three_clearances import scene as with_three
+from hertzwerk.runtime import load, simulate, simulate_many
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.start.start_values import assembled, overlaps, start_of
+from hertzwerk.runtime.engine.start.stated_start import as_stated
+from reference import scenes
+
+R, L, K, BASE, C, W = 0.05, 0.12, 0.10, 0.13, 5e-4, 1000 * np.pi / 30
+BUSH = Parameter("bush_radius", "mm", 10)
+JOURNALS = (
+    "ball_in_socket",
+    "four_bar_clearance",
+    "journal_in_bearing",
+    "journal_lubricated",
+    "slider_crank",
+    "slider_crank_dc_motor",
+    "slider_crank_three_clearances",
+    "slider_crank_two_clearances",
+    "spatial_slider_crank",
+)
+
+
+def fresh(start):
+    """A four-bar with clearance at both ends of its coupler, as somebody declares it who has not assembled it."""
+    mechanism = Mechanism(
+        "fresh_four_bar",
+        joints=(
+            Revolute("main_bearing", GROUND, crank, axis=Z),
+            Planar("coupler_plane", GROUND, coupler),
+            Revolute("rocker_bearing", GROUND.at(base, 0, 0), rocker, axis=Z),
+        ),
+        pairs=(
+            PinInBush("crank_pin", crank.at(r, 0, 0), coupler.at(0, 0, 0), Z, BUSH, c),
+            PinInBush("rocker_pin", coupler.at(l, 0, 0), rocker.at(k, 0, 0), Z, BUSH, c),
+        ),
+    )
+    contacts = (
+        Contact(pair.name, hertz_point(steel, steel), flores(Parameter("restitution", "1", 0.9)))
+        for pair in mechanism.pairs
+    )
+    turned = Drive("crank_drive", "main_bearing", speed=w)
+    return Scene(mechanism, (turned, with_one.effect("gravity"), *contacts), Scales(c, r * w, l), start)
+
+
+def near(coupler_start, rocker_start):
+    """One of the two ways to assemble it."""
+    angles = Parameter("coupler_start", "deg", coupler_start), Parameter("rocker_start", "deg", rocker_start)
+    return Start(near=dict(zip(("coupler_plane.angle", "rocker_bearing"), angles, strict=True)))
+
+
+LOWER, UPPER = fresh(near(-60, -100)), fresh(near(60, 100))
+
+
+@pytest.fixture(scope="module")
+def models():
+    built = {}
+
+    def model(scene, coordinates="tree"):
+        key = (id(scene), coordinates)
+        if key not in built:
+            built[key] = load(scene.with_coordinates(coordinates))
+        return built[key]
+
+    return model
+
+
+def four_bar(angle, upper):
+    """Angles of coupler and rocker, and their rates, by the law of cosines on the diagonal."""
+    pin = R * np.array([np.cos(angle), np.sin(angle)])
+    way = np.array([BASE, 0]) - pin
+    diagonal, heading = np.hypot(*way), np.arctan2(way[1], way[0])
+    at_coupler = np.arccos((L**2 + diagonal**2 - K**2) / (2 * L * diagonal))
+    of_coupler = heading + (at_coupler if upper else -at_coupler)
+    tip = pin + L * np.array([np.cos(of_coupler), np.sin(of_coupler)])
+    of_rocker = np.arctan2(tip[1], tip[0] - BASE)
+    columns = np.array(
+        [[-L * np.sin(of_coupler), K * np.sin(of_rocker)], [L * np.cos(of_coupler), -K * np.cos(of_rocker)]]
+    )
+    rates = np.linalg.solve(columns, -R * W * np.array([-np.sin(angle), np.cos(angle)]))
+    return pin, of_coupler, of_rocker, rates
+
+
+def started(model, initial):
+    bound, q, u = start_of(model, {}, initial)
+    found = dict(zip((*model.coordinates, *model.speeds), (*q, *u), strict=True))
+    if model.joints is not model:  # outputs tell what joints do
+        y = np.array(model.function("outputs")(0, q, u, bound.c)).ravel()
+        found |= dict(zip(model.outputs, y, strict=True))
+    return found
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+@pytest.mark.parametrize("upper", [True, False])
+def test_a_four_bar_is_assembled_from_the_angle_of_its_crank(coordinates, upper, models):
+    model = models(UPPER if upper else LOWER, coordinates)
+    for degrees in (0, 20, -35):
+        pin, of_coupler, of_rocker, rates = four_bar(np.radians(degrees), upper)
+        found = started(model, {"main_bearing.angle": (degrees, "deg")})
+        place, velocity = [found[f"coupler_plane.{x}"] for x in "xy"], [found[f"coupler_plane.{x}_speed"] for x in "xy"]
+        assert place == pytest.approx(pin, abs=1e-13)
+        assert velocity == pytest.approx(W * np.array([-pin[1], pin[0]]), abs=1e-11)
+        assert found["coupler_plane.angle"] == pytest.approx(of_coupler, abs=1e-12)
+        assert found["rocker_bearing.angle"] == pytest.approx(of_rocker, abs=1e-12)
+        assert found["coupler_plane.angle_speed"] == pytest.approx(rates[0], rel=1e-11)
+        assert found["rocker_bearing.speed"] == pytest.approx(rates[1], rel=1e-11)
+
+
+def test_first_impacts_are_those_of_the_clearance_and_not_of_a_start_at_rest(models):
+    model = models(LOWER)
+    run = simulate(model, duration="10 ms", tolerance=1e-7)
+    still = simulate(
+        model, duration="10 ms", tolerance=1e-7, initial={name: (0.0, model.units[name]) for name in model.speeds}
+    )
+    speeds, from_rest = (max(impact.speed for impact in each.impacts[:3]) for each in (run, still))
+    forces, of_rest = (max(impact.peak_force for impact in each.impacts[:3]) for each in (run, still))
+    assert from_rest >= R * W  # the whole speed of the crank's pin
+    assert speeds < 0.25 * R * W
+    assert of_rest > 30e3
+    assert forces < of_rest / 5
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_a_slider_crank_with_three_clearances_from_nothing_is_its_closed_form(coordinates, models):
+    model = models(FROM_NOTHING, coordinates)
+    found, turning = started(model, {}), 5000 * np.pi / 30
+    expected = {
+        "rod_plane.x": R,
+        "guide.travel": R + L,
+        "rod_plane.y_speed": R * turning,
+        "rod_plane.angle_speed": -R * turning / L,
+    }
+    joints = (*model.joints.coordinates, *model.joints.speeds)
+    assert {"crank_plane.x", "rod_plane.angle", "guide.speed"} < set(joints)
+    for name in joints:
+        assert found[name] == pytest.approx(expected.get(name, 0), rel=1e-12, abs=1e-11), name
+
+
+FROM_NOTHING = replace(with_three, start=Start())
+
+
+@pytest.mark.parametrize("name", JOURNALS)
+def test_a_start_that_is_closed_as_it_stands_is_taken_as_it_is(name):
+    model = load(name)
+    bound = model.bind()
+    stated = [np.array(x).ravel() for x in model.function("start")(bound.p)]
+    _, *found = start_of(model, {}, {})
+    assert all(np.array_equal(a, b) for a, b in zip(found, stated, strict=True))
+
+
+def test_what_is_given_is_kept_and_the_rest_follows_it(models):
+    model = models(LOWER)
+    found = started(model, {"coupler_plane.x": "50.3 mm", "coupler_plane.x_speed": "0.1 m/s"})
+    assert (found["coupler_plane.x"], found["coupler_plane.x_speed"]) == (0.0503, 0.1)
+    bound, q, u = start_of(model, {}, {"coupler_plane.x": "50.3 mm"})
+    e = np.array(model.function("outputs")(0, q, u, bound.c)).ravel()
+    assert np.hypot(*e[:2]) == pytest.approx(3e-4, rel=1e-9)  # the crank's pin is beside its middle by what was given
+    assert np.hypot(*e[2:]) < 1e-9
+    shifted = start_of(load("slider_crank"), {}, {"guide.travel": "170.3 mm"})[1]
+    assert list(shifted) == [0.0, 0.1703]
+
+
+def faults_of(model, initial, parameters=None):
+    with pytest.raises(InputError) as refused:
+        simulate(model, duration="1 ms", tolerance=1e-6, initial=initial, parameters=parameters)
+    return refused.value.faults
+
+
+def test_too_much_and_out_of_reach_are_named_with_the_coordinate_and_the_change(models):
+    (fault,) = faults_of(models(LOWER), {"rocker_bearing.angle": "-80 deg"})
+    assert "crank_pin open by" in fault.found
+    assert "rocker_pin open by" in fault.found
+    assert (
+        "rocker_bearing.angle at -1.69612 rad in place of -1.39626 rad closes it, a change of -0.3 rad" in fault.remedy
+    )
+    (fault,) = faults_of(models(LOWER), {}, {"rocker_length": "0.02 m"})
+    assert "out of reach" in fault.found
+    assert "driven by crank_drive" in fault.remedy
+
+
+def test_too_little_is_named():
+    """Without its drive the crank of a start that says nothing may be anywhere."""
+    (fault,) = faults_of(load(LOWER.without("crank_drive")), {})
+    assert "under-determined" in fault.found
+    assert "main_bearing.angle" in fault.found
+    assert fault.expected == "1 more value among them"
+
+
+# -- starts are checked ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("scene", "initial", "pair", "change"),
+    [
+        ("slider_crank", {"guide.travel": "172 mm"}, "slider_pin", ("guide.travel", 0.1705)),
+        ("bouncing_ball", {"vertical.travel": "40 mm"}, "floor", ("vertical.travel", 0.1)),
+        ("bouncing_ball", {"vertical.travel": "-1 m"}, "floor", ("vertical.travel", 0.1)),
+    ],
+)
+def test_surfaces_deep_in_each_other_are_named_with_what_brings_them_apart(scene, initial, pair, change):
+    model = load(scene)
+    (fault,) = faults_of(model, initial)
+    name, there = change
+    assert fault.where == f"start, {pair}"
+    assert f"they touch with {name} at {there:.6g} m" in fault.remedy
+    touching = simulate(model, duration="0.1 ms", tolerance=1e-6, initial={name: (there, "m")})
+    assert touching.outcome.finished
+    assert abs(touching[f"{pair}.gap"][0]) < 1e-9
+
+
+def test_the_depth_that_is_allowed_is_that_of_hertz_at_five_times_the_speed():
+    """sqrt(K d^2.5/m) = 5 sqrt(2 g h): d = 0.00083979 m, of K = 2.4e10 N/m^1.5, m = 1 kg, h = 1 m."""
+    ((_, text),) = (
+        (fault.where, str(fault)) for fault in faults_of(load("bouncing_ball"), {"vertical.travel": "20 mm"})
+    )
+    assert "a penetration of 0.08 m" in text
+    assert "at most about 0.00084 m" in text
+
+
+def test_a_start_one_clearance_deep_is_allowed_and_told():
+    """Stiffness alone throws it apart at twice the crank's speed: an impact might press so deep, a slip of the pen as well."""
+    crank = load("slider_crank")
+    told = simulate(
+        crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": "171 mm"}, method="dop853", max_steps=2000
+    )
+    assert told.outcome.name == "too_many_steps"
+    assert 'take method="auto"' in told.outcome.remedy
+    (warning,) = (text for text in told.warnings if "deep" in text)
+    assert warning.startswith("slider_pin starts 0.0005 m deep: stiffness alone would throw that apart at 51.4 m/s")
+    assert "damping, which knows no approach, may hold it there" in warning
+    assert "they touch with guide.travel at 0.1705 m in place of 0.171 m" in warning
+    for allowed in ("170 mm", "170.5 mm", "170.6 mm"):  # apart, touching, and pressed as an impact of the scene might
+        run = simulate(crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": allowed})
+        assert run.outcome.finished
+        assert not any("deep" in text for text in run.warnings)
+    again = told.continued(max_steps=10)
+    assert not any("deep" in text for text in again.warnings)
+
+
+def test_a_start_far_outside_is_told_by_the_row_and_by_the_command_line(tmp_path):
+    (row,) = simulate_many(load("slider_crank"), [{"guide.travel": "170 cm"}], duration="1 ms", tolerance=1e-6).rows
+    assert row.outcome == "bad_input"
+    assert "slider_pin open by 1.53 m" in row.message
+    said = CliRunner().invoke(
+        main, ["run", "slider_crank", "--set", "guide.travel=170 cm", "--out", str(tmp_path / "run")]
+    )
+    assert said.exit_code == 2
+    assert "guide.travel at 0.17 m in place of 1.7 m closes it" in " ".join(said.output.split())
+    assert not (tmp_path / "run").exists()
+
+
+def test_preload_in_balance_and_static_loads_are_no_mistakes():
+    """The first stores 22 times the kinetic energy of the scene; a shallow start that is fast may be meant, too."""
+    squeezed = simulate(
+        load("ball_between_walls"),
+        duration="1 ms",
+        tolerance=1e-6,
+        parameters={"gap": "-1 mm", "restitution": 1.0, "speed": "0.1 m/s"},
+    )
+    assert squeezed.outcome.finished
+    assert len(squeezed.impacts) >= 2
+    deep = simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, initial={"vertical.travel": "0.099 m"})
+    assert deep.outcome.finished
+
+
+def test_a_start_that_is_closed_as_stated_is_that_which_assembly_keeps_and_no_other_is_taken_for_one():
+    kept = {}
+    for name in ("slider_crank_two_clearances", "bricard", "flyball_governor", "n_four_bar", "bicycle"):
+        model = load(name)
+        bound = model.bind()
+        stated, found = (
+            np.concatenate(model.evaluate("start", bound.p)),
+            np.concatenate(assembled(model, bound, {}, [])),
+        )
+        kept[name] = np.array_equal(stated, found)
+        start = as_stated(model, bound)
+        assert (start is not None) == kept[name], name
+        assert start is None or np.array_equal(np.concatenate(start), found), name
+    assert set(kept.values()) == {True, False}
+
+
+def test_overlaps_of_many_spheres_are_those_of_pairs_written_out_and_looked_at_one_by_one(monkeypatch):
+    """Spheres pushed into each other, floor and wall; no function of all pairs is evaluated for what is wrong with one."""
+    model = load(scenes.spheres_in_box(6))
+    initial = {
+        "flight_2.x": "-10 mm",
+        "flight_3.x": "-20 mm",
+        "flight_3.y": "25 mm",
+        "flight_4.y": "2 mm",
+        "flight_5.z": "51 mm",
+    }
+    tables = {name: x for name, x in vars(model.module).items() if not name.startswith("__")}
+    written = Model(SimpleNamespace(**{**tables, "FAMILIES": ()}))
+    calls = []
+    evaluate = Model.evaluate
+    monkeypatch.setattr(
+        Model, "evaluate", lambda self, name, *given: calls.append(name) or evaluate(self, name, *given)
+    )
+    found = []
+    for each in (model, written):
+        bound, faults = each.bind(), []
+        q, u = assembled(each, bound, initial, faults)
+        found.append(overlaps(each, bound, initial, q, u))
+        assert not faults
+        calls.append("")
+    ours, theirs = found
+    assert len(ours[0]) >= 3
+    assert [(fault.where, fault.found, fault.expected, fault.remedy) for fault in ours[0]] == [
+        (fault.where, fault.found, fault.expected, fault.remedy) for fault in theirs[0]
+    ]
+    assert ours[1] == theirs[1]
+    assert not {"gaps", "gap_accelerations"} & set(calls[: calls.index("")])
+    assert "gaps" in calls

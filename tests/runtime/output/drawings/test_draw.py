@@ -1,0 +1,308 @@
+"""Pictures of mechanisms: points where closed forms put them, clearances as large as the picture says, names that cover nothing."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.patches import Polygon
+
+from hertzwerk.derive import (  # fmt: skip
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Contact,
+    Gravity,
+    KnifeEdge,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Y,
+    Z,
+)
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.laws import power
+from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.model.build import scene_from
+from hertzwerk.runtime.output.drawings import labels
+from hertzwerk.runtime.output.drawings.drawing import Drawing
+from hertzwerk.runtime.output.drawings.drawing_primitives import Paper
+from hertzwerk.runtime.output.drawings.picture import PANEL
+from hertzwerk.runtime.output.drawings.places import Places
+from reference.workshop import workshop
+
+CRANK, ROD, PACE = 0.05, 0.12, 30.0  # m, m, rad/s
+
+
+def ideal_slider_crank() -> Scene:
+    """Crank at constant speed, rod, slider; the slider's pin closes the loop."""
+    r, l, w = Parameter("crank_length", "m", CRANK), Parameter("rod_length", "m", ROD), Parameter("pace", "rad/s", PACE)
+    inertia = Parameter("inertia", "kg m^2", 1e-3)
+    crank, slider = (Body(name, Parameter(f"{name}_mass", "kg", 1), inertia) for name in ("crank", "slider"))
+    rod = Body("rod", Parameter("rod_mass", "kg", 1), inertia, centre=(l / 2, 0, 0))
+    return Scene(
+        Mechanism(
+            "ideal_slider_crank",
+            (
+                Revolute("bearing", GROUND, crank, axis=Z),
+                Revolute("crank_pin", crank.at(r, 0, 0), rod, axis=Z),
+                Prismatic("guide", GROUND, slider, axis=X),
+                Revolute("slider_pin", slider, rod.at(l, 0, 0), axis=Z),
+            ),
+        ),
+        effects=(ConstantSpeed("drive", "bearing", w), Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y)),
+        start=Start(position={"guide": r + l}),
+        scales=Scales(length=r, speed=r * w, arm=r),
+    )
+
+
+@pytest.fixture(scope="module", params=["tree", "absolute"])
+def turning(request):
+    """Places of the ideal slider-crank over a revolution."""
+    model = load(ideal_slider_crank().with_coordinates(request.param))
+    return Places.over(simulate(model, duration=2 * np.pi / PACE, tolerance=1e-10))
+
+
+@pytest.fixture(scope="module")
+def crank():
+    return simulate(load("slider_crank"), duration="6 ms", tolerance=1e-6)
+
+
+def point(places: Places, part: str, place: str) -> np.ndarray:
+    (mark,) = (mark for mark in places.landmarks if (mark.part, mark.place) == (part, place))
+    return places.point(mark)
+
+
+# ---- where landmarks are ---------------------------------------------------------------------------------------------
+
+
+def test_joint_points_of_a_slider_crank_are_those_of_its_closed_form(turning):
+    angle = PACE * turning.t
+    pin = CRANK * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    slider = np.zeros_like(pin)
+    slider[:, 0] = CRANK * np.cos(angle) + np.sqrt(ROD**2 - (CRANK * np.sin(angle)) ** 2)
+    for part, expected in (("crank_pin", pin), ("slider_pin", slider)):
+        for place in ("parent", "child"):
+            assert np.max(np.abs(point(turning, part, place) - expected)) < 1e-9, (part, place)
+    assert np.ptp(slider[:, 0]) == pytest.approx(2 * CRANK, rel=1e-4)  # a whole revolution was seen
+
+
+def test_both_bodies_of_a_joint_have_its_point_at_one_place(turning):
+    for part in ("bearing", "crank_pin", "slider_pin"):
+        apart = point(turning, part, "parent") - point(turning, part, "child")
+        assert np.max(np.abs(apart)) < 1e-11, part
+
+
+def test_a_start_is_assembled_before_it_is_drawn():
+    """A four-bar whose crank alone is given: the coupler's end is where two circles meet."""
+    places = Places.at_start(load("n_four_bar"), {}, {"foot_0.angle": "0.4 rad"})
+    top = point(places, "left_0", "parent")[0]
+    assert top == pytest.approx([-np.sin(0.4), np.cos(0.4), 0], abs=1e-12)
+    foot, reach = np.array([1.0, 0.0]), 1.0  # of the next post; beam and post are 1 m
+    middle, half = (top[:2] + foot) / 2, np.linalg.norm(foot - top[:2]) / 2
+    across = np.array([-(foot - top[:2])[1], (foot - top[:2])[0]]) / (2 * half)
+    meeting = [middle + sign * np.sqrt(reach**2 - half**2) * across for sign in (1, -1)]
+    found = point(places, "right_0", "child")[0][:2]
+    assert min(np.max(np.abs(found - place)) for place in meeting) < 1e-10
+    assert point(places, "right_0", "parent")[0][:2] == pytest.approx(found, abs=1e-10)
+
+
+def test_points_and_axes_in_space_by_hand():
+    """Spatial slider-crank: crank upright at (0, 0.1, 0.12), its end 0.08 higher; rod of 0.3 to the slider at sqrt(0.09 - 0.01 - 0.04)."""
+    places = Places.at_start(load("spatial_slider_crank"), {}, {})
+    end = (0, 0.1, 0.2)
+    assert point(places, "crank_ball", "socket")[0] == pytest.approx(end, abs=1e-15)
+    assert point(places, "crank_ball", "ball")[0] == pytest.approx(end, abs=1e-15)
+    assert point(places, "slider_joint", "child")[0] == pytest.approx((0.2, 0, 0), abs=1e-15)
+    assert point(places, "rod", "centre")[0] == pytest.approx((0.1, 0.05, 0.1), abs=1e-15)
+    (axis,) = (mark for mark in places.landmarks if (mark.part, mark.place) == ("slider_joint", "child"))
+    yaw = -np.arctan(0.5)
+    assert places.direction(axis, "axis")[0] == pytest.approx((-np.sin(yaw), np.cos(yaw), 0), abs=1e-15)
+
+
+def test_sizes_follow_the_parameters():
+    places = Places.at_start(load("slider_crank"), {"clearance": "0.2 mm"}, {})
+    sizes = {mark.place: mark.size("radius") for mark in places.landmarks if mark.part == "slider_pin"}
+    assert sizes == pytest.approx({"pin": 9.8e-3, "bush": 10e-3}, rel=1e-12)
+
+
+# ---- pictures --------------------------------------------------------------------------------------------------------
+
+
+def texts(figure) -> str:
+    return " ".join(artist.get_text() for artist in figure.findobj(lambda artist: hasattr(artist, "get_text")))
+
+
+def circles(axis) -> list[tuple[float, np.ndarray]]:
+    """Radius and centre of the round polygons of an axis, largest first."""
+    found = []
+    for patch in axis.findobj(Polygon):
+        outline = patch.get_xy()[:-1]
+        radii = np.linalg.norm(outline - np.mean(outline[:-1], axis=0), axis=1)
+        if len(outline) > 100 and np.ptp(radii) < 1e-6 * np.max(radii):
+            found.append((float(np.max(radii)), np.mean(outline[:-1], axis=0)))
+    return sorted(found, key=lambda entry: -entry[0])
+
+
+def _per_inch(figure, axis) -> float:
+    """Centimetres of the mechanism on an inch of an axis."""
+    return np.ptp(axis.get_xlim()) / (axis.get_position(original=True).width * figure.get_size_inches()[0])
+
+
+def test_a_clearance_is_drawn_to_scale_and_enlarged_as_the_picture_says(crank):
+    figure = crank.draw()
+    main, inset = figure.axes
+    _, (hole, bush), (pin, centre) = circles(main)  # rim, hole, pin, in cm
+    assert (hole, pin) == pytest.approx((1.0, 0.95), rel=1e-6)
+    assert bush == pytest.approx([17, 0], abs=1e-6)
+    assert centre == pytest.approx(bush, abs=1e-6)
+    inches = [_per_inch(figure, axis) for axis in (main, inset)]
+    said = re.search(r"([\d.]+)×, its clearance ([\d.]+)×", texts(figure))
+    whole, clearance = map(float, said.groups())
+    assert inches[0] / inches[1] == pytest.approx(whole, rel=0.05)  # two digits
+    _, (hole, _), (pin, _) = circles(inset)
+    assert (hole - pin) / inches[1] / (0.05 / inches[0]) == pytest.approx(clearance, rel=0.05)
+
+
+@pytest.mark.parametrize("name", ["newtons_cradle", "slider_crank_three_clearances", "bricard"])
+def test_everything_is_in_the_frame_and_names_cover_nothing(name):
+    figure = load(name).draw()
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    drawing = Drawing.of(Places.at_start(load(name), {}, {}), PANEL)
+    left, right, bottom, top = drawing.frame
+    assert np.all((drawing.parts.extents > (left, bottom)) & (drawing.parts.extents < (right, top)))
+    main, names = figure.axes[0], [text for text in figure.axes[0].texts if text.get_gid() == "name"]
+    assert {text.get_text() for text in names} >= set(load(name).module.BODIES)
+    boxes = [text.get_window_extent(canvas.get_renderer()) for text in names]
+    frame = main.get_window_extent()
+    assert all(frame.contains(*box.p0) and frame.contains(*box.p1) for box in boxes)
+    assert not [(a, b) for i, a in enumerate(boxes) for b in boxes[i + 1 :] if a.overlaps(b)]
+    assert main.get_aspect() == 1
+
+
+def test_names_of_things_at_one_place_stand_beside_each_other():
+    figure = Figure(figsize=(4, 4))
+    axis = figure.add_axes((0, 0, 1, 1), xlim=(-2, 2), ylim=(-2, 2))
+    paper = Paper(axis, 1 / 72)
+    paper.line(np.array([[-2.0, 0.0], [2.0, 0.0]]))
+    labels.place(
+        paper, [labels.Label(f"name_{k}", np.zeros((1, 2)), "black") for k in range(8)], (-2, 2, -2, 2), 1 / 72
+    )
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    boxes = [text.get_window_extent(renderer) for text in axis.texts]
+    assert len(boxes) == 8
+    assert not [(a, b) for i, a in enumerate(boxes) for b in boxes[i + 1 :] if a.overlaps(b)]
+    level = axis.transData.transform((0, 0))[1]  # of the line they are beside
+    assert not any(box.y0 < level < box.y1 for box in boxes)
+
+
+def test_later_instants_differ_and_are_told(crank):
+    drawing = Drawing.of(Places.over(crank), PANEL)
+    assert len(drawing.ghosts) == 5
+    pins = np.array([point(drawing.parts.places, "crank_pin", "child")[i] for i in (0, *drawing.ghosts)])
+    apart = [np.linalg.norm(a - b) for i, a in enumerate(pins) for b in pins[i + 1 :]]
+    assert min(apart) > 0.01  # of a circle of 5 cm
+    assert "faint at" in drawing.caption()
+    assert {mark.part for mark, _ in drawing.paths} == {"slider_pin", "crank_pin", "rod"}
+
+
+def test_scenes_of_a_users_own_are_drawn_in_space_and_with_every_element(tmp_path):
+    model = load(workshop())
+    figure = model.draw(initial={"fly.z": "0.4 m", "knee.angle_2": "0.3 rad"})
+    figure.savefig(tmp_path / "workshop.png")
+    for name in ("post", "arm", "crown", "ball", "pull", "lift", "load", "motor", "twist"):
+        assert name in texts(figure), name
+    assert Drawing.of(Places.at_start(model, {}, {}), PANEL).parts.view.names is None
+    with pytest.raises(InputError, match=r"knee\.angle_3"):
+        model.draw(initial={"knee.angle_3": "1 rad"})
+
+
+def test_what_a_reader_must_know_stands_on_the_picture():
+    scene = scene_from("two_spheres")
+    stiffness = power(1e8 * scene.parameters["youngs_modulus"] / 207e9, 1)  # Pa, not N/m
+    wrong = scene.replace(spheres=Contact("spheres", stiffness, scene.effect("spheres").damping, unchecked=True))
+    assert "runs unchecked" in texts(load(wrong).draw())
+
+
+def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):
+    run = simulate(
+        load("bouncing_ball"),
+        duration="1 s",
+        tolerance=1e-6,
+        parameters={"exponent": "1.4", "stiffness": "2e9 N/m^1.4"},
+        output=40,
+    )
+    assert run.draw().axes
+    saved = Solution.load(run.save(tmp_path / "run.npz"))
+    with pytest.raises(InputError, match=r"(?s)saved run.*simulate again"):
+        saved.draw()
+    with pytest.raises(InputError, match=r"load\('bouncing_ball'\)"):
+        saved.model.draw()
+
+
+# ---- command line ----------------------------------------------------------------------------------------------------
+
+
+def test_a_knife_edge_lies_along_its_motion_and_what_has_no_mass_no_shape_has_no_name():
+    arm = Parameter("arm", "m", 0.3)
+    sleigh, cart = Body("sleigh", Parameter("mass", "kg", 2), Parameter("inertia", "kg m^2", 0.1)), Body("cart", 0)
+    scene = Scene(
+        Mechanism("skating", (Prismatic("way", GROUND, cart, axis=X), Prismatic("up", cart, sleigh, axis=Y))),
+        (KnifeEdge("skate", sleigh.at(-arm, 0, 0), Y),),
+        Scales(arm, Parameter("pace", "m/s", 1), arm=arm),
+    )
+    figure = load(scene).draw()
+    words = [text.get_text() for text in figure.axes[0].texts]
+    assert "sleigh" in words
+    assert "cart" not in words
+    blades = [line for line in figure.axes[0].lines if line.get_linewidth() == 2.4]
+    assert len(blades) == 1
+    assert np.ptp(blades[0].get_ydata()) < 1e-9 < np.ptp(blades[0].get_xdata())
+
+
+def test_draw_writes_one_picture_and_never_over_another(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+    def hertzwerk(*arguments: str):
+        return CliRunner().invoke(main, ("draw", *arguments), catch_exceptions=False)
+
+    assert (
+        hertzwerk("pendulum", "--set", 'start_angle="-30 deg"'.replace('"', ""), "--duration", "0.5 s").exit_code == 0
+    )
+    assert Path("pendulum.png").read_bytes().startswith(b"\x89PNG")
+    assert hertzwerk("pendulum", "--start").exit_code == 2  # it is there
+    assert hertzwerk("pendulum", "--start", "--overwrite").exit_code == 0
+    assert hertzwerk("pendulum", "two_spheres", "--start", "--out", "both.png").exit_code == 0
+    assert sorted(path.name for path in Path().iterdir()) == ["both.png", "pendulum.png"]
+    bad = hertzwerk("pendulum", "two_spheres", "--start", "--duration", "1 s", "--set", "mass")
+    assert bad.exit_code == 2
+    assert "--start" in bad.output
+    assert "several targets" in bad.output
+    assert "NAME=VALUE" in bad.output
+
+
+@pytest.mark.parametrize("length", ["1e13 m", "1e90 m"])
+def test_a_detail_too_far_away_to_be_resolved_is_refused(length):
+    """Matplotlib warned of identical limits."""
+    with pytest.raises(InputError, match=r"(?s)slider_pin, 0\.028 m large .*wrong unit"):
+        load("slider_crank").draw(parameters={"rod_length": length})
+
+
+@pytest.mark.parametrize(("height", "drawn"), [("1.7e308 m", False), ("1e200 m", False), ("9e99 m", True)])
+def test_a_mechanism_too_large_to_be_drawn_is_refused(height, drawn):
+    """Matplotlib raised a bare ValueError."""
+    if drawn:
+        load("bouncing_ball").draw(parameters={"drop_height": height})
+        return
+    with pytest.raises(InputError, match="wrong unit"):
+        load("bouncing_ball").draw(parameters={"drop_height": height})

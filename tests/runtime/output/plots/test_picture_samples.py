@@ -1,0 +1,82 @@
+"""Curves of pictures are straight between their samples to the eye, of long runs and of saved ones, with every peak."""
+
+import numpy as np
+import pytest
+
+from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.output.plots import picture_samples
+from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
+from hertzwerk.runtime.output.plots.picture_samples import between
+
+PATH = ("slider_pin.eccentricity_x", "slider_pin.eccentricity_y")
+SHOWN = (*PATH, "guide.travel", "guide.speed", "crank_pin.speed", "slider_pin.normal_force")
+EYE = 3e-3  # of a curve's range
+
+
+@pytest.fixture(scope="module")
+def crank():
+    """16,000 steps, long ones in flights and short ones in contact."""
+    return simulate(load("slider_crank"), duration="0.2 s", tolerance=1e-9)
+
+
+@pytest.fixture(scope="module")
+def saved(crank, tmp_path_factory):
+    return Solution.load(crank.save(tmp_path_factory.mktemp("saved") / "run.npz"))
+
+
+def bent(run: Solution, true: Solution, name: str) -> float:
+    """Largest distance of a drawn curve from the motion, halfway between its samples, over its range."""
+    curves = Curves.of(run)
+    halfway = (curves.t[1:] + curves.t[:-1]) / 2
+    drawn = (curves[name][1:] + curves[name][:-1]) / 2
+    off = np.abs(drawn - true.at(halfway)[name])
+    return float(np.max(off) / np.ptp(true[name]))
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_long_runs_have_no_kinks(crank, name):
+    """A fixed number of samples was spread over any duration: of .3 s, flights were chords with kinks."""
+    assert len(crank.t) > 15_000
+    assert bent(crank, crank, name) < EYE
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_saved_runs_are_drawn_as_live_ones(crank, saved, name):
+    """Straight lines joined the steps: the pin's path was a polygon."""
+    assert bent(saved, crank, name) < EYE
+
+
+def test_the_largest_force_stays_the_largest(crank, saved):
+    (peak,) = {max(impact.peak_force for impact in run.impacts) for run in (crank, saved)}
+    assert np.max(Curves.of(crank)["slider_pin.normal_force"]) == pytest.approx(peak, rel=1e-5)
+    assert np.max(Curves.of(saved)["slider_pin.normal_force"]) == pytest.approx(peak, rel=1e-3)
+
+
+def test_the_first_impact_of_a_saved_run_is_no_polygon(crank, saved):
+    """It had five chords; its force is within 1e-3 of the run's own."""
+    (t, force, depth), (_, live, deep) = (impact_curves(run, run.impacts[0]) for run in (saved, crank))
+    assert len(t) == len(force) == 400
+    assert np.max(np.abs(force - live)) < 1e-3 * np.max(live)
+    assert np.max(np.abs(depth - deep)) < 1e-3 * np.max(deep)
+
+
+@pytest.mark.parametrize(
+    "scene", ["double_pendulum", "ball_in_socket", "two_spheres", "journal_lubricated", "tippe_top"]
+)
+def test_every_history_of_a_saved_run_is_near_the_motion(scene, tmp_path):
+    run = simulate(load(scene), duration="20 ms" if scene == "journal_lubricated" else "0.3 s", tolerance=1e-8)
+    kept = Solution.load(run.save(tmp_path / "run.npz"))
+    times = np.linspace(0, run.t_end, 3001)
+    true, found = run.at(times), between(kept, times)
+    for name in (*run.model.coordinates, *run.model.speeds, *(f"{pair}.normal_force" for pair in run.model.pairs)):
+        size = max(float(np.ptp(run[name])), 1e-9)
+        assert np.max(np.abs(found[name] - true[name])) < 5e-3 * size, name
+
+
+def test_more_steps_than_are_drawn_keep_every_force(monkeypatch, crank):
+    """Where a picture has fewer samples than steps, curves are coarser, all alike, and peaks stay."""
+    monkeypatch.setattr(picture_samples, "MOST", 1000)
+    found = picture_samples.dense(crank)
+    peak = max(impact.peak_force for impact in crank.impacts)
+    assert len(found.t) < 10_000
+    assert np.max(found["slider_pin.normal_force"]) == pytest.approx(peak, rel=5e-4)

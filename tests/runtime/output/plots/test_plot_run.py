@@ -1,0 +1,186 @@
+"""Pictures: they show what they claim, say what a reader must know, and cover nothing."""
+
+import pickle
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.patches import Circle
+
+from hertzwerk.derive import Contact
+from hertzwerk.derive.laws import power
+from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.engine.model.build import scene_from
+from hertzwerk.runtime.output.plots import curves
+from hertzwerk.runtime.output.plots.curves import Curves
+from hertzwerk.runtime.output.plots.picture_samples import dense
+from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+
+C = 0.5e-3  # clearance [m]
+
+
+@pytest.fixture(scope="module")
+def crank():
+    return simulate(load("slider_crank"), duration="24 ms", tolerance=1e-6)
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return simulate(load("soft_ball"), duration="1 s", tolerance=1e-6)
+
+
+def texts(figure):
+    return " ".join(artist.get_text() for artist in figure.findobj(lambda artist: hasattr(artist, "get_text")))
+
+
+def test_dollars_of_a_summary_are_no_mathematics(tmp_path):
+    """A run was lost when its picture was drawn: Matplotlib could not read `x^{`."""
+    model = load(scene_from("soft_ball").named("soft_ball", "a $x^{$ b & <i> \\ $"))
+    run = simulate(model, duration="0.5 s", tolerance=1e-6)
+    assert "a $x^{$ b & <i> \\ $" in texts(run.draw()).replace(r"\$", "$")
+    for number, picture in enumerate((run.draw(), run.plot(), run.plot("floor"))):
+        picture.savefig(tmp_path / f"{number}.png")
+    assert "A \\$x^{\\$ b &amp; &lt;i> \\\\ \\$." in str(model.equations())
+
+
+@pytest.mark.parametrize("output", ["steps", 5])
+def test_a_run_is_sampled_once_for_all_of_its_pictures(output, monkeypatch):
+    calls = []
+    monkeypatch.setattr(curves, "dense", lambda run: calls.append(run) or dense(run))
+    run = simulate(load("soft_ball"), duration="1 s", tolerance=1e-6, output=output)
+    run.plot(), run.plot("floor"), run.plot("energy")
+    assert len(calls) == 1
+    assert b"Curves" not in pickle.dumps(run)  # what pictures share is theirs
+    run.continued("1.5 s").plot()
+    assert len(calls) == 2
+    monkeypatch.setattr(Solution, "kept", property(lambda run: {}))  # seeded fault: nothing is kept
+    run.plot(), run.plot("floor")
+    assert len(calls) == 4
+
+
+def test_journal_path_leaves_the_clearance_circle_by_the_penetration_only(crank):
+    (axis,) = (axis for axis in crank.plot("slider_pin").axes if axis.get_aspect() == 1)
+    (circle,) = axis.findobj(Circle)
+    assert circle.radius == pytest.approx(C * 1e3, rel=1e-9)  # shown in mm
+    free, touching = (np.concatenate(lines.get_segments()) for lines in axis.findobj(LineCollection))
+    assert np.max(np.hypot(*free.T)) <= 1.001 * C * 1e3
+    deepest = max(impact.peak_penetration for impact in crank.impacts) * 1e3
+    assert np.max(np.hypot(*touching.T)) - C * 1e3 == pytest.approx(deepest, rel=5e-3)  # sampled
+    assert axis.get_xlim()[1] > np.max(np.hypot(*touching.T))
+
+
+def test_overview_shows_slider_and_ideal_mechanism(crank):
+    figure = crank.plot()
+    titles = [axis.get_title("left") for axis in figure.axes if axis.get_visible()]
+    for wanted in ("Position", "Speed", "Acceleration", "ideal", "Contact force of slider_pin [kN]", "Energy"):
+        assert any(wanted in title for title in titles), wanted
+    (axis,) = (axis for axis in figure.axes if axis.get_title("left").startswith("Position ["))
+    ideal, real = (line.get_ydata() for line in axis.get_lines())
+    assert 0 < np.max(np.abs(real - ideal)) < 1.0  # mm
+    assert np.max(ideal) == pytest.approx(170, rel=1e-9)
+
+
+def test_cut_acceleration_peaks_are_marked_and_told(crank):
+    (axis,) = (axis for axis in crank.plot().axes if axis.get_title("left").startswith("Acceleration"))
+    largest = np.max(np.abs(Curves.of(crank)["guide.acceleration"]))
+    assert f"{largest / 1e3:.0f}" in axis.get_title("left")
+    marks = [line for line in axis.get_lines() if line.get_marker() in ("^", "v")]
+    assert sum(len(line.get_xdata()) for line in marks) > 3
+
+
+@pytest.mark.parametrize("name", [None, "slider_pin"])
+def test_legends_cover_no_data(crank, name):
+    figure = crank.plot(*([name] if name else []))
+    FigureCanvasAgg(figure).draw()
+    legends = [(axis, axis.get_legend()) for axis in figure.axes if axis.get_legend()]
+    assert legends
+    for axis, legend in legends:
+        box, panel = legend.get_window_extent(), axis.get_window_extent()
+        assert box.y0 >= panel.y1 - 1 or box.y1 <= panel.y0 + 1
+        assert box.x1 <= figure.bbox.x1
+    assert not [
+        (a, b)
+        for i, (_, a) in enumerate(legends)
+        for _, b in legends[i + 1 :]
+        if a.get_window_extent().overlaps(b.get_window_extent())
+    ]
+
+
+def test_many_curves_have_legends_in_rows_that_cover_nothing():
+    figure = simulate(load("slider_crank_three_clearances"), duration="12 ms", tolerance=1e-6).plot()
+    FigureCanvasAgg(figure).draw()
+    tops = {}
+    for axis in figure.axes:
+        if axis.get_visible() and axis.get_legend():
+            box, panel = axis.get_legend().get_window_extent(), axis.get_window_extent()
+            title = axis._left_title.get_window_extent()
+            assert panel.y1 - 1 <= box.y0
+            assert box.y1 <= title.y0 + 2
+            assert box.x1 <= panel.x1 + 0.1 * panel.width
+            assert panel.width > 0.35 * figure.bbox.width
+            tops[axis.get_title("left")] = box.height
+    assert max(tops.values()) > 1.5 * min(tops.values())  # one of them in several rows
+
+
+def test_a_mechanism_without_contacts_has_no_panel_of_contact_forces():
+    assert "Contact force" not in texts(simulate(load("pendulum"), duration="1 s", tolerance=1e-6).plot())
+
+
+def test_accelerations_are_not_cut_where_the_ideal_mechanism_rests(tmp_path):
+    figure = simulate(load("journal_in_bearing"), duration="50 ms", tolerance=1e-6).plot()
+    (axis,) = (axis for axis in figure.axes if axis.get_title("left").startswith("Acceleration"))
+    assert "cut" not in axis.get_title("left")
+    figure.savefig(tmp_path / "journal.png")
+
+
+def test_first_impact_of_a_ball_is_drawn_to_its_peak(ball):
+    figure = ball.plot("floor")
+    assert "Gap [m]" in texts(figure)
+    peak = max(
+        np.max(line.get_ydata())
+        for axis in figure.axes
+        if "[kN]" in axis.get_title("left")
+        for line in axis.get_lines()
+    )
+    assert peak == pytest.approx(ball.impacts[0].peak_force / 1e3, rel=1e-4)
+
+
+def test_any_history_can_be_plotted_and_unknown_names_are_refused(ball):
+    figure = ball.plot("vertical.speed", "energy")
+    assert [axis.get_title("left") for axis in figure.axes] == ["vertical.speed [m/s]", "energy [J]"]
+    with pytest.raises(KeyError, match=r"vertical\.speed"):
+        ball.plot("vertical.sped")
+
+
+def test_a_saved_run_is_plotted_from_its_rows(ball, tmp_path):
+    saved = Solution.load(ball.save(tmp_path / "run.npz"))
+    for figure in (saved.plot(), saved.plot("floor")):
+        figure.savefig(tmp_path / "picture.png")
+
+
+def test_unchecked_laws_and_warnings_stand_on_the_picture():
+    scene = scene_from("two_spheres")
+    stiffness = power(1e8 * scene.parameters["youngs_modulus"] / 207e9, 1)  # Pa, not N/m
+    wrong = scene.replace(spheres=Contact("spheres", stiffness, scene.effect("spheres").damping, unchecked=True))
+    run = simulate(load(wrong), duration="50 ms", parameters={"restitution": "0.7"}, tolerance=1e-6)
+    for figure in (run.plot(), run.plot("spheres")):
+        assert "UNCHECKED" in texts(figure)
+
+
+def test_a_parameter_outside_its_recommended_range_is_told_on_the_picture():
+    run = simulate(load("slider_crank"), duration="1 ms", parameters={"restitution": 0.5}, tolerance=1e-6)
+    assert run.warnings
+    assert "restitution" in texts(run.plot())
+
+
+@pytest.mark.parametrize(
+    ("unit", "values", "shown"),
+    [("m", [0.5e-3], "mm"), ("m", [78e-6], "µm"), ("m", [1.2], "m"), ("N", [46e3], "kN"), ("N", [3.0], "N"),
+     ("s", [0.024], "ms"), ("s", [5.0], "s"), ("rad", [0.1], "rad"), ("m", [0.0], "m"), ("J", [np.nan, 2.0], "J"),
+     ("N", [290.0], "N"), ("N", [0.0], "N"), ("rad", [2e-3], "mrad"), ("m/s^2", [3e5], "km/s²"), ("kg m^2", [2e-4], "kg m²")],
+)  # fmt: skip
+def test_units_are_those_a_person_reads(unit, values, shown):
+    scale = scale_of(unit, values)
+    assert scale.unit == shown
+    assert scale(scale.factor) == 1

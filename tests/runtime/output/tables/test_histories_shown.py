@@ -1,0 +1,59 @@
+"""The list of a model's histories is a table that people read."""
+
+import re
+from functools import cache
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Free,
+    Friction,
+    Mechanism,
+    Parameter,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Z,
+    laws,
+)
+from hertzwerk.runtime import load
+from hertzwerk.runtime.output.tables.history_meanings import Entry, Histories
+
+RADIUS = Parameter("radius", "mm", 20)
+BALL = Body("ball", Parameter("mass", "kg", 0.1), (Parameter("J", "kg m^2", 1e-5),) * 3)
+
+
+@cache
+def shown(name):
+    return repr(load(name).histories)
+
+
+def test_histories_are_shown_as_a_table():
+    lines = shown("bouncing_ball").splitlines()
+    assert lines[0] == "in every run:" and "derived on request:" in lines
+    row = next(line for line in lines if line.startswith("floor.normal_force "))
+    assert re.fullmatch(r"floor\.normal_force +N +normal force, of floor", row)
+    at = row.index("N")
+    assert all(line[at - 1] == " " and line[at] != " " for line in lines if not line.endswith(":"))
+    assert load("bouncing_ball").histories._repr_html_().count("<tr>") == len(load("bouncing_ball").histories) + 1
+
+
+def test_a_history_of_a_table_is_an_entry_still():
+    found = load("bouncing_ball").histories
+    assert found[0] == Entry("t", "s", "time", derived=False) and isinstance(found[1:2], tuple)
+    assert repr(Histories()) == ""
+
+
+def test_two_directions_of_sliding_are_told_from_a_mode():
+    floor = SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, GROUND.at(0, 0, 0), normal=Z)
+    contact = Contact("floor", laws.power(Parameter("K", "N/m^1.5", 1e6), 1.5))
+    rubbing = Friction(
+        "rubbing", "floor", laws.coulomb(mu_k=Parameter("mu", "1", 0.2), mu_s=Parameter("mu_s", "1", 0.2))
+    )
+    scales = Scales(RADIUS, Parameter("pace", "m/s", 1), arm=RADIUS)
+    model = load(Scene(Mechanism("ball", (Free("flight", GROUND, BALL),), (floor,)), (contact, rubbing), scales))
+    told = {entry.name: entry.meaning for entry in model.histories}
+    assert told["floor.slip_1"] == "direction of sliding, zero while it sticks, of floor, along its tangent 1"
+    assert told["floor.friction_force_2"] == "friction force of floor, along its tangent 2"
+    assert told["floor.slip"].startswith("mode of set-valued friction: ")

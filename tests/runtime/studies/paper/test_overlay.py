@@ -1,0 +1,57 @@
+"""Measurements laid over the figures of a study: units, missing values, what fits no panel."""
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.inputs.measurement_csv import Measurement
+from hertzwerk.runtime.studies.paper.overlay import laid_over
+from hertzwerk.runtime.studies.paper.plot_page import figure
+from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel
+
+TIMES = np.array([1e-3, 2e-3, 3e-3])
+
+
+def page():
+    x = np.linspace(0, 10, 3)
+    time, acceleration = Axis("time", "ms", history="t"), Axis("a", "km/s²", history="guide.acceleration")
+    panels = (
+        Panel("a", time, acceleration, (Curve("run", x, x),)),
+        Panel("other", Axis("time", "ms"), Axis("b"), (Curve("run", x, x),)),
+    )
+    return Page("A page", ("Said.",), charts=(Chart("chart", "Chart", panels),))
+
+
+def test_columns_are_drawn_in_the_units_of_the_axes():
+    values = {"guide.acceleration": np.array([2000.0, np.nan, -500.0])}
+    over = laid_over(page(), Measurement(TIMES, values, {"guide.acceleration": "m/s^2"}, "rig.csv"))
+    first, other = over.charts[0].panels
+    measured = first.curves[-1]
+    assert (measured.label, measured.look) == ("measured", "measured")
+    assert measured.x == pytest.approx([1, 3])
+    assert measured.y == pytest.approx([2, -0.5])
+    assert len(other.curves) == 1
+    assert "rig.csv" in over.paragraphs[-1]
+    line = figure(over.charts[0]).axes[0].lines[-1]
+    assert (line.get_color(), list(line.get_xdata())) == ("black", pytest.approx([1, 3]))
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "said"),
+    [
+        ("guide.acceleration", "m/s", "a unit like km/s²"),
+        ("rod.acceleration", "m/s^2", "some of guide.acceleration"),
+    ],
+)
+def test_what_does_not_fit_is_refused(name, unit, said):
+    with pytest.raises(InputError) as refused:
+        laid_over(page(), Measurement(TIMES, {name: TIMES}, {name: unit}, "rig.csv"))
+    assert said in str(refused.value)
+
+
+def test_a_missing_file_is_told_before_anything_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(main, ["study", "slider_crank", "--measured", "none.csv"])
+    assert (done.exit_code, "no such file" in done.output) == (2, True)

@@ -1,0 +1,66 @@
+"""Records that are read back: no flipped bit changes what they say."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.cli.page_folder import ASKED, ROWS
+from hertzwerk.runtime.cli.run_folder import record_text
+from hertzwerk.runtime.system import digests
+
+RECORD = {
+    "values": {"restitution": 0.1 + 0.2},
+    "names": ("a",),
+    "none": None,
+    "nan": float("nan"),
+    "by_number": {9: 1, 10: 2},
+}
+
+
+def test_a_flipped_bit_is_refused_or_changes_nothing(tmp_path):
+    file, content = tmp_path / "record.json", record_text(RECORD).encode()
+    file.write_bytes(content)
+    whole = digests.read_sealed(file)
+    assert whole["values"] == RECORD["values"]
+    refused = 0
+    bits = range(0, 8 * len(content), 5)  # of every byte some
+    for i in bits:
+        flipped = bytearray(content)
+        flipped[i // 8] ^= 1 << i % 8
+        file.write_bytes(flipped)
+        try:
+            assert digests.read_sealed(file) == whole, i
+        except ValueError:
+            refused += 1
+    assert refused > 0.9 * len(bits)
+
+
+def hertzwerk(*arguments):
+    done = CliRunner().invoke(main, list(map(str, arguments)))
+    return done.exit_code, " ".join(done.output.split())
+
+
+@pytest.mark.parametrize(
+    ("file", "arguments"),
+    [
+        (
+            "fit.json",
+            ("propagate", "bouncing_ball", "--output", "final.vertical.speed", "--duration", "0.1 s", "--fitted"),
+        ),
+        ("run.json", ("run", "--duration", "1 s", "--continue")),
+        (f"{ROWS}/{ASKED}", ("study", "--resume")),
+        ("study.json", ("report",)),
+        ("propagation.json", ("report",)),
+    ],
+)
+def test_what_commands_read_back_is_refused_where_it_is_damaged(tmp_path, file, arguments):
+    (tmp_path / file).parent.mkdir(exist_ok=True)
+    record = digests.sealed(
+        {"distribution": {"names": ["mass"]}, "request": {"target": "bouncing_ball"}, "name": "bouncing"}
+    )
+    (tmp_path / file).write_text(json.dumps({**record, "name": "exponents"}))
+    code, output = hertzwerk(*arguments, tmp_path)
+    assert code == 2, output
+    assert "digest does not fit" in output
