@@ -285,13 +285,19 @@ def two_journals():
 
 @pytest.mark.parametrize("coordinates", [pytest.param("absolute", marks=pytest.mark.exhaustive), "tree"])
 def test_two_frictions_feed_each_other(coordinates):
-    run = simulate(load(two_journals().with_coordinates(coordinates)), duration=1.0, tolerance=1e-9)
+    """Friction holds a joint's acceleration. In a tree its speed is a state, and zero; in absolute coordinates it is a difference of
+    two, each off by a tolerance of its scale a step: .06 to .13 tolerances at 1e-7, 1e-9 and 1e-11, zero as sticking begins.
+    """
+    tolerance = 1e-9
+    run = simulate(load(two_journals().with_coordinates(coordinates)), duration=1.0, tolerance=tolerance)
+    steps = int(np.sum(run["second.slip"] == 0))
+    speed = 1e-12 if coordinates == "tree" else 2 * steps * tolerance * run.scales.scene[1] / run.scales.scene[0]
     for joint, name in (("hinge", "first"), ("elbow", "second")):
         pressed, slip = np.hypot(run[f"{joint}.reaction_x"], run[f"{joint}.reaction_y"]), run[f"{name}.slip"]
         force, slides = run[f"{name}.friction_force"], slip != 0
         assert force[slides] == pytest.approx(-0.2 * (slip * pressed)[slides], abs=1e-7)
         assert np.all(np.abs(force) <= 0.2 * pressed + 1e-6)
-        assert np.all(slides | (np.abs(run[f"{joint}.speed"]) < 1e-12))
+        assert np.all(slides | (np.abs(run[f"{joint}.speed"]) < speed))
     assert run.energy_residual < 1e-8
 
 
