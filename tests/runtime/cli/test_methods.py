@@ -24,13 +24,13 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.analysis.hard_cases import case
 from hertzwerk.runtime.analysis.validation.scenario import Scenario
-from hertzwerk.runtime.analysis.work_precision import reference, study
+from hertzwerk.runtime.analysis.work_precision import reference_run, work_precision_study
 
 for command in ("run", "effects"):
     assert "own" in CliRunner().invoke(main, [command, "--help"]).output
 assert Scenario(scene="soft_ball", duration="1 s", method="own").method == "own"
-assert "own" in inspect.signature(study.study).parameters["methods"].default
-assert "own" in reference.METHODS and "own" in case.METHODS and "own" in case.EXPLICIT
+assert "own" in inspect.signature(work_precision_study.study).parameters["methods"].default
+assert "own" in reference_run.METHODS and "own" in case.METHODS and "own" in case.EXPLICIT
 run = simulate(load("soft_ball"), duration="1 ms", tolerance=1e-4, method="own")
 assert run.outcome.finished and run.method == "own"
 """

@@ -322,7 +322,7 @@ def test_a_full_disk_ends_with_an_outcome_and_goes_on_with_space(ball, tmp_path,
 DRIVER = """
 import os, sys
 from hertzwerk.runtime import sweep
-from hertzwerk.runtime.studies.sweeps import store
+from hertzwerk.runtime.studies.sweeps import sweep_store
 
 def note(run):
     with open(sys.argv[2], "a") as log:
@@ -343,9 +343,9 @@ def told(fraction, done=[]):
     os.write(1, b"row\\n" * (now - done[-1] if done else 1))
     done.append(now)
 
-add = store.Store.add
+add = sweep_store.Store.add
 if sys.argv[5] == "late":
-    store.Store.add = late
+    sweep_store.Store.add = late
 sweep("bouncing_ball", {"drop_height": f"0.5..1.5 m:{sys.argv[4]}"}, duration="3 s", tolerance=1e-10, compiled=False,
       outputs=["floor.peak_force", "floor.impact_rate"], functions={"note": note}, workers=2, into=sys.argv[1],
       progress=told)
