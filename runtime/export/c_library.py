@@ -42,6 +42,20 @@ ALL = (
 )
 """Functions that the driver calls; one that a model has not is left empty."""
 
+TEMPLATES = resources.files(__package__) / "c"
+STATUSES = (
+    *("FLIGHT", "CONTACT", "RELEASED", "CALM", "SUSPECT", "RUNNING", "FINISHED", "STEP_TOO_SMALL", "NOT_FINITE"),
+    *("CONSTRAINT_LOST", "OUTSIDE_LAW_RANGE", "EVENT_LIMIT", "TOO_MANY_STEPS"),
+)
+IN_STATE = (
+    *("t", "y", "mode", "gap", "gap_rate", "force", "pieces", "stop", "h", "status", "pressure", "events", "steps"),
+    *("rejected", "retaken", "evaluations"),
+)
+IN_CONTROLS = ("scale", "speed_limits", "tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
+MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000  # where none is set: a library recognises no stall by its progress
+LARGE = 1_500_000  # characters of C from which more than -O1 takes minutes
+DEEP = 10.0  # of the scene's length: overlap of surfaces at a start of one's own that is refused
+
 
 @dataclass(frozen=True)
 class Functions:
@@ -147,21 +161,6 @@ def _alone(text: str) -> str:
         r"^/\* Symbol visibility in DLLs \*/\n#ifndef.*?^#endif\n\n", "", text, flags=re.MULTILINE | re.DOTALL
     )
     return _SPARSITY.sub(lambda found: found[0] if len(re.findall(rf"\b{found[1]}\b", text)) > 2 else "", text)
-
-
-TEMPLATES = resources.files(__package__) / "c"
-STATUSES = (
-    *("FLIGHT", "CONTACT", "RELEASED", "CALM", "SUSPECT", "RUNNING", "FINISHED", "STEP_TOO_SMALL", "NOT_FINITE"),
-    *("CONSTRAINT_LOST", "OUTSIDE_LAW_RANGE", "EVENT_LIMIT", "TOO_MANY_STEPS"),
-)
-IN_STATE = (
-    *("t", "y", "mode", "gap", "gap_rate", "force", "pieces", "stop", "h", "status", "pressure", "events", "steps"),
-    *("rejected", "retaken", "evaluations"),
-)
-IN_CONTROLS = ("scale", "speed_limits", "tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
-MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000  # where none is set: a library recognises no stall by its progress
-LARGE = 1_500_000  # characters of C from which more than -O1 takes minutes
-DEEP = 10.0  # of the scene's length: overlap of surfaces at a start of one's own that is refused
 
 
 def write(asked: Asked, folder: Path) -> str:

@@ -33,6 +33,9 @@ CATEGORIES = {"logStatusError": "errors", "logEvents": "impacts"}
 DISCRETE = ("mode", "slip", "approach_speed", "slip_1", "slip_2")  # last parts of names whose histories jump
 Attributes = dict[str, str]
 
+FLAGS = ("-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-fPIC")
+TIGHTER = 1e-2  # of the tolerance: that of the two runs whose difference is a directional derivative
+
 
 def description(found: Contents, name: str, token: str, fmi: int) -> str:
     """Return the description of a unit whose code is called `name`."""
@@ -167,10 +170,6 @@ def _whole(unit: Unit) -> Attributes | None:
         return None
     found = {base: str(exponent) for base, exponent in zip(BASES, exponents, strict=True) if exponent}
     return {**found, **({"rad": str(unit.angle)} if unit.angle else {})}
-
-
-FLAGS = ("-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-fPIC")
-TIGHTER = 1e-2  # of the tolerance: that of the two runs whose difference is a directional derivative
 
 
 def faults(file: Path) -> list[Fault]:

@@ -44,6 +44,9 @@ if TYPE_CHECKING:
 CORRECTIONS = 20  # Gauss-Newton iterations of the positions
 AGREE = 1e-9  # relative: largest difference of equal poses and their rates
 
+HOPELESS = 6.0
+_SMALLEST = ""  # no effect has this name
+
 
 def driven_start(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:
     """Return the additional coordinates and speeds of a scene so that every body starts as in a run.
@@ -103,9 +106,6 @@ def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.
     """Return the changes of the free variables that come closest to the wanted ones."""
     changes: np.ndarray = np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
     return changes
-
-
-HOPELESS = 6.0
 
 
 def study_effects(
@@ -192,9 +192,6 @@ def study_effects(
             *(f"{name}: {why}" for name, why in measured.lacking.items() if name in outputs),
         ),
     )
-
-
-_SMALLEST = ""  # no effect has this name
 
 
 def _outputs(

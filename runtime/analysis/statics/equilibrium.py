@@ -49,6 +49,11 @@ if TYPE_CHECKING:
 FOLLOWED = 100  # steps in which a start is followed to a later time
 TIME = "held_time"  # parameter: time at whose positions the drives are held
 
+OPEN = 1e-12  # stiffness over the largest below which a freedom is indifferent
+SHARED = 1e-6  # singular value, and part of a vector, below which it counts as zero
+ROUNDING = 1e-15  # coordinate over its scale below which it is shown as 0
+REPORTED = 1e-8  # part of the forces that counts as unbalanced
+
 
 @per_model
 def held(model: Model) -> Model:
@@ -116,12 +121,6 @@ def drive_units(held: Model) -> dict[str, str]:
     force = {"rad": "N m", "m": "N"}
     driven = scene.driven
     return {driven[freedom.key].name: force[freedom.units[0]] for freedom in freedoms if freedom.key in driven}
-
-
-OPEN = 1e-12  # stiffness over the largest below which a freedom is indifferent
-SHARED = 1e-6  # singular value, and part of a vector, below which it counts as zero
-ROUNDING = 1e-15  # coordinate over its scale below which it is shown as 0
-REPORTED = 1e-8  # part of the forces that counts as unbalanced
 
 
 @dataclass(frozen=True)

@@ -45,6 +45,10 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
     from hertzwerk.runtime.engine.model.model import Bound, Model
 
+ZERO = 1e-7  # over the largest eigenvalue: below it is rounding of a freedom that nothing holds, a double one
+NO_DAMPING = 1e-12  # over the largest eigenvalue: smaller real parts are rounding
+SMALL = 1e-9  # part of a shape that is not shown
+
 
 @dataclass(frozen=True)
 class Linearisation:
@@ -155,11 +159,6 @@ def _derivatives(model: Model) -> Callers:
     moves = ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u)
     results = [ca.jacobian(loops, q), ca.jacobian(rates, x), ca.jacobian(s, x), moves]
     return Callers(ca.Function("derivatives", given, [ca.densify(x) for x in ca.cse(results)]))
-
-
-ZERO = 1e-7  # over the largest eigenvalue: below it is rounding of a freedom that nothing holds, a double one
-NO_DAMPING = 1e-12  # over the largest eigenvalue: smaller real parts are rounding
-SMALL = 1e-9  # part of a shape that is not shown
 
 
 @dataclass(frozen=True)

@@ -45,6 +45,9 @@ if TYPE_CHECKING:
 
 STEP = 1e-3  # relative, of differences: two of them, extrapolated, are right to about its fourth power
 
+BISECTIONS = 60  # of the step in which a force or penetration is largest
+OF_IMPACT = ("t", "speed", "peak_force", "peak_penetration")
+
 
 def start_changes(model: Model, bound: Bound, initial: Mapping[str, Value], names: tuple[str, ...]) -> np.ndarray:
     """Return the changes (nq + nu, P) of the start with parameters, or initial states of the joints.
@@ -116,8 +119,6 @@ def _difference(model: Model, bound: Bound, initial: Mapping[str, Value], name: 
     return found
 
 
-BISECTIONS = 60  # of the step in which a force or penetration is largest
-OF_IMPACT = ("t", "speed", "peak_force", "peak_penetration")
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
 
 

@@ -34,6 +34,16 @@ LAST = 200  # rows examined
 MOST = 0.5  # of these, for a cause to be recognised
 AUTO = 'take method="auto"'
 
+FRICTION_LOCKS = STALLED + 1  # which is found of a run that left the range of a law, or has come to a halt
+REACHED_END = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # names
+STEPS = (
+    STEP_TOO_SMALL,
+    TOO_MANY_STEPS,
+    WALL_TIME_LIMIT,
+    STALLED,
+)  # statuses of runs whose steps were many or too small
+CLOSES = 100  # times the accuracy: largest error of a run's energy balance; a run at a tolerance may add one tolerance per step
+
 
 def _method_for_steps(method: str, history: History) -> str:
     """Recommend a method in place of one whose steps were many or too small; "" if none need be better."""
@@ -69,16 +79,6 @@ def _alternates(sliding: np.ndarray) -> bool:
     """Return whether a sliding velocity (rows, n) changes its sign about every other step."""
     turned = np.diff(np.sign(sliding), axis=0) != 0
     return bool(turned.size and np.max(np.mean(turned, axis=0)) > MOST / 2)
-
-
-FRICTION_LOCKS = STALLED + 1  # which is found of a run that left the range of a law, or has come to a halt
-REACHED_END = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # names
-STEPS = (
-    STEP_TOO_SMALL,
-    TOO_MANY_STEPS,
-    WALL_TIME_LIMIT,
-    STALLED,
-)  # statuses of runs whose steps were many or too small
 
 
 @dataclass(frozen=True)
@@ -202,9 +202,6 @@ def too_long(asked: float, error: ErrorEstimate, tolerance: float) -> Outcome:
         f"simulate {known:.4g} s, up to which a smaller tolerance is expected to be so accurate, perhaps longer; for statistics take this run, "
         "or tolerance= in place of accuracy=",
     )
-
-
-CLOSES = 100  # times the accuracy: largest error of a run's energy balance; a run at a tolerance may add one tolerance per step
 
 
 def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> Outcome | None:

@@ -38,6 +38,15 @@ if TYPE_CHECKING:
 
 SLIDING = 1e-9  # of the fastest: slower surfaces have no direction
 
+PANEL = (6.0, 4.0)  # largest size of the mechanism, inches
+DPI = 100
+RUBBING = 1.0  # width of the arrow of friction, points
+LONGEST, LEAST = 60.0, 7.0  # length of the arrow of the largest force, and of the shortest, points
+STRIP, BELOW = 0.95, 0.42  # inches of the histories of forces, and of their time axis
+NAMES, PATCH, LETTER, ROOM = 0.24, 0.36, 0.08, 1.1  # inches: of the names of bodies, a patch, a letter; of the time
+MANY = 6  # pairs: of more the largest force is drawn alone
+LINE, LETTERS = 0.165, 15  # inches of a line below; characters on an inch of it
+
 
 def friction_of(curves: Curves, pair: str) -> Array:
     """Return the size of the friction force of a pair over the curves' times [N].
@@ -155,16 +164,6 @@ CONTACTS: dict[str, Callable[[Parts, Sequence[Landmark], int], Contact | None]] 
     "corner_on_face": _on_plane,
     "rim_on_plane": _rim,
 }
-
-
-PANEL = (6.0, 4.0)  # largest size of the mechanism, inches
-DPI = 100
-RUBBING = 1.0  # width of the arrow of friction, points
-LONGEST, LEAST = 60.0, 7.0  # length of the arrow of the largest force, and of the shortest, points
-STRIP, BELOW = 0.95, 0.42  # inches of the histories of forces, and of their time axis
-NAMES, PATCH, LETTER, ROOM = 0.24, 0.36, 0.08, 1.1  # inches: of the names of bodies, a patch, a letter; of the time
-MANY = 6  # pairs: of more the largest force is drawn alone
-LINE, LETTERS = 0.165, 15  # inches of a line below; characters on an inch of it
 
 
 @dataclass(frozen=True)

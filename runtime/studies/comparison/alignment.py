@@ -28,6 +28,14 @@ Array = NDArray[np.float64]
 
 LAGS = 1000  # most that are summed
 
+Range = tuple[float, float]
+FEWEST = 16  # samples within the run, wherever in the ranges
+DRIFTS = 401  # most that are tried
+NEARLY = 1.5  # times the missing correlation of the best offset: another one that is as good is doubtful
+PROMINENT = 0.05  # least prominence of another peak of the correlation
+PAST_HORIZON = "the alignment rests on times past the horizon, where trajectories part: it is that of the drive at best"
+FINEST = 1e-4  # of the spacing of offsets that are tried: to which the best is refined
+
 
 def standard_errors(
     seen: SeenRun,
@@ -77,16 +85,6 @@ def _spread(ways: Array, residual: Array, free: int) -> Array:
         sums += correlation * (products + products.T)
     variance = float(residual @ residual) / (len(residual) - 2 - free)
     return variance * sums
-
-
-Range = tuple[float, float]
-
-FEWEST = 16  # samples within the run, wherever in the ranges
-DRIFTS = 401  # most that are tried
-NEARLY = 1.5  # times the missing correlation of the best offset: another one that is as good is doubtful
-PROMINENT = 0.05  # least prominence of another peak of the correlation
-PAST_HORIZON = "the alignment rests on times past the horizon, where trajectories part: it is that of the drive at best"
-FINEST = 1e-4  # of the spacing of offsets that are tried: to which the best is refined
 
 
 @dataclass(frozen=True)

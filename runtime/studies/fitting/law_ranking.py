@@ -26,6 +26,10 @@ from hertzwerk.runtime.studies.fitting.fit_result import Fitted
 from hertzwerk.runtime.studies.fitting.fitting import Asked, concluded, criterion_of, read_fit, searched, stated_noise
 from hertzwerk.runtime.studies.fitting.least_squares import Found, Search
 
+Array = NDArray[np.float64]
+APART = 6.0  # difference of the criteria below which laws are not told apart: one is 20 times as likely as the other
+DOUBT = 2.0  # standard errors by which the held-out runs must prefer a law against the criterion's choice to be heard
+
 
 def split_laws(text: str) -> list[str]:
     """Return the laws of a text, divided by commas that stand in no brackets."""
@@ -101,12 +105,6 @@ def read_laws(
 
 def _names(model: Model) -> set[str]:
     return {*model.parameters, *model.joints.coordinates, *model.joints.speeds}
-
-
-Array = NDArray[np.float64]
-
-APART = 6.0  # difference of the criteria below which laws are not told apart: one is 20 times as likely as the other
-DOUBT = 2.0  # standard errors by which the held-out runs must prefer a law against the criterion's choice to be heard
 
 
 @dataclass(frozen=True)
