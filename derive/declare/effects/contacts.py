@@ -83,10 +83,10 @@ class Contact(PairEffect):
             + (", UNCHECKED" if self.unchecked else "")
         )
 
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield its quantities; without a law that latches the approach speed its floor is unused."""
-        floor = f"{self.where}, approach floor"
-        return (slot for slot in super().slots(scene) if self.latches or slot.where != floor)
+    @property
+    def used(self) -> Mapping[str, Slot]:
+        """Its `measures`; without a law that latches the approach speed its floor is unused."""
+        return {name: slot for name, slot in self.measures.items() if self.latches or name != "approach_floor"}
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a smoothing length with a law that begins too steeply for it."""

@@ -332,7 +332,12 @@ class Effect:
             yield from point.slots()
         for name, direction in self.directions.items():
             yield from direction.slots(f"{self.where}, {name}")
-        yield from measured(self, self.where, self.measures, self.units(scene))
+        yield from measured(self, self.where, self.used, self.units(scene))
+
+    @property
+    def used(self) -> Mapping[str, Slot]:
+        """Those of its `measures` that it uses, as declared."""
+        return self.measures
 
     def units(self, scene: Declared) -> Mapping[str, str]:
         """Units by the names that stand for them in `measures`."""

@@ -36,12 +36,8 @@ AUTO = 'take method="auto"'
 
 FRICTION_LOCKS = STALLED + 1  # which is found of a run that left the range of a law, or has come to a halt
 REACHED_END = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # names
-STEPS = (
-    STEP_TOO_SMALL,
-    TOO_MANY_STEPS,
-    WALL_TIME_LIMIT,
-    STALLED,
-)  # statuses of runs whose steps were many or too small
+# statuses of runs whose steps were many or too small
+STEPS = (STEP_TOO_SMALL, TOO_MANY_STEPS, WALL_TIME_LIMIT, STALLED)
 CLOSES = 100  # times the accuracy: largest error of a run's energy balance; a run at a tolerance may add one tolerance per step
 
 

@@ -134,7 +134,36 @@ class Estimates(ABC):
         Raises InputError where some are not told.
         Normal on the scale of the search, by the curvature of the least squares; cut at an end of the range that was searched.
         """
-        return _joint(self.values, self.known, self.scene)
+        names = [free.name for free in self.known.free]
+        lost = [name for name in self.values if self.known.concerned(names.index(name))]
+        if lost:
+            remedy = "measure what determines it, or fit without it"
+            faults = [
+                Fault(name, "a quantity that the data do not determine", "those that they determine", remedy)
+                for name in lost
+            ]
+            raise InputError(f"distribution of the fit of {self.scene}", faults)
+        deviations = np.sqrt(np.diag(self.known.covariance))
+        found: dict[str, Distribution | str] = {}
+        for name, value in self.values.items():
+            size = float(deviations[names.index(name)])
+            at, width = (value.value, value.unit), (size * value.scale, value.unit)
+            cut = (
+                value.inner(value.value) - FAR * size < value.bounds[0]
+                or value.inner(value.value) + FAR * size > value.bounds[1]
+            )
+            if value.log:
+                found[name] = LogNormal(at, math.exp(size))
+            elif cut:
+                found[name] = TruncatedNormal(at, width, (value.low, value.unit), (value.high, value.unit))
+            else:
+                found[name] = Normal(at, width)
+        pairs = combinations(self.values, 2)
+        correlation = {
+            f"{one}, {other}": float(self.known.correlation[names.index(one), names.index(other)])
+            for one, other in pairs
+        }
+        return Correlated(found, correlation)
 
 
 @dataclass(frozen=True)
@@ -271,39 +300,6 @@ class Fitted(Estimates):
             "verdict": self.verdict,
             "warnings": list(self.warnings),
         }
-
-
-def _joint(values: Mapping[str, FittedValue], known: Identified, scene: str) -> Correlated:
-    """Return the distribution of fitted values; raises InputError where some are not told."""
-    names = [free.name for free in known.free]
-    lost = [name for name in values if known.concerned(names.index(name))]
-    if lost:
-        remedy = "measure what determines it, or fit without it"
-        faults = [
-            Fault(name, "a quantity that the data do not determine", "those that they determine", remedy)
-            for name in lost
-        ]
-        raise InputError(f"distribution of the fit of {scene}", faults)
-    deviations = np.sqrt(np.diag(known.covariance))
-    found: dict[str, Distribution | str] = {}
-    for name, value in values.items():
-        size = float(deviations[names.index(name)])
-        at, width = (value.value, value.unit), (size * value.scale, value.unit)
-        cut = (
-            value.inner(value.value) - FAR * size < value.bounds[0]
-            or value.inner(value.value) + FAR * size > value.bounds[1]
-        )
-        if value.log:
-            found[name] = LogNormal(at, math.exp(size))
-        elif cut:
-            found[name] = TruncatedNormal(at, width, (value.low, value.unit), (value.high, value.unit))
-        else:
-            found[name] = Normal(at, width)
-    pairs = combinations(values, 2)
-    correlation = {
-        f"{one}, {other}": float(known.correlation[names.index(one), names.index(other)]) for one, other in pairs
-    }
-    return Correlated(found, correlation)
 
 
 def _record(signal: FittedSignal) -> dict[str, Any]:

@@ -36,10 +36,8 @@ INSERT = f"INSERT INTO rows VALUES ({', '.join('?' * ROW)})"
 PLACE = "INSERT OR REPLACE INTO points VALUES (?, ?, ?)"
 HELD = 10_000  # rows of a table, beyond which they stay in the folder
 PATIENCE = 30.0  # s to wait for a reader
-PAGE, SIZE_AT = (
-    4096,
-    slice(28, 32),
-)  # bytes of a page, as SQLite sets it; those of the first that say how many there are
+PAGE = 4096  # bytes, as SQLite sets it
+SIZE_AT = slice(28, 32)  # bytes of the first page that say how many there are
 FAILED = (sqlite3.Error, UnicodeError, OverflowError, MemoryError)  # to read what is damaged
 SOUND = {  # what SQLite says of the system, not of the file
     *(sqlite3.SQLITE_PERM, sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_READONLY),

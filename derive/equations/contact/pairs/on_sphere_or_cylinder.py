@@ -96,13 +96,13 @@ class ParallelCylinders(SphereOnSphere):
         return {"radius": self.radius_first}, second
 
 
-@dataclass(frozen=True)
 class WithClearance(Round):
     """Joint with clearance: a round surface free inside a hollow one.
 
     Its radius is less by the `clearance`; the hollow one's is a field with the name of the second of its `labels`.
     """
 
+    clearance: Scalar  # a field of each kind
     inside: ClassVar[bool] = True
     journal: ClassVar[bool] = True
 
@@ -114,7 +114,7 @@ class WithClearance(Round):
     @property
     def first_radius(self) -> Any:
         """Radius of the surface within [m]."""
-        return self.outer_radius - getattr(self, "clearance")  # noqa: B009  # a field of each kind
+        return self.outer_radius - self.clearance
 
     @property
     def geometry(self) -> dict[str, Any]:
@@ -126,14 +126,11 @@ class WithClearance(Round):
 
     def slots(self) -> Iterator[Slot]:
         """Yield its quantities, and the inner radius that follows from them."""
+        yield from super().slots()
         inner, outer = self.labels
-        for slot in super().slots():
-            yield slot
-            if slot.where.endswith(", clearance") and all(
-                isinstance(x, sp.Expr) for x in (slot.value, self.outer_radius)
-            ):
-                place = f"pair {self.name}, {inner} radius ({outer} radius minus clearance)"
-                yield Slot(place, self.first_radius, "m", POSITIVE)
+        if all(isinstance(x, sp.Expr) for x in (self.outer_radius, self.clearance)):
+            place = f"pair {self.name}, {inner} radius ({outer} radius minus clearance)"
+            yield Slot(place, self.first_radius, "m", POSITIVE)
 
 
 @dataclass(frozen=True)
