@@ -12,7 +12,7 @@ met, of all built-in scenes by four methods, 92 were missed, by up to 1.38. A th
 error is within DOUBTED of the request, one request in seven. Two of these misses are left, by 2 %, for 7 % of all
 steps. Where all three runs err alike, nothing shows it. Two runs that take the same steps err alike: where no error holds
 steps down but the limit on their growth, any two would. So each run that checks another begins with a shorter step.
-Errors that are rounding are independent: runs of nearly the same tolerance tell them, up to three with the tighter one.
+Errors that are rounding are independent: where they dominate, up to two runs of nearly the same tolerance show them, beside the tighter one.
 """
 
 from __future__ import annotations

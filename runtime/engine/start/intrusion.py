@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.runtime.engine.start.of_pairs import alike, of_pairs
+from hertzwerk.runtime.engine.start.pair_values import pair_values, values_by_kind
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import Bound, Model
@@ -57,7 +57,7 @@ def intrusions(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tupl
     if not model.k:
         return ()
     given = {"t": 0.0, "q": q, "u": u, "c": bound.c}
-    gap, rate = of_pairs(model, "gaps", range(model.k), given)
+    gap, rate = pair_values(model, "gaps", range(model.k), given)
     inside = np.flatnonzero(gap < 0).tolist()
     if not inside:
         return ()
@@ -65,7 +65,7 @@ def intrusions(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tupl
     pressed = applied.copy()
     valid: dict[int, bool] = {}
     latched = given | {"z": np.zeros(model.nz), "m": np.full(model.nm, UNDAMPED)}
-    for pairs, rows, (forces, _, _, _, defined, *_) in alike(model, "contact", inside, latched):
+    for pairs, rows, (forces, _, _, _, defined, *_) in values_by_kind(model, "contact", inside, latched):
         np.add.at(pressed, rows, forces)
         valid |= dict(zip(pairs, defined[:, 0] >= 0.5, strict=True))
     own = _accelerations(model, inside, given, applied)
@@ -85,7 +85,7 @@ def intrusions(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tupl
 def _accelerations(model: Model, pairs: list[int], given: dict[str, Any], forces: np.ndarray) -> np.ndarray:
     """Return the second derivatives of gaps under generalised forces [m/s^2]."""
     a, *_ = model.evaluate("accelerations", *(given[x] for x in "tqu"), forces, given["c"])
-    return of_pairs(model, "gap_accelerations", pairs, given | {"a": a})[0]
+    return pair_values(model, "gap_accelerations", pairs, given | {"a": a})[0]
 
 
 def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap: float) -> tuple[float, float]:

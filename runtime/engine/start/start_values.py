@@ -14,7 +14,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.runtime.engine.model.binding import Value, named_values, read_state
 from hertzwerk.runtime.engine.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.engine.model.si_values import latch_units
-from hertzwerk.runtime.engine.start.of_pairs import of_pairs
+from hertzwerk.runtime.engine.start.pair_values import pair_values
 from hertzwerk.runtime.engine.start.stated_start import as_stated
 
 Given = TypeVar("Given", bound=Value)
@@ -153,7 +153,7 @@ def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value],
         q = stated.copy()
         q[i] += change
         q, u = model.placed(bound, q, still)
-        return float(of_pairs(model, "gaps", [j], {"t": 0.0, "q": q, "u": u, "c": bound.c})[0][0])
+        return float(pair_values(model, "gaps", [j], {"t": 0.0, "q": q, "u": u, "c": bound.c})[0][0])
 
     ways = []
     moving = model.members[j][1] if model.members else range(joints.nq)

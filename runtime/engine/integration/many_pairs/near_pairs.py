@@ -259,9 +259,8 @@ def contacts_by_kind(model: Model) -> tuple[Alike, list[list[int]], list[list[in
 
     members = dict(model.module.FAMILIES)
     found = _by_kind(model, "t q u latches c", contact)
-    pairs = [(family, row) for family, rows in model.module.FAMILIES for row in rows]
-    forces = [[row[2][i] for i in patterns[family][0]] for family, row in pairs]
-    memory = [[row[3][i] for i in patterns[family][1]] for family, row in pairs]
+    forces = [[u[i] for i in patterns[family][0]] for family, _, u, *_ in model.members]
+    memory = [[z[i] for i in patterns[family][1]] for family, _, _, z, _ in model.members]
     return found, forces, memory
 
 

@@ -17,16 +17,16 @@ if TYPE_CHECKING:
 INPUTS = {"gaps": "t q u c", "gap_accelerations": "t q u a c", "contact": "t q u z m c"}
 
 
-def of_pairs(model: Model, name: str, pairs: Sequence[int], given: Mapping[str, Any]) -> list[np.ndarray]:
+def pair_values(model: Model, name: str, pairs: Sequence[int], given: Mapping[str, Any]) -> list[np.ndarray]:
     """Return results of "gaps" or "gap_accelerations" for some pairs (n,), by rising numbers.
 
     given    inputs of the whole model by name
     """
-    results = [found for _, _, found in alike(model, name, pairs, given)]
+    results = [found for _, _, found in values_by_kind(model, name, pairs, given)]
     return [np.concatenate(column)[:, 0] for column in zip(*results, strict=True)]
 
 
-def alike(
+def values_by_kind(
     model: Model, name: str, pairs: Sequence[int], given: Mapping[str, Any]
 ) -> Iterator[tuple[list[int], np.ndarray, list[np.ndarray]]]:
     """Yield the pairs of a kind, the rows of u that each works on, and tables of results (n, size)."""
