@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.events.effect_events import due, jump, time_to_event
-from hertzwerk.runtime.engine.integration.events.event_location import ends_with_force, pulls, tolerances
+from hertzwerk.runtime.engine.integration.events.event_location import NEAR, ends_with_force, pulls, tolerances
 from hertzwerk.runtime.engine.integration.events.stick_and_slip import resolve_slips
 from hertzwerk.runtime.engine.integration.step.contact_classes import IDLE, class_of
 from hertzwerk.runtime.engine.integration.step.layout import (
@@ -91,17 +91,15 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     if model.ne:
         y = jump(model)(after["t"], y, run["c"], due(run, after))
     _, *tolerance = tolerances(model, run, {**after, "y": y})
-    asked = ca.DM(0, 1)
+    asked, late = ca.DM(0, 1), ca.DM(0)
     if model.ns:
         small = margin_tolerances(model, run, m, after, *tolerance)
-        asked, _ = undecided_and_breaking(
+        asked, breaks = undecided_and_breaking(
             model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"]
         )
-    booked = ca.Function(
-        "booked",
-        arguments,
-        [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, m, after, tolerance)],
-    )
+        late = _since_zero(after, breaks)
+    asks = [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, m, after, tolerance)]
+    booked = ca.Function("booked", arguments, [*asks, late])
     y, m, busy = (vectors.kind.sym(name, size) for name, size in (("y", y.numel()), ("m", model.nm), ("busy", 1)))
     end = right.symbols(vectors.kind)
     inputs = [*arguments[1:], m, y, busy, *end.values()]
@@ -118,10 +116,24 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
         new["h"] = ca.fmin(after["h"], time_to_event(run, end, after["t"]))
     resumed = ca.Function("resumed", inputs, [vectors.state.join(new)])
     given, (_, after, run) = vectors.symbols("before after controls", ca.MX)
-    m, y, _ = slips = resolve_slips(model).call(booked.call(given))
-    found = right.ends(after["t"], y, after["mode"], m, run["c"])  # called: it runs seldom
-    state = resumed(*given[1:], *slips, *found)
+    *asks, late = booked.call(given)
+    m, y, busy = resolve_slips(model).call(asks)
+    ends = right.ends.call([after["t"], y, after["mode"], m, run["c"]])  # called: it runs seldom
+    if model.ns:
+        y += late * (ends[0] - after["dy"])
+        ends = right.ends.call([after["t"], y, after["mode"], m, run["c"]])
+    state = resumed(*given[1:], m, y, busy, *ends)
     return ca.Function("switch", given, [state], ["before", "after", "controls"], ["next"])
+
+
+def _since_zero(after: Parts, breaks: Any) -> Any:
+    """Return the time [s] since the margin (n) of what breaks loose fell through zero.
+
+    A landing aims beyond the root, by more than rounding may be. Until then the force has been that of what sticks; where the holding
+    force exceeds the sliding force, all methods at all tolerances would be late by as much.
+    """
+    late = ca.if_else(breaks * (after["margin_rate"] < 0), after["margin"] / after["margin_rate"], 0)
+    return ca.fmin(ca.mmax(late), NEAR * after["h_contact"])
 
 
 def enter(model: Model, vectors: Layouts, right: Flow) -> Any:
