@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 import numpy as np
 
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, FLIGHT, RELEASED
+from hertzwerk.runtime.engine.integration.step.set_valued_friction import slips_in
 from hertzwerk.runtime.engine.solution.impacts import KINDS, Impact, peaks
 
 if TYPE_CHECKING:
@@ -326,21 +327,40 @@ def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets
     """Return the rows at places (n, kinds) in the blocks of runs (n,), and beside them, (n, kinds, 3, ns).
 
     None is before the onset (n, 1) of its contact, nor, if there is another, at the same time but for rounding: landings leave such
-    steps, whose values are the largest by chance, while the crest is beside them.
+    steps, whose values are the largest by chance, while the crest is beside them. Of rows at one time between which friction sticks or
+    slips the last one counts: the step behind it goes on from there.
     """
     bounds = np.searchsorted(run, np.arange(len(pieces) + 1))
     found = []
     for (block, _), (first, stop) in zip(pieces, pairwise(bounds), strict=True):
-        top, least, last = places[first:stop], onsets[first:stop], len(block.rows) - 1
+        least, last = onsets[first:stop], len(block.rows) - 1
+        top = _last_change(block)[places[first:stop]]
         least = np.broadcast_to(least, top.shape)
         sides = np.clip(top[:, :, None] + BESIDE, least[:, :, None], last)
         for side, edge in ((0, least), (2, np.full_like(top, last))):
             while True:
                 beside = sides[:, :, side]
-                at_once = np.abs(block.t[beside] - block.t[top]) <= AT_ONCE * np.abs(block.t[top])
-                goes_on = at_once & (beside != edge)
+                goes_on = _at_once(block.t[beside], block.t[top]) & (beside != edge)
                 if not goes_on.any():
                     break
                 sides[:, :, side] = beside + BESIDE[side] * goes_on
         found.append(block.rows[sides])
     return np.concatenate(found)
+
+
+def _at_once(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Return whether times [s] are the same but for rounding."""
+    found: np.ndarray = np.abs(one - other) <= AT_ONCE * np.abs(other)
+    return found
+
+
+def _last_change(block: History) -> np.ndarray:
+    """Return for each row (n,) itself, or the last one at its time that friction has changed to."""
+    found, model = np.arange(len(block.rows)), block.engine.model
+    if not model.ns:
+        return found
+    slips = block.rows[:, block.columns("m")][:, slips_in(model)]
+    changed = (slips[1:] != slips[:-1]).any(axis=1) & _at_once(block.t[1:], block.t[:-1])
+    for i in np.flatnonzero(changed)[::-1]:
+        found[i] = found[i + 1]
+    return found

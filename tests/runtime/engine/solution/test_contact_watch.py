@@ -1,5 +1,7 @@
 """Contacts of a run: in blocks of any size, against a plain loop, and what is found of them as C against the virtual machine."""
 
+from dataclasses import replace
+
 import bodies_on_planes
 import numpy as np
 import pytest
@@ -164,3 +166,21 @@ def test_the_crest_of_a_step_that_ends_where_friction_sticks_is_found():
         bodies_on_planes.run(body_of(212), tolerance=tolerance).impacts for tolerance in (3.0731e-11, 1e-13)
     )
     assert first.peak_force == pytest.approx(finer.peak_force, rel=1e-9)
+
+
+def test_no_crest_is_found_on_a_step_past_the_onset_of_sticking():
+    """A step landed just before it; behind it slip would have gone on to 90.89 N, where the force peaks at 90.66 N as friction sticks."""
+    run = bodies_on_planes.run(replace(body_of(366), duration=0.1284), tolerance=1e-12)
+    rows, (*_, expected), engine = run.history.rows, run.impacts, run.history.engine
+    places, parts = engine.layouts.state, engine.layouts.trial
+    sticks = np.flatnonzero(np.diff(rows[:, places["m"]][:, -1]))[-1] + 1
+    landed, before = rows[sticks].copy(), rows[sticks - 1]
+    h = rows[sticks, places["t"]] - before[places["t"]]
+    trial = engine.step(0)(before, run.history.controls, h).full().ravel()
+    landed[places["m"]] = before[places["m"]]
+    for name in ("dy", "force_rate"):
+        landed[places[name]] = trial[parts[name]]
+    landed[places["force"]] *= 1 + 1e-15
+    found = watched(run.history.of(np.insert(rows, sticks, landed, axis=0))).impacts()[-1]
+    assert rows[sticks, places["force"]] == pytest.approx(expected.peak_force, rel=1e-12)
+    assert found.peak_force == pytest.approx(expected.peak_force, rel=1e-12)

@@ -6,7 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from bodies_on_planes import REQUESTS, Finding, body_of, distance, judged, run
+from bodies_on_planes import REQUESTS, Finding, body_of, distance, judged, run, truth_of
+
+from reference.body_on_plane import motions
 
 pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc: the oracle is a program in C")
 
@@ -46,6 +48,14 @@ def test_a_wrong_run_is_found(fault):
     (finding,) = judged(body_of(1), (1e-6,), smooth=False, made=lambda body, **more: run(FAULTS[fault](body), **more))
     assert finding.outcome == "finished"
     assert [found.partition(" ")[0] for found in finding.faults] == ["over", "estimate"]
+
+
+def test_slip_begins_when_the_holding_force_is_exceeded():
+    """mu_s = 1.4 mu_k: a landing aims beyond by the bound of rounding; every method was late by it, 1.4e-8 at each tolerance."""
+    found = run(body_of(807), tolerance=1e-12)
+    rows = np.arange(0, len(found.t), 20)
+    (truth,) = motions([body_of(807)], at=found.t[rows].tolist())
+    assert distance(*truth_of(truth, found, rows), found.scales.pace).max() < 3e-9
 
 
 class Bent:
