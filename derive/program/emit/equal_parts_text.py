@@ -233,7 +233,7 @@ _LOOPS = '''def _of_trees(name, t, q, c, *of_speeds):
     """What a function of one tree returns for each; `of_speeds` are arguments with an entry for each speed."""
     kinds = {kinds}
     return [globals()[f"{{name}}_of_{{kind}}"](t, q[of_q], *(x[of_u] for x in of_speeds), c)
-            for (of_q, of_u), kind in zip(TREES, (kind for kind, members in kinds for _ in members))]
+            for (of_q, of_u), kind in zip(TREES, (kind for kind, members in kinds for _ in members), strict=True)]
 
 
 def _of_pairs(name, t, q, c, *of_speeds):
@@ -277,7 +277,7 @@ def gaps(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     """
-    G, dG = zip(*_of_pairs("gaps", t, q, c, u))
+    G, dG = zip(*_of_pairs("gaps", t, q, c, u), strict=True)
     return ca.vertcat(*G), ca.vertcat(*dG)
 
 
@@ -310,7 +310,7 @@ def poses(t, q, c):
 
     Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
     """
-    positions, rotations = zip(*_of_trees("poses", t, q, c))
+    positions, rotations = zip(*_of_trees("poses", t, q, c), strict=True)
     return ca.vertcat(*positions), ca.vertcat(*rotations)
 
 
@@ -326,7 +326,7 @@ _ENERGY = '''def energy(t, q, u, c):
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     """
-    kinetic, potential = zip(*_of_trees("energy", t, q, c, u))
+    kinetic, potential = zip(*_of_trees("energy", t, q, c, u), strict=True)
     return sum(kinetic), sum(potential), ca.vertcat(*_of_pairs("stored_energy", t, q, c, u))'''
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper, goes_round, hull
+from hertzwerk.runtime.output.drawings.ground_planes import ground_planes
 from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Array, Landmark, Places
 from hertzwerk.runtime.output.drawings.view import View
 from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY
@@ -62,6 +63,11 @@ class Parts:
         """Colours of the bodies."""
         bodies = self.places.bodies[1:]
         return {GROUND: GREY} | {body: CYCLE[i % len(CYCLE)] for i, body in enumerate(bodies)}
+
+    @cached_property
+    def walls(self) -> dict[int, tuple[Array, Array]]:
+        """Normals and outlines of planes of the ground that meet in an oblique view, by the landmark's id."""
+        return ground_planes(self.places) if self.view.names is None else {}
 
     # -- on the paper --------------------------------------------------------------------------------------------------
 
@@ -378,6 +384,9 @@ class Parts:
 
     def _face(self, paper: Paper, mark: Landmark, seen_from: Array, i: int) -> None:
         """Draw a plane or a face below a point of the body that may touch it."""
+        if self.walls and mark.place == "plane" and mark.body == GROUND:
+            self._wall(paper, mark)
+            return
         normal, middle = self.places.direction(mark, "normal")[i], self.positions[id(mark)][i]
         if "along" in mark.beside:
             half = mark.size("length") / 2 * self.places.direction(mark, "along")[i]
@@ -393,6 +402,17 @@ class Parts:
             paper.area(outline, self.colours[mark.body], 1.0, alpha=0.35)
         elif length > THIN:
             paper.ground(self.flat(middle - half), self.flat(middle + half), -down, z=2.4)
+
+    def _wall(self, paper: Paper, mark: Landmark) -> None:
+        """Draw a plane of the ground that meets others, once: its outline alone where it is seen from behind."""
+        if id(mark) not in self.walls:
+            return
+        normal, corners = self.walls[id(mark)]
+        outline = self.flat(corners)
+        if normal @ self.view.towards > 0:
+            paper.area(outline, GREY, 1.0, alpha=0.35)
+        else:
+            paper.line(np.concatenate([outline, outline[:1]]), GREY, 0.6, 6.0)
 
     def _reach(self, paper: Paper) -> float:
         """Return the diagonal of the whole paper [m]."""
@@ -456,6 +476,7 @@ class Parts:
             elif "along" in mark.beside and "length" in mark.beside:
                 half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "along"))
                 yield from (seen - half, seen + half)
+        yield from (self.flat(outline) for _, outline in self.walls.values())
         for first, second in (marks[:2] for marks in self.of.values() if marks[-1].place == "plane"):
             points, normal = self.positions[id(first)], self.places.direction(second, "normal")
             height = np.sum((points - self.positions[id(second)]) * normal, axis=1, keepdims=True)

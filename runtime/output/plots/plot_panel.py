@@ -89,7 +89,8 @@ def _flatten(axis: Axes, scale: Scale, histories: Sequence[Array], size: float) 
     if not histories or not all(np.ptp(history) <= CONSTANT * largest for history in histories):  # nan is not constant
         return
     low, high = (float(pick(histories)) / scale.factor for pick in (np.min, np.max))
-    reach = 0.1 * max(abs(low), abs(high)) or size / scale.factor or 1.0
+    far = max(abs(low), abs(high))
+    reach = 0.1 * far if far > CONSTANT * largest / scale.factor else size / scale.factor or 1.0  # rounding is zero
     axis.set_ylim(low - reach, high + reach)
     text = f"constant to {CONSTANT:g}" if len(histories[0]) > 1 else ""
     axis.text(0.99, 0.95, text, transform=axis.transAxes, ha="right", va="top", color=GREY)

@@ -6,6 +6,7 @@ from matplotlib.patches import Polygon
 
 from hertzwerk.derive import GROUND, Body, EnergyLedger, Mechanism, Parameter, Revolute, Scales, Scene, Start, X, Y, Z
 from hertzwerk.runtime import load
+from hertzwerk.runtime.output.drawings.ground_planes import ground_planes
 from hertzwerk.runtime.output.drawings.parts import Parts
 from hertzwerk.runtime.output.drawings.places import Places
 from hertzwerk.runtime.output.drawings.view import view_of
@@ -62,3 +63,11 @@ def test_holes_are_white_and_seen_from_their_end_alone():
         return [patch.get_facecolor()[:3] for patch in figure.axes[0].patches if isinstance(patch, Polygon)]
 
     assert colours(Z).count((1.0, 1.0, 1.0)) == colours(X).count((1.0, 1.0, 1.0)) + 1
+
+
+def test_planes_of_the_ground_that_meet_are_the_walls_of_a_box():
+    """Corners by hand: floor and walls end at each other, and reach as high as the fifth sphere."""
+    walls = ground_planes(Places.at_start(load("spheres_in_box"), {}, {}))
+    corners = {tuple(np.round(corner, 9) + 0.0) for _, outline in walls.values() for corner in outline}
+    assert len(walls) == 5 and all(len(outline) == 4 for _, outline in walls.values())
+    assert corners == {(x, y, z) for x in (-0.05, 0.05) for y in (0.0, 0.091) for z in (-0.05, 0.05)}
