@@ -21,6 +21,11 @@ def _rows(part, trees):
     return [row for tree in trees for row in TREES[tree][part]]
 
 
+def _of_member(k, rows):
+    """Rows of the member at place k in z or in m."""
+    return [row[k] for row in rows]
+
+
 BALL_TREES = tuple((f"ball_{i + 1}", i) for i in range(5))
 
 BALLS_PAIRS = tuple((f"balls_{i + 1}_{j + 1}", i, j) for i in range(5) for j in range(i + 1, 5))
@@ -38,7 +43,7 @@ WALL_4_PAIRS = tuple((f"wall_4_{i + 1}", i) for i in range(5))
 TREES = (*(([*range(7*k, 7*k + 7)], [*range(6*k, 6*k + 6)]) for k in range(5)),)
 
 FAMILIES = tuple(
-    (family, tuple((name, _rows(0, trees), _rows(1, trees), [rows[k] for rows in of_z], [rows[k] for rows in of_m])
+    (family, tuple((name, _rows(0, trees), _rows(1, trees), _of_member(k, of_z), _of_member(k, of_m))
                    for k, (name, *trees) in enumerate(members)))
     for family, members, of_z, of_m in (
         ("balls", BALLS_PAIRS, (range(10),), ()),

@@ -20,7 +20,7 @@ Literal = Callable[[Any], str]
 
 
 _FAMILIES = """tuple(
-    (family, tuple((name, _rows(0, trees), _rows(1, trees), [rows[k] for rows in of_z], [rows[k] for rows in of_m])
+    (family, tuple((name, _rows(0, trees), _rows(1, trees), _of_member(k, of_z), _of_member(k, of_m))
                    for k, (name, *trees) in enumerate(members)))
     for family, members, of_z, of_m in (
         {families},
@@ -227,7 +227,12 @@ def _braced(text: str) -> str:
 
 _PIECES = '''def _rows(part, trees):
     """Rows of trees in q (part 0) or in u (part 1)."""
-    return [row for tree in trees for row in TREES[tree][part]]'''
+    return [row for tree in trees for row in TREES[tree][part]]
+
+
+def _of_member(k, rows):
+    """Rows of the member at place k in z or in m."""
+    return [row[k] for row in rows]'''
 
 _LOOPS = '''def _of_trees(name, t, q, c, *of_speeds):
     """What a function of one tree returns for each; `of_speeds` are arguments with an entry for each speed."""
