@@ -1,6 +1,6 @@
-"""Equal rubber spheres that fall into a box without friction, and come to rest: five in a pyramid, or hundreds in a heap.
+"""Equal rubber spheres that fall into a box and come to rest: a pyramid of five, or a heap of hundreds.
 
-Four in the corners carry the fifth, with forces in closed form. `spheres_in_box(100, across=5)` is a scene of 5,450
+There is no friction. Four in the corners carry the fifth, with forces in closed form. `spheres_in_box(100, across=5)` is a scene of 5,450
 pairs, of which a run evaluates those that are near. Sizes, stiffness and restitution our choice.
 """
 
