@@ -1,7 +1,7 @@
-"""Equal rubber spheres that fall into a box and come to rest: a pyramid of five, or a heap of hundreds.
+"""Equal rubber spheres that fall into a box and rest: a pyramid of five, or a heap of hundreds.
 
-There is no friction. Four in the corners carry the fifth, with forces in closed form. `spheres_in_box(100, across=5)` is a scene of 5,450
-pairs, of which a run evaluates those that are near. Sizes, stiffness and restitution our choice.
+There is no friction. Four in the corners carry the fifth, with forces in closed form. `spheres_in_box(100, across=5)`
+is a scene of 5,450 pairs, of which a run evaluates those that are near. Sizes, stiffness and restitution our choice.
 """
 
 import sympy as sp
