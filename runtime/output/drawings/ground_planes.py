@@ -10,8 +10,8 @@ SAME = 1e-9  # planes whose normals and offsets differ by less are one
 HalfSpace = tuple[Array, float]  # normal and offset [m]: the points x with normal @ x >= offset
 
 
+def ground_planes(places: Places) -> dict[int, tuple[Array, Array]]:
     """Return normals and outlines (n, 3) of planes of the ground that differ, by the landmark's id.
-    """Return normals and outlines (n, 3) of two or more different planes of the ground, by the landmark's id.
 
     Planes reach as far as bodies do at any instant. Empty where the ground has fewer planes.
     """
