@@ -57,6 +57,13 @@ class Touching:
         distance = np.sqrt(e @ e)
         return big + small - distance, e / distance, a - big * e / distance
 
+    def event(self, q):
+        """The gap as it is declared to be: exact where it is small, of round pairs (e.e - reach^2)/(2 reach)."""
+        depth, (big, small) = self.geometry(q)[0], self.sizes
+        if self.kind == "sphere_on_sphere":
+            return -depth + depth**2 / (2 * (big + small))
+        return -depth - depth**2 / (2 * small) if self.kind in ("pin_in_bush", "ball_in_socket") else -depth
+
     def by_hand(self, q, u, friction):
         """Generalised forces on all joints, normal force, sliding speed, dissipated powers (normal, friction)."""
         depth, normal, point = self.geometry(q)

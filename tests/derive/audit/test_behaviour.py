@@ -179,15 +179,3 @@ def test_a_file_of_laws_is_refused_with_every_fault(tmp_path):
         assert "law even, friction force at s = 0.0 m/s, N = 1.0 N" in even.where and "v_s = 10.0 mm/s" in even.where
     path.write_text(FILE.replace("3/5", "2/5").replace("cos", "tanh").replace('slope = "0"\n', ""), encoding="utf-8")
     assert [*laws_from(path)] == ["mine", "even"]
-
-
-def test_a_python_file_of_laws_too(tmp_path):
-    path = tmp_path / "laws.py"
-    path.write_text(
-        "from hertzwerk.derive.laws.law import Quantity, StiffnessLaw, d\n"
-        'K = Quantity("K", "N/m", "stiffness")\n'
-        'mine = StiffnessLaw("mine", "mine", (K,), "a test", "C", force=K*d, stored=K*d**2, forms=("line",))\n',
-        encoding="utf-8",
-    )
-    with pytest.raises(InputError, match=r"2\.0 of it, so a factor is wrong"):
-        audit_path(path)

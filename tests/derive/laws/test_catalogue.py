@@ -1,13 +1,9 @@
 """The catalogue and its audits: stated verdicts, the nine published mistakes, and the two audits against each other."""
 
-import subprocess
-import sys
-import time
 from dataclasses import fields, replace
 
 import pytest
 import sympy as sp
-from drop import drop
 from each import each
 from mpmath import mp, mpf
 from rescaling import SCALINGS, rescale_law, states_of
@@ -32,28 +28,16 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
     generate,
 )
-from hertzwerk.derive.audit.audit import audit_law, audit_laws, verdict
+from hertzwerk.derive.audit.audit import audit_law, verdict
 from hertzwerk.derive.audit.numeric import STATES
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.expressions.dimension.dimension import Dimension, DimensionError
 from hertzwerk.derive.expressions.dimension.walker import dimension_of
-from hertzwerk.derive.laws import LAWS, flores, johnson, pereira_internal_si, power
+from hertzwerk.derive.laws import LAWS, johnson, pereira_internal_si
 from hertzwerk.derive.laws.formulas.damping import e
 from hertzwerk.derive.laws.formulas.line import l_ref, p_ref
-from hertzwerk.derive.laws.formulas.stiffness import n
 from hertzwerk.derive.laws.law import FORMS, DampingLaw, F, FrictionLaw, L, N, Quantity, StiffnessLaw, d, s, v, v0, z
 
-CONTACT_LAWS_MD = {
-    # contact-laws.md, sections 1, 3, 4: every law, and the repairs and candidates issue 3 asks for
-    "stiffness": """hertz_point power galin_sneddon johnson hertz_cylinder radzimovsky goldsmith goldsmith_m3 dubowsky_freudenstein esdu_78035
-        palmgren palmgren_si pereira_internal pereira_internal_si pereira_external pereira_external_si lankarani_nikravesh_cylinders liu
-        liu_with_length bai_zhao bai_zhao_repaired persson popov_line hertz_half_width wang_liu_external wang_liu_internal
-        wang_liu_half_width wang_liu_johnson wang_liu_secant""",
-    "damping": """hunt_crossley herbert_mcwhannell lee_wang lankarani_nikravesh gonthier zhiying_qishao flores gharib_hurmuzlu hu_guo
-        carvalho_martins safaeifar_farshidianfar exact kelvin_voigt ristow tsuji kuwabara_kono jankowski power_damping""",
-    "film": "short_bearing long_bearing",
-    "friction": "coulomb smooth_coulomb ambrosio threlfall stribeck brown_mcphee bengisu_akay lugre",
-}
 WRONG = {
     "goldsmith": "inconsistent",
     "lankarani_nikravesh_cylinders": "inconsistent",
@@ -67,11 +51,6 @@ CONSISTENT = [name for name in LAWS if name not in WRONG]
 
 
 # -- records -----------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("kind", CONTACT_LAWS_MD)
-def test_every_law_is_there(kind):
-    assert {name for name, law in LAWS.items() if law.kind == kind} == set(CONTACT_LAWS_MD[kind].split())
 
 
 @each("name", LAWS)
@@ -101,13 +80,6 @@ def test_names_do_not_collide_within_a_law():
 
 
 # -- the audit of every law --------------------------------------------------------------------------------------------
-
-
-@each("name", LAWS)
-def test_verdict_is_the_one_stated(name):
-    findings = audit_law(LAWS[name])
-    assert verdict(findings) == LAWS[name].verdict == WRONG.get(name, "consistent")
-    assert len(findings) >= 1
 
 
 @pytest.mark.by_turns(3)
@@ -148,7 +120,6 @@ def own(name="own", **given):
 
 E = Quantity("E", "Pa", "modulus")
 K = Quantity("K", "N/m^1.5", "stiffness")
-K_line = Quantity("K", "N/m", "stiffness")
 chi = Quantity("chi", "N s/m^2.5", "damping of a law with n = 3/2")
 mu = Quantity("mu", "1", "friction")
 v_S = Quantity("v_S", "m/s", "Stribeck speed")
@@ -197,41 +168,6 @@ def test_published_mistake(name):
     assert finding.verdict == ("outside_si" if law.fitted_in else "inconsistent")
     assert (finding.found, finding.expected) == (found, expected)
     assert finding.consistent_exponent == exponent
-
-
-@pytest.mark.parametrize("name", MISTAKES)
-def test_published_mistake_shows_when_rescaled(name):
-    assert not all(row.consistent for row in rescale_law(MISTAKES[name][0]))
-
-
-@pytest.mark.parametrize(
-    ("number", "exponent", "found"), [(1, "1", "N/m^0.5"), (1.1, "11/10", "N/m^0.4"), (2, "2", "N m^0.5")]
-)
-def test_exponent_changed_while_the_stiffness_keeps_its_number(number, exponent, found):
-    """9: K [N/m^1.5] with n set alone; and 2, the same for Hertz's stiffness. The message names n = 3/2."""
-    stiff = Parameter("K", "N/m^1.5", 1e6)
-    (force,) = audit_laws(drop(effects=(Contact("floor", power(stiff, number)),)))
-    assert (force.verdict, force.found, force.consistent_exponent) == ("inconsistent", found, "3/2")
-    assert f"n = {exponent}" in force.title
-    assert audit_laws(drop(effects=(Contact("floor", power(stiff, 1.5)),)))[0].verdict == "consistent"
-
-
-@pytest.mark.exhaustive
-def test_auditing_all_laws_is_fast():
-    """Under 20 times the import of SymPy, which is done in processes of its own."""
-
-    def seconds(code):
-        began = time.perf_counter()
-        subprocess.run([sys.executable, "-c", code], check=True)
-        return time.perf_counter() - began
-
-    sympy = min(seconds("import sympy") for _ in range(2)) - seconds("pass")
-    audit = seconds(
-        "from hertzwerk.derive.audit.audit import audit_law, verdict\n"
-        "from hertzwerk.derive.laws import LAWS\n"
-        "assert all(verdict(audit_law(law)) == law.verdict for law in LAWS.values())"
-    )
-    assert audit < 20 * sympy
 
 
 # -- both audits -------------------------------------------------------------------------------------------------------
@@ -374,16 +310,3 @@ def test_clearance_outside_the_fit_is_refused():
     wide = replace(JOURNAL, clearance=Parameter("thin_film", "um", 3))
     text = refused(wide, pereira_internal_si(STEEL, STEEL))
     assert "for pereira_internal_si" in text and "[5e-06, 0.01]" in text
-
-
-@pytest.mark.parametrize("name", WRONG)
-def test_inconsistent_law_needs_unchecked(name):
-    law = LAWS[name]
-    pair = ROLLERS if law.pairs == ("parallel_cylinders",) else JOURNAL
-    given = {"n": 1.1} if n in law.parameters else {}
-    bound = law(*((STEEL, STEEL) if law.parameters else ()), **given)
-    damping = flores(Parameter("restitution", "1", 0.8))
-    with pytest.raises(InputError, match="unit error"):
-        generate(scene(pair, bound, damping))
-    text = generate(scene(pair, bound, damping, unchecked=True))
-    assert "UNCHECKED, INCONSISTENT LAWS RUN ON PURPOSE IN SI VALUES: joint" in text

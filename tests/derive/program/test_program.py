@@ -19,7 +19,6 @@ from hertzwerk.derive.program.program import (
     Result,
     Tape,
     eliminate_common_subexpressions,
-    symbols_in,
 )
 
 
@@ -173,22 +172,6 @@ def test_sharing_never_adds_operations(seed):
     assert operations(function_text(program, function)) >= 0
 
 
-def test_sharing_names_what_occurs_twice_once():
-    x, y = sp.symbols("x y", real=True)
-    a, b = sp.symbols("a b", real=True)
-    function = Function(
-        "f",
-        "",
-        ("q",),
-        ((a, sp.sin(x + y) * x), (b, sp.sin(x + y) * y)),
-        (Result("r", ("", ""), ("", ""), (a + sp.sin(x + y), b)),),
-    )
-    once = eliminate_common_subexpressions(function)
-    assert sum(e.has(sp.sin) for _, e in once.body) == 1
-    assert not any(sp.sympify(e).has(sp.sin) for e in once.results[0].expressions)
-    assert once.reads == function.reads == (x, y) or set(once.reads) == {x, y}
-
-
 def test_sharing_respects_names_that_are_taken():
     x1, y = sp.symbols("x1 y", real=True)
     a = sp.Symbol("a", real=True)
@@ -199,21 +182,6 @@ def test_sharing_respects_names_that_are_taken():
 
 
 # -- naming ------------------------------------------------------------------------------------------------------------
-
-
-def test_equal_results_have_one_name():
-    small = Small()
-    first = small.tape.let(small.q[0] * small.q[1], "one")
-    assert small.tape.let(small.q[1] * small.q[0], "two") is first
-    assert small.tape.let(-small.q[0] * small.q[1], "three") == -first
-    assert len(small.tape.assignments) == 1
-
-
-@pytest.mark.parametrize("pick", [lambda s: sp.S.Zero, lambda s: sp.Integer(3), lambda s: s.q[0], lambda s: -s.q[0]])
-def test_numbers_and_symbols_need_no_name(pick):
-    small = Small()
-    assert small.tape.let(pick(small), "name") == pick(small)
-    assert not small.tape.assignments
 
 
 def test_names_are_unique_and_no_keywords():
@@ -234,29 +202,7 @@ def test_a_stated_dimension_makes_a_name_of_its_own():
     assert small.tape.declared[stated] == ONE
 
 
-def test_constants_are_hoisted_once():
-    small = Small()
-    k, m = small.k, small.m
-    first = small.tape.let(k * m * small.q[0] + k**2, "first")
-    second = small.tape.let(k * m * small.q[1] - k**2, "second")
-    constants = [s for s in small.tape.assignments if small.tape.is_constant(s)]
-    assert sorted(map(str, (small.tape.assignments[s] for s in constants))) == ["mass*stiff", "stiff**2"]
-    assert not small.tape.is_constant(first)
-    function = small.function(first, second)
-    assert set(small.tape.constants([function])) == set(constants)
-    assert [s for s, _ in function.body] == [first, second]
-
-
 # -- slices ------------------------------------------------------------------------------------------------------------
-
-
-def test_a_function_holds_what_its_results_need_and_nothing_else():
-    small = Small()
-    a = small.tape.let(small.q[0] * small.q[1], "a_result")
-    b = small.tape.let(sp.sin(a), "b_result")
-    small.tape.let(sp.cos(a), "c_result")
-    assert [s for s, _ in small.function(b).body] == [a, b]
-    assert small.function(small.q[0]).body == ()
 
 
 def test_a_function_that_would_read_what_it_is_not_given_is_refused():
@@ -264,13 +210,6 @@ def test_a_function_that_would_read_what_it_is_not_given_is_refused():
     b = small.tape.let(small.q[0] * small.u[0], "b_result")
     with pytest.raises(ValueError, match=r"f\(t, q, c\) would read u_0"):
         small.function(b, arguments=("t", "q", "c"))
-
-
-def test_symbols_come_in_the_order_they_stand_in():
-    small = Small()
-    expression = small.q[1] * sp.sin(small.k + small.q[0]) + small.m
-    order = [node for node in sp.preorder_traversal(expression) if node.is_Symbol]
-    assert symbols_in(expression) == list(dict.fromkeys(order))
 
 
 # -- rates -------------------------------------------------------------------------------------------------------------

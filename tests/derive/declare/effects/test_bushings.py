@@ -116,39 +116,6 @@ def test_work_along_any_path_is_the_difference_of_energy():
     assert np.all(np.diff(run["mount.dissipated"]) >= 0)
 
 
-def both_ends(coordinates):
-    """Two bodies on ball joints, a bushing between frames of their own."""
-    one, two = (
-        Body(n, p(f"{n}_mass", "kg", 1), inertia=(p("J", "kg m^2", 0.02),) * 3, centre=(0, 0, -SIZE))
-        for n in ("one", "two")
-    )
-    joints = Spherical("left", GROUND, one), Spherical("right", GROUND.at(SIZE, 0, 0), two)
-    tilt = p("tilt", "rad", 0.7)
-    bushing = Bushing(
-        "mount", one.at(0, 0, -SIZE).turned(X, tilt), two.at(0, SIZE, 0).turned(Z, tilt), named(STIFF, "k")
-    )
-    start = Start(speed={"left.angular_speed_x": p("w0", "rad/s", 5), "right.angular_speed_z": p("w1", "rad/s", -4)})
-    return Scene(Mechanism("two", joints), (bushing, EnergyLedger()), SCALES, start, coordinates=coordinates)
-
-
-def test_a_bushing_between_two_bodies():
-    tree, absolute = (simulate(load(both_ends(c)), duration=0.2, tolerance=1e-10) for c in ("tree", "absolute"))
-    assert max(tree.energy_residual, absolute.energy_residual) < 1e-7
-    assert tree["left.q1"][-1] == pytest.approx(absolute["one.q1"][-1], abs=1e-7)
-    apart = tree.at(np.array([0.2]))
-    back = absolute.at(np.array([0.2]))
-    assert apart["mount.rotation_y"] == pytest.approx(back["mount.rotation_y"], abs=1e-7)
-
-
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-@pytest.mark.parametrize("method", ["dop853", "rodas", "esdirk", "auto", "cvodes"])
-def test_every_method_keeps_the_energy(coordinates, method):
-    run = simulate(load(both_ends(coordinates)), duration=0.2, tolerance=1e-8, method=method)
-    assert run.outcome.finished
-    assert run.energy_residual < 1e-4
-
-
 def ball(*effects, coordinates="tree", **start):
     body = Body(
         "top",
@@ -210,20 +177,6 @@ def test_series_beside_no_rotation_are_those_of_the_arc_and_its_bend():
             for known, exact in ((ARCS, arc), (BENDS, (1 - arc * mp.sqrt(1 - square)) / square)):
                 found = sum(mpf(k.p) / k.q * square**i for i, k in enumerate(known))
                 assert abs(found / exact - 1) < mpf("2e-15")
-
-
-def test_three_stiffnesses_are_a_bushing_and_an_energy():
-    k = tuple(p(f"k_{i}", "N m/rad", v) for i, v in zip("xyz", (2, 3, 5), strict=True))
-    spin = {"speed": {"pivot.angular_speed_x": p("w1", "rad/s", 9), "pivot.angular_speed_y": p("w2", "rad/s", 7)}}
-    energy = sum(a * b**2 for a, b in zip(k, ROTATION, strict=True)) / 2
-    kinds = pivot(SphericalSpring, k), pivot(Bushing, (0, 0, 0, *k)), pivot(FramePotential, energy)
-    ends = [simulate(load(ball(kind, **spin)), duration=0.5, tolerance=1e-10) for kind in kinds]
-    assert max(np.linalg.norm([run[f"spring.rotation_{i}"][-1] for i in "xyz"]) for run in ends[:2]) > 0.3
-    for other in ends[1:]:
-        assert [other[f"pivot.q{i}"][-1] for i in range(4)] == pytest.approx(
-            [ends[0][f"pivot.q{i}"][-1] for i in range(4)], abs=1e-7
-        )
-        assert other.energy_residual < 1e-7
 
 
 def test_a_potential_of_directions_is_gravity():

@@ -31,7 +31,6 @@ from hertzwerk.derive import (
     derive,
     speed_of,
 )
-from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
 
 r, m, J = Parameter("pitch_radius", "m", 0.1), Parameter("mass", "kg", 1.0), Parameter("inertia", "kg m^2", 0.1)
 pace, w, number = Parameter("pace", "m/s", 1.0), Parameter("w", "rad/s", 1.0), Parameter("teeth_ratio", "1", -2.0)
@@ -93,12 +92,6 @@ def test_all_faults_are_told_at_once():
     assert {fault.where for fault in caught.value.faults} == {"effect mesh, ratio", "effect belt"}
 
 
-def test_what_is_driven_alone_cannot_be_coupled():
-    drives = ConstantSpeed("one", "wheel", w), ConstantSpeed("two", "pinion", w)
-    with pytest.raises(InputError, match="pinion and wheel, all driven; expected a coordinate that is free to follow"):
-        scene(*drives, Coupling("mesh", "pinion", "wheel", 1))
-
-
 def test_a_joint_that_closes_a_loop_without_a_coordinate_is_refused_by_name():
     closing = Spherical("closing", pinion.at(r, 0, 0), wheel)
     with pytest.raises(InputError, match="joint 'closing', which closes a loop"):
@@ -152,18 +145,3 @@ def test_a_steady_rotation_that_is_geared_has_no_common_period():
     assert "period" in [function.name for function in derive(driven).functions]
     geared = scene(*driven.effects, Coupling("mesh", "wheel", "pinion", number))
     assert "period" not in [function.name for function in derive(geared).functions]
-
-
-def test_readers_see_what_holds_it():
-    read = equations_of(
-        scene(Coupling("mesh", "pinion", "wheel", number), JointForce("motor", "wheel", Parameter("M", "N m", 1.0)))
-    )
-    titles = [section.title for section in read.sections]
-    assert "Couplings" in titles
-    assert "Closed loops" not in titles
-    (entry,) = [effect for effect in read.effects if effect.name == "mesh"]
-    assert entry.text == "pinion = teeth_ratio wheel"
-    rows = {equation.name: equation for section in read.sections for equation in section.equations}
-    terms = [part for name in ("row wheel", "row pinion") for part in rows[name].terms if part.effect == "mesh"]
-    assert [part.text for part in terms] == ["-teeth_ratio*mesh_turned_multiplier", "mesh_turned_multiplier"]
-    assert len(entry.enters) == 4  # both rows, the equation and its rate

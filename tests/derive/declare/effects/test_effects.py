@@ -40,7 +40,6 @@ from hertzwerk.derive import (
     Where,
     X,
     Z,
-    audit_scene,
     coordinate_of,
     generate,
     speed_of,
@@ -201,19 +200,6 @@ def test_a_bad_declaration_is_one_fault_that_says_where_what_and_the_way_out(lab
     refused(*BAD[label])
 
 
-def test_all_faults_come_at_once():
-    with pytest.raises(InputError) as caught:
-        bench(
-            JointSpring("spring", "axl", TORSION),
-            PointForce("push", ENDS[0], (TORQUE, 0, FORCE * RATE)),
-            JointForce("motor", "slide", FORCE + TORQUE * sp.sin(T)),
-            Drive("drive", "axle", position=Table("lift", (1, 0), (0, 1), ("s", "rad"))(T)),
-        )
-    assert [fault.where for fault in caught.value.faults] == [
-        "effect spring", "effect push, force along x", "effect push, force along z", "effect motor, force", "table lift"
-    ]  # fmt: skip
-
-
 # -- units: the smallest faulty sub-expression ---------------------------------------------------------------------------
 
 HIDDEN = Parameter("hidden", "mm", 3.0)
@@ -257,15 +243,7 @@ def test_a_wrong_unit_is_found_in_the_smallest_sub_expression(label):
     assert unit in fault.found
 
 
-def test_the_audit_covers_the_law_of_a_joint_and_every_assignment():
-    findings = audit_scene(bench(*SOUND[-4:]))
-    assert {finding.effect for finding in findings} == {"friction"}
-    assert {finding.verdict for finding in findings} == {"consistent"}
-
-
 # -- nothing for nothing -----------------------------------------------------------------------------------------------
-
-EFFECTS = {type(effect).__name__ + effect.name: effect for effect in SOUND}
 
 
 def below_header(text):
@@ -303,10 +281,3 @@ def test_without_a_ledger_nothing_is_booked_and_the_forces_stay():
     assert not {"energy", "ledger"} & set(lean.names)
     assert sum(count for _, count in lean.OPERATIONS) < sum(count for _, count in Derived(scene).OPERATIONS)
     assert dict(lean.OPERATIONS)["applied"] == dict(Derived(scene).OPERATIONS)["applied"]
-
-
-def test_another_friction_law_keeps_its_parameters():
-    scene = bench(SOUND[-1]).with_law("friction", "smooth_coulomb")
-    assert scene.effect("friction").law.binding == SOUND[-1].law.binding
-    with pytest.raises(InputError, match="one of coulomb, smooth_coulomb"):
-        scene.with_law("friction", "flores")

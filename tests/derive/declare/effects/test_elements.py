@@ -8,7 +8,6 @@ import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
-import sympy.physics.mechanics as me
 from derived import Derived
 from kane import complex_step, driven, random_tree
 
@@ -38,7 +37,6 @@ from hertzwerk.derive import (
     Scene,
     Spherical,
     T,
-    Table,
     Y,
     Z,
     coordinate_of,
@@ -274,64 +272,6 @@ def imbalance(derived, t, q, u):
     return abs(sum(powers)) / max(map(abs, powers))
 
 
-@pytest.mark.by_turns(2)
-@pytest.mark.parametrize("label", CASES)
-def test_power_is_balanced(label):
-    heavy = replace(TREE, gravity=9.81)
-    derived = Derived(heavy.scene(CASES[label].effect))
-    for t, q, u in states(TREE):
-        assert imbalance(derived, t, q, u) < 1e-12
-
-
-# -- against sympy.physics.mechanics -----------------------------------------------------------------------------------
-
-
-def test_a_double_pendulum_with_spring_and_damper_equals_kanes_method():
-    """Two links on revolute joints across each other; from the ground to the tip a spring and a damper, by SymPy's own actuators."""
-    tree = random_tree("R+Z R+X", 8)
-    peg, tip = (0.9, -0.4, 0.3), (0.2, 0.5, -0.3)
-    ends = (GROUND.at(*place("peg", peg)), tree.bodies[1].at(*place("tip", tip)))
-    derived = Derived(tree.scene(PointSpring("spring", *ends, STIFFNESS, REST), PointDamper("damper", *ends, DAMPING)))
-    q, u = me.dynamicsymbols("q:2"), me.dynamicsymbols("u:2")
-    ground, origin = me.ReferenceFrame("G"), me.Point("O")
-    origin.set_vel(ground, 0)
-    bodies, loads, parent, start = [], [], ground, origin
-    for i, (link, axis) in enumerate(zip(tree.links, "zx", strict=True)):
-        frame = parent.orientnew(f"B{i}", "Axis", [q[i], getattr(parent, axis)])
-        frame.set_ang_vel(parent, u[i] * getattr(parent, axis))
-        joint = start.locatenew(f"J{i}", _vector(parent, link.on_parent))
-        joint.v2pt_theory(start, ground, parent)
-        start = joint.locatenew(f"C{i}", -_vector(frame, link.on_child))
-        start.v2pt_theory(joint, ground, frame)
-        centre = start.locatenew(f"S{i}", _vector(frame, link.centre))
-        centre.v2pt_theory(start, ground, frame)
-        bodies.append(me.RigidBody(f"b{i}", centre, frame, link.mass, (me.inertia(frame, *link.inertia), centre)))
-        loads.append((centre, -link.mass * tree.gravity * ground.y))
-        parent = frame
-    far, near = start.locatenew("tip", _vector(parent, tip)), origin.locatenew("peg", _vector(ground, peg))
-    far.v2pt_theory(start, ground, parent)
-    near.set_vel(ground, 0)
-    path = me.LinearPathway(near, far)
-    kinematics = {q[i].diff(): u[i] for i in range(2)}
-    for actuator in (me.LinearSpring(40.0, path, equilibrium_length=0.6), me.LinearDamper(3.0, path)):
-        loads += [(p, force.subs(kinematics)) for p, force in actuator.to_loads()]
-    kane = me.KanesMethod(ground, q, u, [a.diff() - b for a, b in zip(q, u, strict=True)])
-    kane.kanes_equations(bodies, loads)
-    plain = {x: sp.Symbol(str(x.func)) for x in (*q, *u)}
-    function = sp.lambdify(
-        [list(plain.values())], [m.xreplace(plain) for m in (kane.mass_matrix, kane.forcing)], cse=True
-    )
-    for t, at_q, at_u in states(tree):
-        mass, forcing = function([*at_q, *at_u])
-        f = derived.call("applied", t=t, q=at_q, u=at_u)
-        ours, _ = derived.call("accelerations", t=t, q=at_q, u=at_u, f=f)
-        assert ours == pytest.approx(np.linalg.solve(mass, forcing.ravel()), rel=1e-10)
-
-
-def _vector(frame, values):
-    return sum((value * axis for value, axis in zip(values, frame, strict=True)), me.Vector(0))
-
-
 # -- drives ------------------------------------------------------------------------------------------------------------
 
 AMPLITUDE, PHASE, MEAN = (
@@ -340,7 +280,6 @@ AMPLITUDE, PHASE, MEAN = (
     Parameter("mean", "rad", 0.2),
 )
 SPEED, RISE = Parameter("speed", "rad/s", 2.5), Parameter("rise", "s", 0.8)
-WAVE = Table("wave", (0, 0.25, 0.5, 0.75, 1), (0, 0.3, 0.1, -0.2, 0.1), ("s", "rad"))
 SPIN = SPEED * (1 + sp.cos(RATE * T) / 2)
 
 
@@ -415,28 +354,6 @@ def test_an_accelerated_drive_moves_the_others_and_is_loaded_as_in_kanes_method(
         assert rates == pytest.approx(by_hand(t, z)[1 : 1 + len(integrated)], rel=1e-14)
 
 
-@pytest.mark.parametrize("label", DRIVES)
-def test_a_drive_is_where_its_declaration_says(label):
-    tree = CHAINS[0]
-    drive, by_hand = DRIVES[label]
-    derived = Derived(tree.scene().replace(drive0=replace(drive, name="drive0", joint="joint0")))
-    z = np.array([0.7, -0.4])[: len(derived.COORDINATES) - 2]
-    for t in (0.0, 0.1, 0.45, 0.79, 0.81, 1.7):
-        full = np.array([by_hand(t, z)[0], 0.3, -0.8])
-        _, rotations = derived.call("poses", t=t, q=np.concatenate([full[1:], z]))
-        assert rotations[:9] == pytest.approx(tree.pose(0, full)[1].reshape(-1), abs=1e-14)
-
-
-def test_an_accelerated_drive_without_its_acceleration_would_be_noticed():
-    tree = CHAINS[0]
-    derived = Derived(tree.scene().replace(drive0=replace(DRIVES["harmonic"][0], name="drive0", joint="joint0")))
-    slow = Derived(text=derived.text, values={"rate": 2.0 * (1 - 1e-6)})
-    t, q, u = next(states(tree))
-    f = derived.call("applied", t=t, q=q, u=u)
-    both = [each.call("accelerations", t=t, q=q, u=u, f=f)[0] for each in (derived, slow)]
-    assert np.max(np.abs(both[0] - both[1]) / np.abs(both[0])) > 1e-8
-
-
 @pytest.mark.parametrize("label", ["ramp", "position", "choice", "speed", "acceleration"])
 def test_the_start_of_what_a_drive_integrates_is_declared(label):
     tree = driven(random_tree("R+Z R-X", 12), 0, 1.0)
@@ -444,13 +361,6 @@ def test_the_start_of_what_a_drive_integrates_is_declared(label):
     starts = {"speed": [0.2], "acceleration": [0.2, 2.5]}.get(label, [])
     assert derived.start()[0].tolist() == [0.0, *starts]
     assert derived.call("scales", p=derived.p)[0].size == len(derived.COORDINATES)
-
-
-def test_a_tabulated_drive_has_the_accelerations_of_its_table():
-    tree = driven(random_tree("R+Z R-X", 12), 0, 1.0)
-    derived = Derived(tree.scene().replace(drive0=Drive("drive0", "joint0", position=WAVE(T))))
-    for t, q, u in states(tree):
-        assert imbalance(derived, t, q, u) < 1e-11
 
 
 # -- where there is no direction ---------------------------------------------------------------------------------------

@@ -31,7 +31,6 @@ from hertzwerk.derive import (
     coordinate_of,
     generate,
 )
-from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
 
 BLOCK = Body("block", Parameter("mass", "kg", 2), Parameter("inertia", "kg m^2", 1))
 SCALES = Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1), Parameter("arm", "m", 1))
@@ -95,16 +94,6 @@ def test_the_module_lists_inputs_and_has_their_histories_and_pieces_last_in_c():
     assert "INPUTS" not in generate(
         slide(JointForce("motor", "guide", Parameter("F", "N", 1) * T / Parameter("s", "s", 1)))
     )
-
-
-def test_people_read_an_input_as_a_symbol_of_its_effect():
-    pushed, braked = (
-        JointForce("motor", "guide", Input("push", "N")),
-        JointForce("brake", "guide", Parameter("F", "N", 1)),
-    )
-    text = equations_of(slide(pushed, braked)).markdown()
-    assert "push_c" not in text and "push\\,c" not in text and "push}" in text
-    assert text.count("text{motor}") == 1
 
 
 def test_names_of_entries_give_way_to_parameters():

@@ -214,8 +214,3 @@ def test_a_joint_of_ones_own_is_drawn_as_the_joint_it_is_like(chain):
         joint = chain("own", *PLACES, word, *axes.get(word, (X,)))
         assert joint.symbol == kind
         assert [place for place, _, _ in joint.landmarks()] == ["parent", "child"]
-
-
-@pytest.mark.slow
-def test_a_joint_of_ones_own_is_drawn(chain):
-    assert load(as_tree(chain, "ts", (SKEW, X))).draw().axes

@@ -203,20 +203,6 @@ def test_any_friction(friction):
     check_forces("parallel_cylinders", "wang_liu_external", "exact", friction)
 
 
-@pytest.mark.by_turns(4)
-@pytest.mark.parametrize(
-    "stiffness",
-    [pytest.param(s, marks=pytest.mark.exhaustive if i % 6 else pytest.mark.slow) for i, s in enumerate(STIFFNESS)],
-)
-def test_any_with_any(stiffness):
-    """Every stiffness with every damping and every friction: audited, derived and generated."""
-    for i, damping in enumerate(DAMPING):
-        frictions = list(FRICTION)
-        text = generate(scene(pair_for(stiffness), stiffness, damping, frictions[i % len(frictions)]))
-        assert f"joint: {stiffness} x {damping}" in text
-        assert "all consistent" in text
-
-
 def impact(pair, stiffness, damping, friction=None, **changed):
     run = simulate(
         load(scene(pair, stiffness, damping, friction, **changed)), duration="1 ms", tolerance=1e-10, max_steps=5000
@@ -246,34 +232,6 @@ def test_the_two_models_take_any_damping_factor(model, damping):
     run = impact(MODELS[model], model, damping, e=e)
     out = -(run.final["slide.speed"]) / PACE
     assert out == pytest.approx(restitution(str(h)), rel=1e-8)
-
-
-@pytest.mark.parametrize(
-    "stiffness", ["hertz_point", "johnson", "persson", "pereira_internal_si", "esdu_78035", "liu_with_length"]
-)
-def test_exact_returns_what_it_is_given(stiffness):
-    run = impact("pin_in_bush", stiffness, "exact", e=0.37)
-    assert -run.final["slide.speed"] / PACE == pytest.approx(0.37, rel=1e-8)
-
-
-OTHER_FORMS = [name for name, law in DAMPING.items() if law.factor is None]
-
-
-@pytest.mark.by_turns(2)
-@pytest.mark.parametrize("stiffness", ["hertz_point", "johnson"])
-@pytest.mark.parametrize("damping", OTHER_FORMS)
-def test_damping_of_another_form_in_the_engine(stiffness, damping):
-    """Laws that know the mass or a time instead of v0, under their own release rule, against an integration of the law expressions alone."""
-    given = law_numbers(LAWS[damping], "pin_in_bush")
-    alone = Impact(
-        LAWS[stiffness],
-        LAWS[damping],
-        mass=PIN_MASS,
-        speed=PACE,
-        **{q.name: str(given[q]) for q in LAWS[damping].parameters},
-    )
-    run = impact("pin_in_bush", stiffness, damping)
-    assert -run.final["slide.speed"] / PACE == pytest.approx(alone.restitution, rel=1e-7)
 
 
 def test_release_rules_differ_and_tsuji_is_exact_where_the_gap_opens():

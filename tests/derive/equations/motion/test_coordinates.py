@@ -42,7 +42,6 @@ from hertzwerk.derive.equations.derivation import derivation_of
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.motion import equations_of_motion
 from hertzwerk.derive.equations.motion.absolute_coordinates import absolute
-from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
@@ -340,16 +339,6 @@ def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
     assert "Coordinates: of the joints; the bodies' own cannot be had: body one, inertia" in text
 
 
-def test_equations_are_shown_in_absolute_coordinates():
-    text = equations_of(SCENES["plane, driven within"].with_coordinates("absolute")).markdown()
-    assert "body4.x" in text
-    assert f"{C}.turned_angle" in text  # what the drive prescribes
-
-
-def test_joint_coordinates_leave_no_trace():
-    assert "Coordinates:" not in Derived(slider_crank).text
-
-
 def test_a_body_that_nothing_turns_and_one_that_is_driven_have_no_coordinates_for_it():
     found = Derived(slider_crank.with_coordinates("absolute"))
     assert [name for name, _ in found.COORDINATES] == ["rod.x", "rod.y", "rod.angle", "slider.x", "slider.y"]
@@ -371,11 +360,6 @@ def faults_of(scene: Scene) -> dict[str, str]:
     with pytest.raises(InputError) as error:
         Derived(scene.with_coordinates("absolute"))
     return {fault.where: fault.found for fault in error.value.faults}
-
-
-def test_another_word_is_refused():
-    with pytest.raises(InputError, match="coordinates: found 'cartesian'; expected 'tree', 'absolute' or 'auto'"):
-        slider_crank.with_coordinates("cartesian")
 
 
 def test_inertias_that_cannot_be_told_come_all_at_once():

@@ -149,12 +149,6 @@ def test_constraints_their_rates_and_the_projection(name, kind):
     assert np.prod(independence) == pytest.approx(np.linalg.det(seen) / sizes, rel=1e-6)
 
 
-def test_a_tree_has_no_trace_of_loops():
-    found = Derived(TREES["four-bar"].scene())
-    assert not {"constraints", "projection", "CONSTRAINTS", "GIVEN"} & set(found.names)
-    assert len(found.call("accelerations", t=0.0, q=np.zeros(3), u=np.zeros(3), f=np.zeros(3))) == 2
-
-
 def test_a_redundant_loop_is_no_obstacle():
     """Two hinges on one axis: the second loop says what the first does; each bears half of the force."""
     case = closed("four-bar", "R")

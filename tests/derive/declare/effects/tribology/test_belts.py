@@ -97,15 +97,6 @@ def test_a_band_brake(sense, coordinates):
     assert run.energy_residual < 1e-9
 
 
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-@pytest.mark.parametrize("method", ["dop853", "rodas", "esdirk", "auto", "cvodes"])
-def test_every_method_lowers_the_load(coordinates, method):
-    run = simulate(load(capstan(coordinates=coordinates)), duration=0.5, tolerance=1e-8, method=method)
-    assert run["fall.speed"][-1] == pytest.approx((G - HOLD * RATIO / M) * 0.5, rel=1e-3)
-    assert run.energy_residual < 1e-6
-
-
 def test_what_is_no_belt():
     with pytest.raises(InputError) as caught:
         Scene(

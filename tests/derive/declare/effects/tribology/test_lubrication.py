@@ -4,7 +4,6 @@ The oracle starts from the textbook's equation, d/ds(h^3 dp/ds) + d/dz(h^3 dp/dz
 the derivation starts from the velocity midway between the centres. Neither sees the other's algebra.
 """
 
-import re
 from dataclasses import replace
 from functools import cache
 
@@ -38,7 +37,6 @@ from hertzwerk.derive import (
 from hertzwerk.derive.audit.audit import InconsistentUnits
 from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.laws import LAWS, flores, long_bearing, power, short_bearing
-from hertzwerk.derive.scenes.journal_lubricated import scene as journal
 
 LAYER = 2e-6  # m
 
@@ -257,19 +255,6 @@ def test_a_film_in_space_is_the_one_in_the_plane():
 # -- a scene with a film -----------------------------------------------------------------------------------------------
 
 
-def test_without_the_film_the_scene_never_had_it():
-    bare = tuple(effect for effect in journal.effects if effect.name != "oil")
-    assert generate(journal.without("oil")) == generate(replace(journal, effects=bare))
-    assert not re.search(r"\boil_|\boil\.|viscosity|boundary_layer", generate(journal.without("oil")))
-    assert "viscosity" in generate(journal)
-
-
-def test_another_film_by_name():
-    assert "long_bearing film at bearing" in generate(journal.with_law("oil", "long_bearing"))
-    with pytest.raises(InputError, match="one of short_bearing, long_bearing"):
-        journal.with_law("oil", "flores")
-
-
 UNSOUND = {
     "viscosity that is none": (
         lambda: film(lambda eta: short_bearing(Parameter("viscosity", "Pa", 1))),
@@ -352,12 +337,3 @@ def test_a_film_law_of_a_file(tmp_path):
     file.write_text("\n".join(line for line in WRITTEN.splitlines() if not line.startswith("across")))
     with pytest.raises(InputError, match="across: found none"):
         laws_from(file)
-
-
-def test_a_film_without_a_contact_law_is_a_film():
-    alone = Derived(scene(film(), EnergyLedger()))
-    q, u = state((3e-5, 4e-5), (0.02, -0.03), 100.0, 0.0)
-    assert alone.call("applied", t=0.0, q=q, u=u) == pytest.approx(
-        derived("short_bearing").call("applied", t=0.0, q=q, u=u), rel=1e-14
-    )
-    assert alone.PAIRS == ()

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 import sympy as sp
 from derived import Derived
+from plane_pairs import CAM, ECCENTRIC, LOBED, OVAL, PLATE, A, B, E, R, check_gradient, gaps, scene
 from scipy.optimize import brentq, minimize
 
 from hertzwerk.derive import (
     GROUND,
     Arc,
-    Body,
     CircleOnCurve,
     ConstantSpeed,
     Contact,
@@ -38,32 +38,9 @@ from hertzwerk.derive import (
 )
 from hertzwerk.runtime import load, simulate
 
-R, E, A, B, P = (Parameter(name, "mm", value) for name, value in (("R", 30), ("e", 5), ("a", 40), ("b", 15), ("p", 20)))
-CAM, PLATE = (
-    Body("cam", Parameter("M", "kg", 1), Parameter("J", "kg m^2", 1e-3)),
-    Body("plate", Parameter("m", "kg", 0.2), Parameter("J_p", "kg m^2", 1e-4)),
-)
-ECCENTRIC = Curve("rim", E + R * sp.cos(S), R * sp.sin(S))
+P = Parameter("p", "mm", 20)
 DISC = Curve("disc", P * sp.cos(S), E + P * sp.sin(S))
-OVAL = Curve("oval", A * sp.cos(S), B * sp.sin(S))
 EGG = Curve("egg", P * sp.cos(S), B * sp.sin(S) / 2)
-LOBED = Curve("lobed", R * (1 + sp.cos(5 * S) / 5) * sp.cos(S), R * (1 + sp.cos(5 * S) / 5) * sp.sin(S))
-
-
-def scene(first, second, place=None):
-    """A cam that turns and carries the second curve, and a plate with the first that moves freely in the plane."""
-    pair = CurveOnCurve("touch", first, place or PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0))
-    return Scene(
-        Mechanism("two_curves", (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)), (pair,)),
-        effects=(Contact("touch", laws.power(Parameter("K", "N/m", 1e6), 1)), EnergyLedger()),
-        scales=Scales(length=E, speed=Parameter("pace", "m/s", 1), arm=R),
-    )
-
-
-def gaps(derived, q, u=(0, 0, 0, 0), a=(0, 0, 0, 0)):
-    q, u, a = (np.array(x, float) for x in (q, u, a))
-    G, dG = derived.call("gaps", q=q, u=u)
-    return float(G[0]), float(dG[0]), float(derived.call("gap_accelerations", q=q, u=u, a=a)[0])
 
 
 def moved(curve, angle, x, y, at):
@@ -72,10 +49,15 @@ def moved(curve, angle, x, y, at):
     return np.array([x + np.cos(angle) * px - np.sin(angle) * py, y + np.sin(angle) * px + np.cos(angle) * py])
 
 
+def touching(first, second, place=None):
+    """The second curve on the cam, the first on the plate."""
+    return scene(CurveOnCurve("touch", first, place or PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0)))
+
+
 @pytest.fixture(scope="module")
 def made():
     known = {}
-    return lambda *curves: known.setdefault(curves, Derived(scene(*curves)))
+    return lambda *curves: known.setdefault(curves, Derived(touching(*curves)))
 
 
 @pytest.mark.parametrize("hole", [False, True])
@@ -183,30 +165,7 @@ def test_an_end_touches_as_a_corner(made):
 
 
 def test_forces_are_minus_the_gradient_of_the_stored_energy(made):
-    """Their derivatives too, as implicit methods take them: by CasADi against differences."""
-    derived = made(EGG, OVAL)
-    q = np.array([0.4, 0.02, 0.0282, 0.2])
-    x = ca.SX.sym("x", 4)
-    known = {
-        "u": ca.SX.zeros(4),
-        "z": ca.SX.zeros(len(derived.MEMORY)),
-        "m": ca.SX(0, 1),
-        "c": ca.SX(derived.c),
-        "t": ca.SX(0),
-    }
-    force = derived.names["contact_touch"](*({**known, "q": x}[name] for name in derived.arguments("contact_touch")))[0]
-    value, slope = ca.Function("force", [x], [force]), ca.Function("slope", [x], [ca.jacobian(force, x)])
-
-    def energy(q):
-        return float(derived.call("energy", q=q, u=np.zeros(4))[2][0])
-
-    assert energy(q) > 1e-5
-    h = 1e-6
-    moved = [(q + h * e, q - h * e) for e in np.eye(4)]
-    down = [(energy(b) - energy(a)) / (2 * h) for a, b in moved]
-    assert np.allclose(np.array(value(q)).ravel(), down, rtol=1e-6, atol=1e-3)
-    slopes = np.hstack([(np.array(value(a)) - np.array(value(b))) / (2 * h) for a, b in moved])
-    assert np.allclose(np.array(slope(q)), slopes, rtol=1e-6, atol=1e-1)
+    check_gradient(made(EGG, OVAL), [(0.4, 0.02, 0.0282, 0.2)])
 
 
 # -- gears ---------------------------------------------------------------------------------------------------------------
@@ -362,4 +321,4 @@ def test_all_faults_come_at_once():
         assert text in found, text
     with pytest.raises(InputError, match="a Z of the first curve"):
         turned = PLATE.at(0, 0, 0).turned(X, Parameter("half", "deg", 180))
-        Derived(scene(EGG, OVAL, turned))
+        Derived(touching(EGG, OVAL, turned))

@@ -1,10 +1,12 @@
 """Contact pairs beyond spheres and pins: geometry by hand and complex step, virtual work, energy, and what is refused."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy as sp
 from derived import Derived, rate_along
-from kane import random_tree
+from kane import Tree, driven, random_tree
 from touching import MU, V0, Touching
 
 from hertzwerk.derive import (  # fmt: skip
@@ -105,11 +107,6 @@ class Pair(Touching):
         depth, normal = min(ways, key=lambda way: np.real(way[0]))
         return depth, normal, a
 
-    def event(self, q):
-        """The gap as it is declared to be."""
-        depth = self.geometry(q)[0]
-        return -depth - depth**2 / (2 * self.sizes[1]) if self.kind == "ball_in_socket" else -depth
-
     def states(self, derived, count=3):
         depth = {"bounded": 0.1, "corner_on_face": 0.1}.get(self.kind, 0.2 * min(self.sizes))
         rng = np.random.default_rng(5)
@@ -139,7 +136,35 @@ PAIRS = {
 }  # fmt: skip
 
 
-@pytest.mark.by_turns(3)
+def many(*kinds, parents=None):
+    """Bodies on joints of these kinds, on the ground unless `parents` says otherwise."""
+    links = random_tree(" ".join(["R+Z"] * len(kinds)), 53, parents or [-1] * len(kinds)).links
+    return Tree(tuple(replace(link, kind=kind, second="+X") for link, kind in zip(links, kinds, strict=True)))
+
+
+PAIRS |= {
+    "pin in bush, planar": Touching(
+        "pin_in_bush", random_tree("R+Z R+Z P+X", 41, (-1, 0, -1), planar=2), (1, (0.5, 0.1, 0)), (2, (0.1, 0.2, 0)), sizes=(0.3, 0.1)
+    ),
+    "pin in bush, driven": Touching(
+        "pin_in_bush", driven(random_tree("R+Z R+Z P+X", 143, (-1, 0, -1), planar=2), 0, 2.0), (1, (0.5, 0.1, 0)), (2, (0, 0, 0)), sizes=(0.3, 0.1)
+    ),
+    "pin in bush, spatial": Touching(
+        "pin_in_bush", random_tree("R+Z R+X R+Y", 45, (-1, 0, -1)), (1, (0.3, 0.1, 0.2)), (2, (0.1, 0.4, 0.1)), axis="-X", sizes=(0.3, 0.2)
+    ),
+    "sphere on sphere, spatial": Touching("sphere_on_sphere", random_tree("R+Z R-X R+Y", 47, (-1, 0, -1)), (1, (0.4, 0.1, 0)), (2, (0.1, 0.2, 0.3))),
+    "sphere on plane, spatial": Touching("sphere_on_plane", random_tree("P+X R+Z R-Y", 50), (2, (0.4, 0.1, 0.1)), (-1, (0, 0.2, 0.1)), axis="-X"),
+    "sphere on sphere, both on balls": Touching("sphere_on_sphere", many("S", "F"), (0, (0.4, 0.1, 0)), (1, (0.1, 0.2, 0.3))),
+    "pin in bush, a free body in a free one": Touching(
+        "pin_in_bush", many("F", "F"), (0, (0.3, 0.1, 0.2)), (1, (0.1, 0.4, 0.1)), axis="-X", sizes=(0.3, 0.2)
+    ),
+    "sphere on a turning plane, spatial": Touching(
+        "sphere_on_plane", random_tree("R+Z R+X P+Y", 52, (-1, 0, -1)), (2, (0.4, 0.1, 0.3)), (1, (0, 0.2, 0.1)), axis="+Y"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.by_turns(4)
 @pytest.mark.parametrize("friction", [False, True], ids=["frictionless", "friction"])
 @pytest.mark.parametrize("name", PAIRS)
 def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction):
@@ -153,7 +178,8 @@ def test_gaps_and_their_rates_are_those_of_the_geometry(name):
     derived = case.derive(friction=False)
     rng = np.random.default_rng(3)
     for t, q, u in case.states(derived, 2):
-        for there in (q, q + rng.uniform(-0.05, 0.05, derived.nu)):
+        beside = [q + rng.uniform(-0.05, 0.05, derived.nu)] if derived.nq == derived.nu else []  # no quaternion
+        for there in (q, *beside):
             a = rng.uniform(-5, 5, derived.nu)
             gap, rate = derived.call("gaps", t=t, q=there, u=u)
             second = derived.call("gap_accelerations", t=t, q=there, u=u, a=a)

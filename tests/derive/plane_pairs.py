@@ -1,0 +1,84 @@
+"""Contacts of curves in the plane of motion: a cam that turns and a plate that moves freely, their gaps, and what every force owes its energy."""
+
+import casadi as ca
+import numpy as np
+import sympy as sp
+
+from hertzwerk.derive import (  # fmt: skip
+    GROUND,
+    Arc,
+    Body,
+    Contact,
+    Curve,
+    EnergyLedger,
+    Line,
+    Mechanism,
+    Outline,
+    Parameter,
+    Planar,
+    Revolute,
+    S,
+    Scales,
+    Scene,
+    Z,
+    laws,
+)
+
+R, E, L = (Parameter(name, "mm", value) for name, value in (("R", 30), ("e", 5), ("L", 40)))
+A, B, HALF = (Parameter(name, "mm", value) for name, value in (("a", 40), ("b", 15), ("half_height", 15)))
+CAM, PLATE = (
+    Body("cam", Parameter("M", "kg", 1), Parameter("J", "kg m^2", 1e-3)),
+    Body("plate", Parameter("m", "kg", 0.2), Parameter("J_p", "kg m^2", 1e-4)),
+)
+SHAFT, FREE = Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)
+ECCENTRIC = Curve("rim", E + R * sp.cos(S), R * sp.sin(S))
+OVAL = Curve("oval", A * sp.cos(S), B * sp.sin(S))
+LOBED = Curve("lobed", R * (1 + sp.cos(5 * S) / 5) * sp.cos(S), R * (1 + sp.cos(5 * S) / 5) * sp.sin(S))
+# below a line, to the right a half circle, above a round hollow, to the left a notch
+BLOCK = Outline(
+    "block",
+    (0, -HALF),
+    [
+        Line((L, -HALF)), Arc((L, HALF), (L, 0)), Line(((L + HALF) / 2, HALF)),
+        Arc(((L - HALF) / 2, HALF), (L / 2, HALF), clockwise=True), Line((0, HALF)), Line((HALF / 2, 0)), Line((0, -HALF)),
+    ],
+)  # fmt: skip
+
+
+def scene(pair, joints=(SHAFT, FREE), **given):
+    effects = Contact(pair.name, laws.power(Parameter("K", "N/m", 1e6), 1)), EnergyLedger()
+    scales = Scales(length=E, speed=Parameter("pace", "m/s", 1), arm=R)
+    return Scene(Mechanism("cam_and_plate", joints, (pair,)), effects, scales, **given)
+
+
+def gaps(derived, q, u=(0, 0, 0, 0), a=(0, 0, 0, 0)):
+    """Gap, its rate and its second derivative."""
+    q, u, a = (np.array(x, float) for x in (q, u, a))
+    G, dG = derived.call("gaps", q=q, u=u)
+    return float(G[0]), float(dG[0]), float(derived.call("gap_accelerations", q=q, u=u, a=a)[0])
+
+
+def check_gradient(derived, states, h=1e-6, rtol=1e-6, atol=1e-3):
+    """Forces are minus the gradient of the stored energy, and their derivatives by CasADi, as implicit methods take them, are differences."""
+    x = ca.SX.sym("x", 4)
+    known = {
+        "q": x,
+        "u": ca.SX.zeros(4),
+        "z": ca.SX.zeros(len(derived.MEMORY)),
+        "m": ca.SX(0, 1),
+        "c": ca.SX(derived.c),
+        "t": ca.SX(0),
+    }
+    force = derived.names["contact_touch"](*(known[name] for name in derived.arguments("contact_touch")))[0]
+    value, slope = ca.Function("force", [x], [force]), ca.Function("slope", [x], [ca.jacobian(force, x)])
+
+    def energy(q):
+        return float(derived.call("energy", q=q, u=np.zeros(4))[2][0])
+
+    for q in map(np.array, states):
+        assert energy(q) > 0
+        moved = [(q + h * e, q - h * e) for e in np.eye(4)]
+        down = [(energy(b) - energy(a)) / (2 * h) for a, b in moved]
+        assert np.allclose(np.array(value(q)).ravel(), down, rtol=rtol, atol=atol)
+        slopes = np.hstack([(np.array(value(a)) - np.array(value(b))) / (2 * h) for a, b in moved])
+        assert np.allclose(np.array(slope(q)), slopes, rtol=rtol, atol=100 * atol)
