@@ -3,7 +3,6 @@
 from dataclasses import replace
 from itertools import pairwise
 
-import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
@@ -117,33 +116,6 @@ def test_a_hertz_impact_follows_its_power_laws():
         depth, force = (found.impacts(what, name)[0] * bound[name] for what in ("peak_penetration", "peak_force"))
         assert depth / impact.peak_penetration == pytest.approx(of_depth, rel=2e-7)
         assert force / impact.peak_force == pytest.approx(of_force, rel=2e-7)
-
-
-def test_volume_in_phase_space_is_kept():
-    """Liouville: of a conservative scene the change of (q, M u) by its start has determinant 1, through contacts too."""
-    for scene, duration in (("double_pendulum", "2 s"), ("two_spheres", "0.05 s")):
-        model = load(scene)
-        names = (*model.coordinates, *model.speeds)
-        how = {"duration": duration, "tolerance": 1e-13}
-        conservative = {"restitution": 1.0} if "restitution" in model.parameters else {}
-        run = made(model, conservative, **how)
-        found = run.sensitivities(*names)
-        change = np.array([[found[state, name][-1] for name in names] for state in names])
-        first, last = (mass_matrix(run, row) for row in (0, -1))
-        grown = np.linalg.det(change) * np.linalg.det(last) / np.linalg.det(first)
-        assert grown == pytest.approx(1, abs=1e-9), scene
-        assert len(run.impacts) == (scene == "two_spheres")
-
-
-def mass_matrix(run, row):
-    """Mass matrix at a row of a run, of a model with no kinematics but q' = u, by the accelerations that forces cause."""
-    model = run.model
-    t, q, u, f, c = model.symbols("t q u f c")
-    a = model.function("accelerations").call([t, q, u, f, c])[0]
-    inverse = ca.Function("inverse", [t, q, u, f, c], [ca.jacobian(a, f)])
-    y = run.history.part("y")[row]
-    state = run.t[row], y[: model.nq], y[model.nq : model.nq + model.nu]
-    return np.linalg.inv(np.array(inverse(*state, np.zeros(f.numel()), model.bind().c))[:, : model.nu])
 
 
 # -- differences of runs -----------------------------------------------------------------------------------------------
@@ -290,13 +262,6 @@ def test_many_derivatives_are_those_of_each_alone(crank):
         np.testing.assert_allclose(together["guide.travel", name], alone, rtol=1e-7, atol=1e-12 * np.abs(alone).max())
 
 
-def test_compiled_derivatives_are_the_same(ball):
-    names, how = ("restitution", "drop_height"), {"duration": "0.7 s", "tolerance": 1e-9, "method": "dop853"}
-    virtual, compiled = (simulate(ball, compiled=c, **how).sensitivities(*names) for c in (False, True))
-    for name in names:
-        np.testing.assert_allclose(compiled["vertical.speed", name], virtual["vertical.speed", name], rtol=1e-12)
-
-
 # -- every term matters ------------------------------------------------------------------------------------------------
 
 
@@ -412,14 +377,6 @@ def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
         saved.sensitivities("gravity")
     with pytest.raises(InputError, match="without its steps"):
         run.continued("0.2 s").sensitivities("gravity")
-
-
-def test_a_run_that_is_not_asked_builds_nothing():
-    model = load("bouncing_ball")
-    made(model, duration="0.1 s", tolerance=1e-9)
-    assert not [key for key in model.known if "sensitivity" in getattr(key[0], "__module__", "")]
-    made(model, duration="0.1 s", tolerance=1e-9).sensitivities("gravity")
-    assert [key for key in model.known if "sensitivity" in getattr(key[0], "__module__", "")]
 
 
 def test_a_load_given_as_an_input_changes_nothing_itself():

@@ -14,7 +14,6 @@ from hertzwerk.derive import (
     Gravity,
     InputError,
     Joint,
-    JointSpring,
     Mechanism,
     Parameter,
     Prismatic,
@@ -115,24 +114,6 @@ def test_reactions_of_the_ground_are_the_rate_of_momentum(crank_run):
     np.testing.assert_allclose(run["guide.force_y"], run["guide.reaction_y"], rtol=1e-12)  # its multiplier
 
 
-def test_acceleration_of_a_bead_on_a_driven_arm():
-    """x = 0.1 cosh(w t) along the arm: in ground axes nothing is left along it, and 2 w x' across."""
-    arm = Body("arm", Parameter("arm_mass", "kg", 1.0), Parameter("arm_inertia", "kg m^2", 0.1))
-    bead = Body("bead", Parameter("bead_mass", "kg", 0.2), Parameter("bead_inertia", "kg m^2", 1e-4))
-    joints = (Revolute("main", GROUND, arm, axis=Z), Prismatic("slot", arm, bead, axis=X))
-    scene = Scene(
-        Mechanism("bead_on_arm", joints),
-        (ConstantSpeed("drive", "main", Parameter("w", "rad/s", 3.0)),),
-        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
-        Start({"slot": Parameter("x_0", "m", 0.1)}),
-    )
-    run = simulate(load(scene), duration=0.7, tolerance=1e-11)
-    across = 2 * 3 * 0.3 * np.sinh(3 * run.t)
-    assert run["slot.travel"] == pytest.approx(0.1 * np.cosh(3 * run.t), rel=1e-9)
-    assert run["bead.x_acceleration"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
-    assert run["bead.y_acceleration"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
-
-
 @dataclass(frozen=True, init=False)
 class Polar(Joint):
     """A turn about Z, then a slide along X: `angle`, `travel`."""
@@ -182,31 +163,6 @@ def test_a_tilted_disc_on_a_turning_shaft_is_held_by_its_gyroscopic_couple():
     rate = turn * np.cos(tilt) * (axial * (spin + turn * np.sin(tilt)) - across * turn * np.sin(tilt))
     assert run["axle.reaction_moment_x"] == pytest.approx(-rate * np.sin(turn * run.t), abs=1e-9)
     assert run["axle.reaction_moment_z"] == pytest.approx(-rate * np.cos(turn * run.t), abs=1e-9)
-
-
-def test_tension_of_a_pendulum():
-    length, mass, lift = 0.7, 2.0, 1.2
-    bob = Body("bob", Parameter("mass", "kg", mass), centre=(0, -Parameter("length", "m", length), 0))
-    scene = Scene(
-        Mechanism("string", (Revolute("hinge", GROUND, bob, axis=Z),)),
-        effects=(gravity(),),
-        start=Start(position={"hinge": Parameter("lift", "rad", lift)}),
-        scales=Scales(
-            length=Parameter("scale", "m", 1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 1)
-        ),
-    )
-    run = simulate(load(scene), duration="1 s", tolerance=1e-11)
-    angle = run["hinge.angle"]
-    tension = 3 * mass * G * np.cos(angle) - 2 * mass * G * np.cos(lift)
-    np.testing.assert_allclose(
-        run["hinge.reaction_y"] * np.cos(angle) - run["hinge.reaction_x"] * np.sin(angle), tension, atol=1e-7
-    )
-    np.testing.assert_allclose(
-        run["hinge.reaction_x"] * np.cos(angle) + run["hinge.reaction_y"] * np.sin(angle), 0, atol=1e-7
-    )
-    np.testing.assert_allclose(
-        run["bob.kinetic_energy"] + run["bob.potential_energy"], -mass * G * length * np.cos(lift), rtol=1e-9
-    )
 
 
 @pytest.fixture(scope="module")
@@ -299,24 +255,6 @@ def test_a_fault_in_the_inertia_is_seen():
     faulty = load("double_pendulum")
     faulty.declaration.__dict__["_readings"] = {"tree": wrong}
     assert worst_reaction("double_pendulum", faulty) > 1e-6
-
-
-def test_joint_spring_is_no_part_of_the_reaction():
-    wheel = Body("wheel", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 0.1))
-    spring = JointSpring("coil", "shaft", Parameter("stiffness", "N m/rad", 3))
-    scene = Scene(
-        Mechanism("balance", (Revolute("shaft", GROUND, wheel, axis=Z),)),
-        effects=(spring,),
-        start=Start(position={"shaft": Parameter("lift", "rad", 0.2)}),
-        scales=Scales(
-            length=Parameter("scale", "m", 1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 1)
-        ),
-    )
-    run = simulate(load(scene), duration="0.3 s", tolerance=1e-9)
-    np.testing.assert_allclose(run["coil.torque"], -3 * run["shaft.angle"], rtol=1e-12)
-    np.testing.assert_allclose(run["coil.stored_energy"], 1.5 * run["shaft.angle"] ** 2, rtol=1e-12)
-    np.testing.assert_allclose(run["shaft.reaction_moment_z"], 0, atol=1e-15)
-    np.testing.assert_allclose(run["wheel.angular_momentum_z"], 0.1 * run["shaft.speed"], rtol=1e-12)
 
 
 def test_all_names_are_told_and_used_wherever_a_history_is(rattling, tmp_path):

@@ -9,7 +9,6 @@ import sympy as sp
 from hertzwerk.derive import (
     GROUND,
     Body,
-    BodyTorque,
     Drive,
     EnergyLedger,
     Harmonic,
@@ -19,8 +18,6 @@ from hertzwerk.derive import (
     JointSpring,
     Mechanism,
     Parameter,
-    PointDamper,
-    PointForce,
     PointSpring,
     Potential,
     Prismatic,
@@ -33,7 +30,6 @@ from hertzwerk.derive import (
     Table,
     Where,
     X,
-    Y,
     Z,
     coordinate_of,
 )
@@ -87,32 +83,6 @@ def run(scene, duration, **options):
 SPRING, DAMPER = JointSpring("spring", "slide", STIFFNESS), JointDamper("damper", "slide", DAMPING)
 
 
-def test_harmonic_oscillator_keeps_its_period_and_energy():
-    found = run(block(SPRING, position=SIZE), 20.0)
-    t = np.linspace(0, 20, 401)
-    assert found.at(t)["slide.travel"] == pytest.approx(0.1 * np.cos(W * t), abs=1e-9)
-    assert found["energy"] == pytest.approx(np.full(len(found.t), K * 0.1**2 / 2), rel=1e-9)
-
-
-def test_damped_oscillator_decays():
-    """x = x0 exp(-d t) (cos(w t) + d/w sin(w t)), d = c/2m, w^2 = k/m - d^2; what it loses is the damper's."""
-    found = run(block(SPRING, DAMPER, position=SIZE), 20.0)
-    t, d = np.linspace(0, 20, 401), C / (2 * M)
-    w = np.sqrt(K / M - d**2)
-    assert found.at(t)["slide.travel"] == pytest.approx(
-        0.1 * np.exp(-d * t) * (np.cos(w * t) + d / w * np.sin(w * t)), abs=1e-9
-    )
-    lost = found["energy"][0] - found["energy"][-1]
-    assert found["damper.dissipated"][-1] == pytest.approx(lost, rel=1e-8)
-    assert lost > 0.9 * found["energy"][0]
-
-
-def test_torsional_pendulum():
-    found = run(wheel(JointSpring("wire", "axle", TORSION, Parameter("rest", "deg", 30))), 10.0)
-    t = np.linspace(0, 10, 201)
-    assert found.at(t)["axle.angle"] == pytest.approx(np.pi / 6 * (1 - np.cos(np.sqrt(KAPPA / J) * t)), abs=1e-8)
-
-
 def test_driven_oscillator_settles_to_its_amplitude_and_phase():
     """x = F/sqrt((k - m w^2)^2 + (c w)^2) cos(w t - phi), tan(phi) = c w/(k - m w^2), once exp(-c t/2m) is gone."""
     found = run(block(SPRING, DAMPER, JointForce("motor", "slide", FORCE * sp.cos(RATE * T))), 160.0)
@@ -133,67 +103,6 @@ def test_friction_brings_a_block_to_rest():
     expected = 0.5 * np.arcsinh(np.sinh(2.0) * np.exp(-0.2 * 30 / (M * 0.5) * found.t))
     assert found["slide.speed"] == pytest.approx(expected, abs=1e-9)
     assert found["friction.dissipated"][-1] == pytest.approx(M / 2 * (1 - expected[-1] ** 2), rel=1e-8)
-
-
-def test_viscous_friction_and_a_torque_end_in_a_constant_speed():
-    damper = JointDamper("oil", "axle", Parameter("drag", "N m s/rad", 0.6))
-    found = run(wheel(damper, JointForce("motor", "axle", TORSION)), 20.0)
-    assert found["axle.speed"] == pytest.approx(KAPPA / 0.6 * (1 - np.exp(-0.6 / J * found.t)), rel=1e-8, abs=1e-9)
-
-
-def planar(effects, **start):
-    """A particle in the plane, on two slides."""
-    sled, bead = Body("sled", Parameter("sled_mass", "kg", 1e-9)), Body("bead", MASS)
-    joints = (Prismatic("along", GROUND, sled, axis=X), Prismatic("across", sled, bead, axis=Y))
-    return Scene(
-        Mechanism("plane", joints), (*effects(bead), EnergyLedger()), Scales(length=SIZE, speed=PACE), Start(**start)
-    )
-
-
-def test_a_spring_between_two_points_carries_a_circular_orbit():
-    """k (r - l) = m v^2/r: the radius stays, the angle grows as v/r; the sled's 1e-9 kg shift it by as much."""
-    r, v = 0.5, np.sqrt(K * (0.5 - 0.2) * 0.5 / M)
-    radius, speed = Parameter("radius", "m", r), Parameter("speed", "m/s", v)
-    scene = planar(
-        lambda bead: (PointSpring("spring", bead.at(0, 0, 0), GROUND.at(0, 0, 0), STIFFNESS, Parameter("rest", "m", 0.2)),
-                      PointDamper("damper", bead.at(0, 0, 0), GROUND.at(0, 0, 0), DAMPING)),
-        position={"along": radius}, speed={"across": speed},
-    )  # fmt: skip
-    found = run(scene, 10.0)
-    assert found["along.travel"] == pytest.approx(r * np.cos(v / r * found.t), abs=1e-7)
-    assert found["across.travel"] == pytest.approx(r * np.sin(v / r * found.t), abs=1e-7)
-    assert abs(found["damper.dissipated"][-1]) < 1e-12  # the distance does not change
-
-
-def test_a_spring_of_no_rest_length_passes_through_its_other_end():
-    """Straight through the point without direction: a harmonic oscillation."""
-    scene = planar(
-        lambda bead: (PointSpring("spring", bead.at(0, 0, 0), GROUND.at(0, 0, 0), STIFFNESS),),
-        position={"across": SIZE},
-    )
-    found = run(scene, 5.0)
-    assert found["across.travel"] == pytest.approx(0.1 * np.cos(W * found.t), abs=1e-8)
-
-
-def test_a_constant_force_puts_in_its_way():
-    scene = planar(lambda bead: (PointForce("push", bead.at(0, 0, 0), (0, FORCE, 0)),))
-    found = run(scene, 2.0)
-    assert found["across.travel"][-1] == pytest.approx(4.0 * 2.0**2 / (2 * M), rel=1e-8)
-    assert found["push.input"] == pytest.approx(4.0 * found["across.travel"], rel=1e-8, abs=1e-10)
-
-
-def test_a_torque_of_time_turns_a_wheel():
-    scene = wheel(BodyTorque("shake", Body("wheel", MASS, INERTIA), (0, 0, TORSION * sp.cos(RATE * T))))
-    found = run(scene, 4.0)
-    assert found["axle.angle"] == pytest.approx(KAPPA / (J * 9) * (1 - np.cos(3 * found.t)), abs=1e-8)
-
-
-def test_a_potential_is_a_pendulum():
-    """V = -kappa cos(q): the pendulum's equation, of exact period 4 K(sin(q0/2)) sqrt(J/kappa) (complete elliptic integral)."""
-    angle = Parameter("angle", "rad", 1.2)
-    found = run(wheel(Potential("bowl", -TORSION * sp.cos(coordinate_of("axle"))), position=angle), 10.0)
-    period = 4 * float(sp.elliptic_k(sp.sin(0.6) ** 2)) * np.sqrt(J / KAPPA)
-    assert found.at(np.array([period, 2 * period]))["axle.angle"] == pytest.approx([1.2, 1.2], abs=1e-7)
 
 
 # -- drives ------------------------------------------------------------------------------------------------------------
@@ -237,13 +146,6 @@ def test_every_method_reads_tables(method):
     found = simulate(tabulated(17), duration=4.0, tolerance=1e-6, method=method)
     assert found.outcome.finished
     assert found.final["slide.travel"] == pytest.approx(best.final["slide.travel"], abs=1e-5)
-
-
-def test_a_table_is_read_alike_when_compiled():
-    one, other = (
-        simulate(tabulated(17), duration=4.0, tolerance=1e-8, compiled=compiled) for compiled in (False, True)
-    )
-    assert np.array_equal(one.history.rows, other.history.rows)
 
 
 def ramped(**drive):

@@ -85,12 +85,6 @@ def test_a_motor_switched_on(method, coordinates):
     assert run.energy_residual < 1e-6
 
 
-def test_a_motor_that_cannot_turn():
-    """At stall the current rises to V/R with the time constant L/R of its own."""
-    run = simulate(load(shaft(motor())), duration=0.03, tolerance=1e-9, parameters={"inertia": "1e9 kg m^2"})
-    assert run["motor.current"] == pytest.approx(V / R * (1 - np.exp(-run.t * R / L)), rel=1e-7, abs=1e-8)
-
-
 def test_a_stiff_current_is_passed_by_implicit_steps():
     """L/R of a microsecond beside a mechanical time constant of 0.2 s: auto and the implicit methods take few steps."""
     model = load(shaft(motor()))
@@ -172,23 +166,6 @@ def test_a_sampled_controller_is_its_recursion(method):
     assert run.at(middle)["main.speed"] == pytest.approx(expected, rel=1e-7, abs=1e-6)
     late = [0.05 * (100 - x) for x in speeds]  # a controller that forgets its integral
     assert np.max(np.abs(run.at(middle)["control.command"] - late)) > 0.1
-
-
-def test_a_motor_takes_the_command_of_a_controller():
-    """In the steady state the integral alone holds the voltage V = k w + R b w/k."""
-    control = SpeedController(
-        *("control", "main", Parameter("target", "rad/s", 100), Parameter("Kp", "V s/rad", 0.2)),
-        *(Parameter("Ki", "V/rad", 4.0), "V"),
-    )
-    drag = JointDamper("drag", "main", Parameter("b", "N m s/rad", 0.001))
-    run = simulate(load(shaft(motor(control.command), control, drag)), duration=2.0, tolerance=1e-8)
-    assert run.final["main.speed"] == pytest.approx(100, rel=1e-6)
-    held = K * 100 + R * 0.001 * 100 / K
-    assert run["motor.voltage"][-1] == pytest.approx(held, rel=1e-6)
-    assert run["control.error"][-1] * 4.0 == pytest.approx(held, rel=1e-5)
-    titles = " ".join(axes.get_title(loc="left") for axes in run.plot().axes)
-    assert "main" in titles  # of the shaft alone: states of effects are no motions
-    assert not {"motor", "control"} & set(titles.split())
 
 
 # -- effects of one's own ----------------------------------------------------------------------------------------------

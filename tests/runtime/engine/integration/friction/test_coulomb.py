@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from blocks import CARRIAGE, GRAVITY, MASS, STIFFNESS, WEIGHT, block
 from each import each
+from jacobians import check_jacobian, start_of
 from scipy.optimize import brentq
 
 from hertzwerk.derive import (  # fmt: skip
@@ -30,17 +31,11 @@ from hertzwerk.derive import (  # fmt: skip
     Y,
     Z,
 )
-from hertzwerk.derive.laws import LAWS, coulomb, flores, kelvin_voigt, power
+from hertzwerk.derive.laws import coulomb, flores, kelvin_voigt, power
 from hertzwerk.derive.scenes import slider_crank
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.step import implicit_step
-from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE
-from hertzwerk.runtime.engine.integration.step.explicit_step import flow
-from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
-from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips
 from hertzwerk.runtime.engine.model.model import Model
-from hertzwerk.runtime.engine.solution.error_scales import of_parameters
-from hertzwerk.runtime.engine.solution.solution import Solution
 
 pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
@@ -180,14 +175,6 @@ def test_compiled_is_bitwise_the_virtual_machine(model, method):
     one, two = (simulate(model, compiled=compiled, **given) for compiled in (False, True))
     assert {-1.0, 0.0, 1.0} <= set(one["floor_0.slip"])
     assert np.array_equal(one.history.rows, two.history.rows)
-
-
-def test_a_saved_run_keeps_slip_and_friction_force(model, tmp_path):
-    run = simulate(model, duration="0.7 s", parameters={"slide": "1 m/s"}, tolerance=1e-6)
-    back = Solution.load(run.save(tmp_path / "run.npz"))
-    for name in ("floor_0.slip", "floor_0.friction_force", "floor_0.sliding_velocity"):
-        assert np.array_equal(back[name], run[name])
-    assert back.history.units["floor_0.friction_force"] == "N"
 
 
 # ---- several contacts ------------------------------------------------------------------------------------------------
@@ -489,43 +476,10 @@ def test_jacobian_against_differences(monkeypatch, slips, large):
     monkeypatch.setattr(implicit_step, "LARGE", 0 if large else math.inf)
     model = built.__wrapped__(sledge, rocks=True)
     bound = model.bind({"slope": 0.2})
-    q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
-    scale = of_parameters(model, bound).state
+    q, u = start_of(model, bound)
     u = u + np.array([0, 0.1, -0.02, 0.3])
     q[3] = 0.02  # level, the feet would be one: then only the sum of their forces is known
     q[2] -= 5e-3
     y = np.concatenate([q, u, np.zeros(model.nz)])
-    given = (np.ones(model.k), np.array(slips, dtype=float), bound.c)
-    J = np.array(linearised(model)(0.0, y, *given)[0])
-    rates = flow(model).rates
-    steps = np.diag(1e-3 * scale)
-    differences = [
-        np.array(rates(0.0, y + h, *given) - rates(0.0, y - h, *given)).ravel() / (2 * h[i])
-        for i, h in enumerate(steps)
-    ]
-    size = np.max(np.abs(J), axis=1, keepdims=True) + 1e-300
-    assert np.max(np.abs(np.array(differences).T - J) / size) < 1e-5  # rounding of what both feet hold, over the step
-
-
-def test_the_direction_of_friction_is_that_of_sliding():
-    """The generalised force per newton is the gradient of the sliding velocity by the speeds: what the linear system of sticking rests on."""
-    model = built(sledge, rocks=True)
-    bound = model.bind({"slope": 0.2})
-    q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
-    q[3], y = 0.01, np.concatenate([q, u, np.zeros(model.nz)])
-    t, symbol = ca.SX.sym("t"), ca.SX.sym("y", y.size)
-    grip = grips(model, BY_MODE, t, symbol, ca.SX.ones(2), ca.SX.zeros(2), ca.SX(bound.c))
-    both = ca.Function(
-        "both", [t, symbol], [grip.along, ca.jacobian(grip.velocity, symbol)[:, model.nq : 2 * model.nq]]
-    )
-    along, gradient = (np.array(x) for x in both(0.0, y))
-    assert np.allclose(along[: model.nu].T, gradient, rtol=1e-13, atol=1e-15)
-    assert abs(along[3, 0]) > 0.04  # the feet are below the middle
-
-
-def test_nothing_of_it_where_no_law_has_modes():
-    smooth = LAWS["smooth_coulomb"](Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 1e-3))
-    model = built(block, smooth)
-    assert not hasattr(model.module, "SLIPS")
-    assert flow(model).ends.size1_out("margin") == 0
-    assert "floor_0.slip" not in simulate(model, duration="1 ms", tolerance=1e-6).names
+    # rounding of what both feet hold, over the step
+    check_jacobian(model, y, np.ones(model.k), np.array(slips, dtype=float), bound, steps=1e-3, within=1e-5)

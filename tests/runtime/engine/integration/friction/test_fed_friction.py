@@ -319,20 +319,6 @@ def test_derivatives_through_it():
             assert found[history, name][-1] == pytest.approx(slope, rel=1e-5), (history, name)
 
 
-@pytest.mark.slow
-def test_both_paths_have_the_same_bits():
-    model = load(pendulum())
-    one, two = (simulate(model, duration=1.0, tolerance=1e-8, compiled=compiled) for compiled in (False, True))
-    assert np.array_equal(one.history.rows, two.history.rows)
-
-
-def test_it_goes_on_where_it_was():
-    model = load(pendulum())
-    whole = simulate(model, duration=2.0, tolerance=1e-8, parameters=mu(0.05))
-    part = simulate(model, duration=1.0, tolerance=1e-8, parameters=mu(0.05)).continued(2.0)
-    assert part["hinge.angle"][-1] == pytest.approx(whole["hinge.angle"][-1], abs=1e-7)
-
-
 def test_small_vibrations_of_what_sticks_and_slides():
     run = simulate(load(pendulum()), duration=3.0, tolerance=1e-9, parameters=mu(0.05))
     assert len(modes(run, at=0.3).frequencies) == 1

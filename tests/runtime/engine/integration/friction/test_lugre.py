@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from blocks import CARRIAGE, MASS, WEIGHT, block
-from matplotlib.text import Text
+from jacobians import check_jacobian, start_of
 from scipy.integrate import solve_ivp
 
 from hertzwerk.derive import (  # fmt: skip
@@ -13,8 +13,6 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.laws import lugre
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.engine.integration.step.explicit_step import flow
-from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
 
 pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
 
@@ -76,16 +74,6 @@ def test_at_rest_on_a_slope_the_bristle_holds_the_block(model, method):
     assert abs(run.final["along_0.speed"]) < 1e-8
 
 
-@pytest.mark.parametrize("speed", [0.01, 0.05, 0.3])
-def test_steady_sliding_is_the_stribeck_curve(speed):
-    """The power that the drive of the carriage supplies, after the bristle has bent."""
-    run = simulate(load(block(bristles(), pull=speed)), duration="1 s", method="esdirk", tolerance=1e-8)
-    supplied = run.at([0.5, 1.0])["energy_ledger.input"]
-    force = (supplied[1] - supplied[0]) / (0.5 * speed)
-    assert force == pytest.approx(WEIGHT * (MU_K + (MU_S - MU_K) * math.exp(-((speed / V_S) ** 2))), rel=1e-6)
-    assert run["rub_0.bristle"][0] == 0
-
-
 @pytest.mark.parametrize("method", [*METHODS, "cvodes", "idas"])
 def test_bristles_end_with_their_contact(model, method):
     """Dropped while sliding, the block bounces; each contact begins with a bristle at rest."""
@@ -101,22 +89,6 @@ def test_bristles_end_with_their_contact(model, method):
     assert np.max(np.abs(bristle[onsets])) <= noise
     assert np.max(np.abs(bristle)) > 0.5 * MU_K / S_0  # and bends in between
     assert run.energy_residual < 3e-6  # 30 local errors; CVODES makes 13
-
-
-def test_every_pair_has_a_bristle_of_its_own(model):
-    """Two blocks, of bristles unlike each other, do what each does alone."""
-    both = load(block(bristles("_a"), bristles("_b", s_0=3e4)))
-    given = {"slide": "0.3 m/s", "height": "1 mm"}
-    run = simulate(both, duration="0.15 s", method="esdirk", tolerance=1e-9, parameters=given)
-    assert both.memory[:2] == ("rub_0.bristle", "rub_1.bristle")
-    for i, s_0 in enumerate(("1e5 1/m", "3e4 1/m")):
-        alone = simulate(
-            model, duration="0.15 s", method="esdirk", tolerance=1e-9, parameters=given | {"s_0": s_0}
-        ).final
-        for name in ("along.travel", "along.speed", "up.travel", "rub.bristle"):
-            joint, what = name.split(".")
-            size = max(abs(alone[f"{joint}_0.{what}"]), 1e-6)
-            assert run.final[f"{joint}_{i}.{what}"] == pytest.approx(alone[f"{joint}_0.{what}"], abs=1e-5 * size)
 
 
 @pytest.mark.parametrize("method", IMPLICIT)
@@ -135,47 +107,9 @@ def test_very_stiff_bristles_take_few_implicit_steps(model, method):
     assert run.energy_residual < 1e-5
 
 
-@pytest.mark.parametrize("method", ["dop853", pytest.param("esdirk", marks=pytest.mark.exhaustive)])
-def test_compiled_is_bitwise_the_virtual_machine(model, method):
-    given = {
-        "duration": "50 ms",
-        "tolerance": 1e-6,
-        "method": method,
-        "parameters": {"slide": "0.5 m/s", "height": "2 mm"},
-    }
-    one, two = (simulate(model, compiled=compiled, **given) for compiled in (False, True))
-    assert np.array_equal(one.history.rows, two.history.rows)
-
-
 def test_jacobian_against_differences(model):
     bound = model.bind()
-    q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
+    q, u = start_of(model, bound)
     y = np.concatenate([q, u + np.array([0, 0.03, -0.01]), [-0.6 * MU_S / S_0, 0, 0]])
-    given = (np.ones(1), np.zeros(0), bound.c)
-    J = np.array(linearised(model)(0.0, y, *given)[0])
-    rates = flow(model).rates
-    steps = np.array([1e-7] * 3 + [1e-6] * 3 + [1e-9, 1, 1])
-    differences = [
-        np.array(rates(0.0, y + h, *given) - rates(0.0, y - h, *given)).ravel() / (2 * h[i])
-        for i, h in enumerate(np.diag(steps))
-    ]
-    size = np.max(np.abs(J), axis=1, keepdims=True) + 1e-300
+    J = check_jacobian(model, y, np.ones(1), np.zeros(0), bound, steps=[1e-7] * 3 + [1e-6] * 3 + [1e-9, 1, 1])
     assert J[6, 6] == pytest.approx(-S_0 * 0.03 / (MU_K + (MU_S - MU_K) * math.exp(-((0.03 / V_S) ** 2))))
-    assert np.max(np.abs(np.array(differences).T - J) / size) < 1e-6
-
-
-def test_a_bristle_is_no_energy(model):
-    """The ledger's entries are drawn as energies, the bristle beside them is not."""
-    figure = simulate(model, duration="50 ms", parameters={"slide": "1 m/s"}, tolerance=1e-6).plot()
-    labels = {
-        text.get_text() for axis in figure.axes for text in (*axis.texts, *(axis.get_legend() or figure).findobj(Text))
-    }
-    assert "loss, rub_0" in labels
-    assert "drives' work" not in labels
-
-
-def test_without_a_bristle_there_is_no_trace_of_one(model):
-    plain = load(block(bristles()).without("rub_0"))
-    assert not hasattr(plain.module, "BRISTLES")
-    assert "rub_0.bristle" not in plain.memory
-    assert model.module.BRISTLES == ((0, 0),)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from balls import GRAVITY, MASS, RADIUS, STIFFNESS, ball
+from jacobians import check_jacobian, start_of
 from scipy.integrate import solve_ivp
 
 from hertzwerk.derive import (  # fmt: skip
@@ -36,9 +37,7 @@ from hertzwerk.derive import (  # fmt: skip
 from hertzwerk.derive.laws import LAWS, kelvin_voigt, lugre, power
 from hertzwerk.derive.laws.law import FrictionLaw, N, Quantity, s, z
 from hertzwerk.runtime import equilibrium, load, modes, simulate
-from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
-from hertzwerk.runtime.engine.solution.error_scales import of_parameters
 
 pytestmark = pytest.mark.by_turns(6)  # methods and coordinates that run the same code
 
@@ -245,22 +244,11 @@ def test_bristles_stay_in_the_tangent_plane_that_tilts():
 def test_jacobian_against_differences():
     model = two_balls()
     bound = model.bind()
-    q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
-    y = np.concatenate([q, u, [2e-5, -1e-5, 1e-5]])
+    y = np.concatenate([*start_of(model, bound), [2e-5, -1e-5, 1e-5]])
     y[3:7] = np.array([0.7, 0.1, -0.5, 0.5]) / np.linalg.norm([0.7, 0.1, -0.5, 0.5])
-    given = (np.ones(model.k), np.zeros(0), bound.c)
-    for still in (False, True):
-        y[7:13] *= not still
-        J, of = np.array(linearised(model)(0.0, y, *given)[0]), flow(model).rates
-        assert np.all(np.isfinite(J))
-        if not still:  # at rest the decay |s| z has a corner
-            steps = np.diag(1e-7 * of_parameters(model, bound).state)
-            differences = [
-                np.array(of(0.0, y + h, *given) - of(0.0, y - h, *given)).ravel() / (2 * h[i])
-                for i, h in enumerate(steps)
-            ]
-            size = np.max(np.abs(J), axis=1, keepdims=True) + 1e-300
-            assert np.max(np.abs(np.array(differences).T - J) / size) < 1e-5
+    check_jacobian(model, y, np.ones(model.k), np.zeros(0), bound, steps=1e-7, within=1e-5)
+    y[7:13] = 0  # at rest the decay |s| z has a corner
+    assert np.all(np.isfinite(np.array(linearised(model)(0.0, y, np.ones(model.k), np.zeros(0), bound.c)[0])))
 
 
 # ---- other laws ------------------------------------------------------------------------------------------------------

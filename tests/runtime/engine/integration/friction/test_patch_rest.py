@@ -11,8 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from hertzwerk.derive import BodyTorque, Parameter, PatchFriction, PointForce, T
-from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
-from hertzwerk.runtime import equilibrium, load, simulate
+from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.events.slip_directions import settling
 from hertzwerk.runtime.engine.integration.friction import limit_sets
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import solve_sticking
@@ -118,17 +117,6 @@ def test_it_sets_off_where_the_limit_surface_is_reached(ratio):
     assert abs(math.hypot(force, 1.5 * moment) - 1) > 1e-3
 
 
-@pytest.mark.exhaustive
-def test_statics_hold_it_within_the_limit_surface():
-    force, moment = shares(0.6)
-    for share, found in ((0.999, "found"), (1.001, "no_equilibrium")):
-        given = {"push": (share * WEIGHT * force, "N"), "twist": (share * WEIGHT * RIM * moment, "N m")}
-        held = equilibrium(pushed(), parameters=given)
-        assert held.outcome.name == found
-        if found == "found":
-            assert held.sticking["rub"] == pytest.approx(share * WEIGHT, rel=1e-9)
-
-
 def test_where_it_stops_has_derivatives():
     """By the coefficient the way falls as 1/mu, whatever the spin; by speeds as integrations nearby say."""
     given = {"slide": (0.6, "m/s"), "spin": (10.0, "rad/s")}
@@ -213,12 +201,3 @@ def test_the_end_is_the_published_one():
     speed = math.hypot(last["floor_plane.x_speed"][0], last["floor_plane.y_speed"][0])
     assert speed / (RIM * abs(last["floor_plane.angle_speed"][0])) == pytest.approx(end, abs=5e-4)
     assert round(end, 3) == 0.653
-
-
-def test_it_is_declared_and_shown():
-    told = {entry.name: (entry.unit, entry.meaning) for entry in built().histories}
-    assert told["rub.slip_3"] == ("m/s", "direction of sliding, zero while it sticks, of rub, of its spin at the rim")
-    assert told["rub.friction_force_3"][0] == "N" and told["rub.moment_y"][0] == "N m"
-    shown = equations_of(flat_disc(dry()))
-    row = next(equation for equation in shown.equations if equation.name == "row floor_plane.angle")
-    assert {term.effect for term in row.terms if not term.left} == {"rub"}

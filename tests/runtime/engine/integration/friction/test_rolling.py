@@ -269,11 +269,3 @@ def test_an_edge_moves_on_a_body():
     edge = KnifeEdge("skate", body.at(0, 0, 0), X, on="ice")
     with pytest.raises(InputError, match="effect skate, on: found 'ice'; expected a Body or GROUND"):
         scene((Planar("ride", GROUND, body, normal=Z),), (), edge)
-
-
-def test_equations_for_people_have_what_rolls_in_a_section_of_its_own():
-    text = str(load(wheel(mu)).equations())
-    section = text[text.index("## Rolling and edges") :]
-    assert "tyre.gap, zero while the surfaces touch [m]" in section
-    assert "tyre.sliding_velocity, zero [m/s]" in section
-    assert "Closed loops" not in text

@@ -10,7 +10,6 @@ import sympy as sp
 from balls import GRAVITY, MASS, RADIUS, ball, brake, dry
 
 from hertzwerk.derive import DrillingResistance, InputError, Parameter, RollingResistance, generate
-from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import load, simulate
 
@@ -66,19 +65,6 @@ def test_a_ball_rolls_to_rest(law, method, coordinates):
     assert run.final["rolling.dissipated"] == pytest.approx(0.7 * MASS * speed**2, rel=1e-4)
     assert run.final["drilling.dissipated"] == pytest.approx(0, abs=1e-10)
     assert run.energy_residual < 1e-6
-
-
-def test_half_way_its_speed_is_less_by_half():
-    """By v - a t, and the moment is a vector against the rolling, c N."""
-    speed, rate = 0.2, ARM * GRAVITY / (RADIUS * 1.4)
-    given = {"v_x": f"{speed} m/s", "w_z": f"{-speed / RADIUS!r} rad/s"}
-    run = simulate(model("coulomb"), duration=f"{speed / rate / 2} s", tolerance=1e-9, parameters=given)
-    assert run.final["flight.x_speed"] == pytest.approx(speed / 2, rel=1e-5)
-    run = run.with_histories("rolling.moment_x", "rolling.moment_z", "rolling.power")
-    assert run["rolling.moment_z"][-1] == pytest.approx(ARM * MASS * GRAVITY, rel=1e-5)
-    assert run["rolling.moment_x"][-1] == pytest.approx(0, abs=1e-12)
-    turning = -run["flight.angular_speed_z"][-1]
-    assert run["rolling.power"][-1] == pytest.approx(ARM * MASS * GRAVITY * turning, rel=1e-5)
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])
@@ -138,16 +124,6 @@ def test_a_wheel_under_a_block_slows_down_and_turns_its_guide(coordinates):
 
 
 # ---- declared and shown ----------------------------------------------------------------------------------------------
-
-
-def test_equations_show_the_moment_beside_the_contact():
-    """Each term of a row of motion has the effect that it comes from."""
-    shown = equations_of(brake(arm()))
-    row = next(equation for equation in shown.equations if "axle" in equation.name and equation.terms)
-    assert {term.effect for term in row.terms if not term.left} == {"drag"}
-    moment = next(equation for equation in shown.equations if equation.name == "drag_moment_z")
-    assert moment.effects == ("drag",)
-    assert r"M_{z,\mathrm{r}}" in moment.latex
 
 
 def test_every_fault_is_told():

@@ -25,7 +25,6 @@ from hertzwerk.derive import (
     normal_force_of,
     reaction_of,
 )
-from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import equilibrium, load, simulate
 
@@ -219,24 +218,6 @@ def test_where_it_rests_has_derivatives():
 # ---- declared and shown ----------------------------------------------------------------------------------------------
 
 
-def test_equations_show_rest_beside_turning():
-    """Each moment by its cases, and its term in the row of motion by its effect."""
-    shown = equations_of(scene())
-    row = next(equation for equation in shown.equations if equation.name == "row flight.moment_x")
-    assert {term.effect for term in row.terms if not term.left} == {"rub", "rolling", "drilling"}
-    spin = next(equation for equation in shown.equations if equation.name == "drilling_moment")
-    assert spin.effects == ("drilling",) and r"M_{\mathrm{ds}}" in spin.latex
-    assert len({equation.name for equation in shown.equations}) == len(shown.equations)
-
-
-def test_histories_have_units_and_meanings():
-    told = {entry.name: (entry.unit, entry.meaning) for entry in model().histories}
-    assert told["rolling.turning"][0] == "1" and told["rolling.turning_1"][0] == "rad/s"
-    assert told["rolling.moment"] == ("N m", "moment, of rolling")
-    assert told["rolling.moment_2"] == ("N m", "moment of rolling, along its tangent 2")
-    assert told["drilling.moment"][0] == "N m" and told["rolling.moment_x"][0] == "N m"
-
-
 def test_a_load_by_the_normal_force_is_one_by_the_weight():
     """Friction changes no normal force: what rolls and rests beside a load by it moves as beside a known one."""
     body, lever = ball(dry(MU)).mechanism.joints[0].child.body, Parameter("lever", "m", 1e-4)
@@ -262,11 +243,3 @@ def test_it_is_refused_beside_loads_by_reactions_that_it_changes():
     for word in ("effect rolling", "effect rub", "in several directions beside loads by reactions", "Give it a speed"):
         assert word in str(caught.value)
     assert "effect drilling" not in str(caught.value)  # about one axis
-
-
-def test_readings_of_friction_are_those_without_resistance():
-    """Sliding friction and a rolling moment at one pair have their own vectors."""
-    run = simulate(model(), duration="10 ms", method="dop853", tolerance=1e-8, parameters={"v_x": (1, "m/s")})
-    assert run["floor.friction_force_x"][1] == pytest.approx(-MU * MASS * GRAVITY, rel=1e-6)
-    assert run["rolling.moment_z"][-1] == pytest.approx(ARM * MASS * GRAVITY, rel=1e-6)
-    assert "rolling.friction_force_x" not in run.names and not run.history.units.get("rolling.friction_force_x")

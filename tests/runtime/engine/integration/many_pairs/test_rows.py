@@ -157,12 +157,6 @@ def test_every_row(count):
     assert not failing
 
 
-@pytest.mark.exhaustive
-def test_digits_of_the_row_of_fifty():
-    _, found = row(50, 0.05)
-    assert max(abs(found[i - 1] - speed) for i, speed in many.FIFTY.items()) < 1e-12
-
-
 def test_the_same_row_in_coordinates_from_one_origin():
     """Gaps between coordinates of their own size, as the other rows of the hard cases have them."""
     run = simulate(load(row_of_spheres(4)), duration=0.004, tolerance=1e-12, parameters={"gap": "0 m"}, compiled=False)

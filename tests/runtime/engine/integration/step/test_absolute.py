@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from loops import cranks, four_bar, open_by, rad, turned
+from loops import cranks, four_bar, open_by, rad
 
 from hertzwerk.derive import (
     GROUND,
@@ -157,15 +157,6 @@ def test_redundant_constraints_are_named():
     assert any("middle.force_x" in warning for warning in run.warnings)
 
 
-def test_joints_have_histories_in_absolute_coordinates_too():
-    tree, absolute = both(pendulum(3), 1.0)
-    for name in tree.model.coordinates:
-        assert absolute[name][-1] == pytest.approx(tree[name][-1], abs=1e-8)
-        assert absolute[name.replace("angle", "speed")][-1] == pytest.approx(
-            tree[name.replace("angle", "speed")][-1], abs=1e-7
-        )
-
-
 def test_what_drives_a_joint_is_the_force_that_holds_it():
     """Work of the drive between two bodies against what its multiplier does at its speed, summed over the steps of a fine grid."""
     absolute = simulate(load(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, output=4001)
@@ -184,15 +175,6 @@ def test_loops_stay_closed_and_quaternions_of_norm_1_in_a_long_run():
         assert np.max(np.abs(np.linalg.norm(q[:, i : i + 4], axis=1) - 1)) < 1e-14
     assert open_by(run) < 1e-12
     assert run.energy_residual < 1e-7
-
-
-@pytest.mark.slow
-def test_a02_in_absolute_coordinates():
-    run = simulate(load(n_four_bar(2).with_coordinates("absolute")), duration=10.0, tolerance=TOLERANCE)
-    times = np.linspace(0.5, 10, 20)
-    at = run.at(times)
-    for post in range(3):
-        assert at[f"post_{post}.angle"] == pytest.approx([turned(2, t) for t in times], abs=2e-8)
 
 
 # -- starts ------------------------------------------------------------------------------------------------------------
@@ -226,10 +208,3 @@ def test_assembly_faults_are_the_same_in_words(scene):
             simulate(load(scene.with_coordinates(kind)), duration=1.0, tolerance=1e-6)
         texts.append([str(fault) for fault in error.value.faults])
     assert texts[0] == texts[1]
-
-
-@pytest.mark.exhaustive
-def test_compiled_is_bitwise_the_same():
-    model = load(n_four_bar(2).with_coordinates("absolute"))
-    one, two = (simulate(model, duration=0.5, tolerance=1e-8, compiled=compiled) for compiled in (False, True))
-    assert np.array_equal(one.history.rows, two.history.rows)

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from loops import four_bar, rad
 from scipy.optimize import brentq
 
 from hertzwerk.derive import (
@@ -37,7 +36,6 @@ from hertzwerk.derive import (
 from hertzwerk.derive.equations.motion import constraints as coupled
 from hertzwerk.derive.laws import power
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.engine.integration.tableaux.methods import EXPLICIT, IMPLICIT
 
 BOTH = ("tree", "absolute")
 TOLERANCE, EXACT = 1e-10, 1e-9
@@ -87,23 +85,6 @@ def test_a_geared_pair_has_the_inertia_of_both(coordinates):
     at_rate(found, "pinion.speed", -3 * rate)
     assert found["mesh.moment"] == pytest.approx(0.05 * -3 * rate, rel=EXACT)
     assert 2.0 + 3.0 * found["mesh.moment"] == pytest.approx(0.2 * rate, rel=EXACT)  # what is left for the wheel
-
-
-def test_the_force_is_on_the_first_coordinate():
-    """The same mesh told from the other shaft: wheel = pinion/i, its torque on the wheel is -i times that on the pinion."""
-    told = run(gears()), run(gears(MOTOR, Coupling("mesh", "wheel", "pinion", 1 / ratio)))
-    one, other = (found["mesh.moment"][-1] for found in told)
-    assert other == pytest.approx(3.0 * one, rel=EXACT)
-    assert told[1]["wheel.angle"][-1] == pytest.approx(told[0]["wheel.angle"][-1], rel=EXACT)
-
-
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("coordinates", BOTH)
-@pytest.mark.parametrize("method", [*EXPLICIT, *IMPLICIT])
-def test_every_method_turns_gears(method, coordinates):
-    found = run(gears(), coordinates, duration=0.5, method=method, tolerance=1e-7)
-    assert found["wheel.speed"][-1] == pytest.approx(0.5 * 2.0 / 0.65, rel=1e-6)
-    assert found["mesh.moment"][-1] == pytest.approx(0.05 * -3 * 2.0 / 0.65, rel=1e-6)
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -176,19 +157,6 @@ def test_a_screw_press_is_lifted_by_its_torque():
     assert found["screw.force"] == pytest.approx(2.0 * (9.81 + h * alpha), rel=EXACT)
 
 
-@pytest.mark.parametrize("coordinates", BOTH)
-def test_a_differential_halves_the_torque(coordinates):
-    """left + right = 2 case: both sides get the same torque, whatever they carry."""
-    joints = WHEEL, PINION, Revolute("case", GROUND.at(0, r, 0), third, axis=Z)
-    left, right, case = map(coordinate_of, ("wheel", "pinion", "case"))
-    both = Coupling("both", equation=left + right - 2 * case)
-    found = run(scene(joints, JointForce("motor", "case", M), both), coordinates)
-    torque = 2.0 / (2 + 0.11 * (1 / 0.2 + 1 / 0.05) / 2)
-    assert found["both.moment"] == pytest.approx(torque, rel=EXACT)
-    at_rate(found, "wheel.speed", torque / 0.2)
-    at_rate(found, "pinion.speed", torque / 0.05)
-
-
 # -- equations that bend -----------------------------------------------------------------------------------------------
 
 
@@ -242,33 +210,6 @@ def test_circles_that_draw_no_line_lock():
     """Another ratio by a part in a thousand: the pen cannot be where its guide and its rim want it."""
     with pytest.raises(InputError, match=r"over-determined .*ring off by 0\.0"):
         run(pen(-2.002))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("coordinates", BOTH)
-def test_a_loop_drives_a_wheel_by_its_rocker(coordinates):
-    """A four-bar whose rocker is geared to a flywheel: the same as with the flywheel's inertia on the rocker, i^2 J."""
-    lift = rad(0.4)
-    plain = four_bar(0.5, 1.5, 1.2, 1.6, position={"main": lift})
-    rocker = plain.mechanism.joints[2].child.body
-    geared = replace(
-        plain,
-        mechanism=replace(plain.mechanism, joints=(*plain.mechanism.joints[:3], WHEEL, plain.mechanism.joints[3])),
-        effects=(*plain.effects, Coupling("mesh", "wheel", "foot", ratio)),
-    )
-    heavier = replace(rocker, inertia=Parameter("rocker_inertia", "kg m^2", 0.1 + 9 * 0.2))
-    main, left, foot, right = plain.mechanism.joints
-    joints = (
-        main,
-        left,
-        Revolute("foot", foot.parent, heavier, axis=Z),
-        Revolute("right", right.parent, heavier.at(*right.child.position), axis=Z),
-    )
-    reduced = replace(plain, mechanism=replace(plain.mechanism, joints=joints))
-    found, same = run(geared, coordinates, duration=2.0), run(reduced, duration=2.0)
-    at = np.linspace(0, 2, 20)
-    assert np.ptp(same["foot.angle"]) > 0.3
-    assert found.at(at)["main.angle"] == pytest.approx(same.at(at)["main.angle"], abs=1e-8)
 
 
 @pytest.mark.parametrize("coordinates", BOTH)

@@ -86,26 +86,6 @@ def test_a_pendulum_in_its_journal(coordinates, method):
     assert run.energy_residual < 1e-7
 
 
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("coordinates", BOTH)
-@pytest.mark.parametrize("method", METHODS)
-def test_every_method(coordinates, method):
-    run = simulate(load(pendulum().with_coordinates(coordinates)), duration=1.2, tolerance=1e-8, method=method)
-    assert run["hinge.angle"][-1] == pytest.approx(by_hand(1.2, np.array([0, 1.2]))[0][-1], abs=1e-5)
-    assert run.energy_residual < 1e-5
-
-
-def test_the_circle_of_friction():
-    """At rest it holds where the weight passes the circle mu r: sin(angle) = mu r/l; the smoothed law creeps there."""
-    locks = np.arcsin(MU * R / L)
-    model = load(pendulum())
-    held = simulate(model, duration=5.0, tolerance=1e-9, parameters={"lift": (0.9 * locks, "rad")})
-    creep = V_S / R * np.arctanh(np.sin(held["hinge.angle"][-1]) * L / (MU * R))
-    assert held["hinge.speed"][-1] == pytest.approx(-creep, rel=1e-2)  # it slows down
-    free = simulate(model, duration=5.0, tolerance=1e-9, parameters={"lift": (1.1 * locks, "rad")})
-    assert np.min(free["hinge.speed"]) < -20 * V_S
-
-
 def test_a_reaction_in_an_expression_is_that_of_the_friction():
     drag = (
         -p("mu", "1", MU) * radius * reaction_of("hinge") * sp.tanh(radius * speed_of("hinge") / p("v_s", "m/s", V_S))
@@ -134,18 +114,6 @@ def guide(*, inertia=0.01, **start):
     return Scene(mechanism, effects, SCALES, Start(speed={"slide": p("v0", "m/s", 1)}))
 
 
-@pytest.mark.parametrize("coordinates", BOTH)
-def test_a_guide_locks_itself(coordinates):
-    """Where mu reaches length/(2 arm) no deceleration balances the pads: told by name. Below, it brakes by mu g."""
-    model, bound = load(guide().with_coordinates(coordinates)), LENGTH / (2 * ARM)
-    below = simulate(model, duration=0.1, tolerance=1e-9, parameters={"mu": 0.999 * bound})
-    assert below["slide.speed"][-1] == pytest.approx(1 - 0.999 * bound * G * 0.1, rel=1e-9)
-    assert below.energy_residual < 1e-12
-    above = simulate(model, duration=0.1, tolerance=1e-9, parameters={"mu": 1.001 * bound})
-    assert above.outcome.name == "friction_locks"
-    assert "slide" in above.outcome.message
-
-
 def test_a_guide_that_comes_to_lock_is_told_when():
     """Friction grows with the speed over v_s: a push brings the guide to where mu tanh(v/v_s) = length/(2 arm)."""
     bound, mu, v_s, push = LENGTH / (2 * ARM), 0.3, 0.5, 40.0
@@ -164,28 +132,6 @@ def test_pads_share_force_and_moment():
     brakes, *_ = (-x for x in run["friction.force"])
     lift = (10 - brakes) * ARM / LENGTH
     assert brakes == pytest.approx(0.1 * (abs(weight / 2 + lift) + abs(weight / 2 - lift)), rel=1e-9)
-
-
-def test_two_frictions_feed_each_other():
-    """A double pendulum with two journals: in both coordinate choices, and torques by both reactions."""
-    size = p("size", "m", L)
-    one, two = (
-        Body(n, p(f"{n}_mass", "kg", m), inertia=p("J", "kg m^2", J), centre=(size / 2, 0, 0))
-        for n, m in (("one", 1), ("two", 2))
-    )
-    mechanism = Mechanism(
-        "two", (Revolute("hinge", GROUND, one, axis=Z), Revolute("elbow", one.at(size, 0, 0), two, axis=Z))
-    )
-    scene = Scene(mechanism, (DOWN, BEARING, replace(BEARING, name="other", joint="elbow"), EnergyLedger()), SCALES)
-    runs = [simulate(load(scene.with_coordinates(c)), duration=0.5, tolerance=1e-10) for c in BOTH]
-    for run in runs:
-        for joint, name in (("hinge", "bearing"), ("elbow", "other")):
-            pressed = np.hypot(run[f"{joint}.reaction_x"], run[f"{joint}.reaction_y"])
-            assert run[f"{name}.torque"] == pytest.approx(
-                -MU * R * pressed * np.tanh(R * run[f"{joint}.speed"] / V_S), rel=1e-8, abs=1e-8
-            )
-        assert run.energy_residual < 1e-8
-    assert runs[0]["elbow.angle"][-1] == pytest.approx(runs[1]["elbow.angle"][-1], abs=1e-8)
 
 
 def test_friction_in_a_driven_joint_loads_its_drive():
