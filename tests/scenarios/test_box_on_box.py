@@ -9,7 +9,6 @@ from hertzwerk.derive import (
     GROUND,
     Body,
     BoxOnBox,
-    BoxOnPlane,
     Contact,
     EnergyLedger,
     Free,
@@ -28,7 +27,6 @@ from hertzwerk.derive import (
     laws,
 )
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 G = 9.81
 R = Parameter("r", "mm", 1)
@@ -180,20 +178,6 @@ def test_momentum_and_energy_stay_and_swapped_boxes_move_alike(oblique):
     assert runs[0].energy_residual < 1e-9
 
 
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-@pytest.mark.parametrize("method", METHODS)
-def test_every_method_finds_the_same_motion(oblique, method, coordinates):
-    position, speed = at(A__x=0.03, A__y=h + 12e-3, A__angle=0.2), {"A.y": -1.0, "A.x": -0.3, "B.angle": 2.0}
-    scene = pair(position=position, speed=speed, coordinates=coordinates)
-    accuracy = 1e-6
-    run = simulate(load(scene), duration="30 ms", accuracy=accuracy, method=method)
-    exact = simulate(load(oblique[0]), duration="30 ms", accuracy=1e-9).final
-    assert run.outcome.finished
-    for name in ("A.x", "A.y", "B.x", "B.y"):
-        assert run.final[name] == pytest.approx(exact[name], abs=20 * accuracy * r)
-
-
 def held(offset, *effects, law=DAMPED, duration="0.3 s", **start):
     """A rectangle on another, which is held, both flat."""
     a = Body.box("a", W, H, D, density=RHO)
@@ -293,32 +277,6 @@ def test_a_plank_across_a_plank_rests_on_four_crossings():
     assert not any(forces[k] for k in range(1, 9))
     expected = [weight / 4 * (1 + side * x / reach) for side in (-1, -1, 1, 1)]
     assert carry == pytest.approx(expected, rel=2e-3)
-
-
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-def test_a_tower_of_two_in_space_carries_both(coordinates):
-    """Set down off the middle both ways: two corners and two crossings between them, four corners below."""
-    a, b = (Body.box(name, W, H, D, density=RHO) for name in "ab")
-    pairs = (
-        BoxOnBox("hit", a.at(0, 0, 0), W, H, b.at(0, 0, 0), W, H, R, D, D),
-        BoxOnPlane("floor", b.at(0, 0, 0), W, H, GROUND.at(0, 0, 0), Y, z=D),
-    )
-    scene = Scene(
-        Mechanism("tower", (Free("A", GROUND, a), Free("B", GROUND, b)), pairs),
-        (GRAVITY, Contact("hit", *DAMPED), Contact("floor", *DAMPED), EnergyLedger()),
-        SIZES,
-        Start(position=at(A__x=0.01, A__y=1.5 * h, A__z=0.005, B__y=h / 2)),
-        coordinates=coordinates,
-    )
-    run = simulate(load(scene), duration="0.2 s", tolerance=1e-6)
-    assert run.outcome.finished
-    end = run.at(np.array([0.2]))
-    between = {k: end[f"hit_{k}.normal_force"][0] for k in range(1, 25) if end[f"hit_{k}.normal_force"][0] > 1e-3}
-    assert len(between) == 4
-    assert sum(k < 9 for k in between) == 2
-    assert sum(between.values()) == pytest.approx(MASS * G, rel=1e-3)
-    assert sum(end[f"floor_{k}.normal_force"][0] for k in range(1, 9)) == pytest.approx(2 * MASS * G, rel=1e-3)
 
 
 # -- the declaration ---------------------------------------------------------------------------------------------------

@@ -2,8 +2,6 @@
 
 import json
 
-import matplotlib.image
-import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -91,21 +89,6 @@ def test_bad_input(hertzwerk, tmp_path, arguments, said):
     assert done.exit_code == 2
     assert said in done.output
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.exhaustive
-def test_the_study_writes_one_folder(hertzwerk, studied, tmp_path):
-    done = hertzwerk("laws", "--restitution")
-    assert done.exit_code == 0, done.output
-    folder = tmp_path / "runs" / "restitution-001"
-    assert {file.name for file in folder.iterdir()} == {"restitution.csv", "restitution.json", "restitution.png"}
-    row = next(row for row in done.output.splitlines() if row.startswith("lankarani_nikravesh"))
-    assert "+0.0471 at 0.8" in row
-    assert row.endswith("1.0000  0.6630")
-    assert "15 laws differ by at most" in done.output
-    picture = matplotlib.image.imread(folder / "restitution.png")
-    assert picture.shape[1] > 2000
-    assert np.ptp(picture[..., :3]) > 0.9
 
 
 def test_the_study_as_json(hertzwerk, studied, tmp_path):

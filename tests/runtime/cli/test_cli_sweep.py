@@ -9,7 +9,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 import xarray as xr
 from click.testing import CliRunner
@@ -151,15 +150,6 @@ def test_values_are_followed_on_the_command_line_as_in_python(tmp_path):
     assert "up" in run(*how, "--continue", "sideways", "--into", "c").stderr
 
 
-def test_samples_are_those_of_their_seed():
-    arguments = ("bouncing_ball", "--over", "drop_height=0.5..1 m", "--sample", 4, "--duration", "0.1 s", "--json")
-    first, same, other = (
-        json.loads(run(*arguments, "--seed", seed).stdout)["table"]["drop_height"] for seed in (3, 3, 4)
-    )
-    assert first == same != other
-    assert np.array_equal(np.sort(np.floor((np.array(first) - 0.5) * 8)), np.arange(4))
-
-
 def test_a_folder_goes_on_with_its_own_definition_and_with_no_other(tmp_path):
     assert run("bouncing_ball", *OPTIONS, "--into", "a").exit_code == 0
     table = (tmp_path / "a" / "table.csv").read_bytes()
@@ -207,18 +197,6 @@ def test_laws_of_a_file_are_found_from_another_folder_and_a_changed_file_is_refu
 )  # fmt: skip
 def test_files_of_laws_are_seen_from_a_folder(text, there):
     assert located_laws(text, Path("/data")) == there
-
-
-def test_what_was_made_in_python_goes_on_there():
-    sweep("bouncing_ball", {"mass": "1 kg"}, functions={"n": len_of}, into="a", duration=0.1, tolerance=1e-4, workers=1)
-    done = run("--resume", "a")
-    assert done.exit_code == 2
-    assert "functions of its own: n" in done.stderr
-    assert "sweep(..., into='a')" in done.stderr
-
-
-def len_of(solution):
-    return len(solution.t)
 
 
 @pytest.mark.parametrize(
@@ -273,12 +251,6 @@ def test_faults_of_form_and_of_meaning_come_at_once(tmp_path):
     assert set(told) == {"duration", "sample", "over.mass", "tolerance", "floor.peak", "drop_hight", "radios"}
     assert "did you mean drop_height" in told["drop_hight"]
     assert len(caught.value.faults) == len(told)
-
-
-def test_the_scene_of_a_file_stands_beside_it(tmp_path):
-    (tmp_path / "inner").mkdir()
-    (tmp_path / "inner" / "study.toml").write_text('target = "my.py"\nduration = 1.0\nover = {mass = "1 kg"}\n')
-    assert read_sweep(tmp_path / "inner" / "study.toml")["target"] == str(tmp_path / "inner" / "my.py")
 
 
 def test_a_file_has_the_keys_of_sweep():

@@ -35,14 +35,12 @@ from hertzwerk.derive import (  # fmt: skip
     X,
     Y,
     Z,
-    coordinate_of,
 )
-from hertzwerk.derive.laws import coulomb, lugre, power
+from hertzwerk.derive.laws import coulomb, power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 from hertzwerk.runtime.analysis.statics import relaxation
 from hertzwerk.runtime.analysis.statics.balance import balance, grips_of
-from hertzwerk.runtime.analysis.statics.relaxation import Search
 
 G = 9.81
 
@@ -122,10 +120,6 @@ def test_no_support_is_no_equilibrium_and_no_force_leaves_all_open():
         modes(falling)
     floating = equilibrium(point())
     assert floating.outcome.name == "not_unique" and floating.indifferent == ("path.travel",)
-
-
-def test_loads_are_those_of_the_time():
-    assert equilibrium(point(push=lambda t, x, v: t - x), at="2 s").q[0] == pytest.approx(2)
 
 
 def test_the_torque_that_holds_a_four_bar_by_virtual_work():
@@ -218,31 +212,6 @@ def test_set_valued_friction_holds_up_to_its_limit_and_no_further():
     assert gone.outcome.name == "no_equilibrium" and "along.speed" in gone.outcome.message
 
 
-def test_friction_in_two_directions_holds_up_to_its_size():
-    """0.3 x 10 N hold a push along the diagonal of the tangents of 2.97 N, not of 3.03 N, of which each part is 2.14 N."""
-    ball, r = Body("ball", Parameter("m", "kg", 1)), Parameter("r", "mm", 10)
-    one, two = (Body(f"slide_{i}", Parameter(f"m_{i}", "kg", 1e-3)) for i in (1, 2))
-    joints = Prismatic("px", GROUND, one, axis=X), Prismatic("py", one, two, axis=Y), Prismatic("pz", two, ball, axis=Z)
-    push = Parameter("push", "N", 1)
-    scene = Scene(
-        Mechanism("pushed", joints, (SphereOnPlane("floor", ball.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Z),)),
-        (
-            Gravity("gravity", Parameter("g", "m/s^2", 10), direction=-Z),
-            Contact("floor", power(Parameter("K", "N/m", 1e5), 1)),
-            Friction("rub", "floor", coulomb(Parameter("mu", "1", 0.3), Parameter("mu_s", "1", 0.3))),
-            JointForce("along", "px", push / math.sqrt(2)),
-            JointForce("across", "py", push / math.sqrt(2)),
-        ),
-        Scales(r, Parameter("pace", "m/s", 1)),
-        Start(position={"pz": r}),
-    )
-    model = load(scene)
-    held = equilibrium(model, parameters={"push": "2.97 N"})
-    assert held.found
-    assert held.sticking["floor"] == pytest.approx(2.97, rel=1e-9)
-    assert equilibrium(model, parameters={"push": "3.03 N"}).outcome.name == "no_equilibrium"
-
-
 def test_a_drive_carries_what_friction_holds_on_it():
     """A block of 2 kg sticks to the side of a carriage of 3 kg, whose lift takes the weight of both."""
     carriage, block, r = (
@@ -306,26 +275,6 @@ def test_a_leaning_tower_that_just_touches_carries_the_weights_above():
         assert left * (x[i + 1] - 0.049) + right * (x[i] + 0.049) == pytest.approx(
             weights.sum() * centre, abs=0.4 * 2e-3 * left
         )
-
-
-def test_bristles_hold_as_far_as_they_bend(monkeypatch):
-    """What slides is refused soon: that friction grows with the load is no hill that would shorten the search's steps."""
-    model = load(sledge(lugre(*MU, *(Parameter(name, unit, x) for name, unit, x in
-        (("v_S", "m/s", 0.01), ("s_0", "1/m", 1e4), ("s_1", "s/m", 10), ("c_v", "N s/m", 0))))))  # fmt: skip
-    held = equilibrium(model, parameters={"downhill": "2.99 N"})
-    assert held.outcome.name == "found"
-    assert abs(held.sticking["rub"]) == pytest.approx(2.99 / (10 * 1e4), rel=1e-9)
-    # 2 kg on bristles of 10 N x 1e4 1/m, damped by 10 N x 10 s/m; they may stick anywhere
-    anywhere, along, vertical = modes(held)
-    assert not anywhere.eigenvalue
-    assert 2 * math.pi * vertical.natural_frequency == pytest.approx(math.sqrt(1e5), rel=1e-9)
-    assert 2 * math.pi * along.natural_frequency == pytest.approx(math.sqrt(10 * 1e4 / 2), rel=1e-6)
-    assert along.damping_ratio == pytest.approx(10 * 10 / (2 * math.sqrt(10 * 1e4 * 2)), rel=1e-6)
-    steps, taken = [], Search._step
-    monkeypatch.setattr(Search, "_step", lambda *given: steps.append(1) or taken(*given))
-    gone = equilibrium(model, parameters={"downhill": "3.01 N"})
-    assert gone.outcome.name == "no_equilibrium" and "one of many" not in " ".join(gone.notes)
-    assert len(steps) < 50
 
 
 def test_what_two_supports_share_follows_from_their_stiffness_alone():
@@ -413,17 +362,6 @@ def test_a_motor_s_current_comes_to_rest_where_its_winding_takes_the_voltage():
         assert rest["motor.current"][0] == pytest.approx(4) and rest["main.angle"][0] == pytest.approx(0.5)
     run = simulate(meter, duration="0.2 s", tolerance=1e-9, initial=rest)
     assert np.ptp(run["main.angle"]) < 1e-9
-
-
-def test_a_motor_holds_a_load_by_a_voltage_that_follows_its_angle():
-    """u = -c q makes of the motor a spring of k c/R = 0.1 x 20/0.5 = 4 N m/rad, against which 2 N m turn it by 0.5 rad."""
-    held = motor(
-        -Parameter("c", "V/rad", 20) * coordinate_of("main"), JointForce("load", "main", Parameter("load", "N m", 2))
-    )
-    for nearest in (False, True):
-        rest = equilibrium(held, nearest=nearest)
-        assert rest.outcome.name == "found" and rest.stable
-        assert rest["main.angle"][0] == pytest.approx(0.5, rel=1e-9)
 
 
 def test_what_keeps_a_speed_has_no_rest():

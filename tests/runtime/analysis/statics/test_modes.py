@@ -30,7 +30,6 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
 )
 from hertzwerk.runtime import equilibrium, load, modes, simulate
-from hertzwerk.runtime.analysis.statics.vibrations import Mode
 from hertzwerk.runtime.engine.start.start_values import start_of
 from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.insets import clearances
@@ -132,12 +131,6 @@ def test_masses_on_springs(springs, coordinates):
     assert np.abs(shape / shape[0] - wanted / wanted[0]).max() < 1e-9
 
 
-def test_along_a_run_in_body_coordinates(springs):
-    run = simulate(load(springs, coordinates="absolute"), duration="10 ms", tolerance=1e-6)
-    w = 2 * math.sqrt(500 / 2) * np.sin((2 * np.arange(1, 4) - 1) * math.pi / 14)
-    assert [2 * math.pi * mode.natural_frequency for mode in modes(run)] == pytest.approx(w, rel=1e-9)
-
-
 TURN = 5.0  # rad/s^2
 TURNED = {
     "position": {"position": Parameter("turn", "rad/s^2", TURN) * T**2},
@@ -219,10 +212,3 @@ def test_what_sticks_at_rest_is_held_in_place():
     """A particle on a slope under Coulomb's friction: it vibrates along the normal alone, with sqrt(K/m), and is nowhere free."""
     (mode,) = modes(load(ball(dry(), turns=False)), parameters={"slope": "0.1 rad"})
     assert mode.natural_frequency == pytest.approx(math.sqrt(STIFFNESS / MASS) / (2 * math.pi), rel=1e-6)
-
-
-def test_a_mode_says_how_fast_it_decays_or_grows():
-    assert str(Mode(-4 + 0j, {})) == "decays by e in 0.25 s"
-    assert Mode(2 + 0j, {}).title == "grows by e in 0.5 s"
-    assert str(Mode(-3 + 4j, {})) == f"{4 / (2 * math.pi):.9g} Hz, damping ratio 0.6"
-    assert str(Mode(0j, {})) == "free: nothing holds it"

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.runtime.analysis.validation.restitution import GRID, Curve, Impact, Study, curve, own_unit, simulated
+from hertzwerk.runtime.analysis.validation.restitution import GRID, Impact, Study, own_unit, simulated
 from hertzwerk.runtime.engine.model.build import build, impact_trials
 from hertzwerk.runtime.engine.model.model import Model
 from reference.closed_forms import FACTORS, exact_factor, factor, restitution
@@ -169,9 +169,3 @@ def test_a_run_that_does_not_part_agrees_with_nothing(study):
     assert not Study((lost, *study.curves[1:]), study.others).agrees
     off = replace(study.curves[0], simulated=study.curves[0].simulated + 2e-9)
     assert not Study((off, *study.curves[1:]), study.others).agrees
-
-
-def test_a_law_may_be_tried_at_any_restitution():
-    found = curve(TRIALS["flores"], np.array([0.01, 0.4, 1.0]))
-    assert isinstance(found, Curve)
-    assert found.simulated == pytest.approx([expected("flores", e) for e in (0.01, 0.4)] + [1.0], abs=1e-9)

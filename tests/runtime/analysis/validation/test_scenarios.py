@@ -178,26 +178,6 @@ def test_a_check_of_an_unknown_name_is_refused(tmp_path):
         load_scenario(written(tmp_path, GOOD.replace("impacts.0.speed", "final.target_pat.speed")))
 
 
-def test_all_faults_of_a_file_come_at_once(tmp_path):
-    text = """
-scene = "two_spheres"
-duration = "0.1 kg"
-accuracy = 2.0
-method = "euler"
-unknown = 1
-[parameters]
-mass = "2 furlongs per fortnight"
-[[checks]]
-quantity = "impacts.first.speed"
-expected = "0.3 m/s"
-source = "x"
-"""
-    with pytest.raises(InputError) as caught:
-        load_scenario(written(tmp_path, text))
-    places = {fault.where for fault in caught.value.faults}
-    assert places == {"duration", "accuracy", "method", "unknown", "parameters.mass", "checks.0.quantity"}
-
-
 def test_faults_of_form_and_of_meaning_come_at_once_and_can_be_read(tmp_path):
     text = """
 scene = "two_spheres"
@@ -254,15 +234,3 @@ def test_durations_are_positive_times(tmp_path, duration):
 def test_a_check_has_one_complete_form(tmp_path, form):
     with pytest.raises(InputError, match="checks"):
         load_scenario(written(tmp_path, GOOD.replace('expected = "0.3 m/s"\ntolerance = 1e-9', form)))
-
-
-@pytest.mark.parametrize("target", ["nowhere", "nowhere.toml"])
-def test_a_missing_scenario_is_bad_input(target, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    with pytest.raises(InputError, match="nowhere"):
-        load_scenario(target)
-
-
-def test_text_that_is_no_toml_is_bad_input(tmp_path):
-    with pytest.raises(InputError, match="TOML"):
-        load_scenario(written(tmp_path, "scene = "))

@@ -1,8 +1,6 @@
 """What accuracy costs and buys: fits on data with known answers, and studies of linear motions whose states and growth are known in closed form."""
 
-import csv
 import dataclasses
-import io
 import json
 import math
 from functools import partial
@@ -247,12 +245,6 @@ def test_ctrl_c_ends_the_study_and_not_one_run_of_it(unstable):
         study(dataclasses.replace(unstable, solve=stopped))
 
 
-def test_csv_has_the_rows(of_unstable):
-    head, *rows = csv.reader(io.StringIO(accuracy_report.csv_text(of_unstable)))
-    assert head[:4] == ["method", "compiled", "accuracy", "error"]
-    assert [float(row[3]) for row in rows] == [row.error for row in of_unstable.rows]
-
-
 # ---- command ---------------------------------------------------------------------------------------------------------
 
 
@@ -285,19 +277,6 @@ def test_the_command_prints_json_writes_a_new_folder_and_never_overwrites(hertzw
     again = hertzwerk(*asked)
     assert again.exit_code == 2
     assert "never overwrites" in again.stderr
-
-
-@pytest.mark.slow  # draws
-def test_a_motion_that_every_method_gets_right_has_nothing_to_tell_and_can_be_drawn(model, quick):
-    from hertzwerk.runtime.analysis.work_precision.plot_accuracy import figure
-
-    found = study(Problem(model, "1 s", {"push": "0 N/m", "w": "0 rad/s"}), methods=("dop853", "auto"))
-    assert found.reference.uncertainty == np.finfo(float).eps
-    assert found.growth.kind == "unknown"
-    assert all(cells[2].startswith("<") and cells[8] == "> 1 s" for cells in accuracy_report.rows(found))
-    work, along = figure(found).axes
-    assert work.get_ylim()[0] > 0
-    assert along.get_ylim()[0] > 0
 
 
 def test_bad_input_is_told_all_at_once(hertzwerk, tmp_path):

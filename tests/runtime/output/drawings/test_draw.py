@@ -14,7 +14,6 @@ from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     ConstantSpeed,
-    Contact,
     Gravity,
     KnifeEdge,
     Mechanism,
@@ -29,10 +28,8 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
 )
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.derive.laws import power
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.engine.model.build import scene_from
 from hertzwerk.runtime.output.drawings import labels
 from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.drawing_primitives import Paper
@@ -129,12 +126,6 @@ def test_points_and_axes_in_space_by_hand():
     assert places.direction(axis, "axis")[0] == pytest.approx((-np.sin(yaw), np.cos(yaw), 0), abs=1e-15)
 
 
-def test_sizes_follow_the_parameters():
-    places = Places.at_start(load("slider_crank"), {"clearance": "0.2 mm"}, {})
-    sizes = {mark.place: mark.size("radius") for mark in places.landmarks if mark.part == "slider_pin"}
-    assert sizes == pytest.approx({"pin": 9.8e-3, "bush": 10e-3}, rel=1e-12)
-
-
 # ---- pictures --------------------------------------------------------------------------------------------------------
 
 
@@ -206,16 +197,6 @@ def test_names_of_things_at_one_place_stand_beside_each_other():
     assert not any(box.y0 < level < box.y1 for box in boxes)
 
 
-def test_later_instants_differ_and_are_told(crank):
-    drawing = Drawing.of(Places.over(crank), PANEL)
-    assert len(drawing.ghosts) == 5
-    pins = np.array([point(drawing.parts.places, "crank_pin", "child")[i] for i in (0, *drawing.ghosts)])
-    apart = [np.linalg.norm(a - b) for i, a in enumerate(pins) for b in pins[i + 1 :]]
-    assert min(apart) > 0.01  # of a circle of 5 cm
-    assert "faint at" in drawing.caption()
-    assert {mark.part for mark, _ in drawing.paths} == {"slider_pin", "crank_pin", "rod"}
-
-
 def test_scenes_of_a_users_own_are_drawn_in_space_and_with_every_element(tmp_path):
     model = load(workshop())
     figure = model.draw(initial={"fly.z": "0.4 m", "knee.angle_2": "0.3 rad"})
@@ -225,13 +206,6 @@ def test_scenes_of_a_users_own_are_drawn_in_space_and_with_every_element(tmp_pat
     assert Drawing.of(Places.at_start(model, {}, {}), PANEL).parts.view.names is None
     with pytest.raises(InputError, match=r"knee\.angle_3"):
         model.draw(initial={"knee.angle_3": "1 rad"})
-
-
-def test_what_a_reader_must_know_stands_on_the_picture():
-    scene = scene_from("two_spheres")
-    stiffness = power(1e8 * scene.parameters["youngs_modulus"] / 207e9, 1)  # Pa, not N/m
-    wrong = scene.replace(spheres=Contact("spheres", stiffness, scene.effect("spheres").damping, unchecked=True))
-    assert "runs unchecked" in texts(load(wrong).draw())
 
 
 def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):

@@ -9,8 +9,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from balls import ball as rolling_ball
-from balls import dry
 from click.testing import CliRunner
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
@@ -214,20 +212,6 @@ def test_friction_that_holds_a_body_has_its_arrow_too():
         assert way == pytest.approx([-1, 0, 0], abs=1e-12)
 
 
-def test_friction_in_space_has_its_arrow_against_the_slip():
-    model = load(rolling_ball(dry(0.3)))
-    run = simulate(model, duration="20 ms", tolerance=1e-6, parameters={"v_x": "0.3 m/s", "w_x": "20 rad/s"})
-    stage = stage_of(run, 5)
-    way, size = stage._friction("floor", 2, int(stage.at[2]))
-    assert way == pytest.approx(np.array([-1, 0, 2]) / 5**0.5, abs=1e-6)
-    assert size == pytest.approx(0.3 * 0.17 * 9.81, rel=1e-5)
-
-
-def test_a_contact_without_friction_has_no_arrow_of_it(ball):
-    stage = stage_of(ball, 5)
-    assert not stage._rubs and not any("friction" in note for note in stage.notes())
-
-
 @pytest.mark.parametrize("name", ["slider_crank", "two_spheres", "bouncing_ball", "translational_clearance"])
 def test_contact_points_and_directions_by_hand(name):
     model = load(name)
@@ -282,28 +266,6 @@ def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
     assert (point, way) == (pytest.approx([0, 0.04, 0], abs=2e-5), pytest.approx([0, 1, 0], abs=1e-12))
     assert (corner, up) == (pytest.approx([0.1 - 0.049, 0.04, 0], abs=2e-5), pytest.approx([0, 1, 0], abs=1e-12))
     assert any("With friction in one: bed, stack_.." in note for note in stage.notes())
-
-
-def test_a_centred_pin_has_no_contact_and_no_arrow():
-    parts = Drawing.of(Places.at_start(load("slider_crank"), {}, {}), PANEL).parts
-    assert contact_of(parts, "pin_in_bush", parts.of["slider_pin", "pin_in_bush"], 0) is None
-
-
-def test_a_run_on_a_grid_is_filmed_as_one_with_its_steps(ball, tmp_path):
-    coarse = simulate(load("bouncing_ball"), duration="0.6 s", tolerance=1e-6, output=3)
-    a, b = (frames_of(run.animate(tmp_path / f"{k}.gif", fps=10, slow=1)) for k, run in enumerate((ball, coarse)))
-    assert len(a) == len(b)
-    assert all(np.array_equal(x, y) for x, y in zip(a, b, strict=True))
-
-
-def test_still_parts_are_one_image_and_say_what_is_shown(crank):
-    stage = stage_of(crank, 4)
-    assert len(stage.figure.images) == 1
-    texts = " ".join(text.get_text() for text in stage._layout.page.texts)
-    assert "1 times" not in texts
-    assert "contact force on the first body of a pair" in texts
-    assert f"{max(i.peak_force for i in crank.impacts) / 1e3:.3g} kN" in texts
-    assert "exceed the law's limit" in texts
 
 
 def test_colours_of_a_gif_are_those_of_the_pictures():
@@ -426,12 +388,3 @@ def test_the_command_films_other_coordinates_an_accuracy_and_a_grid(tmp_path, mo
     assert (asked.model.coordinates[0], plain.model.coordinates[0]) == ("ball.x", "vertical.travel")
     assert (asked.accuracy, len(asked.t)) == (1e-4, 7)
     assert (plain.accuracy, plain.tolerance) == (None, 1e-6)
-
-
-def test_every_fault_of_the_command_comes_at_once(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    wrong = ["--out", "film.avi", "--accuracy", "7", "--grid", "1 kg", "--set", "mass=1 m", "--duration", "1 m"]
-    told = CliRunner().invoke(main, ["animate", "bouncing_ball", *wrong])
-    assert told.exit_code == 2
-    for text in (".avi", "accuracy: found 7", "mass: found 1 m", "duration: found '1 m'"):
-        assert text in told.output, text

@@ -13,7 +13,6 @@ from hertzwerk.derive.laws import power
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.engine.model.build import scene_from
 from hertzwerk.runtime.output.plots import curves
-from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.output.plots.picture_samples import dense
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 
@@ -81,14 +80,6 @@ def test_overview_shows_slider_and_ideal_mechanism(crank):
     assert np.max(ideal) == pytest.approx(170, rel=1e-9)
 
 
-def test_cut_acceleration_peaks_are_marked_and_told(crank):
-    (axis,) = (axis for axis in crank.plot().axes if axis.get_title("left").startswith("Acceleration"))
-    largest = np.max(np.abs(Curves.of(crank)["guide.acceleration"]))
-    assert f"{largest / 1e3:.0f}" in axis.get_title("left")
-    marks = [line for line in axis.get_lines() if line.get_marker() in ("^", "v")]
-    assert sum(len(line.get_xdata()) for line in marks) > 3
-
-
 @pytest.mark.parametrize("name", [None, "slider_pin"])
 def test_legends_cover_no_data(crank, name):
     figure = crank.plot(*([name] if name else []))
@@ -123,17 +114,6 @@ def test_many_curves_have_legends_in_rows_that_cover_nothing():
     assert max(tops.values()) > 1.5 * min(tops.values())  # one of them in several rows
 
 
-def test_a_mechanism_without_contacts_has_no_panel_of_contact_forces():
-    assert "Contact force" not in texts(simulate(load("pendulum"), duration="1 s", tolerance=1e-6).plot())
-
-
-def test_accelerations_are_not_cut_where_the_ideal_mechanism_rests(tmp_path):
-    figure = simulate(load("journal_in_bearing"), duration="50 ms", tolerance=1e-6).plot()
-    (axis,) = (axis for axis in figure.axes if axis.get_title("left").startswith("Acceleration"))
-    assert "cut" not in axis.get_title("left")
-    figure.savefig(tmp_path / "journal.png")
-
-
 def test_first_impact_of_a_ball_is_drawn_to_its_peak(ball):
     figure = ball.plot("floor")
     assert "Gap [m]" in texts(figure)
@@ -146,19 +126,6 @@ def test_first_impact_of_a_ball_is_drawn_to_its_peak(ball):
     assert peak == pytest.approx(ball.impacts[0].peak_force / 1e3, rel=1e-4)
 
 
-def test_any_history_can_be_plotted_and_unknown_names_are_refused(ball):
-    figure = ball.plot("vertical.speed", "energy")
-    assert [axis.get_title("left") for axis in figure.axes] == ["vertical.speed [m/s]", "energy [J]"]
-    with pytest.raises(KeyError, match=r"vertical\.speed"):
-        ball.plot("vertical.sped")
-
-
-def test_a_saved_run_is_plotted_from_its_rows(ball, tmp_path):
-    saved = Solution.load(ball.save(tmp_path / "run.npz"))
-    for figure in (saved.plot(), saved.plot("floor")):
-        figure.savefig(tmp_path / "picture.png")
-
-
 def test_unchecked_laws_and_warnings_stand_on_the_picture():
     scene = scene_from("two_spheres")
     stiffness = power(1e8 * scene.parameters["youngs_modulus"] / 207e9, 1)  # Pa, not N/m
@@ -166,12 +133,6 @@ def test_unchecked_laws_and_warnings_stand_on_the_picture():
     run = simulate(load(wrong), duration="50 ms", parameters={"restitution": "0.7"}, tolerance=1e-6)
     for figure in (run.plot(), run.plot("spheres")):
         assert "UNCHECKED" in texts(figure)
-
-
-def test_a_parameter_outside_its_recommended_range_is_told_on_the_picture():
-    run = simulate(load("slider_crank"), duration="1 ms", parameters={"restitution": 0.5}, tolerance=1e-6)
-    assert run.warnings
-    assert "restitution" in texts(run.plot())
 
 
 @pytest.mark.parametrize(

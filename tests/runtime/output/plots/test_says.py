@@ -10,11 +10,7 @@ from click.testing import CliRunner
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.output.drawings import picture
-from hertzwerk.runtime.output.drawings.drawing import Drawing
-from hertzwerk.runtime.output.drawings.picture import PANEL
-from hertzwerk.runtime.output.drawings.places import Places
 from hertzwerk.runtime.output.plots import picture_samples, plot_panel, title
-from hertzwerk.runtime.output.plots import plot_run as pages
 from hertzwerk.runtime.output.plots.curves import Curves
 
 built = cache(load)  # with its functions, for all tests here
@@ -102,17 +98,6 @@ def test_loose_steps_are_drawn_smooth():
     assert np.sum((run.t > onset) & (run.t < end)) < 12 < 40 < np.sum((t > onset) & (t < end))
 
 
-def test_of_very_many_steps_those_with_the_largest_forces_are_drawn(crank, monkeypatch):
-    for name, few in (("FEWEST", 10), ("MOST", 10), ("EVEN", 2), ("PARTS", 1)):
-        monkeypatch.setattr(picture_samples, name, few)
-    crank.kept.clear()
-    assert len(Curves.of(crank).t) < 10 + 18 * len(crank.impacts)
-    assert missed(crank) < 1e-2
-    crank.kept.clear()
-    monkeypatch.setattr(picture_samples, "hardest", lambda _: [])
-    assert missed(crank) > 0.05
-
-
 def test_the_ideal_mechanism_between_its_knots(crank, monkeypatch):
     """Splines through 300 positions against as many Newton iterations as there are samples."""
     every = Curves.of(crank)
@@ -153,19 +138,6 @@ def test_the_command_draws_what_was_given_into_the_title(tmp_path, monkeypatch):
         assert "drop_height = 0.2 m" in texts(seen[-1])
 
 
-def test_titles_name_variations():
-    model = load("bouncing_ball", without=["gravity"], laws={"floor": "lankarani_nikravesh"})
-    run = simulate(model, duration="10 ms", tolerance=1e-6)
-    assert "floor by lankarani_nikravesh, without gravity" in texts(run.plot())
-    assert "floor by lankarani_nikravesh, without gravity" in texts(run.draw())
-
-
-def test_of_many_differences_the_first_are_named():
-    model = built("slider_crank")
-    given = {name: f"{port.default * 1.01} {port.unit}" for name, port in model.parameters.items()}
-    assert title.differences_of(model, given, {}).endswith(f"and {len(given) - title.MOST} more")
-
-
 # ---- panels ----------------------------------------------------------------------------------------------------------
 
 
@@ -178,16 +150,6 @@ def test_every_coordinate_is_drawn(crank):
         drawn = sum(len([line for line in axis.get_lines() if line.get_label() != "ideal mechanism"])
                     for axis in run.plot().axes if re.match(r"(Position|Angle)( of \w+)? \[", axis.get_title("left")))  # fmt: skip
         assert drawn == run.model.nq
-
-
-def test_many_curves_of_a_panel_are_coloured_in_order(crank):
-    curves = Curves.of(crank)
-    figure = crank.plot("energy")
-    (axis,) = figure.axes
-    plot_panel.lines(axis, curves, "rad", {f"link_{i}": i * curves["crank_pin.angle"] for i in range(30)})
-    named = [text for text in axis.get_legend_handles_labels()[1] if text.startswith("link")]
-    assert named == ["link_0", "link_6", "link_12", "link_17", "link_23", "link_29"]
-    assert len({line.get_color() for line in axis.get_lines()}) > 30
 
 
 def test_energy_that_nothing_changes_is_said_to_be_constant_and_not_drawn_as_noise():
@@ -209,23 +171,3 @@ def test_a_constant_is_drawn_flat_but_for_a_change_that_is_more_than_rounding(cr
     constant = noise < 1e-12
     assert (np.ptp(axis.get_ylim()) > 1) == constant  # mm
     assert ("constant to 1e-12" in texts(axis.figure)) == constant
-
-
-def test_a_film_is_not_called_flight(monkeypatch):
-    run = simulate(built("journal_lubricated"), duration="10 ms", tolerance=1e-6)
-    figure = run.plot("bearing")
-    assert "on the film" in texts(figure)
-    assert "free flight" not in texts(figure)
-    assert "Least thickness of the film [µm]; no contact" in titles(figure)
-    force = np.max(np.asarray(figure.axes[1].get_lines()[1].get_ydata()))
-    assert force == pytest.approx(np.max(Curves.of(run)["oil.force"]), rel=1e-12)
-    assert "film, oil" in texts(run.plot())
-    monkeypatch.setattr(pages, "films", lambda _: {})
-    assert "free flight" in texts(run.plot("bearing"))
-
-
-def test_faint_positions_carry_their_times(crank):
-    drawing = Drawing.of(Places.over(crank), PANEL)
-    told = [text.get_text() for text in crank.draw().axes[0].texts if re.fullmatch(r"[\d.]+ ms", text.get_text())]
-    assert told == [f"{crank_time * 1e3:.3g} ms" for crank_time in drawing.parts.places.t[list(drawing.ghosts)]]
-    assert len(told) == 5

@@ -131,12 +131,6 @@ def test_angles_of_many_turns_are_drawn_within_one():
     assert np.exp(1j * angles) == pytest.approx(np.exp(1j * np.tile(near[:, 1], (len(SPEEDS), 1))))
 
 
-def test_values_of_equal_ratios_are_on_a_logarithmic_scale():
-    for values, scale in ((np.geomspace(1, 1e4, 9), "log"), (SPEEDS, "linear")):
-        table = made([row(i, value) for i, value in enumerate(values)], {"speed": "rad/s"})
-        assert figure(table).axes[0].get_xscale() == scale
-
-
 @pytest.mark.parametrize("table", [one(), one(outcome="failed"), two(5), section()])
 def test_no_text_lies_on_another(table):
     page = figure(table)
@@ -176,30 +170,3 @@ def test_of_many_rows_a_curve_shows_the_extremes_and_says_how_many(monkeypatch):
     assert "300 rows, of which the least and the largest at 20 places are drawn" in " ".join(said.split())
     assert "1 of 300 rows failed" in " ".join(said.split())
     assert curve(page.axes[0], 1)[0].tolist() == [speeds[77]]
-
-
-def test_of_many_rows_a_map_shows_in_each_cell_the_farthest_from_the_median(monkeypatch):
-    monkeypatch.setattr(plot_sweep, "CELLS", 4)
-    page = figure(two(7), ["pin.force"])
-    (mesh,) = page.axes[0].collections
-    assert mesh.get_array().shape == (3, 3)  # nine speeds in cells of three, and three heights
-    good = [force(s, h) / 1e3 for i, s in enumerate(SPEEDS) for j, h in enumerate(HEIGHTS) if 3 * i + j != 7]
-    middle = np.median(good)
-    for i in range(3):
-        for j, height in enumerate(HEIGHTS):
-            inside = [force(s, height) / 1e3 for k, s in enumerate(SPEEDS) if k // 3 == i and 3 * k + j != 7]
-            assert mesh.get_array()[j, i] == pytest.approx(max(inside, key=lambda value: abs(value - middle)))
-    assert mesh.get_array().max() == pytest.approx(max(good))
-    assert mesh.get_array().min() == pytest.approx(min(good))
-    assert not len(page.axes[0].lines[0].get_xydata())  # other rows of the cell have values
-    assert "27 rows in 3 x 3 cells" in " ".join(text.get_text() for text in page.texts)
-
-
-def test_of_many_rows_a_section_shows_some_and_the_extremes_of_all(monkeypatch):
-    monkeypatch.setattr(plot_sweep, "PLACES", 3)
-    x, y = curve(figure(section()).axes[0])
-    every = np.array([[s, value * s * 1e-3] for s in SPEEDS for value in (1, 3)])
-    shown = {*zip(x.tolist(), np.round(y, 9).tolist(), strict=True)}
-    assert shown <= {*zip(every[:, 0].tolist(), np.round(every[:, 1], 9).tolist(), strict=True)}
-    assert len(shown) == 2 * 3 + 2 * 3  # of three rows all, of the six others the extremes of each pair
-    assert (y.min(), y.max()) == pytest.approx((1, 15))

@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Solution, Sweep, load, simulate, simulate_many, sweep
+from hertzwerk.runtime import Sweep, load, simulate, simulate_many, sweep
 from hertzwerk.runtime.output.tables.history_meanings import meaning_of
 from hertzwerk.runtime.output.tables.table_file import table_file_faults
 from hertzwerk.runtime.studies.sweeps import sweep_table
@@ -150,15 +150,6 @@ def test_points_of_rows_have_a_dimension_of_their_own(ball, tmp_path):
             assert all(same(np.array(mine), points) for mine, points in zip(read, arrays[name], strict=True))
 
 
-def test_a_csv_file_opens_with_pandas(grid, tmp_path):
-    frame = pd.read_csv(grid.to_file(tmp_path / "t.csv"), dtype=str, keep_default_na=False)
-    heads = [f"{name} [{unit}]" if (unit := grid.unit(name)) else name for name in grid.names]
-    assert list(frame.columns) == ["row", *heads]
-    for head, name in zip(heads, grid.names, strict=True):
-        read = frame[head].to_numpy(dtype=float if grid[name].dtype.kind == "f" else str)  # exactly, as Python reads
-        assert same(read, grid[name])
-
-
 @pytest.mark.parametrize("name", ["grid", "pairs"])
 def test_a_parquet_file_opens_with_pandas_and_with_pyarrow(name, request, tmp_path):
     table = request.getfixturevalue(name)
@@ -204,19 +195,6 @@ def test_histories_of_a_run_have_units_meanings_and_parameters(run, tmp_path):
         assert found.attrs["outcome"] == run.outcome.name
     assert same(pd.read_parquet(run.to_file(tmp_path / "run.parquet")).to_numpy(), frame.to_numpy())
     assert run.to_file(tmp_path / "run.csv").read_bytes() == run.to_csv(tmp_path / "other.csv").read_bytes()
-
-
-def test_attributes_repeat_the_run(run, ball):
-    """Parameters are texts that `simulate` takes, with every digit."""
-    kept = run.to_xarray().attrs
-    given = {name.removeprefix("parameter."): text for name, text in kept.items() if name.startswith("parameter.")}
-    again = simulate(ball, duration="0.5 s", tolerance=kept["tolerance"], method=kept["method"], parameters=given)
-    assert again.final == run.final
-
-
-def test_a_saved_run_has_the_same_table(run, tmp_path):
-    saved = Solution.load(run.save(tmp_path / "run.npz"))
-    assert saved.to_xarray().identical(run.to_xarray())
 
 
 def test_every_kind_of_history_has_a_meaning_of_its_own():

@@ -74,11 +74,6 @@ def test_failures_are_rows(ball, workers):
     assert all(row.message for row in stopped)
 
 
-def test_all_sets_bad_and_no_sets(ball):
-    assert list(simulate_many(ball, [{"mas": 1}] * 3, duration="1 s", tolerance=1e-6)["outcome"]) == ["bad_input"] * 3
-    assert len(simulate_many(ball, [], duration="1 s", tolerance=1e-6)) == 0
-
-
 def test_what_is_bad_for_every_run_is_bad_input(ball):
     with pytest.raises(InputError) as error:
         simulate_many(ball, [{}], duration="-1 s", accuracy=2, method="rk4", compiled="yes")
@@ -109,15 +104,6 @@ def test_a_process_that_dies_is_a_row(ball):
     )
     assert set(sweep["outcome"]) == {"lost"}
     assert len(sweep) == 3
-
-
-def test_an_output_that_exits_is_a_row(ball):
-    for workers in (1, 2):
-        sweep = simulate_many(
-            ball, [{}, {}], duration="1 s", workers=workers, outputs={"x": lambda run: sys.exit(3)}, tolerance=1e-6
-        )
-        assert list(sweep["outcome"]) == ["bad_output"] * 2
-        assert "SystemExit" in sweep.rows[0].message
 
 
 @pytest.mark.parametrize("workers", [1, 2])

@@ -144,14 +144,6 @@ def test_readings_that_are_derived_otherwise_are_computed_anew(tmp_path, monkeyp
     )
 
 
-def test_rows_that_fail_are_rows(ball, tmp_path):
-    how = {**BALL, "into": tmp_path / "a", "max_steps": 60}
-    for _ in range(2):
-        found = sweep(ball, {"mass": "-1, 1 kg", "drop_height": "0.5 m"}, **how)
-        assert list(found["outcome"]) == ["bad_input", "too_many_steps"]
-        assert all(found["message"])
-
-
 def test_equal_points_share_a_row(ball, tmp_path, counted):
     height, computed = counted
     found = sweep(ball, {"drop_height": "1, 1 m"}, functions={"n": height}, into=tmp_path / "a", **BALL)
