@@ -14,13 +14,13 @@ import casadi as ca
 NAME = "andrews_squeezer"
 SOURCE = "derive/scenes/andrews_squeezer.py"
 SUMMARY = "seven bodies in three loops, the benchmark of solvers of constrained motion"
+FORMAT = "hertzwerk module 1"
+DIGEST = "d24776a3359cb6adc0e77f75f95dfa48"
 
 EFFECTS = (
     ("motor", "force", "force on beta = mom"), ("spring", "spring", "linear spring between K3 and ground"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("m1", "kg", 0.04325, "body K1, mass"),
@@ -108,22 +108,12 @@ SPEEDS = (
 
 MEMORY = (("motor.input", "J"),)
 
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
 CONSTRAINTS = (
     ("knee_3.apart_x", "m"), ("knee_3.apart_y", "m"), ("knee_4.apart_x", "m"), ("knee_4.apart_y", "m"), ("knee_6.apart_x", "m"),
     ("knee_6.apart_y", "m"),
 )
 
 GIVEN = ("beta.angle",)
-
-OUTPUTS = ()
 
 BODIES = ("K1", "K2", "K3", "K5", "K4", "K7", "K6")
 
@@ -162,6 +152,11 @@ OPERATIONS = (
     ("accelerations", 990), ("constraints", 98), ("projection", 632), ("ledger", 1), ("energy", 112), ("poses", 35), ("outputs", 0),
     ("landmarks", 12),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
+SLIPS = RELEASES = DISSIPATED = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def revolute_apart(cos, sin, first_arm_x, first_arm_y, first_arm_rate_x, first_arm_rate_y, parent_arm_x, parent_arm_y, parent_arm_rate_x,

@@ -29,6 +29,8 @@ import casadi as ca
 NAME = "ball_bearing"
 SOURCE = "derive/scenes/ball_bearing.py"
 SUMMARY = "balls between two rings: cage speed, and the frequency of their passing"
+FORMAT = "hertzwerk module 1"
+DIGEST = "91083ac3178ff2112f921185194d5a65"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on ring = (0, -load, 0) in axes of ground"),
@@ -47,8 +49,6 @@ EFFECTS = (
     ("outer_5", "contact", "power x power_damping"), ("outer_5_friction", "friction", "smooth_coulomb at outer_5"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("ring_mass", "kg", 0.5, "with its shaft"),
@@ -114,8 +114,6 @@ MEMORY = (
     ("inner_4.dissipated", "J"), ("inner_4_friction.dissipated", "J"), ("outer_4.dissipated", "J"), ("outer_4_friction.dissipated", "J"),
     ("inner_5.dissipated", "J"), ("inner_5_friction.dissipated", "J"), ("outer_5.dissipated", "J"), ("outer_5_friction.dissipated", "J"),
 )
-
-LATCHES = ()
 
 PAIRS = (
     ("inner_0", "sphere_on_sphere"), ("outer_0", "ball_in_socket"), ("inner_1", "sphere_on_sphere"), ("outer_1", "ball_in_socket"),
@@ -197,6 +195,11 @@ OPERATIONS = (
     ("contact_inner_5", 114), ("contact_outer_5", 88), ("applied", 5), ("accelerations", 337), ("ledger", 11), ("energy", 305),
     ("poses", 138), ("outputs", 98), ("period", 3), ("landmarks", 20),
 )
+
+UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def sphere_on_sphere_gap(arm_x, arm_y, velocity_x, velocity_y, x, y, x_speed, y_speed, minus_reach_squared, half_inverse_reach):

@@ -13,13 +13,13 @@ import casadi as ca
 NAME = "ball_between_walls"
 SOURCE = "derive/scenes/ball_between_walls.py"
 SUMMARY = "ball between two walls"
+FORMAT = "hertzwerk module 1"
+DIGEST = "873d6040ecb1221c75a48849fa258ce1"
 
 EFFECTS = (
     ("left_wall", "contact", "power x hunt_crossley"), ("right_wall", "contact", "power x hunt_crossley"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 1.6, "body ball, mass"),
@@ -76,6 +76,11 @@ OPERATIONS = (
     ("contact_left_wall", 14), ("contact_right_wall", 14), ("applied", 0), ("accelerations", 1), ("ledger", 0), ("energy", 17),
     ("poses", 0), ("outputs", 5), ("landmarks", 3),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

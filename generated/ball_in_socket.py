@@ -14,13 +14,13 @@ import casadi as ca
 NAME = "ball_in_socket"
 SOURCE = "derive/scenes/ball_in_socket.py"
 SUMMARY = "ball swinging at the bottom of a socket"
+FORMAT = "hertzwerk module 1"
+DIGEST = "4889943e2009a2565646d7fefb5531c4"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("ball_joint", "contact", "power"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 0.5, "body ball, mass"),
@@ -55,8 +55,6 @@ SPEEDS = (
 
 MEMORY = (("ball_joint.dissipated", "J"),)
 
-LATCHES = ()
-
 PAIRS = (("ball_joint", "ball_in_socket"),)
 
 RELEASES = ("force",)
@@ -85,6 +83,11 @@ OPERATIONS = (
     ("contact_ball_joint", 21), ("applied", 2), ("accelerations", 6), ("ledger", 0), ("energy", 68), ("poses", 24), ("outputs", 0),
     ("landmarks", 1),
 )
+
+UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
+SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

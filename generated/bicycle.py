@@ -15,14 +15,14 @@ import casadi as ca
 NAME = "bicycle"
 SOURCE = "derive/scenes/bicycle.py"
 SUMMARY = "a bicycle that balances itself, on wheels that roll without slip"
+FORMAT = "hertzwerk module 1"
+DIGEST = "615b199d5a619ff2ca4309b62a281a7e"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("rear_grip", "rolling_without_slip", "rolling without slip at rear_tyre"),
     ("front_grip", "rolling_without_slip", "rolling without slip at front_tyre"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("frame_mass", "kg", 85, "body frame, mass"),
@@ -93,16 +93,6 @@ SPEEDS = (
     ("pitch.speed", "rad/s"), ("rear_hub.speed", "rad/s"), ("steer.speed", "rad/s"), ("front_hub.speed", "rad/s"),
 )
 
-MEMORY = ()
-
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
 CONSTRAINTS = (
     ("rear_grip.gap", "m"), ("rear_grip.sliding_velocity_1", "m/s"), ("rear_grip.sliding_velocity_2", "m/s"), ("front_grip.gap", "m"),
     ("front_grip.sliding_velocity_1", "m/s"), ("front_grip.sliding_velocity_2", "m/s"),
@@ -114,8 +104,6 @@ GIVEN = (
     "path.x", "path.y", "path.angle", "lean.angle", "lean.speed", "rear_hub.angle", "rear_hub.speed", "steer.angle", "steer.speed",
     "front_hub.angle",
 )
-
-OUTPUTS = ()
 
 BODIES = ("heading", "lifted", "leaning", "frame", "rear_wheel", "fork", "front_wheel")
 
@@ -166,6 +154,11 @@ OPERATIONS = (
     ("accelerations", 3102), ("constraints", 220), ("projection", 1872), ("ledger", 0), ("energy", 265), ("poses", 183), ("outputs", 0),
     ("rolling_limits", 0), ("landmarks", 11),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = RELEASES = DISSIPATED = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def rim_on_plane_gap(first_rate_x, first_rate_y, first_rate_z, x, y, axis_z, z, velocity_x, velocity_y, velocity_z, speed, radius):

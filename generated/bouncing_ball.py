@@ -14,13 +14,13 @@ import casadi as ca
 NAME = "bouncing_ball"
 SOURCE = "derive/scenes/bouncing_ball.py"
 SUMMARY = "ball dropped on a plane"
+FORMAT = "hertzwerk module 1"
+DIGEST = "e2e9a617e40a0a1d254c6d7ec11c64df"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("floor", "contact", "power x flores"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 1, "body ball, mass"),
@@ -75,6 +75,11 @@ OPERATIONS = (
     ("constants", 9), ("start", 1), ("scales", 16), ("coordinate_rates", 0), ("gaps", 1), ("gap_accelerations", 0), ("contact_floor", 14),
     ("applied", 2), ("accelerations", 1), ("ledger", 0), ("energy", 11), ("poses", 0), ("outputs", 1), ("landmarks", 0),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -13,10 +13,10 @@ import casadi as ca
 NAME = "bricard"
 SOURCE = "derive/scenes/bricard.py"
 SUMMARY = "five rods and six hinges in space, one constraint redundant"
+FORMAT = "hertzwerk module 1"
+DIGEST = "badedffb113c5cae5a04d4e146a12651"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 1.0, "of each rod"),
@@ -40,23 +40,9 @@ SPEEDS = (
     ("hinge_e.speed", "rad/s"),
 )
 
-MEMORY = ()
-
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
 CONSTRAINTS = (
     ("hinge_f.apart_x", "m"), ("hinge_f.apart_y", "m"), ("hinge_f.apart_z", "m"), ("hinge_f.turned_y", "1"), ("hinge_f.turned_z", "1"),
 )
-
-GIVEN = ()
-
-OUTPUTS = ()
 
 BODIES = ("rod_a", "rod_b", "rod_c", "rod_d", "rod_e")
 
@@ -86,6 +72,11 @@ OPERATIONS = (
     ("accelerations", 1774), ("constraints", 176), ("projection", 1049), ("ledger", 0), ("energy", 188), ("poses", 94), ("outputs", 0),
     ("landmarks", 5),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = GIVEN = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

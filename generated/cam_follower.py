@@ -16,14 +16,14 @@ import casadi as ca
 NAME = "cam_follower"
 SOURCE = "derive/scenes/cam_follower.py"
 SUMMARY = "cam whose roller follower lifts off above a speed in closed form"
+FORMAT = "hertzwerk module 1"
+DIGEST = "37bc5b24ea0414b14634248c58bb5700"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("motor", "drive", "constant speed of shaft"),
     ("spring", "spring", "linear spring of guide"), ("roller", "contact", "power x power_damping"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("cam_mass", "kg", 1, "body cam, mass"),
@@ -57,8 +57,6 @@ COORDINATES = (("guide.travel", "m"),)
 SPEEDS = (("guide.speed", "m/s"),)
 
 MEMORY = (("energy_ledger.input", "J"), ("roller.dissipated", "J"))
-
-LATCHES = ()
 
 PAIRS = (("roller", "circle_on_curve"),)
 
@@ -117,6 +115,11 @@ RIM_CURVE = (
     1,
     (0.0, 0.15339604207782373, 0.30949007192105793, 0.468449256860779, 0.6303761667373775, 0.7952726525568261, 0.9629802682503042, 1.1331924018451662, 1.3053923642718566, 1.4788899761383716, 1.6528515497621414, 1.8263971401114654, 1.9986908915597823, 2.1690331866928325, 2.3368928711407357, 2.5019464063866628, 2.6640455552134354, 2.823174848854149, 2.9794256280909748, 3.13296264523738, 3.2839961630261985, 3.432760821900031, 3.579485202332103, 3.7244237979075474, 3.867814448644476, 4.009894353886889, 4.1508893952098305, 4.291029942582389, 4.430527342909746, 4.569599288175325, 4.708456505240288, 4.847307406019046, 4.986362501056309, 5.125830388021287, 5.265926209995298, 5.406870570581529, 5.548877814869743, 5.692192438809293, 5.83703105713427, 5.983656604281496, 6.132292865281223),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def _called(name, inputs, result, slope):

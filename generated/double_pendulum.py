@@ -13,10 +13,10 @@ import casadi as ca
 NAME = "double_pendulum"
 SOURCE = "derive/scenes/double_pendulum.py"
 SUMMARY = "double pendulum"
+FORMAT = "hertzwerk module 1"
+DIGEST = "6651297fb489bfffa2061086bb51d8e5"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 1.0, "of each bob"),
@@ -34,18 +34,6 @@ LIMITS = (
 COORDINATES = (("shoulder.angle", "rad"), ("elbow.angle", "rad"))
 
 SPEEDS = (("shoulder.speed", "rad/s"), ("elbow.speed", "rad/s"))
-
-MEMORY = ()
-
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
-OUTPUTS = ()
 
 BODIES = ("upper", "lower")
 
@@ -66,6 +54,11 @@ OPERATIONS = (
     ("constants", 13), ("start", 0), ("scales", 8), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 12),
     ("accelerations", 50), ("ledger", 0), ("energy", 37), ("poses", 10), ("outputs", 0), ("landmarks", 3),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = RELEASES = DISSIPATED = CONSTRAINTS = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

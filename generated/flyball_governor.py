@@ -14,13 +14,13 @@ import casadi as ca
 NAME = "flyball_governor"
 SOURCE = "derive/scenes/flyball_governor.py"
 SUMMARY = "centrifugal governor, two loops on a turning spindle"
+FORMAT = "hertzwerk module 1"
+DIGEST = "4712a47bafc5000b18a9020f8b5c43c6"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of guide"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("spindle_mass", "kg", 3.0, "body spindle, mass"),
@@ -61,24 +61,12 @@ SPEEDS = (
     ("left_knee.speed", "rad/s"), ("guide.speed", "m/s"),
 )
 
-MEMORY = ()
-
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
 CONSTRAINTS = (
     ("right_foot.apart_x", "m"), ("right_foot.apart_y", "m"), ("right_foot.apart_z", "m"), ("left_foot.apart_x", "m"),
     ("left_foot.apart_y", "m"), ("left_foot.apart_z", "m"),
 )
 
 GIVEN = ("spindle.speed", "right_hinge.angle", "right_knee.angle", "left_hinge.angle", "left_knee.angle", "guide.travel")
-
-OUTPUTS = ()
 
 BODIES = ("spindle", "right_arm", "right_rod", "left_arm", "left_rod", "collar")
 
@@ -117,6 +105,11 @@ OPERATIONS = (
     ("accelerations", 1477), ("constraints", 141), ("projection", 822), ("ledger", 0), ("energy", 224), ("poses", 61), ("outputs", 0),
     ("landmarks", 10),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def revolute_apart_apart(W_apart_x_apart_x, y, W_apart_z_apart_x, W_apart_x_raised):

@@ -16,14 +16,14 @@ import casadi as ca
 NAME = "four_bar_clearance"
 SOURCE = "derive/scenes/four_bar_clearance.py"
 SUMMARY = "four-bar linkage with a clearance joint between coupler and rocker"
+FORMAT = "hertzwerk module 1"
+DIGEST = "0a2232ff6acba1d2137f5862e2654685"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
     ("rocker_pin", "contact", "hertz_point x flores"), ("rocker_pin_friction", "friction", "smooth_coulomb at rocker_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 ADVICE = (
     "rocker_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
@@ -123,6 +123,11 @@ OPERATIONS = (
     ("contact_rocker_pin", 113), ("applied", 15), ("accelerations", 37), ("ledger", 1), ("energy", 59), ("poses", 13), ("outputs", 25),
     ("speed_limits", 3), ("period", 3), ("landmarks", 3),
 )
+
+UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
+BRISTLES = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -16,14 +16,14 @@ import casadi as ca
 NAME = "geared_hoist"
 SOURCE = "derive/scenes/geared_hoist.py"
 SUMMARY = "a motor lifts a load by a gear pair and a drum"
+FORMAT = "hertzwerk module 1"
+DIGEST = "c7efe98da9e3fa6f2b7a355d110a834b"
 
 EFFECTS = (
     ("motor", "force", "force on pinion_shaft = torque"), ("mesh", "coupling", "drum_shaft = -pinion_teeth/wheel_teeth pinion_shaft"),
     ("rope", "coupling", "rope_end = -drum_radius drum_shaft"), ("gravity", "gravity", "uniform gravity"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("module", "mm", 4, "of the teeth"),
@@ -51,19 +51,7 @@ SPEEDS = (("pinion_shaft.speed", "rad/s"), ("drum_shaft.speed", "rad/s"), ("rope
 
 MEMORY = (("motor.input", "J"),)
 
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
 CONSTRAINTS = (("mesh.turned", "1"), ("rope.off", "m"))
-
-GIVEN = ()
-
-OUTPUTS = ()
 
 BODIES = ("pinion", "winch", "load")
 
@@ -95,6 +83,11 @@ OPERATIONS = (
     ("accelerations", 74), ("constraints", 8), ("projection", 40), ("ledger", 1), ("energy", 10), ("poses", 8), ("outputs", 0),
     ("landmarks", 35),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
+SLIPS = RELEASES = DISSIPATED = ROLLING = GIVEN = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

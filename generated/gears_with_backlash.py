@@ -15,14 +15,14 @@ import casadi as ca
 NAME = "gears_with_backlash"
 SOURCE = "derive/scenes/gears_with_backlash.py"
 SUMMARY = "an idle gear that rattles within its backlash: involute flanks, an uneven drive"
+FORMAT = "hertzwerk module 1"
+DIGEST = "b49a37333314931fd63eca6d2970a3ec"
 
 EFFECTS = (
     ("engine", "drive", "position of input = pinion_speed*t + swing*(1 - cos(firing*t))/firing**2"),
     ("oil", "force", "force on idler = drag"), ("mesh_1", "contact", "power x power_damping"),
     ("mesh_2", "contact", "power x power_damping"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("pinion_mass", "kg", 0.5, "body pinion, mass"),
@@ -57,8 +57,6 @@ COORDINATES = (("idler.angle", "rad"),)
 SPEEDS = (("idler.speed", "rad/s"),)
 
 MEMORY = (("energy_ledger.input", "J"), ("oil.input", "J"), ("mesh_1.dissipated", "J"), ("mesh_2.dissipated", "J"))
-
-LATCHES = ()
 
 PAIRS = (("mesh_1", "curve_on_curve"), ("mesh_2", "curve_on_curve"))
 
@@ -184,6 +182,11 @@ PINION_TEETH_RIGHT_CURVE = (
     20,
     (0.0, 0.1633344517699191, 0.26183517531080136, 0.33956431800227727, 0.4058697587901724, 0.46466781164463705, 0.5180472315405961, 0.567277318526134, 0.6131954363441965, 0.6563917336757309, 0.6973017807430145, 0.7362530616163685, 0.7735022269117698, 0.8092557048190155, 0.8436785376627078, 0.8769108304002584, 0.9090684365588695, 0.9402470749473292, 0.9705342802088099, 1.0),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def _called(name, inputs, result, slope):

@@ -14,13 +14,13 @@ import casadi as ca
 NAME = "geneva_drive"
 SOURCE = "derive/scenes/geneva_drive.py"
 SUMMARY = "a pin that turns a slotted wheel by a quarter, and a disc that locks it, in closed form within the plays"
+FORMAT = "hertzwerk module 1"
+DIGEST = "0c214889aeeefac1ee9cd35c6a1849fc"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft"), ("slot", "contact", "power x power_damping"),
     ("lock", "contact", "power x power_damping"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("crank_mass", "kg", 0.3, "body crank, mass"),
@@ -58,8 +58,6 @@ COORDINATES = (("axle.angle", "rad"),)
 SPEEDS = (("axle.speed", "rad/s"),)
 
 MEMORY = (("energy_ledger.input", "J"), ("slot.dissipated", "J"), ("lock.dissipated", "J"))
-
-LATCHES = ()
 
 PAIRS = (("slot", "circle_on_curve"), ("lock", "curve_on_curve"))
 
@@ -172,6 +170,11 @@ OPERATIONS = (
 SLOTS_CURVE = (True, False, (0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1))
 
 DISC_CURVE = (True, False, (1, 0, 0))
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def _called(name, inputs, result, slope):

@@ -16,14 +16,14 @@ import casadi as ca
 NAME = "journal_in_bearing"
 SOURCE = "derive/scenes/journal_in_bearing.py"
 SUMMARY = "loaded journal turning in a bush with clearance"
+FORMAT = "hertzwerk module 1"
+DIGEST = "0bb7a1ed3252c459ce161440bc6c6746"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
     ("bearing", "contact", "power x flores"), ("bearing_friction", "friction", "smooth_coulomb at bearing"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 1.0, "of the journal and what it carries"),
@@ -71,8 +71,6 @@ RELEASES = ("force",)
 
 DISSIPATED = (2,)
 
-GIVEN = ()
-
 OUTPUTS = (("bearing.eccentricity_x", "m"), ("bearing.eccentricity_y", "m"))
 
 BODIES = ("journal",)
@@ -96,6 +94,11 @@ OPERATIONS = (
     ("contact_bearing", 43), ("applied", 1), ("accelerations", 3), ("ledger", 3), ("energy", 15), ("poses", 4), ("outputs", 0),
     ("period", 3), ("landmarks", 2),
 )
+
+UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
+GIVEN = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

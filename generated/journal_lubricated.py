@@ -16,14 +16,14 @@ import casadi as ca
 NAME = "journal_lubricated"
 SOURCE = "derive/scenes/journal_lubricated.py"
 SUMMARY = "loaded journal on the oil film of a short bearing"
+FORMAT = "hertzwerk module 1"
+DIGEST = "5f148fe0cc1805f6cfbbbcb509b5ff1f"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
     ("bearing", "contact", "power x flores"), ("oil", "lubrication", "short_bearing film at bearing"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 2.0, "of the journal and what it carries"),
@@ -71,8 +71,6 @@ RELEASES = ("force",)
 
 DISSIPATED = (2,)
 
-GIVEN = ()
-
 OUTPUTS = (("bearing.eccentricity_x", "m"), ("bearing.eccentricity_y", "m"), ("oil.force", "N"), ("oil.thickness", "m"))
 
 BODIES = ("journal",)
@@ -98,6 +96,11 @@ OPERATIONS = (
     ("contact_bearing", 25), ("applied", 107), ("accelerations", 3), ("ledger", 109), ("energy", 16), ("poses", 4), ("outputs", 104),
     ("period", 3), ("landmarks", 2),
 )
+
+UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
+GIVEN = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -13,10 +13,10 @@ import casadi as ca
 NAME = "n_four_bar"
 SOURCE = "derive/scenes/n_four_bar.py"
 SUMMARY = "four-bar linkages in a row, 2 windows, through singular positions"
+FORMAT = "hertzwerk module 1"
+DIGEST = "934c9c543c13d359850e4ca778222d75"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 1.0, "of each rod"),
@@ -37,21 +37,9 @@ SPEEDS = (
     ("foot_0.speed", "rad/s"), ("foot_1.speed", "rad/s"), ("foot_2.speed", "rad/s"), ("left_0.speed", "rad/s"), ("left_1.speed", "rad/s"),
 )
 
-MEMORY = ()
-
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
 CONSTRAINTS = (("right_0.apart_x", "m"), ("right_0.apart_y", "m"), ("right_1.apart_x", "m"), ("right_1.apart_y", "m"))
 
 GIVEN = ("foot_0.speed",)
-
-OUTPUTS = ()
 
 BODIES = ("post_0", "post_1", "post_2", "beam_0", "beam_1")
 
@@ -81,6 +69,11 @@ OPERATIONS = (
     ("accelerations", 525), ("constraints", 61), ("projection", 311), ("ledger", 0), ("energy", 81), ("poses", 24), ("outputs", 0),
     ("landmarks", 2),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

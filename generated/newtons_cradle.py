@@ -14,14 +14,14 @@ import casadi as ca
 NAME = "newtons_cradle"
 SOURCE = "derive/scenes/newtons_cradle.py"
 SUMMARY = "Newton's cradle"
+FORMAT = "hertzwerk module 1"
+DIGEST = "1c902bd9833843286ee05c27f11b09ff"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("contact_0", "contact", "power x exact"), ("contact_1", "contact", "power x exact"),
     ("contact_2", "contact", "power x exact"), ("contact_3", "contact", "power x exact"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("radius", "m", 0.02, "of each sphere"),
@@ -100,6 +100,11 @@ OPERATIONS = (
     ("contact_contact_0", 47), ("contact_contact_1", 47), ("contact_contact_2", 47), ("contact_contact_3", 47), ("applied", 25),
     ("accelerations", 5), ("ledger", 0), ("energy", 101), ("poses", 15), ("outputs", 61), ("landmarks", 21),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def sphere_on_sphere_contact(arm_x, apart_x, x1, first_angle, second_angle, first_speed, second_speed, approach_speed, length, stiffness,

@@ -13,10 +13,10 @@ import casadi as ca
 NAME = "pendulum"
 SOURCE = "derive/scenes/pendulum.py"
 SUMMARY = "pendulum let go horizontal"
+FORMAT = "hertzwerk module 1"
+DIGEST = "89a39c47918448eacad7b76493dfc0de"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 1.0, "body bob, mass"),
@@ -34,18 +34,6 @@ COORDINATES = (("hinge.angle", "rad"),)
 
 SPEEDS = (("hinge.speed", "rad/s"),)
 
-MEMORY = ()
-
-LATCHES = ()
-
-PAIRS = ()
-
-RELEASES = ()
-
-DISSIPATED = ()
-
-OUTPUTS = ()
-
 BODIES = ("bob",)
 
 LANDMARKS = (
@@ -62,6 +50,11 @@ OPERATIONS = (
     ("constants", 7), ("start", 0), ("scales", 7), ("coordinate_rates", 0), ("gaps", 0), ("gap_accelerations", 0), ("applied", 5),
     ("accelerations", 1), ("ledger", 0), ("energy", 7), ("poses", 3), ("outputs", 0), ("landmarks", 1),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = RELEASES = DISSIPATED = CONSTRAINTS = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

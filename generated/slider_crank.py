@@ -16,14 +16,14 @@ import casadi as ca
 NAME = "slider_crank"
 SOURCE = "derive/scenes/slider_crank.py"
 SUMMARY = "slider-crank with a clearance joint between rod and slider"
+FORMAT = "hertzwerk module 1"
+DIGEST = "d884f10e9b7cf1e53420196851fb5690"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
     ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"), ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 ADVICE = (
     "slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
@@ -119,6 +119,11 @@ OPERATIONS = (
     ("contact_slider_pin", 90), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 50), ("poses", 10), ("outputs", 13),
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
+
+UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
+BRISTLES = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -18,6 +18,8 @@ import casadi as ca
 NAME = "slider_crank_dc_motor"
 SOURCE = "derive/scenes/slider_crank_dc_motor.py"
 SUMMARY = "slider-crank with clearance at both pins, driven by a motor whose speed is controlled"
+FORMAT = "hertzwerk module 1"
+DIGEST = "fb6b197930074ee6d7cfe3338d945661"
 
 EFFECTS = (
     ("motor", "motor", "direct-current motor on main_bearing at the voltage crank_speed*motor_constant + speed_control.command"),
@@ -27,8 +29,6 @@ EFFECTS = (
     ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 ADVICE = (
     "crank_pin, slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
@@ -161,6 +161,11 @@ OPERATIONS = (
     ("contact_crank_pin", 85), ("contact_slider_pin", 67), ("applied", 7), ("accelerations", 39), ("margins", 1), ("jumps", 7),
     ("ledger", 4), ("energy", 63), ("poses", 7), ("outputs", 21), ("speed_limits", 3), ("landmarks", 1),
 )
+
+UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = ()
+FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -15,14 +15,14 @@ import casadi as ca
 NAME = "slider_crank_frictionless"
 SOURCE = "derive/scenes/slider_crank_frictionless.py"
 SUMMARY = "slider-crank with a clearance joint, without friction"
+FORMAT = "hertzwerk module 1"
+DIGEST = "88110c1430763ce739475c9e77921994"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
     ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 ADVICE = (
     "slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
@@ -114,6 +114,11 @@ OPERATIONS = (
     ("contact_slider_pin", 59), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 50), ("poses", 10), ("outputs", 13),
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
+
+UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
+BRISTLES = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -16,14 +16,14 @@ import casadi as ca
 NAME = "slider_crank_line"
 SOURCE = "derive/scenes/slider_crank_line.py"
 SUMMARY = "slider-crank with a clearance joint whose pin touches its bush along a line"
+FORMAT = "hertzwerk module 1"
+DIGEST = "11d830b7065b690fd1af4ccdb8a0b76c"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
     ("slider_pin", "contact", "liu_with_length x lankarani_nikravesh"), ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("crank_mass", "kg", 0.3, "body crank, mass"),
@@ -119,6 +119,11 @@ OPERATIONS = (
     ("contact_slider_pin", 93), ("applied", 11), ("accelerations", 37), ("ledger", 1), ("energy", 158), ("poses", 10), ("outputs", 13),
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
+
+UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
+SEATED = BRISTLES = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -18,6 +18,8 @@ import casadi as ca
 NAME = "slider_crank_three_clearances"
 SOURCE = "derive/scenes/slider_crank_three_clearances.py"
 SUMMARY = "slider-crank with clearance at all three pins"
+FORMAT = "hertzwerk module 1"
+DIGEST = "9b03b80f6484565d6b6a8c1de919f92e"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of crank_plane.angle"), ("gravity", "gravity", "uniform gravity"),
@@ -26,8 +28,6 @@ EFFECTS = (
     ("crank_pin_friction", "friction", "smooth_coulomb at crank_pin"), ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 ADVICE = (
     "main_bearing, crank_pin, slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
@@ -138,6 +138,11 @@ OPERATIONS = (
     ("contact_main_bearing", 46), ("contact_crank_pin", 95), ("contact_slider_pin", 67), ("applied", 8), ("accelerations", 41),
     ("ledger", 1), ("energy", 78), ("poses", 7), ("outputs", 22), ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
+
+UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
+BRISTLES = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

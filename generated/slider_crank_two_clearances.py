@@ -17,6 +17,8 @@ import casadi as ca
 NAME = "slider_crank_two_clearances"
 SOURCE = "derive/scenes/slider_crank_two_clearances.py"
 SUMMARY = "slider-crank with clearance at both pins of the rod"
+FORMAT = "hertzwerk module 1"
+DIGEST = "b2869f08b805d1f29cfee401a2bb5c55"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -24,8 +26,6 @@ EFFECTS = (
     ("crank_pin_friction", "friction", "smooth_coulomb at crank_pin"), ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 ADVICE = (
     "crank_pin, slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; `hertzwerk laws --form line` lists others",
@@ -128,6 +128,11 @@ OPERATIONS = (
     ("contact_crank_pin", 86), ("contact_slider_pin", 67), ("applied", 6), ("accelerations", 39), ("ledger", 1), ("energy", 58),
     ("poses", 7), ("outputs", 20), ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
+
+UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
+BRISTLES = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

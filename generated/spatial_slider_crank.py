@@ -15,13 +15,13 @@ import casadi as ca
 NAME = "spatial_slider_crank"
 SOURCE = "derive/scenes/spatial_slider_crank.py"
 SUMMARY = "spatial slider-crank with a ball joint with clearance between crank and rod"
+FORMAT = "hertzwerk module 1"
+DIGEST = "cc5e9b9e18b47b46f21c2aea3acaee5e"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
     ("crank_ball", "contact", "hertz_point x flores"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("crank_mass", "kg", 0.12, "body crank, mass"),
@@ -119,6 +119,11 @@ OPERATIONS = (
     ("contact_crank_ball", 94), ("applied", 5), ("accelerations", 66), ("ledger", 1), ("energy", 72), ("poses", 14), ("outputs", 28),
     ("speed_limits", 3), ("period", 3), ("landmarks", 4),
 )
+
+UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
+SEATED = BRISTLES = FAMILIES = ()
+
+JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -6,7 +6,7 @@ Effects:
     balls_1_2 to wall_4_5, 35: power x tsuji
     energy_ledger: work put in, energy dissipated per effect
 Units: 148 assignments and 714 outputs checked, all consistent
-Operations: flight 605 (equations of motion and gaps); in contact also contact_of_balls 1200, contact_of_floor 115, contact_of_wall_1 120, contact_of_wall_2 120, contact_of_wall_3 120, contact_of_wall_4 120
+Operations: flight 605 (equations of motion and gaps); in contact also contact_of_balls 1200, contact_of_floor 110, contact_of_wall_1 115, contact_of_wall_2 115, contact_of_wall_3 115, contact_of_wall_4 115
 """
 
 import casadi as ca
@@ -14,6 +14,8 @@ import casadi as ca
 NAME = "spheres_in_box"
 SOURCE = "derive/scenes/spheres_in_box.py"
 SUMMARY = "5 spheres fall into a box"
+FORMAT = "hertzwerk module 1"
+DIGEST = "93c84baebf73df37f67c03aff264f37b"
 
 
 def _rows(part, trees):
@@ -63,8 +65,6 @@ EFFECTS = (
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
 
-UNCHECKED = ()
-
 PARAMETERS = (
     ("radius", "m", 0.02, "body ball_1, sphere, radius"),
     ("density", "kg/m^3", 1100, ""),
@@ -102,8 +102,6 @@ MEMORY = (
     *((f"{name}.dissipated", "J") for name, i in WALL_1_PAIRS), *((f"{name}.dissipated", "J") for name, i in WALL_2_PAIRS),
     *((f"{name}.dissipated", "J") for name, i in WALL_3_PAIRS), *((f"{name}.dissipated", "J") for name, i in WALL_4_PAIRS),
 )
-
-LATCHES = ()
 
 PAIRS = (
     *((name, "sphere_on_sphere") for name, i, j in BALLS_PAIRS), *((name, "sphere_on_plane") for name, i in FLOOR_PAIRS),
@@ -157,9 +155,14 @@ CONSTANTS = (
 OPERATIONS = (
     ("constants", 42), ("start", 8), ("scales", 37), ("ledger", 0), ("landmarks", 3), ("coordinate_rates", 120), ("applied", 10),
     ("accelerations", 30), ("energy", 715), ("poses", 120), ("gaps", 285), ("gap_accelerations", 280), ("contact_of_balls", 1200),
-    ("outputs", 165), ("contact_of_floor", 115), ("contact_of_wall_1", 120), ("contact_of_wall_2", 120), ("contact_of_wall_3", 120),
-    ("contact_of_wall_4", 120),
+    ("outputs", 165), ("contact_of_floor", 110), ("contact_of_wall_1", 115), ("contact_of_wall_2", 115), ("contact_of_wall_3", 115),
+    ("contact_of_wall_4", 115),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):
@@ -558,7 +561,7 @@ def contact_of_floor(t, q, u, z, m, c):
     flight_1_y = q[1]
     flight_1_y_speed = u[1]
     floor_1_gap = flight_1_y - radius
-    floor_1_elastic_force = ca.if_else(-floor_1_gap > 0, (-floor_1_gap)**1*ca.sqrt(-floor_1_gap)*stiffness, 0)
+    floor_1_elastic_force = ca.if_else(-floor_1_gap > 0, -floor_1_gap*ca.sqrt(-floor_1_gap)*stiffness, 0)
     base_2 = -ball_1_total_mass*floor_1_elastic_force/floor_1_gap
     floor_1_resistance = ca.if_else(-floor_1_gap > 0, -balls_1_2_xi*flight_1_y_speed*ca.sqrt(base_2), 0)
     floor_1_normal_force = floor_1_elastic_force + floor_1_resistance
@@ -609,7 +612,7 @@ def contact_of_wall_1(t, q, u, z, m, c):
     flight_1_x_speed = u[0]
     wall_1_1_apart_x = flight_1_x - wall_1_1_second_arm_x
     wall_1_1_gap = wall_1_1_apart_x - radius
-    wall_1_1_elastic_force = ca.if_else(-wall_1_1_gap > 0, (-wall_1_1_gap)**1*ca.sqrt(-wall_1_1_gap)*stiffness, 0)
+    wall_1_1_elastic_force = ca.if_else(-wall_1_1_gap > 0, -wall_1_1_gap*ca.sqrt(-wall_1_1_gap)*stiffness, 0)
     base_3 = -ball_1_total_mass*wall_1_1_elastic_force/wall_1_1_gap
     wall_1_1_resistance = ca.if_else(-wall_1_1_gap > 0, -balls_1_2_xi*flight_1_x_speed*ca.sqrt(base_3), 0)
     wall_1_1_normal_force = wall_1_1_elastic_force + wall_1_1_resistance
@@ -661,7 +664,7 @@ def contact_of_wall_2(t, q, u, z, m, c):
     flight_1_x_speed = u[0]
     wall_2_1_apart_x = flight_1_x - wall_2_1_second_arm_x
     wall_2_1_gap = -wall_2_1_apart_x - radius
-    wall_2_1_elastic_force = ca.if_else(-wall_2_1_gap > 0, (-wall_2_1_gap)**1*ca.sqrt(-wall_2_1_gap)*stiffness, 0)
+    wall_2_1_elastic_force = ca.if_else(-wall_2_1_gap > 0, -wall_2_1_gap*ca.sqrt(-wall_2_1_gap)*stiffness, 0)
     base_4 = -ball_1_total_mass*wall_2_1_elastic_force/wall_2_1_gap
     wall_2_1_resistance = ca.if_else(-wall_2_1_gap > 0, balls_1_2_xi*flight_1_x_speed*ca.sqrt(base_4), 0)
     wall_2_1_normal_force = wall_2_1_elastic_force + wall_2_1_resistance
@@ -713,7 +716,7 @@ def contact_of_wall_3(t, q, u, z, m, c):
     flight_1_z_speed = u[2]
     wall_3_1_apart_z = flight_1_z + wall_2_1_second_arm_x
     wall_3_1_gap = wall_3_1_apart_z - radius
-    wall_3_1_elastic_force = ca.if_else(-wall_3_1_gap > 0, (-wall_3_1_gap)**1*ca.sqrt(-wall_3_1_gap)*stiffness, 0)
+    wall_3_1_elastic_force = ca.if_else(-wall_3_1_gap > 0, -wall_3_1_gap*ca.sqrt(-wall_3_1_gap)*stiffness, 0)
     base_5 = -ball_1_total_mass*wall_3_1_elastic_force/wall_3_1_gap
     wall_3_1_resistance = ca.if_else(-wall_3_1_gap > 0, -balls_1_2_xi*flight_1_z_speed*ca.sqrt(base_5), 0)
     wall_3_1_normal_force = wall_3_1_elastic_force + wall_3_1_resistance
@@ -765,7 +768,7 @@ def contact_of_wall_4(t, q, u, z, m, c):
     flight_1_z_speed = u[2]
     wall_4_1_apart_z = flight_1_z - wall_2_1_second_arm_x
     wall_4_1_gap = -wall_4_1_apart_z - radius
-    wall_4_1_elastic_force = ca.if_else(-wall_4_1_gap > 0, (-wall_4_1_gap)**1*ca.sqrt(-wall_4_1_gap)*stiffness, 0)
+    wall_4_1_elastic_force = ca.if_else(-wall_4_1_gap > 0, -wall_4_1_gap*ca.sqrt(-wall_4_1_gap)*stiffness, 0)
     base_6 = -ball_1_total_mass*wall_4_1_elastic_force/wall_4_1_gap
     wall_4_1_resistance = ca.if_else(-wall_4_1_gap > 0, balls_1_2_xi*flight_1_z_speed*ca.sqrt(base_6), 0)
     wall_4_1_normal_force = wall_4_1_elastic_force + wall_4_1_resistance

@@ -15,13 +15,13 @@ import casadi as ca
 NAME = "tippe_top"
 SOURCE = "derive/scenes/tippe_top.py"
 SUMMARY = "a top that turns over, raised by friction"
+FORMAT = "hertzwerk module 1"
+DIGEST = "941435ecb93aaf55c37fa0a18b41b0bb"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("floor", "contact", "power x kelvin_voigt"),
     ("rubbing", "friction", "smooth_coulomb at floor"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "g", 6, "body top, mass"),
@@ -64,8 +64,6 @@ SPEEDS = (
 
 MEMORY = (("floor.dissipated", "J"), ("rubbing.dissipated", "J"))
 
-LATCHES = ()
-
 PAIRS = (("floor", "sphere_on_plane"),)
 
 RELEASES = ("gap",)
@@ -94,6 +92,11 @@ OPERATIONS = (
     ("contact_floor", 134), ("applied", 2), ("accelerations", 13), ("ledger", 0), ("energy", 63), ("poses", 24), ("outputs", 9),
     ("landmarks", 0),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def body_R(flight_q0, flight_q1, flight_q2, flight_q3):

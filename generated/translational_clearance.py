@@ -10,7 +10,7 @@ Effects:
     front_upper_friction: smooth_coulomb at front_upper
     energy_ledger: work put in, energy dissipated per effect
 Units: 252 assignments and 289 outputs checked, all consistent
-Operations: flight 356 (equations of motion and gaps); in contact also contact_rear_lower 110, contact_rear_upper 114, contact_front_lower 109, contact_front_upper 113
+Operations: flight 356 (equations of motion and gaps); in contact also contact_rear_lower 109, contact_rear_upper 113, contact_front_lower 108, contact_front_upper 112
 """
 
 import casadi as ca
@@ -18,6 +18,8 @@ import casadi as ca
 NAME = "translational_clearance"
 SOURCE = "derive/scenes/translational_clearance.py"
 SUMMARY = "slider-crank with clearance between slider and guide"
+FORMAT = "hertzwerk module 1"
+DIGEST = "a1c13b7214bb7a45777e52672f39d885"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("rear_lower", "contact", "power x flores"), ("rear_upper", "contact", "power x flores"),
@@ -28,8 +30,6 @@ EFFECTS = (
     ("front_upper_friction", "friction", "smooth_coulomb at front_upper"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("crank_mass", "kg", 0.038, "body crank, mass"),
@@ -130,9 +130,14 @@ CONSTANTS = (
 
 OPERATIONS = (
     ("constants", 50), ("start", 2), ("scales", 12), ("coordinate_rates", 0), ("gaps", 132), ("gap_accelerations", 159),
-    ("contact_rear_lower", 110), ("contact_rear_upper", 114), ("contact_front_lower", 109), ("contact_front_upper", 113), ("applied", 10),
+    ("contact_rear_lower", 109), ("contact_rear_upper", 113), ("contact_front_lower", 108), ("contact_front_upper", 112), ("applied", 10),
     ("accelerations", 55), ("ledger", 0), ("energy", 157), ("poses", 17), ("outputs", 78), ("landmarks", 9),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = SLIPS = CONSTRAINTS = ROLLING = ()
+SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def corner_on_face_contact(first_arm_x, first_arm_y, x, y, second_arm_x, second_arm_y, gap, normal_x, normal_y, relative_rate_x,
@@ -140,7 +145,7 @@ def corner_on_face_contact(first_arm_x, first_arm_y, x, y, second_arm_x, second_
         hysteresis_factor, inverse_friction_speed):
     """Return normal_force [N], normal_power [W], first_push_on [N m], second_push_on [N m], third_push_on [N m], sliding_velocity [m/s],
     power [W], first_drag_on [N m], second_drag_on [N m], third_drag_on [N m]."""
-    elastic_force = ca.if_else(-gap > 0, (-gap)**1*ca.sqrt(-gap)*stiffness, 0)
+    elastic_force = ca.if_else(-gap > 0, -gap*ca.sqrt(-gap)*stiffness, 0)
     resistance = hysteresis_factor*elastic_force*first_penetration_rate/approach_speed
     normal_force = resistance + elastic_force
     normal_power = resistance*second_penetration_rate
@@ -540,7 +545,7 @@ def contact_rear_upper(t, q, u, z, m, c):
     rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
     rear_upper_beyond = minus_half_guide_length + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
-    rear_upper_elastic_force = ca.if_else(-rear_upper_gap > 0, (-rear_upper_gap)**1*ca.sqrt(-rear_upper_gap)*stiffness, 0)
+    rear_upper_elastic_force = ca.if_else(-rear_upper_gap > 0, -rear_upper_gap*ca.sqrt(-rear_upper_gap)*stiffness, 0)
     rear_upper_end_x = ca.if_else(rear_upper_apart_x > 0, 1, -1)
     rear_upper_normal_x = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, 0, rear_upper_end_x)
     rear_upper_normal_y = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -1, 0)

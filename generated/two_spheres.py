@@ -13,10 +13,10 @@ import casadi as ca
 NAME = "two_spheres"
 SOURCE = "derive/scenes/two_spheres.py"
 SUMMARY = "a sphere meets an equal one at rest"
+FORMAT = "hertzwerk module 1"
+DIGEST = "081042db0b4b294a35fa5603eac584c9"
 
 EFFECTS = (("spheres", "contact", "hertz_point x flores"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("mass", "kg", 0.092, "of each sphere"),
@@ -79,6 +79,11 @@ OPERATIONS = (
     ("contact_spheres", 22), ("applied", 0), ("accelerations", 2), ("ledger", 0), ("energy", 15), ("poses", 0), ("outputs", 5),
     ("speed_limits", 3), ("landmarks", 0),
 )
+
+UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):

@@ -10,7 +10,7 @@ Effects:
     beak_friction: smooth_coulomb at beak
     energy_ledger: work put in, energy dissipated per effect
 Units: 121 assignments and 283 outputs checked, all consistent
-Operations: flight 169 (equations of motion and gaps); in contact also contact_upper 40, contact_lower 40, contact_beak 60
+Operations: flight 169 (equations of motion and gaps); in contact also contact_upper 39, contact_lower 39, contact_beak 59
 """
 
 import casadi as ca
@@ -18,6 +18,8 @@ import casadi as ca
 NAME = "woodpecker"
 SOURCE = "derive/scenes/woodpecker.py"
 SUMMARY = "jamming, slipping and pecking in turn: a limit cycle of friction and impact"
+FORMAT = "hertzwerk module 1"
+DIGEST = "f7ab773105f9ebedc23681eddd9d3208"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of spring_hinge"),
@@ -26,8 +28,6 @@ EFFECTS = (
     ("lower_friction", "friction", "smooth_coulomb at lower"), ("beak_friction", "friction", "smooth_coulomb at beak"),
     ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
 )
-
-UNCHECKED = ()
 
 PARAMETERS = (
     ("sleeve_mass", "g", 0.3, "body sleeve, mass"),
@@ -130,10 +130,15 @@ CONSTANTS = (
 )
 
 OPERATIONS = (
-    ("constants", 29), ("start", 0), ("scales", 8), ("coordinate_rates", 0), ("gaps", 38), ("gap_accelerations", 46), ("contact_upper", 40),
-    ("contact_lower", 40), ("contact_beak", 60), ("applied", 14), ("accelerations", 71), ("ledger", 0), ("energy", 83), ("poses", 10),
+    ("constants", 29), ("start", 0), ("scales", 8), ("coordinate_rates", 0), ("gaps", 38), ("gap_accelerations", 46), ("contact_upper", 39),
+    ("contact_lower", 39), ("contact_beak", 59), ("applied", 14), ("accelerations", 71), ("ledger", 0), ("energy", 83), ("poses", 10),
     ("outputs", 19), ("landmarks", 61),
 )
+
+UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
+BRISTLES = SPEED_LIMITED = FAMILIES = ()
+
+GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 
 
 def constants(p):
@@ -320,7 +325,7 @@ def contact_upper(t, q, u, z, m, c):
     upper_first_arm_y = cos_sleeve*sleeve_half_height + sin_sleeve*sleeve_radius
     upper_first_arm_rate_x = -tilt_speed*upper_first_arm_y
     upper_apart_x = upper_first_arm_x - bar_radius
-    upper_elastic_force = ca.if_else(-upper_apart_x > 0, (-upper_apart_x)**1*ca.sqrt(-upper_apart_x)*stiffness, 0)
+    upper_elastic_force = ca.if_else(-upper_apart_x > 0, -upper_apart_x*ca.sqrt(-upper_apart_x)*stiffness, 0)
     upper_relative_rate_y = fall_speed + tilt_speed*upper_first_arm_x
     upper_resistance = -upper_elastic_force*upper_first_arm_rate_x*upper_hysteresis_factor/upper_approach_speed
     upper_normal_force = upper_elastic_force + upper_resistance
@@ -347,7 +352,7 @@ def contact_lower(t, q, u, z, m, c):
     lower_first_arm_y = sin_sleeve*sleeve_radius - cos_sleeve*sleeve_half_height
     lower_first_arm_rate_x = -lower_first_arm_y*tilt_speed
     lower_apart_x = lower_first_arm_x - bar_radius
-    lower_elastic_force = ca.if_else(-lower_apart_x > 0, (-lower_apart_x)**1*ca.sqrt(-lower_apart_x)*stiffness, 0)
+    lower_elastic_force = ca.if_else(-lower_apart_x > 0, -lower_apart_x*ca.sqrt(-lower_apart_x)*stiffness, 0)
     lower_relative_rate_y = fall_speed + lower_first_arm_x*tilt_speed
     lower_resistance = -lower_elastic_force*lower_first_arm_rate_x*upper_hysteresis_factor/lower_approach_speed
     lower_normal_force = lower_elastic_force + lower_resistance
@@ -383,7 +388,7 @@ def contact_beak(t, q, u, z, m, c):
     beak_first_arm_x = -cos_bird*beak_back_minus_bird_centre - sin_bird*beak_height
     beak_first_arm_y = cos_bird*beak_height - beak_back_minus_bird_centre*sin_bird
     beak_apart_x = beak_first_arm_x + bird_arm_x - bar_radius
-    beak_elastic_force = ca.if_else(-beak_apart_x > 0, (-beak_apart_x)**1*ca.sqrt(-beak_apart_x)*stiffness, 0)
+    beak_elastic_force = ca.if_else(-beak_apart_x > 0, -beak_apart_x*ca.sqrt(-beak_apart_x)*stiffness, 0)
     beak_relative_rate_x = bird_arm_rate_x - beak_first_arm_y*bird_rate_z
     beak_relative_rate_y = bird_velocity_y + beak_first_arm_x*bird_rate_z
     beak_resistance = -beak_elastic_force*beak_hysteresis_factor*beak_relative_rate_x/beak_approach_speed

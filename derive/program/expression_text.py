@@ -108,6 +108,8 @@ def _power(node: Any) -> tuple[str, int]:
         root, whole = f"ca.sqrt({_text(base)[0]})", exponent.p // 2
         if whole == 0:
             return root, _ATOM
+        if whole == 1:  # a sign in front belongs to the first factor
+            return f"{_wrapped(base, _SUM if _is_negative(base) and not base.is_Add else _PRODUCT)}*{root}", _PRODUCT
         return f"{_whole_power(base, whole)[0]}*{root}", _PRODUCT
     if exponent.is_Integer:
         return _whole_power(base, int(exponent))
@@ -117,7 +119,7 @@ def _power(node: Any) -> tuple[str, int]:
 def _whole_power(base: Any, exponent: int) -> tuple[str, int]:
     text = _wrapped(base, _ATOM)
     if exponent <= 3 and base.is_Symbol:
-        return "*".join([text] * exponent), (_ATOM if exponent == 1 else _PRODUCT)
+        return "*".join([text] * exponent), _PRODUCT
     return f"{text}**{exponent}", _POWER
 
 

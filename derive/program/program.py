@@ -413,7 +413,7 @@ class Program:
     tape: Tape
     functions: tuple[Function, ...]
     constants: tuple[sp.Symbol, ...]
-    tables: Mapping[str, tuple[Any, ...]]
+    tables: Mapping[str, Any]
     """Name of a module-level table (COORDINATES, PAIRS, ...) -> its rows."""
     note: str = ""
     """The choice of coordinates and its reason, where they are chosen automatically."""

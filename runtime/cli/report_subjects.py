@@ -132,6 +132,7 @@ def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> M
     None where it is neither, or derives to other tables than those of the run.
     """
     from hertzwerk.runtime.engine.model.build import built_in_scenes
+    from hertzwerk.runtime.engine.solution.solution import SAVED
     from hertzwerk.runtime.loading import load
 
     target = scene or str(request.get("target", run.model.name))
@@ -143,8 +144,7 @@ def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> M
         laws=assignments("--law", request.get("laws", ()), []),
         coordinates=request.get("coordinates"),
     )
-    tables = {name: table for name, table in vars(run.model.module).items() if name.isupper()}
-    if all(getattr(model.module, name, None) == table for name, table in tables.items() if name != "SOURCE"):
+    if all(getattr(model.module, name) == getattr(run.model.module, name) for name in SAVED if name != "SOURCE"):
         return model
     if scene is None:
         return None

@@ -87,7 +87,7 @@ def functions(model: Model, made: Integrator, outputs: Sequence[str], name: str)
         found["attempt_choosing"] = made.with_choice().attempt
     if joints is not model:
         found["placed"] = model.function("placed")
-    if hasattr(model.module, "GIVEN"):
+    if model.module.GIVEN is not None:
         found["loops"] = residuals(joints, model)
     if counting.layout.size:
         found |= {"tallied": counting.first.function, "tally": counting.add}

@@ -76,7 +76,7 @@ class Contents:
     @property
     def follows(self) -> bool:
         """Whether the start follows from other parameters by closing loops, or needs none."""
-        return not hasattr(self.model.module, "SEATED")
+        return not self.model.module.SEATED
 
 
 def name_faults(where: str, name: str) -> list[Fault]:
@@ -110,11 +110,12 @@ def contents(asked: Asked) -> Contents:
     joints = model.joints
     q, u = assembled(model, given.bound, asked.initial, [])
     names = (*joints.coordinates, *joints.speeds)
-    said = {*getattr(model.module, "GIVEN", names)}
+    found_by_assembly = model.module.GIVEN is not None
+    said = {*(model.module.GIVEN if found_by_assembly else names)}
     numbers = dict(zip(model.parameters, map(float, given.bound.p), strict=True))  # exponents of units among them
     signals = {name: float(model.signals[name](np.zeros(1))[0]) for name in model.inputs}
-    loops = getattr(joints.module, "CONSTRAINTS", ()) if hasattr(model.module, "GIVEN") else ()
-    closed = [model.module.OUTPUTS[i] for i in journals(model)] if hasattr(model.module, "GIVEN") else []
+    loops = joints.module.CONSTRAINTS if found_by_assembly else ()
+    closed = [model.module.OUTPUTS[i] for i in journals(model)] if found_by_assembly else []
     return Contents(
         model=model,
         made=run.engine.integrator,

@@ -84,7 +84,7 @@ class Derived:
             for _ in range(80):
                 at = self.of_norm_one(at)
                 value, slope = (out.full().reshape(-1) for out in function(at))
-                for i in self.names.get("QUATERNIONS", ()):
+                for i in self.QUATERNIONS:
                     slope[i : i + 4] -= (slope[i : i + 4] @ at[i : i + 4]) * at[i : i + 4]
                 if abs(value[0] - target) <= 1e-9 * abs(target):
                     return at
@@ -96,7 +96,7 @@ class Derived:
     def of_norm_one(self, q: Sequence[float]) -> np.ndarray:
         """Coordinates with their quaternions normalised."""
         q = np.array(q, float)
-        for i in self.names.get("QUATERNIONS", ()):
+        for i in self.QUATERNIONS:
             q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
         return q
 

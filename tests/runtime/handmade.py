@@ -4,10 +4,10 @@ A point of mass 1 kg on a line above a surface at x = 0, under a constant force 
 """
 
 from collections.abc import Callable
-from types import ModuleType
 
 import casadi as ca
 
+from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import Model
 
 Law = Callable[..., object]
@@ -23,25 +23,20 @@ def point(
     floor: float = 1e-3,
 ) -> Model:
     """law(d, v, v0) [N] with v the speed of approach; push(t, x, v) [N] everything else; scales of length, speed, force, energy."""
-    module = ModuleType("point")
-    module.__dict__.update(
+    module = with_tables(
         NAME="point",
         SOURCE="tests/runtime/handmade.py",
         SUMMARY="a point above a surface",
-        EFFECTS=(),
-        UNCHECKED=(),
         PARAMETERS=(("x0", "m", 1.0, "start"), ("v0", "m/s", 0.0, "start"), ("approach_floor", "m/s", floor, "floor")),
-        LIMITS=(),
         COORDINATES=(("path.travel", "m"),),
         SPEEDS=(("path.speed", "m/s"),),
         MEMORY=(("surface.dissipated", "J"),) if stored else (),
         LATCHES=(("surface.approach_speed", "m/s", 0),) if law else (),
         PAIRS=(("surface", "sphere_on_plane"),) if law else (),
+        RELEASES=("force",) if law else (),
         DISSIPATED=(0,) if stored else (),
-        OUTPUTS=(),
         CONSTANTS=(("one", "1"),),
         BODIES=("point",),
-        OPERATIONS=(),
         constants=lambda p: ca.SX(1),
         start=lambda p: (p[0], p[1]),
         scales=lambda p: (scales[0], scales[1], ca.SX([scales[3]] if stored else []), ca.SX(list(scales))),

@@ -64,9 +64,7 @@ def refuse_idle(system: System) -> None:
         raise InputError(f"scene {system.scene.name}", (_idle_fault(system, name) for name in idle))
 
 
-def with_constants(
-    system: System, functions: list[Function], tables: Mapping[str, tuple[Any, ...]], note: str
-) -> Program:
+def with_constants(system: System, functions: list[Function], tables: Mapping[str, Any], note: str) -> Program:
     """Program of functions, with the function of the constants that they read."""
     constants = system.tape.constants(functions)
     pieces = [symbol for piece in system.tape.pieces.values() for symbol in piece]

@@ -24,59 +24,46 @@ NO_PAIR = -1
 """In SLIPS, of the friction of a joint."""
 
 
-def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
+def tables(system: System) -> Mapping[str, Any]:
     """Name of a table -> its rows, in the order of the module's text."""
     scene = system.scene
     pairs = {pair.pair.name: i for i, (pair, _, _) in enumerate(system.contacts)}
     entries = {name: i for i, (name, _) in enumerate(system.memory)}
     meanings = meanings_of(scene)
-    quaternions = _quaternions(system.coordinates)
     return {
         "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
         "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if e.unchecked),
-        **_advice(scene),
+        "ADVICE": tuple(finding.reason for finding in advice_findings(scene)),
         "PARAMETERS": tuple(
             (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
         ),
         "LIMITS": tuple(_limits(scene)),
-        **_sum_limits(scene),
-        **_inputs(scene),
+        "SUM_LIMITS": _sum_limits(scene),
+        # the last entries of c are their pieces, in this order
+        "INPUTS": tuple((given.name, given.unit, given.meaning) for given in scene.inputs.values()),
+        # derivatives that must be continuous: how many, and for what
+        "SMOOTH_INPUTS": tuple((name, order, slot.where) for name, (order, slot) in scene.smooth_inputs.items()),
         "COORDINATES": tuple((name, unit) for name, unit in system.coordinates),
-        **({"QUATERNIONS": quaternions} if quaternions else {}),
+        "QUATERNIONS": _quaternions(system.coordinates),
         "SPEEDS": tuple((name, unit) for name, unit in system.speeds),
         "MEMORY": tuple(system.memory),
         "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs[name]) for name in system.latches),
         "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in system.contacts),
-        **_events(system),
+        "EVENTS": _events(system),
         **_loads(system),
-        **_guides(system),
-        **_slips(system),
+        "GUIDES": tuple(contact.pair.name for contact, _, _ in system.contacts if contact.pair.guides),
+        "SLIPS": _slips(system),
         "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in system.contacts),
         "DISSIPATED": tuple(entries[f"{name}.dissipated"] for name in pairs) if scene.ledger else (),
         **_loop_tables(system),
-        **({"BRISTLES": tuple(_bristle_rows(system))} if system.bristles else {}),
+        "BRISTLES": tuple(_bristle_rows(system)),
         "OUTPUTS": tuple((name, unit) for name, unit, _ in output_rows(system)),
-        **({"SPEED_LIMITED": tuple(system.limited)} if system.limited else {}),
+        "SPEED_LIMITED": tuple(system.limited),
         "BODIES": tuple(body.name for body in scene.mechanism.bodies),
         "LANDMARKS": tuple(landmark.row for landmark in system.landmarks),
+        "FAMILIES": (),
         **{table_name(table): table.pieces() for table in _tables_used(scene)},
     }
-
-
-def _advice(scene: Scene) -> dict[str, tuple[str, ...]]:
-    """Table of what the audit advises of a scene whose units are consistent, if there is any."""
-    said = tuple(finding.reason for finding in advice_findings(scene))
-    return {"ADVICE": said} if said else {}
-
-
-def _inputs(scene: Scene) -> dict[str, tuple[Any, ...]]:
-    """Table of inputs, if there are any: the last entries of c are their pieces, in this order.
-
-    A second one of those that must have continuous derivatives: how many, and for what.
-    """
-    rows = tuple((given.name, given.unit, given.meaning) for given in scene.inputs.values())
-    smooth = tuple((name, derivatives, slot.where) for name, (derivatives, slot) in scene.smooth_inputs.items())
-    return {**({"INPUTS": rows} if rows else {}), **({"SMOOTH_INPUTS": smooth} if smooth else {})}
 
 
 def _tables_used(scene: Scene) -> list[Table]:
@@ -84,32 +71,24 @@ def _tables_used(scene: Scene) -> list[Table]:
     return list(dict.fromkeys(table for slot in scene.slots() for table in tables_in(slot.value)))
 
 
-def _guides(system: System) -> dict[str, tuple[Any, ...]]:
-    """Table of pairs that guide a body with clearance, if any."""
-    names = tuple(contact.pair.name for contact, _, _ in system.contacts if contact.pair.guides)
-    return {"GUIDES": names} if names else {}
-
-
-def _events(system: System) -> dict[str, tuple[Any, ...]]:
-    """Table of events of effects, if any: their names, and the entries of q that each changes."""
+def _events(system: System) -> tuple[Any, ...]:
+    """Table of events of effects: their names, and the entries of q that each changes."""
     entries = [name for name, _ in system.coordinates]
-    rows = [
+    return tuple(
         (f"{effect}.{event.name}", tuple(entries.index(f"{effect}.{state}") for state in event.then))
         for effect, event in system.events
-    ]
-    return {"EVENTS": tuple(rows)} if rows else {}
+    )
 
 
 def _loads(system: System) -> dict[str, tuple[Any, ...]]:
-    """Tables of joints whose reactions loads depend on, and of friction that changes these, if any.
+    """Tables of joints whose reactions loads depend on, and of friction that changes these.
 
     FED: places of these among the reactions. RUBBING: places of a joint's friction among the forces, of its coefficient where it
     slides and of its force where it sticks, and of the coefficient among the reactions.
     """
     names = tuple(joint for joint, *_ in system.kin.carried)
-    found: dict[str, tuple[Any, ...]] = {"LOADS": names} if names else {}
     if not system.feeds or system.carried is None:
-        return found
+        return {"LOADS": names, "FED": (), "RUBBING": ()}
     places = {key: i for i, key in enumerate(row.key for row in system.rows)}
     own = [s for s, group in system.tape.inputs.items() if group == "reactions" and s not in system.supplied]
     first = len(system.driven)
@@ -118,11 +97,11 @@ def _loads(system: System) -> dict[str, tuple[Any, ...]]:
         (name, places[f"{name}.coefficient"], places[f"{name}.holding"], first + own.index(system.kin.rubbing[name][0]))
         for name, _ in system.rubbing
     )
-    return found | {"FED": carried, "RUBBING": rubbing}
+    return {"LOADS": names, "FED": carried, "RUBBING": rubbing}
 
 
-def _slips(system: System) -> dict[str, tuple[Any, ...]]:
-    """Table of the friction with modes, if any: its entries of m, after LATCHES, and the pair.
+def _slips(system: System) -> tuple[Any, ...]:
+    """Table of the friction with modes: its entries of m, after LATCHES, and the pair.
 
     In one direction the sign of the sliding or angular velocity, else a vector along the pair's two tangents.
     """
@@ -135,7 +114,7 @@ def _slips(system: System) -> dict[str, tuple[Any, ...]]:
                 unit = "m/s" if effect.holds == "N" else "rad/s"
                 rows += _directions(f"{effect.name}.{effect.mode}", unit, j, len(effect.axes(pair.touch)))
     rows += [(f"{name}.slip", "1", NO_PAIR) for name, _ in system.rubbing]
-    return {"SLIPS": tuple(rows)} if rows else {}
+    return tuple(rows)
 
 
 def _directions(name: str, unit: str, pair: int, count: int) -> list[tuple[str, str, int]]:
@@ -151,32 +130,24 @@ def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
             yield from ((entries[name], j) for name in system.bristles[friction.name])
 
 
-def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
-    """Constraints, and values of the start that are given instead of found by assembly."""
-    loops: dict[str, tuple[Any, ...]] = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
-    rolling = tuple((effect.name, effect.coefficient is not None) for effect in system.scene.all(RollingWithoutSlip))
-    loops |= {"ROLLING": rolling} if rolling else {}
-    joints, journals = system.joints, any(pair.pair.journal for pair, _, _ in system.contacts)
-    if joints is None:
-        given = {"GIVEN": _given(system.scene, system.kin)} if loops or journals else {}
-        return loops | given | _seated(system.scene)
-    given = {"GIVEN": _given(joints.scene, joints.kin)} if joints.loops or journals else {}
-    return (
-        loops
-        | given
-        | _seated(joints.scene)
-        | {
-            "JOINT_COORDINATES": tuple(map(tuple, joints.coordinates)),
-            "JOINT_SPEEDS": tuple(map(tuple, joints.speeds)),
-            "JOINT_QUATERNIONS": _quaternions(joints.coordinates),
-            "JOINT_CONSTRAINTS": _names(joints.loops),
-        }
+def _loop_tables(system: System) -> dict[str, Any]:
+    """Constraints, and values of the start that are not found by assembly: None where none is."""
+    joints = system.joints
+    scene, kin, loops = (
+        (system.scene, system.kin, system.loops) if joints is None else (joints.scene, joints.kin, joints.loops)
     )
-
-
-def _seated(scene: Scene) -> dict[str, tuple[Any, ...]]:
-    """Pairs whose journals rest in their bushes at the start, if they do."""
-    return {"SEATED": tuple(pair.name for pair in scene.mechanism.pairs)} if scene.start.seated else {}
+    rolling = tuple((effect.name, effect.coefficient is not None) for effect in system.scene.all(RollingWithoutSlip))
+    assembled = loops or (joints is None and rolling) or any(pair.pair.journal for pair, _, _ in system.contacts)
+    return {
+        "CONSTRAINTS": _names(system.loops),
+        "ROLLING": rolling,
+        "GIVEN": _given(scene, kin) if assembled else None,
+        "SEATED": tuple(pair.name for pair in scene.mechanism.pairs) if scene.start.seated else (),
+        "JOINT_COORDINATES": None if joints is None else tuple(map(tuple, joints.coordinates)),
+        "JOINT_SPEEDS": None if joints is None else tuple(map(tuple, joints.speeds)),
+        "JOINT_QUATERNIONS": None if joints is None else _quaternions(joints.coordinates),
+        "JOINT_CONSTRAINTS": None if joints is None else _names(joints.loops),
+    }
 
 
 def _names(loops: tuple[Constraint, ...]) -> tuple[tuple[str, str], ...]:
@@ -211,8 +182,8 @@ def _limits(scene: Scene) -> list[tuple[Any, ...]]:
     return [(*row, where) for row, where in rows.items()]
 
 
-def _sum_limits(scene: Scene) -> dict[str, tuple[Any, ...]]:
-    """Table of ranges of sums of parameters, if there are any.
+def _sum_limits(scene: Scene) -> tuple[Any, ...]:
+    """Table of ranges of sums of parameters.
 
     Its rows are those of LIMITS, with (parameter, factor) of each term in place of the parameter.
 
@@ -228,7 +199,7 @@ def _sum_limits(scene: Scene) -> dict[str, tuple[Any, ...]]:
         ordered = sorted((term.name, float(factor)) for term, factor in terms.items())
         bounds = (limit.lower, limit.upper, limit.open_left, limit.open_right)
         rows.setdefault((tuple(ordered), "defined", *bounds), slot.where)
-    return {"SUM_LIMITS": tuple((*row, where) for row, where in rows.items())} if rows else {}
+    return tuple((*row, where) for row, where in rows.items())
 
 
 def meanings_of(scene: Scene) -> dict[str, str]:

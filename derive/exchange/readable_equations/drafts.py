@@ -75,7 +75,7 @@ class Drafts:
     def __init__(self, program: Program, names: Names) -> None:
         self._program, self._names, self._tape = program, names, program.tape
         self._effects = {effect.name: effect for effect in program.scene.effects}
-        self._on_speeds = [name for name, unit in program.tables.get("CONSTRAINTS", ()) if unit == "m/s"]
+        self._on_speeds = [name for name, unit in program.tables["CONSTRAINTS"] if unit == "m/s"]
         self.added: dict[sp.Symbol, Any] = {}
 
     def all(self) -> list[Draft]:
@@ -116,7 +116,7 @@ class Drafts:
             short = {"kinetic": r"\mathrm{kin}", "potential": r"\mathrm{pot}"}.get(label, words((result, label)))
             yield Draft(ENERGY, label, unit, f"{label} energy", expression, left=f"E_{{{short}}}")
         elif function.name == "start":
-            by_bodies = "JOINT_COORDINATES" in self._program.tables  # starts are given by the joints
+            by_bodies = self._program.tables["JOINT_COORDINATES"] is not None  # starts are given by the joints
             latex = _label(label) if by_bodies else self._names.port(*self._port(result, label))
             text = f"{label} at the start"
             yield Draft(START, text, unit, text, expression, left=rf"{{{latex}}}|_{{t=0}}")
@@ -161,7 +161,7 @@ class Drafts:
         They act along the tangents or about the axes, against the velocity there.
         """
         place, found = [name for name, _ in self._program.tables["PAIRS"]].index(pair), dict[str, list[sp.Symbol]]()
-        for slip, _, j in self._program.tables.get("SLIPS", ()):
+        for slip, _, j in self._program.tables["SLIPS"]:
             if j == place:
                 whose, _, name = slip.rpartition(".")
                 force = name.replace("slip", "friction_force").replace("turning", "moment")

@@ -276,7 +276,7 @@ class Names:
         for symbol in inputs["z"]:
             whose = words(symbol.name.split("_")) if len(inputs["z"]) > 1 else ""
             found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
-        rubs = [name for name, *_ in program.tables.get("RUBBING", ())]
+        rubs = [name for name, *_ in program.tables["RUBBING"]]
         rubbing = {
             f"{name}_coefficient": (r"\mu", name, "coefficient of friction, with its sign, while it slides")
             for name in rubs

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from hertzwerk.derive.common.faults import visible
+from hertzwerk.derive.common.module_format import FORMAT, command, sealed
 from hertzwerk.derive.program.emit.cost import operations
 from hertzwerk.derive.program.emit.equal_parts_text import kind_tables, loops, table
 from hertzwerk.derive.program.emit.helpers import HELPERS, helpers_in
@@ -41,7 +42,7 @@ def emit(program: Program, source: str) -> str:
     shared = share([drafted.block for drafted in drafts], program.parts, _names_in(program, drafts))
     before = _equally_returning(program.functions)
     units = {program.names.get(symbol.name, symbol.name): unit for symbol, unit in program.units.items()}
-    tables = dict(program.tables)
+    tables = {name: rows for name, rows in program.tables.items() if name != "FAMILIES" or not program.pairs}
     tables["CONSTANTS"] = tuple(
         (name, program.units[symbol]) for symbol in program.constants for name in program.entries(symbol)
     )
@@ -53,9 +54,10 @@ def emit(program: Program, source: str) -> str:
         _header(program, source, counts),
         "import casadi as ca" + (f"\nimport casadi as {casadi}" if casadi != "ca" else ""),
         "\n".join(f"{name} = {_literal(text)}" for name, text in
-                  (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
+                  (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary), ("FORMAT", FORMAT), ("DIGEST", ""))),
         *_kind_tables(program),
-        *(_table(name, rows, program) for name, rows in tables.items()),
+        *(_table(name, rows, program) for name, rows in tables.items() if rows),
+        *(_without_rows([name for name, rows in tables.items() if rows == value], value) for value in ((), None)),
     ]  # fmt: skip
     texts = [
         *map(curve_text, curves),
@@ -63,7 +65,16 @@ def emit(program: Program, source: str) -> str:
         *(builder_text(program, each, before[each.function.name]) for each in drafts),
         *([loops(program)[1]] if program.pairs else []),
     ]
-    return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers_in(texts), *texts)) + "\n"
+    return sealed("\n\n".join(filter(None, parts)) + "\n\n\n" + "\n\n\n".join((*helpers_in(texts), *texts)) + "\n")
+
+
+def _without_rows(names: list[str], value: tuple[()] | None) -> str:
+    """Tables without rows, as many in a line as it holds."""
+    lines: list[str] = []
+    for name in names:
+        longer = f"{lines[-1]} = {name}" if lines else name
+        lines[-1:] = [longer] if len(longer) <= WIDTH - len(f" = {value}") else [*lines[-1:], name]
+    return "\n".join(f"{line} = {value}" for line in lines)
 
 
 def _kind_tables(program: Program) -> list[str]:
@@ -116,13 +127,13 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
     effects: dict[str, list[str]] = {}
     for effect in scene.effects:
         effects.setdefault(effect.text, []).append(effect.name)
-    name = scene.name if source.startswith("derive/") else source or "FILE"
+    about = f": {prose(scene.summary)}" if scene.summary else ""
     contact = f"; in contact also {contacts}" if contacts else ""
     return "\n".join(
         (
-            f'"""{scene.name}: {prose(scene.summary)}. Generated from {prose(source) or "a scene"}.',
+            f'"""{scene.name}{about}. Generated from {prose(source) or "a scene"}.',
             "",
-            f"Do not edit; regenerate with `hertzwerk derive {prose(name)}`.",
+            f"Do not edit; regenerate with `{prose(command(source, scene.name))}`.",
             "Effects:",
             *(
                 line
@@ -144,8 +155,6 @@ def _listed(names: list[str], program: Program) -> str:
 
 def _table(name: str, rows: tuple[Any, ...], program: Program) -> str:
     """Table with as many rows on a line as it holds; with one where they hold prose, or numbers alone."""
-    if not rows:
-        return f"{name} = ()"
     texts = table(program, rows, _literal) if program.pairs else [_literal(row) for row in rows]
     if name in _PROSE or (isinstance(rows[0], tuple) and not isinstance(rows[0][0], str)):
         return "\n".join([f"{name} = (", *(f"    {text}," for text in texts), ")"])

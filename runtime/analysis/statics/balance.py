@@ -141,7 +141,8 @@ def memory_of(model: Model, mu: Array) -> Array:
 
 def bristles_of(model: Model) -> Sequence[tuple[int, int]]:
     """Return the entry of the memory and the pair of every bristle or of its parts."""
-    return getattr(model.module, "BRISTLES", ())
+    found: Sequence[tuple[int, int]] = model.module.BRISTLES
+    return found
 
 
 @per_model

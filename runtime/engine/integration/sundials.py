@@ -330,7 +330,7 @@ class _Run:
             self.y[self.model.nq + self.model.nu + self.model.module.DISSIPATED[j]] += leaves * stored
         self.mode = self.mode.copy()
         self.mode[j] = event.mode
-        for row, pair in getattr(self.model.module, "BRISTLES", ()):
+        for row, pair in self.model.module.BRISTLES:
             if self.mode[pair] != CONTACT:
                 self.y = self.y.copy()
                 self.y[self.model.nq + self.model.nu + row] = 0

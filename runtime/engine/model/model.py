@@ -15,7 +15,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.runtime.engine.model.binding import Declared, Port, Value, quantity_text, read_parameters
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.direct_sx import direct
-from hertzwerk.runtime.engine.model.generated_text import module_of, text_of
+from hertzwerk.runtime.engine.model.generated_text import module_of, require_tables, text_of, with_tables
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import WIDTH, Schedule, Signal
 from hertzwerk.runtime.engine.model.undefined_constants import origin
@@ -79,7 +79,13 @@ class Declaration:
 
 
 class Model:
-    """Model of a scene. `declaration` is its origin; a saved run has none."""
+    """Model of a scene.
+
+    `declaration` is its origin; a saved run, or a generated module by itself, has none.
+    """
+
+    lists: tuple[int, ...] = ()
+    """Sizes of the parts of a list of near pairs, which is among the constants as pieces of inputs are; empty without one."""
 
     def __init__(
         self,
@@ -88,6 +94,7 @@ class Model:
         dependent: tuple[Dependent, ...] = (),
         signals: Mapping[str, Signal] | None = None,
     ) -> None:
+        require_tables(module)
         self.module = module
         self.declaration = declaration
         self.dependent = dependent
@@ -100,20 +107,20 @@ class Model:
             for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY, module.LATCHES, module.PAIRS, module.OUTPUTS)
         )
         self.nq, self.nu, self.nz = len(self.coordinates), len(self.speeds), len(self.memory)
-        self.slips: tuple[tuple[str, str, int], ...] = getattr(module, "SLIPS", ())
+        self.slips: tuple[tuple[str, str, int], ...] = module.SLIPS
         self.ns, self.k, self.nc = len(self.slips), len(self.pairs), len(module.CONSTANTS)
         self.nm = len(self.latches) + self.ns
-        self.events: tuple[tuple[str, tuple[int, ...]], ...] = getattr(module, "EVENTS", ())
+        self.events: tuple[tuple[str, tuple[int, ...]], ...] = module.EVENTS
         """Events of effects, by name, and the rows of q that each changes."""
         self.ne = len(self.events)
-        self.loads: tuple[str, ...] = getattr(module, "LOADS", ())
+        self.loads: tuple[str, ...] = module.LOADS
         """Reactions that loads depend on; empty without such loads."""
-        self.fed = hasattr(module, "FED")
-        """Whether set-valued friction changes loads that it depends on."""
-        self.carried: tuple[int, ...] = getattr(module, "FED", ())
-        """Places of the loads' magnitudes among the reactions, where it does."""
-        self.rubbing: tuple[tuple[str, int, int, int], ...] = getattr(module, "RUBBING", ())
+        self.carried: tuple[int, ...] = module.FED
+        """Places of magnitudes among the reactions, of loads that set-valued friction changes and depends on."""
+        self.rubbing: tuple[tuple[str, int, int, int], ...] = module.RUBBING
         """Set-valued frictions of joints: places of coefficient and holding force among the forces, of the former among the reactions."""
+        self.fed = bool(self.carried or self.rubbing)
+        """Whether set-valued friction changes loads that it depends on."""
         self.nr = self.k + bool(self.loads or self.rubbing)
         """Number of ranges that a run must not leave: of each pair's law, and of loads by reactions."""
         rows: dict[str, list[int]] = {}
@@ -123,25 +130,23 @@ class Model:
                 rows.setdefault(pair, []).append(i)
         self.journals: dict[str, tuple[int, ...]] = {pair: tuple(rows[pair]) for pair in self.pairs if pair in rows}
         """Rows of the outputs that are the eccentricity of a pair, by the name of a pair that is a joint with clearance."""
-        self.guides: tuple[str, ...] = getattr(module, "GUIDES", ())
+        self.guides: tuple[str, ...] = module.GUIDES
         """Names of pairs that guide a body with clearance, together in place of a joint."""
-        self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
+        self.quaternions: tuple[int, ...] = module.QUATERNIONS
         """Rows of q where one begins."""
-        self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))
+        self.constraints: tuple[str, ...] = tuple(row[0] for row in module.CONSTRAINTS)
         self.nl = len(self.constraints)
-        self.is_length = tuple(row[1] != "1" for row in getattr(module, "CONSTRAINTS", ()))
+        self.is_length = tuple(row[1] != "1" for row in module.CONSTRAINTS)
         """Whether each constraint is a length [m], not an angle's sine [1]."""
-        self.inputs: dict[str, tuple[str, str]] = {row[0]: row[1:] for row in getattr(module, "INPUTS", ())}
+        self.inputs: dict[str, tuple[str, str]] = {row[0]: row[1:] for row in module.INPUTS}
         """Unit and meaning of the inputs by name; the last `npieces` entries of c are their pieces, see `Signal`."""
-        self.smooth: dict[str, tuple[int, str]] = {row[0]: row[1:] for row in getattr(module, "SMOOTH_INPUTS", ())}
+        self.smooth: dict[str, tuple[int, str]] = {row[0]: row[1:] for row in module.SMOOTH_INPUTS}
         """Continuous derivatives that inputs must have, and for what, of those that must."""
-        self.lists: tuple[int, ...] = getattr(module, "LISTS", ())
-        """Sizes of the parts of a list of near pairs, which is among the constants as pieces of inputs are; empty without one."""
         self.npieces = WIDTH * len(self.inputs) + sum(self.lists)
         self.has_ledger = hasattr(module, "ledger")
-        self.on_speeds = np.array([float(row[1] == "m/s") for row in getattr(module, "CONSTRAINTS", ())])
-        self.rolling: tuple[tuple[str, bool], ...] = getattr(module, "ROLLING", ())
-        self.speed_limited: tuple[str, ...] = getattr(module, "SPEED_LIMITED", ())
+        self.on_speeds = np.array([float(row[1] == "m/s") for row in module.CONSTRAINTS])
+        self.rolling: tuple[tuple[str, bool], ...] = module.ROLLING
+        self.speed_limited: tuple[str, ...] = module.SPEED_LIMITED
         """Pairs whose law limits how fast contacts may begin."""
         self.known: dict[Hashable, Any] = {}
         """Results of functions that are `per_model`."""
@@ -164,26 +169,23 @@ class Model:
     @cached_property
     def declared(self) -> Declared:
         """Parameters and their limits, with the defaults in SI."""
-        return Declared(self.parameters, self.module.LIMITS, getattr(self.module, "SUM_LIMITS", ()))
+        return Declared(self.parameters, self.module.LIMITS, self.module.SUM_LIMITS)
 
     @cached_property
     def joints(self) -> Model:
         """Model by the joints' coordinates, in which starts are given: itself, unless in absolute coordinates."""
         module = self.module
-        if not hasattr(module, "JOINT_COORDINATES"):
+        if module.JOINT_COORDINATES is None:
             return self
-        given = {
-            name: getattr(module, name) for name in ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "start")
-        }
-        given |= {name: getattr(module, name, ()) for name in ("INPUTS", "SUM_LIMITS")}
+        own = ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "SUM_LIMITS", "INPUTS", "GIVEN", "start")
+        given = {name: getattr(module, name) for name in own}
         given |= {
             name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
         }
-        given |= dict.fromkeys(("MEMORY", "LATCHES", "PAIRS", "OUTPUTS"), ())
-        given |= {"scales": module.joint_scales, "GIVEN": getattr(module, "GIVEN", ())}
+        given["scales"] = module.joint_scales
         if module.JOINT_CONSTRAINTS:
             given["constraints"] = module.joint_constraints
-        return Model(SimpleNamespace(**given))
+        return Model(with_tables(**given))
 
     def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
         """Return the model with these redundant constraints relaxed in every step; itself if none."""
@@ -282,7 +284,7 @@ class Model:
     @cached_property
     def members(self) -> list[tuple[Any, ...]]:
         """Kind of each pair, and its rows of q, u, z and the latches; empty without `FAMILIES`."""
-        return [(kind, *row[1:]) for kind, rows in getattr(self.module, "FAMILIES", ()) for row in rows]
+        return [(kind, *row[1:]) for kind, rows in self.module.FAMILIES for row in rows]
 
     def landmarks(self, p: np.ndarray) -> list[np.ndarray]:
         """Return what `landmarks` returns: a row of LANDMARKS each, of which many spheres have thousands."""

@@ -69,7 +69,7 @@ def drive_rate(model: Model, bound: Bound) -> float | None:
 
 def _axis(model: Model, drive: str) -> int | None:
     """Return the row of LANDMARKS with the axis of a drive that turns."""
-    rows = enumerate(getattr(model.module, "LANDMARKS", ()))
+    rows = enumerate(model.module.LANDMARKS)
     return next((i for i, (part, kind, *_) in rows if part == drive and kind == "turn_drive"), None)
 
 

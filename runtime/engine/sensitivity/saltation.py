@@ -222,9 +222,9 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
     leaving = ((was == CONTACT) & (now != CONTACT)).astype(int) - ((was == RELEASED) & (now == CONTACT))
     stops = _stopping(history, index)
     emptied = np.zeros((len(index), layout.sizes["y"]), dtype=bool)
-    for row, pair in getattr(model.module, "BRISTLES", ()):
+    for row, pair in model.module.BRISTLES:
         emptied[:, model.nq + model.nu + row] = now[:, pair] != CONTACT
-    booked = getattr(model.module, "DISSIPATED", ()) if model.has_ledger else ()
+    booked = model.module.DISSIPATED if model.has_ledger else ()
     return Jumps(
         rows=index + 1,
         at=at,

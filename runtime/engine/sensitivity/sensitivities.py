@@ -56,7 +56,7 @@ def start_changes(model: Model, bound: Bound, initial: Mapping[str, Value], name
     seated, or effects have events at it, as the first sample of a controller, they are extrapolated differences of
     starts, right to about 1e-11.
     """
-    if hasattr(model.module, "GIVEN") or model.joints is not model or model.quaternions or model.ne:
+    if model.module.GIVEN is not None or model.joints is not model or model.quaternions or model.ne:
         columns = [_difference(model, bound, initial, name) for name in names]
         return np.stack(columns, axis=1)
     states, parameters = [*model.coordinates, *model.speeds], list(model.parameters)

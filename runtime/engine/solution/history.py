@@ -406,7 +406,7 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
     units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
     for name in (*(slip for slip, *_ in model.slips), *_in_two_directions(model)):
         units |= {friction_force(name): "N m" if turns(name) else "N", name: units.get(name, "1")}
-    first = {row[0]: rows[0][0] for _, rows in getattr(model.module, "FAMILIES", ()) for row in rows}  # of its kind
+    first = {row[0]: rows[0][0] for _, rows in model.module.FAMILIES for row in rows}  # of its kind
     for pair in model.pairs:
         units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
         slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
@@ -414,7 +414,7 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
             units[slides] = "m/s"
     if model.has_ledger:
         units["energy"] = "J"
-    for name, unit in getattr(model.module, "CONSTRAINTS", ()):
+    for name, unit in model.module.CONSTRAINTS:
         units |= {name: unit, constraint_force(name): "N m" if unit == "1" else "N"}
     units |= {name: unit for name, unit, _ in getattr(model.module, "BESIDE", ())}  # readings of a saved run
     return Units(units, model)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import numpy as np
 
+from hertzwerk.derive.common import module_format
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.solution.history import acceleration_of
 
@@ -53,7 +54,13 @@ def unpacked(path: Path, read: Callable[[dict[str, Any], dict[str, np.ndarray]],
     if digest != _digest(text, histories):
         _refuse(path, "another content than was saved", "the file as Solution.save wrote it, by this version")
     try:
-        return read(json.loads(text), histories)
+        about = json.loads(text)
+        form = about["scene"].get("FORMAT")
+        if form != module_format.FORMAT:
+            _refuse(path, f"tables in the format {form!r}", f"{module_format.FORMAT!r}, of this version")
+        return read(about, histories)
+    except InputError:
+        raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         _refuse(path, f"entries that cannot be read ({error})", "a run saved by this version")
 

@@ -7,14 +7,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from types import ModuleType
 from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from hertzwerk.derive.common.module_format import EMPTY
 from hertzwerk.derive.common.units import time_text
 from hertzwerk.runtime.engine.accuracy.error_estimate import ErrorEstimate
 from hertzwerk.runtime.engine.model.derived_histories import readings_of
+from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.solution import saved_run
 from hertzwerk.runtime.engine.solution.averages import Average, Run, averages
@@ -99,7 +100,7 @@ class Solution:
     @property
     def advice(self) -> tuple[str, ...]:
         """Reservations about the scene's laws, such as a point contact law for a line contact."""
-        return tuple(getattr(self.model.module, "ADVICE", ()))
+        return tuple(self.model.module.ADVICE)
 
     @property
     def t(self) -> np.ndarray:
@@ -218,7 +219,7 @@ class Solution:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
         module = self.model.module
         about = {
-            "scene": {name: getattr(module, name) for name in _TABLES if hasattr(module, name)} | self._beside(),
+            "scene": {name: getattr(module, name) for name in SAVED} | {"BESIDE": self._beside()},
             "ledger": self.model.has_ledger,
             "outcome": asdict(self.outcome),
             "statistics": asdict(self.statistics),
@@ -244,13 +245,12 @@ class Solution:
                 content = saved_run.packed(about, {**histories, RATES: saved_run.rates(self.history)})
         return write(Path(path), content or saved_run.packed(about, histories), overwrite=overwrite)
 
-    def _beside(self) -> dict[str, Any]:
-        """Table of the readings that are saved with a run: name, unit, meaning."""
+    def _beside(self) -> list[tuple[str, str, str]]:
+        """Return the table of the readings that are saved with a run: name, unit, meaning."""
         if not self.history.beside:
-            return {}
+            return []
         known = readings_of(self.model).rows
-        rows = [(name, known[name].unit, known[name].meaning) for name in self.history.beside]
-        return {"BESIDE": rows}
+        return [(name, known[name].unit, known[name].meaning) for name in self.history.beside]
 
     @classmethod
     def load(cls, path: str | Path) -> Self:
@@ -263,11 +263,8 @@ class Solution:
     @classmethod
     def _of(cls, about: dict[str, Any], histories: dict[str, np.ndarray]) -> Self:
         state, rates = histories.pop(CHECKPOINT, None), histories.pop(RATES, None)
-        module = ModuleType(f"saved_{about['scene']['NAME']}")
-        for name, table in about["scene"].items():
-            setattr(module, name, _tuples(table))
-        if about["ledger"]:
-            module.ledger = None  # type: ignore[attr-defined]
+        tables = {name: _tuples(about["scene"][name]) for name in (*SAVED, "BESIDE")}
+        module = with_tables(**tables, **({"ledger": None} if about["ledger"] else {}))
         model = cls.model_type(module)
         return cls(
             history=History.stored(model, histories, saved_run.rates_by_name(rates, model, histories)),
@@ -295,23 +292,8 @@ class Solution:
         )
 
 
-_TABLES = (
-    *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
-    *(
-        "LATCHES",
-        "SLIPS",
-        "PAIRS",
-        "DISSIPATED",
-        "OUTPUTS",
-        "INPUTS",
-        "SMOOTH_INPUTS",
-        "CONSTANTS",
-        "BODIES",
-        "OPERATIONS",
-        "QUATERNIONS",
-    ),
-    *("CONSTRAINTS", "ADVICE", "BESIDE"),
-)
+_OF_FUNCTIONS = ("LANDMARKS", "FAMILIES", "GIVEN", "SEATED", *(name for name in EMPTY if name.startswith("JOINT_")))
+SAVED = ("NAME", "SOURCE", "SUMMARY", "FORMAT", *(name for name in EMPTY if name not in _OF_FUNCTIONS))
 
 
 def _tuples(value: Any) -> Any:

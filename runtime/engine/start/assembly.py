@@ -339,7 +339,7 @@ def judged(model: Model, whole: Model | None) -> Callers:
 def _rows(model: Model, whole: Model | None) -> tuple[tuple[str, str], ...]:
     """Return name and unit of every constraint; of a `whole` model those of closed clearances too."""
     closed = () if whole is None else tuple(whole.module.OUTPUTS[i] for i in journals(whole))
-    return (*getattr(model.module, "CONSTRAINTS", ()), *closed)
+    return (*model.module.CONSTRAINTS, *closed)
 
 
 def _sizes(jacobian: Any, values: Any, units: Sequence[str]) -> Any:

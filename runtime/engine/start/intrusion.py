@@ -108,7 +108,7 @@ def _sizes(model: Model, bound: Bound) -> dict[str, float]:
 
     That is the clearance, or half the smaller radius.
     """
-    rows = getattr(model.module, "LANDMARKS", ())
+    rows = model.module.LANDMARKS
     radii: dict[str, list[float]] = {}
     for row, place in zip(rows, model.landmarks(bound.p) if rows else (), strict=True):
         if row[4][:1] == ("radius",) and not row[1].startswith("solid_"):  # of a body of this name

@@ -100,12 +100,12 @@ def assembled(
                 )
             start[i : i + 4] /= norm or 1
     q, u = start[: model.nq], start[model.nq :]
-    if hasattr(whole.module, "GIVEN") and not faults:
+    if whole.module.GIVEN is not None and not faults:
         from hertzwerk.runtime.engine.start.assembly import assemble  # a tree without journals needs none
 
         q, u, unclosed = assemble(whole, bound, q, u, {*whole.module.GIVEN, *values})
         faults.extend(unclosed)
-        if hasattr(whole.module, "SEATED") and not faults:
+        if whole.module.SEATED and not faults:
             from hertzwerk.runtime.engine.start.seating import seat
 
             q, u, unclosed = seat(whole, bound, q, u, {*whole.module.GIVEN, *values})

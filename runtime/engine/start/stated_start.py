@@ -27,7 +27,7 @@ def as_stated(model: Model, bound: Bound) -> tuple[np.ndarray, np.ndarray] | Non
 def _stated(model: Model) -> Callers | None:
     """Build the function (p, c) -> q, u, and whether they are closed; None where more is to be done."""
     module = model.module
-    if not hasattr(module, "GIVEN") or hasattr(module, "SEATED") or model.quaternions or model.joints is not model:
+    if module.GIVEN is None or module.SEATED or model.quaternions or model.joints is not model:
         return None
     from hertzwerk.runtime.engine.start.assembly import journals, judged  # a tree without journals needs none
 

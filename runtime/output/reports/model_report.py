@@ -19,7 +19,7 @@ def model_page(model: Model, origin: Origin | None = None) -> str:
     from hertzwerk.runtime.output.drawings import picture
 
     readable, why = scene_sections.readable_of(model)
-    advice = tuple(getattr(model.module, "ADVICE", ()))
+    advice = tuple(model.module.ADVICE)
     own = {name: (port.default, port.unit) for name, port in model.parameters.items()}
     states = table(("state", "unit"), [[name, unit_markup(unit)] for name, unit in model.units.items()])
     shown = scene_sections.drawn(

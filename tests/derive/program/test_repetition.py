@@ -27,6 +27,7 @@ from hertzwerk.derive import (  # fmt: skip
     laws,
 )
 from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.common.module_format import sealed
 from hertzwerk.derive.equations.derivation import derive
 from hertzwerk.derive.program.emit.module_text import emit
 from hertzwerk.derive.program.emit.printer import function_text
@@ -58,7 +59,7 @@ def results(program, module):
 def written_out(program, text):
     """The module of a text, its builders replaced by those that call nothing."""
     functions = "\n\n".join(function_text(program, function) for function in program.functions)
-    return module_of("written_out", f"{text}\n\n{functions}\n")
+    return module_of("written_out", sealed(f"{text}\n\n{functions}\n"))
 
 
 def different(program, text):
@@ -134,7 +135,7 @@ def test_two_leaves_that_changed_places_are_noticed(right, wrong, where):
     program = derived("newtons_cradle")
     text = emit(program, "")
     assert right in text
-    assert where in different(program, text.replace(right, wrong))
+    assert where in different(program, sealed(text.replace(right, wrong)))
 
 
 def block(name, code, results, inputs="a b c d e f g h"):

@@ -271,7 +271,7 @@ def _closing(rate: Any, acceleration: Any) -> Any:
 def _reset_bristles(model: Model, y: Any, mode: Any) -> Any:
     """Return the state with the bristles of ended contacts reset."""
     y = type(y)(y)
-    for row, j in getattr(model.module, "BRISTLES", ()):
+    for row, j in model.module.BRISTLES:
         i = model.nq + model.nu + row
         y[i] = ca.if_else(mode[j] == CONTACT, y[i], 0)
     return y

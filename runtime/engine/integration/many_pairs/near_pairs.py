@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
-from types import SimpleNamespace
 from typing import Any
 
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.many_pairs.vectorised import Alike, Kind
+from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.per_model import per_model
 
@@ -77,9 +77,9 @@ class NearModel(Model):
         own = [row for row in module.MEMORY if row[0] in {whole.memory[i] for i in self.others}]
         self.bodies = sorted({body for family in families for of in family.bodies for body in of} - {-1})
         """Bodies whose centres are watched."""
-        lists = len(places), 3 * len(self.bodies), 1
+        self.lists = len(places), 3 * len(self.bodies), 1
         super().__init__(
-            SimpleNamespace(
+            with_tables(
                 NAME=f"{whole.name}_near",
                 PARAMETERS=module.PARAMETERS,
                 COORDINATES=module.COORDINATES,
@@ -92,9 +92,7 @@ class NearModel(Model):
                 ),
                 LATCHES=tuple((f"near_{i}.{name}", "", i) for name in latches[0] for i in range(len(places))),
                 PAIRS=tuple((f"near_{i}", "") for i in range(len(places))),
-                OUTPUTS=(),
-                CONSTANTS=(*module.CONSTANTS, *[("near", "1")] * sum(lists)),
-                LISTS=lists,
+                CONSTANTS=(*module.CONSTANTS, *[("near", "1")] * sum(self.lists)),
                 RELEASES=tuple(_release(whole, family.pairs[0]) for family in places),
                 DISSIPATED=tuple(
                     of[rows[family.pairs[0]].index(module.DISSIPATED[family.pairs[0]])]
@@ -195,7 +193,7 @@ KEPT = 0.5  # of half the skin: the way to the end of a step foreseen; within it
 
 
 def _release(model: Model, pair: int) -> str:
-    return str(getattr(model.module, "RELEASES", ("force",) * model.k)[pair])
+    return str(model.module.RELEASES[pair])
 
 
 @per_model
@@ -345,9 +343,9 @@ def _possible(model: Model) -> bool:
             model.speed_limited,
             model.dependent,
         ),
-        getattr(model.module, "BRISTLES", None),
+        model.module.BRISTLES,
     )
-    if any(map(bool, others)) or not getattr(model.module, "FAMILIES", ()):
+    if any(map(bool, others)) or not model.module.FAMILIES:
         return False
     return len({tuple(of) for of in _latches(model)}) == 1
 
@@ -357,10 +355,10 @@ def _bodies(model: Model) -> list[tuple[int, int] | None]:
 
     -1 stands for the ground; None where the motion of centres is no bound.
     """
-    place = {name: i for i, name in enumerate(getattr(model.module, "BODIES", ()))} | {"ground": -1}
+    place = {name: i for i, name in enumerate(model.module.BODIES)} | {"ground": -1}
     (p,) = model.symbols("p")
     rows: dict[str, list[tuple[str, str, str, bool]]] = {}
-    landmarks = getattr(model.module, "LANDMARKS", ())
+    landmarks = model.module.LANDMARKS
     for (pair, kind, role, body, *_), value in zip(
         landmarks, model.module.landmarks(p) if landmarks else (), strict=True
     ):

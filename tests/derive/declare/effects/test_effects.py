@@ -248,7 +248,7 @@ def test_a_wrong_unit_is_found_in_the_smallest_sub_expression(label):
 
 def below_header(text):
     lines = text.split("\n")
-    return "\n".join(line for line in lines if not re.match(r'^(""".*Generated from|NAME = )', line))
+    return "\n".join(line for line in lines if not re.match(r'^(""".*Generated from|NAME = |DIGEST = )', line))
 
 
 @pytest.mark.by_turns(3)

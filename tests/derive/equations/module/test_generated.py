@@ -189,7 +189,7 @@ def test_functions_return_what_the_tables_say(name):
         "gap_accelerations": [k], "applied": [nf], "accelerations": [nu, nr], "ledger": [nz], "energy": [1, 1, k], "poses": [3 * nb, 9 * nb],
         "outputs": [ny],
     }  # fmt: skip
-    nl = len(derived.names.get("CONSTRAINTS", ()))
+    nl = len(derived.CONSTRAINTS)
     if nl:
         sizes |= {"accelerations": [nu, nr, nl], "constraints": [nl, nl], "projection": [nu, nl]}
     q, u = derived.start()

@@ -326,9 +326,9 @@ def trestle(n: int) -> Scene:
 
 def test_auto_keeps_the_cheaper_and_says_so():
     short, long = (Derived(scene.with_coordinates("auto")) for scene in (chain(2, "Z").scene(ledger=False), trestle(8)))
-    assert "JOINT_COORDINATES" not in short.names
+    assert short.JOINT_COORDINATES is None
     assert "Coordinates: of the joints, as the cheaper" in short.text
-    assert "JOINT_COORDINATES" in long.names
+    assert long.JOINT_COORDINATES
     assert "Coordinates: absolute, as the cheaper" in long.text
 
 

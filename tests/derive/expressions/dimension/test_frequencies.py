@@ -60,6 +60,6 @@ def test_a_scene_is_advised_and_its_module_says_so(unit, doubts):
     push = JointForce("push", "slide", Parameter("amplitude", "N", 1) * sp.cos(rate * T))
     scales = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1))
     model = load(Scene(Mechanism("shaker", (Prismatic("slide", GROUND, body, axis=X),)), (push,), scales))
-    said = getattr(model.module, "ADVICE", ())
+    said = model.module.ADVICE
     assert len(said) == doubts
     assert all(text.startswith("effect push, force: cos(rate*t) takes rate [1/s]") for text in said)

@@ -106,6 +106,8 @@ def test_text_means_what_the_expression_means(expression):
         (x + 1) ** n, x ** (n - 1), x**-n, 2**x, sp.Rational(2, 3) ** x, sp.sqrt(2) * x, x**7, (-x) ** 3, (x - y) ** 3, sp.exp(1) * x,
         x * sp.Float("1e-300"), sp.Float("0.1") + x, Where(x > 0, x, -x), Where(x > y, 1, 0) * 3, x - Where(x < y, z, 0), x**2 * y**-3,
         -(x + y) / z, 1 / (x / y + 1), x ** sp.Rational(1, 3), sp.Mul(x, sp.Pow(y, -1), sp.Pow(z, -2)), -(x**2), (x + y) * (x - y),
+        (y - x) ** sp.Rational(3, 2) * z, (-sp.log(z)) ** sp.Rational(3, 2) * y, 3 - n * (-sp.log(z)) ** sp.Rational(3, 2),
+        y / (-sp.log(z)) ** sp.Rational(3, 2),
         sp.asin(z), sp.acos(z), sp.sinh(x), sp.cosh(x), sp.tan(x), sp.sign(x - y) * z, sp.Max(x, y) - sp.Min(x, y, z),
     ])  # fmt: skip
 def test_signs_parentheses_and_quotients(expression):
@@ -127,6 +129,8 @@ def test_the_comparison_would_notice_a_missing_parenthesis():
         (x**3, "x*x*x"),
         (x ** sp.Rational(3, 2), "x*ca.sqrt(x)"),
         (x ** sp.Rational(5, 2), "x*x*ca.sqrt(x)"),
+        ((-x) ** sp.Rational(3, 2), "-x*ca.sqrt(-x)"),
+        ((x - y) ** sp.Rational(3, 2), "(x - y)*ca.sqrt(x - y)"),
         (sp.sqrt(x), "ca.sqrt(x)"),
         (1 / sp.sqrt(x), "1/ca.sqrt(x)"),
         (x**-1, "1/x"),

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.common.module_format import FORMAT, sealed
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model import build
 from hertzwerk.runtime.system import cache
@@ -59,7 +60,7 @@ def test_an_entry_that_is_not_as_it_was_written_is_removed(folder, content):
 
 
 def test_a_changed_module_is_derived_again(folder, monkeypatch):
-    monkeypatch.setattr(build, "derive_text", lambda *_: "NUMBER = 1.0\n")
+    monkeypatch.setattr(build, "derive_text", lambda *_: sealed(f'FORMAT = "{FORMAT}"\nDIGEST = ""\nNUMBER = 1.0\n'))
     build.build_built_in("two_spheres", ["energy_ledger"])
     (kept,) = folder.iterdir()
     kept.write_text("NUMBER = 2.0\n")

@@ -2,7 +2,6 @@
 
 import math
 from functools import cache
-from types import ModuleType
 
 import casadi as ca
 import numpy as np
@@ -35,6 +34,7 @@ from hertzwerk.derive.laws import coulomb, flores, kelvin_voigt, power
 from hertzwerk.derive.scenes import slider_crank
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.step import implicit_step
+from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import Model
 
 pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
@@ -374,14 +374,13 @@ def test_a_bounce_with_backspin(method, mu, grips_it):
 @cache
 def oscillator(mu_k, mu_s, load_force=10.0, spring=100.0):
     """A point of 1 kg on a spring, pressed on a belt by a constant force; start x0, v0; the belt moves at `belt`."""
-    module = ModuleType("oscillator")
     none = ca.SX(0, 1)
-    module.__dict__.update(
-        NAME="oscillator", SOURCE="tests/runtime/engine/integration/friction/test_coulomb.py", SUMMARY="", EFFECTS=(), UNCHECKED=(), LIMITS=(),
+    module = with_tables(
+        NAME="oscillator", SOURCE="tests/runtime/engine/integration/friction/test_coulomb.py", SUMMARY="",
         PARAMETERS=(("x0", "m", 0.0, ""), ("v0", "m/s", 0.0, ""), ("belt", "m/s", 0.0, "")),
         COORDINATES=(("path.travel", "m"),), SPEEDS=(("path.speed", "m/s"),), MEMORY=(("rub.dissipated", "J"),),
-        LATCHES=(), SLIPS=(("touch.slip", "1", 0),), PAIRS=(("touch", "by_hand"),), DISSIPATED=(0,), OUTPUTS=(),
-        CONSTANTS=(("belt", "m/s"),), BODIES=("point",), OPERATIONS=(),
+        SLIPS=(("touch.slip", "1", 0),), PAIRS=(("touch", "by_hand"),), RELEASES=("force",), DISSIPATED=(0,),
+        CONSTANTS=(("belt", "m/s"),), BODIES=("point",),
         constants=lambda p: p[2],
         start=lambda p: (p[0], p[1]),
         scales=lambda p: (0.1, 1.0, 1.0, ca.SX([0.1, 1.0, 10.0, 1.0])),

@@ -1,0 +1,83 @@
+"""Format of generated modules: the tables that each has, and the digest of its text.
+
+A digest finds what was altered by mistake; it is no signature. Nothing is executed here.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import shlex
+from pathlib import Path
+from typing import Any
+
+from hertzwerk.derive.common.faults import Fault, InputError
+
+FORMAT = "hertzwerk module 1"
+"""Format that modules state. A change of the tables, or of what functions take and return, is another one."""
+
+EMPTY: dict[str, tuple[Any, ...] | None] = {
+    **dict.fromkeys(("EFFECTS", "UNCHECKED", "ADVICE", "PARAMETERS", "LIMITS", "SUM_LIMITS", "INPUTS"), ()),
+    **dict.fromkeys(("SMOOTH_INPUTS", "COORDINATES", "QUATERNIONS", "SPEEDS", "MEMORY", "LATCHES", "PAIRS"), ()),
+    **dict.fromkeys(("EVENTS", "LOADS", "FED", "RUBBING", "GUIDES", "SLIPS", "RELEASES", "DISSIPATED"), ()),
+    **dict.fromkeys(("CONSTRAINTS", "ROLLING", "SEATED", "BRISTLES", "OUTPUTS", "SPEED_LIMITED", "BODIES"), ()),
+    **dict.fromkeys(("LANDMARKS", "FAMILIES", "CONSTANTS", "OPERATIONS"), ()),
+    **dict.fromkeys(("GIVEN", "JOINT_COORDINATES", "JOINT_SPEEDS", "JOINT_QUATERNIONS", "JOINT_CONSTRAINTS"), None),
+}
+"""All tables of a module as they are without rows: None where an empty one has a meaning of its own."""
+
+_MARK = re.compile(r'\A"""[^\n]*\n\nDo not edit; regenerate with `hertzwerk derive |^FORMAT = "hertzwerk module ', re.M)
+_DIGEST = re.compile(r'^DIGEST = "(\w*)"$', re.M)
+_STATED = r'^{} = ("(?:[^"\\\n]|\\.)*")$'
+
+
+def sealed(text: str) -> str:
+    """Return the text of a module with its digest in place of the one that it has, which may be empty."""
+    return _DIGEST.sub(f'DIGEST = "{_digest(text)}"', text, count=1)
+
+
+def is_generated(text: str) -> bool:
+    """Return whether a text is that of a generated module, of whatever format."""
+    return _MARK.search(text) is not None
+
+
+def command(source: str, name: str) -> str:
+    """Return the command that generates the module of a scene, by its file as SOURCE states it."""
+    return f"hertzwerk derive {name if source.startswith('derive/') else source or 'FILE'}"
+
+
+def source_in(text: str) -> str:
+    """Return the file of the scene as the text of a module states it; "" where it states none."""
+    return _stated(text, "SOURCE")
+
+
+def require_intact(text: str, name: str, path: Path | None = None) -> None:
+    """Raise InputError for the text of a module of another format, or with another digest than it states.
+
+    path    its file, where it has one
+    """
+    found = _stated(text, "FORMAT")
+    seal = _DIGEST.search(text)
+    if found != FORMAT:
+        said, expected = f"a module in the format {found!r}" if found else "a module without a format", repr(FORMAT)
+    elif seal is None or seal[1] != _digest(text):
+        said, expected = "a text that does not fit its digest", "the module as hertzwerk wrote it"
+    else:
+        return
+    source = source_in(text)
+    beside = path is not None and (path.parent / source).is_file()
+    again = command(
+        shlex.quote(str(path.parent / source)) if path and beside else source, _stated(text, "NAME") or name
+    )
+    where = "" if path is None or beside else f" --out {shlex.quote(str(path.parent))}"
+    raise InputError(str(path or name), [Fault(str(path or name), said, expected, f"generate it anew: {again}{where}")])
+
+
+def _stated(text: str, name: str) -> str:
+    found = re.search(_STATED.format(name), text, re.M)
+    return str(json.loads(found[1])) if found else ""
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(_DIGEST.sub('DIGEST = ""', text, count=1).encode()).hexdigest()[:32]
