@@ -7,7 +7,7 @@ import importlib.util
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
@@ -77,8 +77,8 @@ class Model(plain.Model):
 def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
     """Return the faults of arguments of a wrong type."""
     faults: list[Fault] = []
-    if not isinstance(target, str | Path) and not hasattr(target, "mechanism"):
-        faults.append(Fault("target", shown(target), "the name of a built-in scene, a Python file, or a Scene"))
+    if not isinstance(target, str | Path | plain.Model) and not hasattr(target, "mechanism"):
+        faults.append(Fault("target", shown(target), "the name of a built-in scene, a Python file, a Scene or a Model"))
     if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
         faults.append(Fault("without", shown(without), "a list of names of effects"))
     given = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
@@ -89,14 +89,18 @@ def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list
     return faults
 
 
+Target: TypeAlias = "str | Path | Scene | plain.Model"
+"""What every function runs: the name of a built-in scene, a Python file, a Scene, or a Model."""
+
+
 def load(
-    target: str | Path | Scene,
+    target: Target,
     *,
     without: Sequence[str] = (),
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
 ) -> Model:
-    """Return the model of a built-in scene, a Python file that defines `scene`, or a Scene.
+    """Return the model of a built-in scene, a Python file that defines `scene`, a Scene, or a Model.
 
     A built-in scene without variation never imports SymPy. `without` names effects to leave out, `laws` gives an
     effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of the scene's own. Raises
@@ -106,6 +110,8 @@ def load(
     if faults:
         raise InputError("load", faults)
     varied = bool(without or laws or coordinates is not None)
+    if isinstance(target, plain.Model):
+        return _varied(target, without, laws or {}, coordinates) if varied else _public(target)
     if isinstance(target, str) and not varied and target.isidentifier():
         name = f"hertzwerk.generated.{target}"
         if importlib.util.find_spec(name) is not None:
@@ -119,3 +125,23 @@ def load(
     source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
     scene = build.scene_from(target) if isinstance(target, str | Path) else target
     return Model(build.build(build.vary(scene, without, laws, coordinates), source), plain.Declaration(scene, *how))
+
+
+def _varied(model: plain.Model, without: Sequence[str], laws: Mapping[str, str], coordinates: str | None) -> Model:
+    """Return the model of a variation of a model's scene, its inputs with their values; raises InputError."""
+    of = model.declaration
+    if of is None:
+        fault = f"{model.name}, a model without its scene, and a variation of it"
+        raise InputError("load", [Fault("target", fault, "a scene that is to be varied")])
+    gone, changed = (*of.without, *without), {**dict(of.laws), **laws}
+    found = load(of.target, without=gone, laws=changed, coordinates=coordinates or of.coordinates)
+    return found.with_signals({name: signal for name, signal in model.signals.items() if name in found.inputs})
+
+
+def _public(model: plain.Model) -> Model:
+    """Return a model with histories and pictures, which shares everything that is built."""
+    if isinstance(model, Model):
+        return model
+    found = Model(model.module, model.declaration, model.dependent, model.signals)
+    found.known = model.known
+    return found

@@ -25,8 +25,17 @@ from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.run.accurate_run import run_to_accuracy, verdict_of
 from hertzwerk.runtime.engine.run.continuation import parameters_of, resumable
-from hertzwerk.runtime.engine.run.output_times import Output
-from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, Request, Settings, read, steps_faults
+from hertzwerk.runtime.engine.run.output_times import Grid
+from hertzwerk.runtime.engine.run.run_request import (
+    METHOD,
+    Accuracy,
+    Compiled,
+    Request,
+    Settings,
+    progress_faults,
+    read,
+    steps_faults,
+)
 from hertzwerk.runtime.engine.run.run_warnings import (
     floored,
     left_law,
@@ -47,7 +56,8 @@ from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.engine.solution.outcome import not_closed
 from hertzwerk.runtime.engine.solution.solution import Statistics
 from hertzwerk.runtime.engine.solution.step_observers import Needs
-from hertzwerk.runtime.loading import Model
+from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.loading import Model, Target, load
 from hertzwerk.runtime.output.tables import notebook
 from hertzwerk.runtime.output.tables.data_frame import data_frame
 from hertzwerk.runtime.output.tables.dataset import dataset
@@ -69,7 +79,7 @@ REPEATABLE = 100_000  # most steps of a run that is made again for a picture
 
 
 def simulate(
-    model: plain.Model,
+    target: Target,
     *,
     duration: str | float | None = None,
     accuracy: Accuracy | None = None,
@@ -78,7 +88,7 @@ def simulate(
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
-    output: Output = "steps",
+    grid: Grid = None,
     compiled: Compiled = "auto",
     max_steps: int | None = None,
     max_events: int | None = None,
@@ -86,8 +96,9 @@ def simulate(
     sensitivities: Sequence[str] = (),
     progress: Callable[[float], object] | None = None,
 ) -> Solution:
-    """Run a model from its start for a duration (seconds, or text such as "24 ms", "2 rev").
+    """Run a scene from its start for a duration (seconds, or text such as "24 ms", "2 rev").
 
+    target      a built-in scene's name, a Python file, a Scene, or a Model; `load` varies it
     accuracy    largest error of the whole run, in the scene's scales, 1e-12..1e-1, by default 1e-6, or "1e-6 at the end" of its end alone: runs at
                 falling tolerance are made until the error of one, by comparison with a tighter one, is known to be so small. `Solution.error`
                 has it; where it exceeds the request, the outcome is "accuracy_unreachable" or "beyond_horizon", where it is not known,
@@ -95,11 +106,12 @@ def simulate(
     tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
     method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
-    parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
+    parameters  values in place of the scene's, each with its unit: {"clearance": "0.2 mm", "guide.travel": "0.17 m"}, initial states too
+    initial     initial states, such as an equilibrium
     inputs      values of the scene's inputs: {"torque": "0.5 N m"}, two arrays (times, values) in s and the input's unit, `Samples` (held, linear or
                 cubic, with units), "FILE.csv:column", a `Table`, or a function of the time, which is sampled to 1e-10. A step ends where a
                 sample is, and the motion is that of the values between them, exactly
-    output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
+    grid        what is kept: None, every accepted step; or the states at a number of points, start and end included (1000), at a
                 spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
     compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
     max_steps (accepted; as many may be rejected), max_events (contacts begun) of each run, wall_time [s] of the call, compiling included: where to
@@ -117,20 +129,15 @@ def simulate(
         tolerance,
         method,
         compiled,
-        output,
+        grid,
         max_steps=max_steps,
         max_events=max_events,
         wall_time=wall_time,
         sensitivities=sensitivities,
     )
-    return solve(
-        model,
-        settings,
-        {} if parameters is None else parameters,
-        {} if initial is None else initial,
-        inputs,
-        progress=progress,
-    )
+    model, faults = load(target), progress_faults(progress)
+    given = given_values(model, parameters, initial, faults)
+    return solve(model, settings, *given, inputs, before=faults, progress=progress)
 
 
 def solve(
@@ -140,6 +147,7 @@ def solve(
     initial: Mapping[str, Value],
     inputs: Mapping[str, Input] | None = None,
     *,
+    before: Sequence[Fault] = (),
     needs: Needs = Needs.STEPS,
     progress: Callable[[float], object] | None = None,
 ) -> Solution:
@@ -147,7 +155,7 @@ def solve(
 
     The solution raises LookupError where more is asked for.
     """
-    stages = solving(model, settings, parameters, initial, inputs, needs=needs, progress=progress)
+    stages = solving(model, settings, parameters, initial, inputs, before=before, needs=needs, progress=progress)
     return in_stages([stages])[0]
 
 
@@ -158,6 +166,7 @@ def solving(
     initial: Mapping[str, Value],
     inputs: Mapping[str, Input] | None = None,
     *,
+    before: Sequence[Fault] = (),
     needs: Needs = Needs.STEPS,
     progress: Callable[[float], object] | None = None,
 ) -> Stages[Solution]:
@@ -165,7 +174,7 @@ def solving(
     began = time.perf_counter()
     # 2. bound, 3. start
     model, faults = given_inputs(model, inputs, settings.duration, parameters)
-    given, times = read(model, settings, parameters, initial, faults)
+    given, times = read(model, settings, parameters, initial, [*before, *faults])
     # 4. run
     run = set_up(model, settings, given, needs=needs, began=began)
     tolerance, asked = settings.tolerance, settings.request or ACCURACY
@@ -273,7 +282,7 @@ class Solution(plain_solution.Solution):
         duration: str | float | None = None,
         *,
         model: plain.Model | None = None,
-        output: Output = "steps",
+        grid: Grid = None,
         compiled: Compiled = "auto",
         max_steps: int | None = None,
         max_events: int | None = None,
@@ -286,7 +295,7 @@ class Solution(plain_solution.Solution):
 
         duration    of the whole motion from its start, longer than the run reached; by default the duration requested before
         model    the model of a saved run, which has no functions: load("slider_crank")
-        output    as of `simulate`: of a grid over the whole motion the part that is left
+        grid    as of `simulate`: of one over the whole motion the part that is left
         max_steps, max_events, wall_time    of this run alone
 
         The result begins at `t_start`, the last step that did not depend on where the run before ended: a step or two
@@ -303,9 +312,7 @@ class Solution(plain_solution.Solution):
         live = model if model is not None else self.model
         kept = resumable(self, live, saved=model is None and self.history.integrator is None)
         whole = self.duration if duration is None else duration
-        settings = Settings(
-            whole, None, self.tolerance, self.method, compiled, output, max_steps, max_events, wall_time
-        )
+        settings = Settings(whole, None, self.tolerance, self.method, compiled, grid, max_steps, max_events, wall_time)
         given, times = read(live, settings, parameters_of(self, live), kept.initial)
         if given.seconds <= self.t_end:
             found, expected = f"{given.seconds:g} s", f"more than the {self.t_end:g} s that the run reached"
@@ -389,7 +396,7 @@ class Solution(plain_solution.Solution):
         faults = steps_faults(what, self.method, self.model)
         if not faults and (not run.history.steps or kept is None or self.t_start > 0):
             expected = f"a run from its start, with its steps; of at most {REPEATABLE:,} where it is to be made again"
-            faults.append(Fault(what, "a run without its steps or start", expected, 'simulate(..., output="steps")'))
+            faults.append(Fault(what, "a run without its steps or start", expected, "simulate(..., grid=None)"))
         if faults or kept is None:
             raise InputError(self.model.name, faults)
         return run.history, self.model.bind(parameters_of(self, self.model)), kept.initial

@@ -321,7 +321,7 @@ def test_load_refuses_by_one_error_what_it_is_given(name):
 
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory) -> tuple[Solution, bytes]:
-    run = simulate(load("soft_ball"), duration="0.5 s", tolerance=1e-5, output=20)
+    run = simulate(load("soft_ball"), duration="0.5 s", tolerance=1e-5, grid=20)
     path = tmp_path_factory.mktemp("saved") / "run.npz"
     run.save(path)
     return run, path.read_bytes()

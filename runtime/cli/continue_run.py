@@ -60,7 +60,7 @@ def continue_run(
         faults.append(Fault("--grid", found, "points or a spacing for the longer motion", 'such as --grid "0.1 ms"'))
     if faults:
         raise InputError(f"--continue {folder}", faults)
-    solution = before.continued(duration, model=model, output=output_of(spacing), progress=stopping, **limits)
+    solution = before.continued(duration, model=model, grid=grid_of(spacing), progress=stopping, **limits)
     return solution, {**request, "grid": spacing, "continues": str(folder)}
 
 
@@ -79,9 +79,9 @@ def limits_of(max_steps: str | None, wall_time: str | None, faults: list[Fault])
     return limits
 
 
-def output_of(grid: str | None) -> str | int:
-    """Return the output that --grid requests."""
-    return "steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid
+def grid_of(grid: str | None) -> str | int | None:
+    """Return the grid that --grid requests."""
+    return int(grid) if grid is not None and grid.isdecimal() and len(grid) < 16 else grid
 
 
 def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:

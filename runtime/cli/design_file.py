@@ -20,8 +20,8 @@ from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.runtime.engine.inputs.input_values import located
 from hertzwerk.runtime.engine.model.build import is_file
 
-OF_SCENE = ("target", "without", "laws", "coordinates")
-NOT_IN_FILES = ("model", "functions", "compiled", "workers", "client", "into", "widen", "progress")
+OF_SCENE = ("without", "laws", "coordinates")
+NOT_IN_FILES = ("functions", "compiled", "workers", "client", "into", "widen", "progress")
 
 
 def read_definition(path: Path, function: Callable[..., Any], required: tuple[str, ...]) -> dict[str, Any]:

@@ -37,19 +37,19 @@ def definition(
         from hertzwerk.runtime.loading import load
 
         variation = {name: arguments.pop(name) for name in ("without", "laws", "coordinates") if name in arguments}
-        return {"model": load(arguments.pop("target"), **variation), **arguments}
+        return {"target": load(arguments.pop("target"), **variation), **arguments}
     arguments = own(faults)
     varied = Variation.taken(target, dict(options))
     model = varied.model(faults)
     arguments |= _of_run(varied, options, faults)
     if faults:
         raise InputError(target, faults)
-    return {"model": model, **arguments}
+    return {"target": model, **arguments}
 
 
 def _of_run(varied: Variation, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
     """Return the arguments of the runs, by default the scenario's."""
-    given = {"values": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
+    given = {"parameters": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
     return {**given, **run_settings(varied.target, **options)}
 
 

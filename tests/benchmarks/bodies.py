@@ -122,7 +122,7 @@ def hertzwerk(count: int, method: str, compiled: bool) -> Callable[[float], Call
     from hertzwerk.runtime import simulate
 
     model = _model(count)
-    options = {"duration": DURATION, "method": method, "compiled": compiled, "output": "steps"}
+    options = {"duration": DURATION, "method": method, "compiled": compiled, "grid": None}
 
     def at(tolerance: float) -> Callable[[], np.ndarray]:
         def run() -> np.ndarray:

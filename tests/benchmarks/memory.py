@@ -17,7 +17,7 @@ def main(name: str, steps: str, spacing: str, duration: str) -> None:
     from hertzwerk.runtime.engine.integration.loop.c_compilation import available
 
     began = time.process_time()
-    settings = {"duration": duration, "output": spacing, "tolerance": 1e-6, "max_events": 10**9}
+    settings = {"duration": duration, "grid": spacing, "tolerance": 1e-6, "max_events": 10**9}
     # whether a run is compiled is not left to its length: compiling takes memory too
     run = simulate(load(name), **settings, max_steps=int(steps), compiled=available())
     seconds = time.process_time() - began

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -27,17 +26,15 @@ from hertzwerk.runtime.analysis.effect_study.output_errors import EIGHTHS, LADDE
 from hertzwerk.runtime.analysis.effect_study.scene_cost import cost_of, shares
 from hertzwerk.runtime.analysis.effect_study.smallest_scene import smallest
 from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
-from hertzwerk.runtime.engine.model import build
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.per_model import per_model
-from hertzwerk.runtime.engine.model.signal import Signal
-from hertzwerk.runtime.engine.run.run_request import METHOD
+from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, progress_faults
 from hertzwerk.runtime.engine.solution.solution import Solution
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.loading import Target, load
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.declare.scene.scene import Scene
     from hertzwerk.runtime.engine.model.model import Model
     from hertzwerk.runtime.engine.solution.solution import Solution
 
@@ -109,45 +106,46 @@ def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.
 
 
 def study_effects(
-    target: str | Path | Scene,
+    target: Target,
     *,
     duration: str | float | None = None,
     tolerance: float = 1e-6,
     method: str = METHOD,
-    values: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
     outputs: Sequence[str] = (),
     within: float | None = None,
     without: Sequence[str] = (),
     laws: Mapping[str, str] | None = None,
-    compiled: bool = False,
-    progress: Callable[[float], object] = lambda fraction: None,
+    compiled: Compiled = False,
+    progress: Callable[[float], object] | None = None,
 ) -> Study:
     """Leave out each effect of a scene in turn and measure its cost and influence; raises InputError.
 
     tolerance    of the coarsest runs and of those that are timed; finer ones show the error
-    values    parameters and initial states in place of the scene's
+    target    a scene or a Model, as `simulate` takes it
+    parameters, initial    values in place of the scene's, as `simulate` takes them
     inputs    values of the scene's inputs, as `simulate` takes them
     outputs    names, `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`; by default those that suit the scene
     within    search the smallest scene whose outputs change by no more, relative
     without, laws    of the whole scene, as `load` takes them
-    compiled    whether the timed runs are compiled
+    compiled    whether the timed runs are compiled: "auto" where `simulate` compiles the whole scene
     """
     if within is not None and not 0 < within < 1:
         raise InputError("effects", [Fault("--within", f"{within:g}", "a change above 0 and below 100 %")])
-    bench = Bench(duration, tolerance, method, dict(values or {}))
-    scenes = _Scenes(target, tuple(without), dict(laws or {}))
-    whole = scenes.model()
+    whole, faults = load(target, without=without, laws=laws), progress_faults(progress)
+    own, states = given_values(whole, parameters, initial, faults)
+    bench, tell = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
     whole, wrong = given_inputs(whole, inputs, duration, bench.parameters(whole))
-    scenes = replace(scenes, signals=whole.signals)
-    wanted, first = _outputs(whole, bench, outputs, wrong)
+    wanted, first = _outputs(whole, bench, outputs, [*faults, *wrong], compiled)
     study = Study(
         scene=whole.name,
         outcome=first.outcome,
         duration=first.duration,
         method=method,
         tolerances=(bench.tolerance, bench.finest),
-        compiled=compiled,
+        compiled=first.compiled,
         effects=tuple(name for name, *_ in whole.module.EFFECTS),
         cost=cost_of(whole),
         within=within,
@@ -157,16 +155,16 @@ def study_effects(
         return study if measured is None else replace(study, outcome=measured.outcome)
     hidden = () if measured.past_horizon or outputs else PAST_HORIZON
     wanted = tuple(output for output in wanted if output.name in measured.numbers and output.name not in hidden)
-    trials = _Trials(scenes, bench, first, wanted, measured)
+    trials = _Trials(bench, first, wanted, measured)
     rows = []
     for i, effect in enumerate(study.effects):
         rows.append(trials.row(effect))
-        progress(0.4 * (i + 1) / len(study.effects))
+        tell(0.4 * (i + 1) / len(study.effects))
     going = {row.effect: frozenset((row.effect, *row.along_with)) for row in rows if not row.fault}
     found = None
     if within is not None:
         found = smallest(study.effects, within, going, lambda gone: trials.change(gone, within))
-    progress(0.7)
+    tell(0.7)
     cases = {effect: trials.cases[gone] for effect, gone in going.items()}
     if found is not None and found.left_out:
         cases[_SMALLEST] = trials.cases[frozenset(found.left_out)]
@@ -174,9 +172,9 @@ def study_effects(
         Case(whole),
         cases,
         bench,
-        compiled=compiled,
+        compiled=first.compiled,
         eighths=EIGHTHS if measured.past_horizon else LADDER[0],
-        progress=lambda part: progress(0.7 + 0.3 * part),
+        progress=lambda part: tell(0.7 + 0.3 * part),
     )
     return replace(
         study,
@@ -195,7 +193,7 @@ def study_effects(
 
 
 def _outputs(
-    whole: Model, bench: Bench, names: Sequence[str], before: Sequence[Fault]
+    whole: Model, bench: Bench, names: Sequence[str], before: Sequence[Fault], compiled: Compiled
 ) -> tuple[tuple[Output, ...], Solution]:
     """Return the outputs to be compared and the run they were found in.
 
@@ -203,66 +201,35 @@ def _outputs(
     """
     known = (*whole.parameters, *whole.joints.coordinates, *whole.joints.speeds)
     faults = [unknown("parameter or state", name, known) for name in bench.unknown_of(whole)]
-    bench.check(Case(whole), [*before, *faults, *unknown_outputs(whole, names)])
-    run = bench.simulate(Case(whole), compiled=False)
+    bench.check(Case(whole), compiled, [*before, *faults, *unknown_outputs(whole, names)])
+    run = bench.simulate(Case(whole), compiled=compiled)
     outputs, wrong = chosen(run, names) if names else (automatic(run), [])
     if wrong:
         raise InputError(whole.name, wrong)
     return outputs, run
 
 
-@dataclass(frozen=True)
-class _Scenes:
-    """A scene and its variations; a built-in one is named, so that variations need no new derivation.
+def leave_out(whole: Model, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], Model]:
+    """Return a scene without some of its effects and those that depend on them.
 
-    signals    values of the inputs, for those variations that have them
+    Such as friction without its contact. Raises InputError where the fault is of no effect.
     """
-
-    target: str | Path | Scene
-    without: tuple[str, ...]
-    laws: Mapping[str, str]
-    signals: Mapping[str, Signal] = field(default_factory=dict)
-    _scene: list[Scene] = field(default_factory=list)
-
-    @property
-    def scene(self) -> Scene:
-        """The whole scene."""
-        if not self._scene:
-            target = self.target
-            scene = build.scene_from(target) if isinstance(target, str | Path) else target
-            self._scene.append(build.vary(scene, self.without, self.laws))
-        return self._scene[0]
-
-    def model(self, *gone: str) -> Model:
-        """Return the scene without exactly these effects; raises InputError."""
-        if isinstance(self.target, str) and not build.is_file(self.target):
-            model = load(self.target, without=(*self.without, *gone), laws=self.laws)
-        else:
-            model = load(self.scene, without=gone)
-        return model.with_signals({name: signal for name, signal in self.signals.items() if name in model.inputs})
-
-    def leave_out(self, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], Model]:
-        """Return the scene without some of its effects and those that depend on them.
-
-        Such as friction without its contact. Raises InputError where the fault is of no effect.
-        """
-        gone = frozenset(names)
-        while True:
-            try:
-                return gone, self.model(*(name for name in effects if name in gone))
-            except InputError as error:
-                at_fault = {fault.where for fault in error.faults}
-                following = {name for name in effects if f"effect {name}" in at_fault} - gone
-                if not following:
-                    raise
-                gone |= following
+    gone = frozenset(names)
+    while True:
+        try:
+            return gone, load(whole, without=[name for name in effects if name in gone])
+        except InputError as error:
+            at_fault = {fault.where for fault in error.faults}
+            following = {name for name in effects if f"effect {name}" in at_fault} - gone
+            if not following:
+                raise
+            gone |= following
 
 
 @dataclass(frozen=True)
 class _Trials:
     """Scenes without some effects, measured against the whole one."""
 
-    scenes: _Scenes
     bench: Bench
     run: Solution  # of the whole scene
     outputs: tuple[Output, ...]
@@ -317,7 +284,7 @@ class _Trials:
         """Return the scene without some effects, and the set of all effects it lacks."""
         if names in self.cases:
             return names, self.cases[names]
-        gone, model = self.scenes.leave_out(self._effects, names)
+        gone, model = leave_out(self.whole, self._effects, names)
         if gone not in self.cases:
             self.cases[gone] = Case(model, driven_start(self.run, model, self.bench.parameters(model)))
         return gone, self.cases[gone]

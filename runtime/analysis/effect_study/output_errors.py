@@ -25,7 +25,7 @@ from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import WIDTH
-from hertzwerk.runtime.engine.run.run_request import TOLERANCES, Settings, check
+from hertzwerk.runtime.engine.run.run_request import TOLERANCES, Compiled, Settings, check
 from hertzwerk.runtime.engine.solution import error_scales
 from hertzwerk.runtime.engine.solution.dense_output import Samples
 from hertzwerk.runtime.engine.solution.outcome import Outcome
@@ -103,10 +103,10 @@ class Bench:
         """Return the tolerance of a run, so many eighths of the way to the finest one."""
         return max(self.tolerance * math.pow(FINER, -eighths / 8), ROUNDED)
 
-    def check(self, case: Case, before: Sequence[Fault] = ()) -> None:
+    def check(self, case: Case, compiled: Compiled, before: Sequence[Fault] = ()) -> None:
         """Check the input of a case without a run; raises InputError with `before` and every fault found."""
-        parameters, initial = self._known(case.model)
-        check(case.model, Settings(self.duration, None, self.tolerance, self.method), parameters, initial, before)
+        settings = Settings(self.duration, None, self.tolerance, self.method, compiled)
+        check(case.model, settings, *self._known(case.model), before)
 
     def simulate(self, case: Case, eighths: int = 0, **options: Any) -> Solution:
         """Run a case once; raises InputError, and KeyboardInterrupt where it was stopped."""

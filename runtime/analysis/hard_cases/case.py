@@ -138,7 +138,7 @@ def on_grid(
             tolerance=run.tolerance,
             method=run.method,
             parameters=parameters,
-            output=times,
+            grid=times,
             compiled=False,
         )
         return float(kept[name][index]) if list(kept.t) == list(times) else float("nan")

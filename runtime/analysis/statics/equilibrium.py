@@ -29,15 +29,14 @@ from hertzwerk.runtime.analysis.statics.relaxation import Rest, Search
 from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import turns
 from hertzwerk.runtime.engine.model import build
-from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import constant
 from hertzwerk.runtime.engine.run.run_request import input_faults, read_duration
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.start.assembly import closed_near, journals
-from hertzwerk.runtime.engine.start.start_values import start_of
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.engine.start.start_values import given_values, start_of
+from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
@@ -242,7 +241,7 @@ class Equilibrium(Mapping[str, Value]):
 
 
 def equilibrium(
-    model: Model,
+    target: Target,
     *,
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
@@ -250,9 +249,10 @@ def equilibrium(
     at: str | float = 0.0,
     nearest: bool = False,
 ) -> Equilibrium:
-    """Find a position of rest of a model, its drives held where they are at a time.
+    """Find a position of rest of a scene, its drives held where they are at a time.
 
-    parameters, initial    values in place of the model's, each with its unit; the search begins at that start
+    target     a scene or a Model, as `simulate` takes it
+    parameters, initial    values in place of the scene's, each with its unit; the search begins at that start
     inputs     values of the scene's inputs, as `simulate` takes them
     at         time [s] or text such as "2 ms": of drives, inputs, and loads that depend on time
     nearest    the equilibrium that Newton's method finds from the start, stable or not; else where a strongly damped
@@ -263,19 +263,23 @@ def equilibrium(
     an `initial` of `simulate`. Raises InputError for bad input and for nothing else: whether there is an equilibrium
     is `Equilibrium.outcome`.
     """
-    if not isinstance(model, plain.Model):
-        raise InputError("equilibrium", [Fault("model", shown(model), "a model that `load` returned")])
+    model: Model = load(target)
     if model.rubbing:
         names = ", ".join(name for name, *_ in model.rubbing)
         why = "set-valued friction of joints, which holds them at rest wherever they stop"
         raise InputError("equilibrium", [Fault(names, why, "friction of contacts, or by a smooth law",
                                                "simulate: a run ends where they rest.")])  # fmt: skip
+    faults: list[Fault] = []
+    values, wanted = given_values(model, parameters, initial, faults)
+    if not isinstance(nearest, bool):
+        faults.append(Fault("nearest", shown(nearest), "True or False"))
+    if faults:
+        raise InputError(model.name, faults)
     t = _time(model, at)
     model = inputs_at(model, inputs, t)
     still = held(model)
     still = model if still.module is model.module else still.with_signals(model.signals)
-    given = parameters_at(model, still, {} if parameters is None else parameters, t)
-    wanted = {} if initial is None else dict(initial)
+    given = parameters_at(model, still, values, t)
     if still is not model:  # what moves is held: its speeds are 0
         speeds = {*model.joints.speeds, *model.latches}
         wanted = {name: value for name, value in wanted.items() if name not in speeds}

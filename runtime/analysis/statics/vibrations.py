@@ -29,12 +29,12 @@ from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.integration.step.redundant_constraints import relax_redundant
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR, pair_grips, pairs_of, sticking
-from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.solution import Solution
 from hertzwerk.runtime.engine.start import start_values
+from hertzwerk.runtime.loading import Target
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -316,17 +316,17 @@ class Modes(Sequence[Mode]):
 
 
 def modes(
-    model: Model | Equilibrium | Solution,
+    target: Target | Equilibrium | Solution,
     *,
     at: str | float | None = None,
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
 ) -> Modes:
-    """Return the small vibrations of a model about its equilibrium, or along a run.
+    """Return the small vibrations of a scene about its equilibrium, or along a run.
 
-    model    a model, whose equilibrium is found with `parameters`, from `initial`, at the time `at`, as `equilibrium`
-             does; or an equilibrium; or a run, at the time `at` in which the equations are frozen as they are
+    target   a scene or a Model, whose equilibrium is found with `parameters`, from `initial`, at the time `at`, as
+             `equilibrium` does; or an equilibrium; or a run, at the time `at` in which the equations are frozen as they are
     at       time [s] or text such as "2 ms"
     inputs   values of the inputs, as `equilibrium` takes them; a run has its own
 
@@ -335,18 +335,15 @@ def modes(
     that depend on the coordinates: a note names them. Raises InputError for bad input, and where there is no
     equilibrium.
     """
-    if isinstance(model, Solution):
+    if isinstance(target, Solution):
         if any(given is not None for given in (parameters, initial, inputs)):
             raise InputError("modes", [Fault("parameters, initial", "values beside a run", "none: it has its own")])
-        return _of_run(model, at)
-    if isinstance(model, Equilibrium):
+        return _of_run(target, at)
+    if isinstance(target, Equilibrium):
         if any(given is not None for given in (at, parameters, initial, inputs)):
             raise InputError("modes", [Fault("at", "values beside an equilibrium", "none: it has its own")])
-        return of_equilibrium(model)
-    if not isinstance(model, plain.Model):
-        expected = "a model that `load` returned, an equilibrium, or a run"
-        raise InputError("modes", [Fault("model", shown(model), expected)])
-    rest = equilibrium(model, parameters=parameters, initial=initial, inputs=inputs, at=0.0 if at is None else at)
+        return of_equilibrium(target)
+    rest = equilibrium(target, parameters=parameters, initial=initial, inputs=inputs, at=0.0 if at is None else at)
     return of_equilibrium(rest)
 
 

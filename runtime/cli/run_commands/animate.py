@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.runtime.cli.continue_run import output_of
+from hertzwerk.runtime.cli.continue_run import grid_of
 from hertzwerk.runtime.cli.target_options import BY_METHOD, DURATION, GRID, VARIATION, Variation, number, run_settings
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
@@ -96,7 +96,7 @@ def _run(
 
     given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
     given |= {"accuracy": None, "tolerance": TOLERANCE} if accuracy is None else {}
-    settled = Settings(**given, output=output_of(grid))
+    settled = Settings(**given, grid=grid_of(grid))
     run = varied.solved(settled, faults, progress)
     if run.outcome.name == "interrupted":
         raise KeyboardInterrupt

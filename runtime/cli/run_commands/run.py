@@ -11,7 +11,7 @@ import click
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.units import time_text
-from hertzwerk.runtime.cli.continue_run import continue_run, limits_of, output_of
+from hertzwerk.runtime.cli.continue_run import continue_run, grid_of, limits_of
 from hertzwerk.runtime.cli.stop_signals import Stopping
 from hertzwerk.runtime.cli.target_options import (
     ACCURACY,
@@ -230,7 +230,7 @@ def _simulate(
     stopping.stage("building")
     given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
     limits = limits_of(max_steps, wall_time, faults)
-    settled = Settings(**given, output=output_of(grid), **limits, sensitivities=sensitivities)
+    settled = Settings(**given, grid=grid_of(grid), **limits, sensitivities=sensitivities)
     return varied.solved(settled, faults, stopping, histories=histories, at_rest=start is not None)
 
 

@@ -114,7 +114,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
             duration=options["duration"] or numbers.get("duration"),
             tolerance=tolerance,
             method=options["method"] or numbers.get("method", METHOD),
-            values=values,
+            parameters=values,
             inputs=inputs,
             outputs=options["outputs"],
             within=within,

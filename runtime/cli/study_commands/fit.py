@@ -187,7 +187,7 @@ def _fitted(
     if among:
         several = {effect: split_laws(text) for effect, text in assignments("--laws", among, faults).items()}
         variants, wrong = law_variants(model, several)
-        asked = read_laws(variants, arguments["data"], arguments["free"], arguments, [*faults, *wrong])
+        asked = read_laws(variants, arguments.pop("data"), arguments.pop("free"), arguments, [*faults, *wrong])
         progress.stage("fitting")
         ranking = ranked(asked, progress)
         return ranking.best.fitted, ranking
@@ -254,7 +254,7 @@ def _of_moments(
     )
     series = [
         MeasuredSeries(
-            file, mapped or None, noisy, bandwidth, 4 if order is None else order, zero_phase, skip=skip, values=own
+            file, mapped or None, noisy, bandwidth, 4 if order is None else order, zero_phase, skip=skip, parameters=own
         )
         for file, own in _made_at(measured, made_at, faults).items()
         if computed
@@ -262,7 +262,7 @@ def _of_moments(
     progress.stage("building")
     model = varied.model(faults)
     chosen = {
-        "values": values,
+        "parameters": values,
         "inputs": given or None,
         "duration": duration,
         "tolerance": tolerance and number(tolerance),

@@ -249,7 +249,7 @@ def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str
         "sample": sample,
         "sampler": options["sampler"] or "latin",
         "seed": seed or 0,
-        "values": assignments("--set", options["settings"], faults),
+        "parameters": assignments("--set", options["settings"], faults),
         "inputs": assignments("--input", options["inputs"], faults),
         "without": options["without"],
         "laws": assignments("--law", options["laws"], faults),

@@ -22,7 +22,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units
 from hertzwerk.runtime.engine.model.signal import digest_of
 from hertzwerk.runtime.engine.run.drive_speed import drive_speed
-from hertzwerk.runtime.engine.run.output_times import Output, times_of
+from hertzwerk.runtime.engine.run.output_times import Grid, times_of
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.error_scales import Scales
 from hertzwerk.runtime.engine.start.start_values import dependent, overlaps, start_of
@@ -68,7 +68,7 @@ class Settings:
     tolerance: float | None
     method: str = METHOD
     compiled: Compiled = "auto"
-    output: Output = "steps"
+    grid: Grid = None
     max_steps: int | None = None
     max_events: int | None = None
     wall_time: float | None = None
@@ -92,7 +92,7 @@ class Settings:
     def check(self, model: Model) -> None:
         """Raise InputError for input that is bad whatever the parameters of the run."""
         faults = self.faults()
-        times_of(self.output, read_duration(model, {}, self.duration, faults), faults)
+        times_of(self.grid, read_duration(model, {}, self.duration, faults), faults)
         faults += self.sensitivity_faults(model)
         if faults:
             raise InputError(model.name, faults)
@@ -112,7 +112,7 @@ class Settings:
         return [*faults, *steps_faults("sensitivities", self.method, model)] if asked else faults
 
     def faults(self) -> list[Fault]:
-        """Return the faults of everything but the duration and the output, which depends on it."""
+        """Return the faults of everything but the duration and the grid, which depends on it."""
         return list(self._faults)
 
     @cached_property
@@ -136,11 +136,19 @@ class Settings:
         elif self.method not in METHODS:
             faults.append(unknown("method", self.method, sorted(METHODS)))
         for name, limit in self._given_limits:
-            if limit is not None and not (_real(limit) and limit > 0):
-                faults.append(Fault(name, shown(limit), "a positive number"))
+            whole = name != "wall_time"
+            if limit is not None and not (_real(limit) and limit > 0 and not (whole and limit % 1)):
+                faults.append(Fault(name, shown(limit), f"a positive {'whole ' * whole}number"))
         if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
             faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))
         return faults
+
+
+def progress_faults(progress: object) -> list[Fault]:
+    """Return the fault of a progress that cannot be called."""
+    if progress is None or callable(progress):
+        return []
+    return [Fault("progress", shown(progress), "a function of the fraction that is done, such as print")]
 
 
 def read_accuracy(value: object) -> Request | None:
@@ -195,7 +203,7 @@ def read(
     initial: Mapping[str, Value],
     before: Sequence[Fault] = (),
 ) -> tuple[Given, np.ndarray | None]:
-    """Read everything given; return it with the times [s] of an output grid.
+    """Read everything given; return it with the times [s] of a grid.
 
     Raises InputError with `before` and every fault. Text that was read before is not read again.
     """
@@ -203,7 +211,7 @@ def read(
     known, key = _remembered(model), _key((settings.duration, parameters, initial, digest_of(model.signals)))
     given = None if faults else known.get(key)
     seconds = read_duration(model, parameters, settings.duration, faults) if given is None else given.seconds
-    times = times_of(settings.output, seconds, faults)
+    times = times_of(settings.grid, seconds, faults)
     faults += input_faults(model, seconds, faults)
     if given is not None and not faults:
         return given, times

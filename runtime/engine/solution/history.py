@@ -316,7 +316,7 @@ class History:
         if times.ndim != 1 or np.any(index == len(self.t)) or np.any(self.t[index] != times):
             raise ValueError(
                 "found times between the rows of a run that did not keep its steps; expected times among run.t, "
-                'or name them before: simulate(..., output=times), or output="steps", after which any time can be asked for'
+                "or name them before: simulate(..., grid=times), or none (grid=None), after which any time can be requested"
             )
         return self.of(self.rows[index])
 

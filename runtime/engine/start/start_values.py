@@ -30,6 +30,16 @@ def split_values(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, G
     return parameters, {name: value for name, value in values.items() if name in states}
 
 
+def given_values(
+    model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None, faults: list[Fault]
+) -> tuple[dict[str, Value], dict[str, Value]]:
+    """Return parameters and initial states, which may stand among the parameters too; faults are appended."""
+    own, states = split_values(model, named_values("parameters", {} if parameters is None else parameters, faults))
+    given = named_values("initial", {} if initial is None else initial, faults)
+    faults += [Fault(name, "among parameters and initial", "one of the two") for name in given if name in states]
+    return own, {**states, **given}
+
+
 @np.errstate(all="ignore")  # what is not finite is a fault, or an outcome
 def start_of(
     model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: Sequence[Fault] = ()

@@ -42,15 +42,15 @@ APART = 1e-4  # of the spacing of samples: to both sides of one, for the rate of
 
 @dataclass(frozen=True)
 class Experiment:
-    """Measured run, with values of parameters and initial states that it was made at.
+    """Measured run, with the values that it was made at.
 
     data       a `Measurement` over time, `MeasuredImpacts`, or a CSV file of either
-    values     {"drop_height": "0.5 m"}; inputs: those of the scene, as `simulate` takes them
+    parameters, inputs    as `simulate` takes them, initial states among the parameters: {"drop_height": "0.5 m"}
     duration   of the run that is compared, by default that of the data; needed where impacts have no times
     """
 
     data: Data
-    values: Mapping[str, Value] = field(default_factory=dict)
+    parameters: Mapping[str, Value] = field(default_factory=dict)
     inputs: Mapping[str, Any] | None = None
     duration: str | float | None = None
     name: str = ""
@@ -220,7 +220,7 @@ def _observed(
     faults: list[Fault],
 ) -> Observed | None:
     before = len(faults)
-    parameters, initial = split_values(model, experiment.values)
+    parameters, initial = split_values(model, experiment.parameters)
     parameters, initial = {**common["parameters"], **parameters}, {**common["initial"], **initial}
     twice = [name for name in free if name in parameters or name in initial]
     faults += [Fault(name, "a value, and it is free", "one of the two") for name in twice]

@@ -52,7 +52,7 @@ def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[
     if model.declaration is None:
         return {}, [Fault("laws", "a model without its scene", "a model that `load` returned")]
     variants: dict[str, Model] = {}
-    of, many = model.declaration, [effect for effect, each in laws.items() if len(each) > 1]
+    many = [effect for effect, each in laws.items() if len(each) > 1]
     if not many:
         faults.append(Fault("laws", shown(dict(laws)), "two or more of an effect"))
     for chosen in itertools.product(*laws.values()):
@@ -64,9 +64,7 @@ def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[
             faults.append(Fault("laws", f"{name} twice", "every law once"))
             continue
         try:
-            variants[name] = load(
-                of.target, without=of.without, laws={**dict(of.laws), **by_effect}, coordinates=of.coordinates
-            ).with_signals(model.signals)
+            variants[name] = load(model, laws=by_effect)
         except InputError as error:
             faults += [fault for fault in error.faults if fault not in faults]
     return variants, faults
@@ -85,7 +83,6 @@ def read_laws(
         free = dict.fromkeys(free)
     known = {name for model in variants.values() for name in _names(model)}
     asked: dict[str, Asked] = {}
-    how = {name: value for name, value in how.items() if name not in ("progress", "free", "data")}
     for law, model in variants.items():
         its = _names(model)
         elsewhere = known - its

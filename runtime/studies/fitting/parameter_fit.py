@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.free_quantities import Freed
-from hertzwerk.runtime.engine.model.model import Model
-from hertzwerk.runtime.engine.run.run_request import METHOD
+from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, progress_faults
+from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.comparison.comparison_request import Between
 from hertzwerk.runtime.studies.fitting.experiment import Data, Experiment
 from hertzwerk.runtime.studies.fitting.fit_result import Fitted
@@ -18,6 +19,7 @@ from hertzwerk.runtime.studies.fitting.moments.measured_moments import MeasuredS
 from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments, fitted_moments, read_moment_fit
 
 if TYPE_CHECKING:
+    from distributed import Client
     from matplotlib.figure import Figure
 
 TOLERANCE = 1e-9  # local, of the runs of a fit
@@ -45,7 +47,7 @@ class MomentFit(FittedMoments):
 
 
 def fit(
-    model: Model,
+    target: Target,
     data: Data | Experiment | Sequence[Data | Experiment],
     *,
     free: Mapping[str, Freed] | Sequence[str],
@@ -66,6 +68,7 @@ def fit(
 ) -> Fit:
     """Fit parameters and initial states to measurements, with exact derivatives through impacts.
 
+    target      a scene or a Model, as `simulate` takes it
     data        a CSV file headed `name [unit]` over time, or with a column `impact [1]` that counts impacts; a `Measurement`, `MeasuredImpacts`;
                 an `Experiment`, which says what its run was made at; or several of them, fitted at once
     free        ranges by name, {"restitution": (0.3, 1), "stiffness": "1e7..1e9 N/m log", "clearance": "log"}; names alone take their laws' range.
@@ -84,14 +87,17 @@ def fit(
     Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
     combination of quantities that the data cannot tell is said by name in `untold`.
     """
+    model, faults = load(target), progress_faults(progress)
+    own, states = given_values(model, parameters, initial, faults)
     asked = read_fit(
         model,
         data,
         free,
+        before=faults,
         map=map,
         noise=noise,
-        parameters=parameters,
-        initial=initial,
+        parameters=own,
+        initial=states,
         inputs=inputs,
         duration=duration,
         offset=offset,
@@ -106,35 +112,64 @@ def fit(
 
 
 def fit_laws(
-    model: Model,
+    target: Target,
     data: Data | Experiment | Sequence[Data | Experiment],
     laws: Mapping[str, Sequence[str]],
     *,
     free: Mapping[str, Freed] | Sequence[str],
+    map: Mapping[str, str] | None = None,
+    noise: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    duration: str | float | None = None,
+    offset: Between = 0.0,
+    gain: Mapping[str, Between] | None = None,
+    tolerance: float = TOLERANCE,
+    method: str = METHOD,
+    starts: int = STARTS,
+    seed: int = 0,
+    profile: bool | str = "auto",
     progress: Callable[[float], object] | None = None,
-    **how: Any,
 ) -> Ranking:
-    """Fit a model with each of several laws to the same data, and rank them by AICc and by runs held out.
+    """Fit a scene with each of several laws to the same data, and rank them by AICc and by runs held out.
 
     laws    by effect, {"floor": ["flores", "hunt_crossley", "power(K=1e6 N/m, n=1) x flores"]}: all combinations, each derived
-    free, how    as of `fit`; a quantity that one law has, and another has not, is free where it is
+    free    as of `fit`; a quantity that one law has, and another has not, is free where it is
 
-    Raises InputError with every fault.
+    The other arguments are those of `fit`. Raises InputError with every fault.
     """
+    model, wrong = load(target), progress_faults(progress)
+    own, states = given_values(model, parameters, initial, wrong)
     variants, faults = law_variants(model, laws)
-    asked = read_laws(variants, data, free, {**(fit.__kwdefaults__ or {}), **how}, faults)
-    return ranked(asked, progress)
+    how = {
+        **{"map": map, "noise": noise, "parameters": own, "initial": states, "inputs": inputs, "duration": duration},
+        **{"offset": offset, "gain": gain, "tolerance": tolerance, "method": method},
+        **{"starts": starts, "seed": seed, "profile": profile},
+    }
+    return ranked(read_laws(variants, data, free, how, [*wrong, *faults]), progress)
 
 
 def fit_moments(
-    model: Model,
+    target: Target,
     moments: Mapping[str, str | tuple[Value, Value] | None],
     *,
     free: Mapping[str, Freed] | Sequence[str],
     series: MeasuredSeries | Sequence[MeasuredSeries] = (),
     seed: int = 0,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    duration: str | float | None = None,
+    tolerance: float | None = None,
+    method: str = METHOD,
+    compiled: Compiled = "auto",
+    max_steps: int | None = None,
+    max_events: int | None = None,
+    wall_time: float | None = None,
+    workers: int | None = None,
+    client: Client | None = None,
     progress: Callable[[float], object] | None = None,
-    **how: Any,
 ) -> MomentFit:
     """Fit parameters to statistics of runs longer than their horizon, by simulated moments.
 
@@ -147,11 +182,21 @@ def fit_moments(
                MeasuredSeries("long.csv", map={"acceleration": "guide.acceleration"}, bandwidth="5 kHz"), with the values that
                each was measured at: runs are seen through the same instrument at the same spacing, and one function takes the
                statistics of both, with the covariance of means of blocks longer than the motion is correlated. Series are
-               independent of each other. Runs last as long as the longest unless told
-    free       as of `fit`; how: further arguments of `sweep`, duration="100 rev", values, workers
+               independent of each other. Runs last as long as the longest, without a duration
+    free       as of `fit`; tolerance: local, by default 1e-6. The other arguments are those of `sweep`
 
     Derivatives are those of a quadratic regression over runs at points of a Latin hypercube, the scatter of the runs' own statistics its covariance;
     the box of the points closes in on the best, at most twice. Raises InputError with every fault.
     """
+    model, faults = load(target), progress_faults(progress)
+    own, states = given_values(model, parameters, initial, faults)
+    how = {
+        **{"parameters": {**own, **states}, "inputs": inputs, "duration": duration},
+        **{"tolerance": tolerance, "method": method, "compiled": compiled, "max_steps": max_steps},
+        **{"max_events": max_events, "wall_time": wall_time, "workers": workers, "client": client},
+    }
+    how = {name: value for name, value in how.items() if value is not None}
     several = (series,) if isinstance(series, MeasuredSeries) else series
-    return MomentFit(**vars(fitted_moments(read_moment_fit(model, moments, free, how, seed, series=several), progress)))
+    return MomentFit(
+        **vars(fitted_moments(read_moment_fit(model, moments, free, how, seed, faults, several), progress))
+    )

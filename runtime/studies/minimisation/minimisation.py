@@ -12,7 +12,6 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,8 +26,7 @@ from hertzwerk.runtime.engine.model.si_values import si_of, si_units, unit_at
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
-from hertzwerk.runtime.engine.start.start_values import split_values
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.minimisation.formula import Formula, names_in, read_formula
 from hertzwerk.runtime.studies.minimisation.minimum import Held, Minimum, Trial, best_of
@@ -37,7 +35,6 @@ from hertzwerk.runtime.studies.uncertainty.propagation import refused_by_sweep
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.declare.scene.scene import Scene
     from hertzwerk.runtime.simulation import Solution
 
 STEP = 1e-4  # of a range: differences, and the check of derivatives
@@ -49,13 +46,14 @@ _BOUND = re.compile(r"\s*(<=|>=|=)\s*(.+)")
 
 
 def minimise(
-    model: plain.Model | str | Path | Scene,
+    target: Target,
     objective: str,
     over: Mapping[str, Freed] | Sequence[str],
     constraints: Mapping[str, str] | None = None,
     *,
     start: Mapping[str, Value] | None = None,
-    values: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
     duration: str | float | None = None,
     accuracy: Accuracy | None = None,
@@ -72,6 +70,7 @@ def minimise(
 ) -> Minimum:
     """Return the parameters, within ranges, for which a number of a run is least.
 
+    target       a scene or a Model, as `simulate` takes it
     objective    an output as of `sweep`, or a formula of outputs and parameters, whose unit is proven:
                  "main_bearing.reaction_x.rms**2 + main_bearing.reaction_y.rms**2"
     over         ranges of parameters and initial states: {"counterweight": "0..0.5 kg", "stiffness": "1e6..1e9 N/m log"}
@@ -84,12 +83,13 @@ def minimise(
     from one peak to another: `.norm8` and `.norm32` are smooth stand-ins for it. The minimum is that of
     its starts: another, local one may be lower where none began. The other arguments are those of `simulate`. Raises InputError with every fault.
     """
-    model = model if isinstance(model, plain.Model) else load(model)
+    model = load(target)
     settings: dict[str, Any] = {
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
     }
-    faults = refused_by_sweep(model, {"values": values, "inputs": inputs, **settings}, None)
+    given = {"parameters": parameters, "initial": initial, "inputs": inputs}
+    faults = refused_by_sweep(model, {**given, **settings}, None)
     ranges = _ranges(model, over, start, faults)
     texts = [objective, *(constraints if isinstance(constraints, Mapping) else ())]
     asked = list(dict.fromkeys(name for text in texts for name in names_in(text)))
@@ -102,10 +102,11 @@ def minimise(
         if isinstance(number, bool) or not isinstance(number, int | float) or not number > least:
             faults.append(Fault(where, shown(number), f"a number above {least:g}"))
     faults += whole_faults(starts=starts, seed=seed)
-    faults += [Fault(x.name, "among values and over", "one of the two") for x in ranges if x.name in (values or {})]
+    fixed = {name for values in (parameters, initial) if isinstance(values, Mapping) for name in values}
+    faults += [Fault(x.name, "among parameters and over", "one of the two") for x in ranges if x.name in fixed]
     if faults or goal is None:
         raise InputError(f"minimum of {model.name}", faults)
-    problem = _Problem(model, goal, tuple(bounds), ranges, outputs, dict(values or {}), inputs, settings)
+    problem = _Problem(model, goal, tuple(bounds), ranges, outputs, {**given, **settings})
     begins = starts_in(ranges, [one.value for one in ranges], starts, seed)
     found: list[Minimum] = []
     failed: list[InputError] = []
@@ -192,8 +193,6 @@ class _Problem:
     bounds: tuple[_Bound, ...]
     ranges: tuple[Free, ...]
     outputs: Mapping[str, Output]
-    values: Mapping[str, Value]
-    inputs: Mapping[str, Input] | None
     settings: Mapping[str, Any]
 
     def given(self, x: np.ndarray) -> dict[str, float]:
@@ -208,8 +207,7 @@ class _Problem:
         """Run the model at a point; raises InputError, _RunFailedError."""
         units = si_units(self.model)
         given = {name: (value, units[name] or "1") for name, value in self.given(x).items()}
-        parameters, initial = split_values(self.model, {**self.values, **given})
-        run = simulate(self.model, **self.settings, parameters=parameters, initial=initial, inputs=self.inputs)
+        run = simulate(self.model, **{**self.settings, "parameters": {**(self.settings["parameters"] or {}), **given}})
         if run.outcome.name not in REACHED_END:
             raise _StoppedError(
                 run.outcome.name, f"a run ended before its time: {run.outcome.message}", run.outcome.remedy

@@ -154,7 +154,7 @@ def _trajectory(law: str, returns: int, *, friction: bool) -> Trajectory:
     model, turn, values = _model(law, friction=friction), 60 / DRAWN_SPEED, _at(DRAWN_CLEARANCE, DRAWN_SPEED)
     whole = simulate(model, duration=DRAWN_TURNS * turn, accuracy=ACCURACY, parameters=values)
     times = turn * np.arange(returns + 1)
-    section = simulate(model, duration=float(times[-1]), tolerance=TOLERANCE, parameters=values, output=times)
+    section = simulate(model, duration=float(times[-1]), tolerance=TOLERANCE, parameters=values, grid=times)
     names = (f"{PIN}.eccentricity_x", f"{PIN}.eccentricity_y", "guide.travel", "guide.speed")
     return Trajectory(law, friction, Curves.of(whole), np.array([section[name] for name in names]).T)
 

@@ -29,14 +29,24 @@ from functools import partial
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_rows, units_of_inputs
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.si_values import si_units
-from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, Settings, read_duration
+from hertzwerk.runtime.engine.run.output_times import Grid
+from hertzwerk.runtime.engine.run.run_request import (
+    METHOD,
+    Accuracy,
+    Compiled,
+    Settings,
+    progress_faults,
+    read_duration,
+)
 from hertzwerk.runtime.engine.solution.outcome import Outcome
+from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import Kept
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
@@ -193,54 +203,72 @@ def _sets(given: object) -> list[dict[str, Value]]:
 
 
 def simulate_many(
-    model: Model,
+    target: Target,
     parameter_sets: Iterable[Mapping[str, Value]],
     *,
     duration: str | float | None = None,
     accuracy: Accuracy | None = None,
     tolerance: float | None = None,
     method: str = METHOD,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
+    grid: Grid = None,
     compiled: Compiled = "auto",
+    max_steps: int | None = None,
+    max_events: int | None = None,
+    wall_time: float | None = None,
     workers: int | None = None,
     client: Client | None = None,
-    outputs: Mapping[str, Own] | None = None,
+    functions: Mapping[str, Own] | None = None,
     progress: Callable[[float], object] | None = None,
-    **limits: Any,
 ) -> Sweep:
-    """Run a model once for each set of values, on all cores.
+    """Run a scene once for each set of values, on all cores.
 
     Each run is bitwise the one that `simulate` makes.
 
-    parameter_sets    values in place of the model's, parameters, initial states and inputs alike: [{"clearance": "0.2 mm"}, ...];
+    target    a scene or a Model, as `simulate` takes it
+    parameter_sets    values in place of the scene's, parameters, initial states and inputs alike: [{"clearance": "0.2 mm"}, ...];
                       an input's as `simulate` takes it, or a factor on it: {"torque": "bench.csv:load"}, {"torque.scale": 0.5}
-    inputs    values of the scene's inputs, as `simulate` takes them, where a set has none of its own
-    compiled    "auto" compiles once for all where that saves time; duration, accuracy or tolerance, method, and limits as in `simulate`
+    parameters, initial, inputs    values, as `simulate` takes them, where a set has none of its own
+    compiled    "auto" compiles once for all where that saves time
     workers    processes, by default as many as there are cores (threads where processes cannot be forked: correct, slower)
     client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
-    outputs    further columns, each a function of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
+    grid    what functions see of each run, as of `simulate`
+    functions    further columns, each a function of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     progress    called now and then with the fraction of runs done
 
+    The other arguments are those of `simulate`.
     Bad input of a set, a run that does not finish or fails, an output that raises or exits give rows with that
     outcome. Raises InputError for input that is bad for every run; an output that is not a number is found in the
     first row. Ctrl-C returns the rows that are done, and so does a cluster that is gone.
     """
     began = time.perf_counter()
-    sets = _sets(parameter_sets)
-    if not (outputs is None or isinstance(outputs, Mapping)):
-        raise InputError(model.name, [Fault("outputs", shown(outputs), "a dictionary of functions of the Solution")])
-    Settings(duration, accuracy, tolerance, method, compiled, **limits).check(model)
-    model, wrong = given_inputs(model, inputs, duration, {})
-    _check(model, [*wrong, *worker_faults(workers, client)], outputs or {})
+    model, sets, wrong = load(target), _sets(parameter_sets), progress_faults(progress)
+    own_values, states = given_values(model, parameters, initial, wrong)
+    named = dict.fromkeys(name for values in sets for name in values)
+    sets = [{**own_values, **states, **values} for values in sets]
+    if not (functions is None or isinstance(functions, Mapping)):
+        wrong.append(Fault("functions", shown(functions), "a dictionary of functions of the Solution"))
+        functions = None
+    limits = {"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time}
+    settings: dict[str, Any] = {
+        **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
+        **{"grid": grid, **limits},
+    }
+    Settings(**settings, compiled=compiled).check(model)
+    units = {**si_units(model), **units_of_inputs(model)}
+    wrong += [unknown("parameter or state", name, units) for name in (*own_values, *states) if name not in units]
+    model, bad = given_inputs(model, inputs, duration, {})
+    _check(model, [*wrong, *bad, *worker_faults(workers, client)], functions or {})
     sets, choices = read_rows(model, sets, read_duration(model, {}, duration, []))
-    settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
     wanted = [
         *of_every_run(model),
-        *(own(name, function) for name, function in (outputs or {}).items()),
+        *(own(name, function) for name, function in (functions or {}).items()),
         *finals(model),
     ]
-    units = {**si_units(model), **units_of_inputs(model), **dict.fromkeys(choices.signals, "")}
-    varied = {name: units[name] for name in dict.fromkeys(name for values in sets for name in values) if name in units}
+    units |= dict.fromkeys(choices.signals, "")
+    varied = {name: units[name] for name in named if name in units}
     results = {name: unit for output in wanted for name, unit in output.columns.items()}
     batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client), choices=choices)
     rows, outcome = in_memory(batch.rows(range(len(sets))), len(sets), progress)
@@ -378,16 +406,16 @@ def _first_a_number(model: Model, rows: Iterable[list[Row]]) -> Iterator[list[Ro
     for some in rows:
         if first and some[0].outcome == NO_NUMBER:
             remedy = 'one number of a history: lambda run: np.ptp(run["guide.travel"]); several are several outputs'
-            raise InputError(model.name, [Fault("outputs", some[0].message, "a number", remedy)])
+            raise InputError(model.name, [Fault("functions", some[0].message, "a number", remedy)])
         first = False
         yield some
 
 
-def _check(model: Model, faults: list[Fault], outputs: Mapping[str, Own]) -> None:
+def _check(model: Model, faults: list[Fault], functions: Mapping[str, Own]) -> None:
     faults += [
-        Fault(f"outputs[{name!r}]", repr(output), "a name, and a function of the Solution")
-        for name, output in outputs.items()
-        if not (isinstance(name, str) and callable(output))
+        Fault(f"functions[{name!r}]", repr(function), "a name, and a function of the Solution")
+        for name, function in functions.items()
+        if not (isinstance(name, str) and callable(function))
     ]
     if faults:
         raise InputError(model.name, faults)
@@ -399,8 +427,8 @@ def _check(model: Model, faults: list[Fault], outputs: Mapping[str, Own]) -> Non
         *(name for output in of_every_run(model) for name in output.columns),
     }
     faults += [
-        Fault(f"outputs[{name!r}]", "the name of another column", "a name of its own")
-        for name in outputs
+        Fault(f"functions[{name!r}]", "the name of another column", "a name of its own")
+        for name in functions
         if name in taken or name.startswith("final.")
     ]
     if faults:

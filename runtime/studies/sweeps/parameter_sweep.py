@@ -24,7 +24,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs, input_text
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.engine.model import model as plain
-from hertzwerk.runtime.engine.model.binding import Value, named_values
+from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.generated_text import text_of
 from hertzwerk.runtime.engine.model.si_values import si_units
 from hertzwerk.runtime.engine.model.signal import digest_of
@@ -35,12 +35,13 @@ from hertzwerk.runtime.engine.run.run_request import (
     Settings,
     check,
     duration_follows,
+    progress_faults,
     read_duration,
 )
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.solution.solution import Solution
-from hertzwerk.runtime.engine.start.start_values import split_values
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.engine.start.start_values import given_values, split_values
+from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.studies.sweeps.continued_rows import Chains, InMemory, key_after, read_chains, state_units
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design, Varied, read_design
@@ -64,7 +65,6 @@ from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep, column
 if TYPE_CHECKING:
     from distributed import Client
 
-    from hertzwerk.derive.declare.scene.scene import Scene
 
 BATCH = 256  # points whose keys are made together
 
@@ -154,14 +154,15 @@ LARGEST_CSV = 50e6  # bytes, about, of arrays that are written as CSV unasked
 
 
 def sweep(
-    target: str | Path | Scene | plain.Model,
+    target: Target,
     over: Mapping[str, Varied | Mapping[str, Input] | Sequence[Input]],
     *,
     zip: bool = False,
     sample: int | None = None,
     sampler: str = "latin",
     seed: int = 0,
-    values: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
     without: Sequence[str] = (),
     laws: Mapping[str, str] | None = None,
@@ -189,14 +190,14 @@ def sweep(
 ) -> Sweep:
     """Run a model at every point of a design, on all cores; return the table of its outputs.
 
-    target    a Model, or what `load` takes; without, laws, coordinates    a variation, as `load` takes it
+    target    a scene or a Model, as `simulate` takes it; without, laws, coordinates    a variation, as `load` takes it
     over    what is varied, parameters and initial states alike: "0.05..0.5 mm:10" (ten values), "1e6..1e9 N/m:7 log",
             "0.1, 0.2, 0.4 mm", or a list of values; all combinations, the last name fastest. Of an input constants likewise, or
             what `simulate` takes: "calm.csv:load, gusty.csv:load", a list, or a dictionary by labels; `torque.scale` is a factor on it
     zip    the first value of each name together, then the second of each, and so on
     sample    number of points instead, spread by a "latin" hypercube or a "sobol" sequence (sampler) with a seed over
               ranges "0.05..0.5 mm", "1e6..1e9 N/m log", and lists
-    values    other values in place of the model's, the same for all points
+    parameters, initial    values in place of the scene's, as `simulate` takes them, the same for all points
     inputs    values of the scene's inputs that are not varied, as `simulate` takes them
     outputs    names such as "final.guide.travel", "slider_pin.peak_force", "slider_pin.impact_rate" (with half the
                width of its 95 % interval as a column more), "guide.travel.max"; by default every final state; derivatives are
@@ -223,7 +224,7 @@ def sweep(
     """
     began = time.perf_counter()
     # 1. model
-    model = _model(target, without, laws, coordinates)
+    model = load(target, without=without, laws=laws, coordinates=coordinates)
     settings: dict[str, Any] = {
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time},
@@ -236,12 +237,10 @@ def sweep(
         over, choices = read_choices(model, over, read_duration(model, {}, duration, []), faults)
     design = read_design(over, **spread, faults=faults)
     faults += memory_faults(len(design)) if into is None else []
-    fixed = {
-        name: as_given(value)
-        for name, value in named_values("values", {} if values is None else values, faults).items()
-    }
+    own, states = given_values(model, parameters, initial, faults)
+    fixed = {name: as_given(value) for name, value in {**own, **states}.items()}
     model, wrong = given_inputs(model, inputs, duration, {})
-    faults += wrong
+    faults += [*wrong, *progress_faults(progress)]
     varied = {**_varied(model, over, fixed, faults), **dict.fromkeys(choices.signals, "")}
     design = replace(design, fixed=fixed)
     chains = read_chains(model, design, varied, continued, faults)
@@ -309,7 +308,7 @@ def _definition(
     }
     definition = {
         **{"scene": model.name, **target_of(target, model), "over": axes_of(plan.design, plan.choices), **spread},
-        **{"values": {name: as_text(value) for name, value in plan.design.fixed.items()}, **plan.settings, **same},
+        **{"parameters": {name: as_text(value) for name, value in plan.design.fixed.items()}, **plan.settings, **same},
         **{"columns": plan.columns, "varied": list(plan.varied)},
         "arrays": {} if kept is None else kept.columns,
         "choices": plan.choices.digests(),
@@ -461,16 +460,6 @@ class Plan:
             raise first
 
 
-def _model(target: Any, without: Sequence[str], laws: Mapping[str, str] | None, coordinates: str | None) -> plain.Model:
-    """Return the model of a target; raises InputError."""
-    if not isinstance(target, plain.Model):
-        return load(target, without=without, laws=laws, coordinates=coordinates)
-    if without or laws or coordinates is not None:
-        found, expected = f"a Model, {target.name}, and a variation of it", "a scene that is to be varied"
-        raise InputError("sweep", [Fault("target", found, expected, "give the variation to load")])
-    return target
-
-
 def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults: list[Fault]) -> dict[str, str]:
     """Return the units of the names that are varied; bad input is appended to `faults`."""
     units = {name: unit for name, unit in si_units(model).items() if name not in model.memory} | units_of_inputs(model)
@@ -480,7 +469,7 @@ def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults
         for name in (*names, *fixed)
         if not isinstance(name, str) or name not in units
     ]
-    faults += [Fault(name, "among values and over", "one of the two") for name in names if name in fixed]
+    faults += [Fault(name, "among parameters and over", "one of the two") for name in names if name in fixed]
     return {name: units[name] for name in names if name in units}
 
 

@@ -40,7 +40,7 @@ class SweepFile(BaseModel):
     sample: int | None = None
     sampler: str = "latin"
     seed: int = 0
-    values: dict[str, Quantity] = Field({}, description='values by name, such as radius = "20 mm"')
+    parameters: dict[str, Quantity] = Field({}, description='values by name, such as radius = "20 mm"')
     inputs: dict[str, Quantity] = Field({}, description=INPUTS)
     without: list[str] = []
     laws: dict[str, str] = Field({}, description='laws by the names of effects, such as floor = "flores"')

@@ -24,8 +24,7 @@ from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END
-from hertzwerk.runtime.engine.start.start_values import split_values
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import outputs_of, sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured
@@ -36,7 +35,6 @@ from hertzwerk.runtime.studies.uncertainty.propagation_result import Index, Prop
 if TYPE_CHECKING:
     from distributed import Client
 
-    from hertzwerk.derive.declare.scene.scene import Scene
     from hertzwerk.runtime.simulation import Solution
     from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
     from hertzwerk.runtime.studies.uncertainty.distributions import Distribution
@@ -47,7 +45,7 @@ LEAST, MOST = 8, 2**20
 
 
 def propagate(
-    model: plain.Model | str | Path | Scene,
+    target: Target,
     uncertain: Mapping[str, Distribution | str] | Correlated,
     outputs: Sequence[str] = (),
     *,
@@ -55,7 +53,8 @@ def propagate(
     sample: int = 256,
     indices: bool | None = None,
     seed: int = 0,
-    values: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
     functions: Mapping[str, Callable[[Solution], float]] | None = None,
     duration: str | float | None = None,
@@ -74,6 +73,7 @@ def propagate(
 ) -> Propagated:
     """Return how uncertain a run's numbers are, by derivatives and by samples, and what they owe it to.
 
+    target      a scene or a Model, as `simulate` takes it
     uncertain   parameters and initial states with their distributions, or those of a fit, `fit(...).distribution()`:
                 {"clearance": Normal("0.5 mm", "0.02 mm"), "restitution": TruncatedNormal(0.9, 0.05, 0, 1)}, or as text
                 "Normal(0.5 mm, 0.02 mm)"
@@ -82,12 +82,12 @@ def propagate(
     sample      number N of samples, a power of two; N (d + 2) runs with indices, of d uncertain names, else N
     indices     Sobol indices of first order and total, by SciPy's estimators, with intervals by resampling; by default where all
                 are independent: the variance of what correlated quantities cause is no sum of their parts
-    values      other values in place of the model's; functions    further outputs, which have no derivatives
+    functions   further outputs, which have no derivatives
 
     The other arguments are those of `sweep`; with `into` every run is stored, and the same call goes on. Spreads that
     differ by more than their errors are warned of. Raises InputError with every fault.
     """
-    model = model if isinstance(model, plain.Model) else load(model)
+    model = load(target)
     known = quantities(model)
     faults: list[Fault] = []
     # 1. distributions
@@ -109,21 +109,21 @@ def propagate(
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
     }
-    asked = {"values": values, "inputs": inputs, "outputs": outputs, "functions": functions, **settings}
-    asked |= {"into": into, "widen": widen, "client": client}
+    given: dict[str, Any] = {"parameters": parameters, "initial": initial, "inputs": inputs}
+    asked = {**given, "outputs": outputs, "functions": functions, **settings}
+    asked |= {"into": into, "widen": widen, "client": client, "progress": progress}
     faults += refused_by_sweep(model, asked, workers)
     if faults:
         raise InputError(f"propagation of {model.name}", faults)
     # 2. one run
     means = {name: (float(one.mean()), known[name] or "1") for name, one in drawn.items()}
-    parameters, initial = split_values(model, {**(values or {}), **means})
-    run = simulate(model, **settings, parameters=parameters, initial=initial, inputs=inputs)
+    run = simulate(model, **settings, **{**given, "parameters": {**(parameters or {}), **means}})
     derivatives, lacking = _derivatives(run, tuple(drawn), duration)
     # 3. samples
     matrices = _matrices(list(drawn.values()), together, sample, seed, indices=indices)
     columns = np.concatenate([*matrices], axis=1)
     over = {name: [(float(x), known[name] or "1") for x in row] for name, row in zip(drawn, columns, strict=True)}
-    rows = sweep(model, over, zip=True, workers=workers, progress=progress, **asked)
+    rows = sweep(model, over, zip=True, workers=workers, **asked)
     # 4. indices
     spreads = covariance(list(drawn.values()), together)
     good = np.array([row.outcome in REACHED_END for row in rows])

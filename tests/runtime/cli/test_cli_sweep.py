@@ -32,7 +32,7 @@ outputs = ["floor.peak_force", "floor.impact_rate"]
 [over]
 drop_height = "0.5..1 m:3"
 restitution = [0.5, 0.7]
-[values]
+[parameters]
 radius = "21 mm"
 [laws]
 floor = "flores"
@@ -62,7 +62,7 @@ def test_options_a_file_and_python_make_the_same_table(tmp_path):
     over = {"drop_height": ["0.5 m", "0.75 m", "1 m"], "restitution": (0.5, 0.7)}
     python = sweep(
         *("bouncing_ball", over),
-        values={"radius": "21 mm"},
+        parameters={"radius": "21 mm"},
         laws={"floor": "flores"},
         outputs=["floor.peak_force", "floor.impact_rate"],
         duration=1.0,
@@ -243,7 +243,7 @@ def test_faults_of_form_and_of_meaning_come_at_once(tmp_path):
     file = tmp_path / "study.toml"
     file.write_text(
         'target = "bouncing_ball"\ntolerance = 7.0\noutputs = ["floor.peak"]\nsample = "3"\n'
-        'over = {mass = true, drop_hight = "1..2 m:3"}\nvalues = {radios = "1 m"}\n'
+        'over = {mass = true, drop_hight = "1..2 m:3"}\nparameters = {radios = "1 m"}\n'
     )
     with pytest.raises(InputError) as caught:
         read_sweep(file)

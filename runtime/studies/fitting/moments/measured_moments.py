@@ -50,7 +50,7 @@ class MeasuredSeries:
     noise      standard deviations by column: that of the sensor, which is added to runs
     bandwidth, order, zero_phase    of the instrument that runs go through, as of `compare`; not of impacts
     skip       transient left out of series and runs alike, "20 ms"; by default a tenth of each
-    values     of parameters and starts that it was measured at, beside those of the fit
+    parameters that it was measured at, initial states too, beside those of the fit
     """
 
     data: Measurement | MeasuredImpacts | str | Path
@@ -60,7 +60,7 @@ class MeasuredSeries:
     order: int = 4
     zero_phase: bool = False
     skip: str | float | None = None
-    values: Mapping[str, Value] = field(default_factory=dict)
+    parameters: Mapping[str, Value] = field(default_factory=dict)
 
 
 class _Sight(Protocol):
@@ -221,7 +221,7 @@ def read_series(
         of = f" of {Path(source).stem or f'series {number}'}"
         among = [name for name in names if column[name] in has]
         labels = [name + of * (sum(column[name] in other for other in own) > 1) for name in among]
-        made_at = {**(values if isinstance(values, Mapping) else {}), **one.values}
+        made_at = {**(values if isinstance(values, Mapping) else {}), **one.parameters}
         made = _moments(model, among, labels, sight, skip, made_at, faults) if among else None
         if made is not None:
             found.append(made)

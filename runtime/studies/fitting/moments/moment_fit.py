@@ -151,7 +151,7 @@ class AskedMoments:
     @property
     def sweeps(self) -> list[tuple[Mapping[str, Value], list[SeriesMoments]]]:
         """Values that runs are made at, with the series that each tells; first the fit's own for stated ones."""
-        plain = self.how.get("values") or {}
+        plain = self.how.get("parameters") or {}
         made_at = [plain] if self.half_widths else []
         made_at += [
             one.values
@@ -197,7 +197,7 @@ def read_moment_fit(
         )
         moments = {}
     computed = read_series(
-        model, [name for name, given in moments.items() if given is None], series, how.get("values"), faults
+        model, [name for name, given in moments.items() if given is None], series, how.get("parameters"), faults
     )
     moments = {name: given for name, given in moments.items() if given is not None}
     wrong = len(faults)
@@ -291,7 +291,7 @@ def _runs(
         told = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
         functions = {name: function for one in series for name, function in one.functions().items()}
         own = stated if number == 0 else []
-        how["values"] = values
+        how["parameters"] = values
         table = sweep(asked.model, over, outputs=own, functions=functions, progress=told, **points, **how)
         if table.interrupted:
             raise KeyboardInterrupt

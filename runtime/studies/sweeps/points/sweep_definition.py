@@ -35,7 +35,7 @@ ARGUMENTS = (  # of `sweep`, and names in a definition
     *(
         "target",
         "over",
-        "values",
+        "parameters",
         "inputs",
         "without",
         "laws",
@@ -54,7 +54,7 @@ DEFINITION = "definition.json"
 _NUMBER, _NONE = (str, int, float), type(None)
 ENTRIES: dict[str, type | tuple[type, ...]] = {  # of a definition, and their types
     **dict.fromkeys(("scene", "sampler", "method", "text", "readings", "signals", "digest"), str),
-    **dict.fromkeys(("laws", "law_files", "over", "inputs", "values", "functions"), dict),
+    **dict.fromkeys(("laws", "law_files", "over", "inputs", "parameters", "functions"), dict),
     **dict.fromkeys(("versions", "columns", "arrays", "choices"), dict),
     **dict.fromkeys(("without", "outputs", "histories", "varied"), list),
     **dict.fromkeys(("seed", "points"), int),
@@ -138,7 +138,9 @@ def design_of(definition: Mapping[str, Any]) -> Design:
     how = {name: definition[name] for name in ("zip", "sample", "sampler", "seed")}
     found = read_design(over, **how, faults=[])
     axes = {name: found.axes[name] if name in over else Labels(axis) for name, axis in definition["over"].items()}
-    return replace(found, axes=axes, fixed={name: as_given(text) for name, text in definition["values"].items()}, **how)
+    return replace(
+        found, axes=axes, fixed={name: as_given(text) for name, text in definition["parameters"].items()}, **how
+    )
 
 
 def _axis(axis: tuple[Given, ...] | RangeValues | Range) -> str:

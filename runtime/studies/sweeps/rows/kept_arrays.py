@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.engine.run.output_times import Output, times_of
+from hertzwerk.runtime.engine.run.output_times import Grid, times_of
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.history import History, units_of
 from hertzwerk.runtime.engine.solution.step_observers import Needs
@@ -58,7 +58,7 @@ class Kept:
 
     units: Mapping[str, str]
     section: Section | None
-    grid: Output | None
+    grid: Grid
     after: str | float | None
     duration: str | float | None
     end: tuple[str, ...] = ()
@@ -161,9 +161,6 @@ def read_kept(
         return Kept({}, None, None, None, duration, end) if end else None
     place = None if section is None else read_section(model, section, faults)
     units = _units(model, histories, faults)
-    if grid == "steps":
-        faults.append(Fault("grid", "'steps'", 'a number of points, or a spacing such as "0.1 ms"'))
-        grid = None
     if after is not None and (isinstance(after, bool) or not isinstance(after, str | int | float)):
         faults.append(Fault("after", shown(after), 'a time or revolutions, such as "100 rev"'))
         after = None

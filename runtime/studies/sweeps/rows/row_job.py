@@ -195,7 +195,7 @@ class Job:
         parameters, initial = split_values(model, values)
         times = None if self.kept is None else self.kept.times(model, parameters)
         if times is not None and Needs.STEPS not in self.needs and len(times.all):
-            settings = replace(settings, output=times.all)
+            settings = replace(settings, grid=times.all)
         solution = yield from solving(model, settings, parameters, initial, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt

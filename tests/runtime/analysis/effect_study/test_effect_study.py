@@ -27,7 +27,7 @@ from hertzwerk.derive import (
 from hertzwerk.runtime import load, study_effects
 from hertzwerk.runtime.analysis.effect_study import output_errors
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import automatic, chosen
-from hertzwerk.runtime.analysis.effect_study.leaving_out import _Scenes
+from hertzwerk.runtime.analysis.effect_study.leaving_out import leave_out
 from hertzwerk.runtime.analysis.effect_study.output_errors import Bench, Case, Number
 from hertzwerk.runtime.analysis.effect_study.smallest_scene import smallest
 from hertzwerk.runtime.engine.solution.outcome import Outcome
@@ -183,11 +183,11 @@ def test_the_search_is_bounded_and_says_so():
 
 
 def test_friction_goes_with_its_contact_and_nothing_else_does():
-    scenes, effects = _Scenes("slider_crank", (), {}), ("gravity", "slider_pin", "slider_pin_friction")
-    gone, model = scenes.leave_out(effects, ["slider_pin"])
+    whole, effects = load("slider_crank"), ("gravity", "slider_pin", "slider_pin_friction")
+    gone, model = leave_out(whole, effects, ["slider_pin"])
     assert gone == {"slider_pin", "slider_pin_friction"}
     assert [name for name, *_ in model.module.EFFECTS] == ["crank_drive", "gravity", "energy_ledger"]
-    assert scenes.leave_out(effects, ["gravity"])[0] == {"gravity"}
+    assert leave_out(whole, effects, ["gravity"])[0] == {"gravity"}
 
 
 def test_an_effect_that_a_scene_cannot_do_without_says_why():

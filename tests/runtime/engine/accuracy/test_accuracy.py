@@ -397,7 +397,7 @@ def test_the_run_is_bitwise_that_of_its_tolerance_and_survives_saving(judged, tm
     assert loaded.error.numbers == run.error.numbers
     assert Solution.load(plain.save(tmp_path / "plain.npz")).error is None
     assert f"error {run.error}" in str(run)
-    kept = simulate(run.model, duration=FAR, accuracy=run.accuracy, method=run.method, output=[0.002, FAR])
+    kept = simulate(run.model, duration=FAR, accuracy=run.accuracy, method=run.method, grid=[0.002, FAR])
     assert np.array_equal(kept.history.rows, plain.at(np.array([0.002, FAR])).rows)
     assert np.array_equal(kept.error.values, run.error.values)
 
@@ -422,7 +422,7 @@ def test_a_request_below_the_floor_is_unreachable_with_the_best_run():
 
 
 def test_a_run_longer_than_its_horizon_says_so():
-    run = simulate(model("slider_crank_three_clearances"), duration="24 ms", accuracy=1e-6, output=2)
+    run = simulate(model("slider_crank_three_clearances"), duration="24 ms", accuracy=1e-6, grid=2)
     assert run.outcome.name == "beyond_horizon"
     assert 1e-3 < run.error.horizon < 20e-3
     assert run.error.growth > 100
@@ -431,9 +431,9 @@ def test_a_run_longer_than_its_horizon_says_so():
     far = float(re.search(r"simulate (\S+) s, up to which a smaller tolerance", run.outcome.remedy)[1])
     assert 1.1 * alone < far < run.error.horizon
     assert all("the law" in text for text in run.warnings)  # its limit of v0, and contacts that left it
-    shorter = simulate(run.model, duration=far, accuracy=1e-6, output=2)  # the remedy helps
+    shorter = simulate(run.model, duration=far, accuracy=1e-6, grid=2)  # the remedy helps
     assert shorter.outcome.finished
-    assert not simulate(run.model, duration=2 * far, accuracy=1e-6, output=2).outcome.finished
+    assert not simulate(run.model, duration=2 * far, accuracy=1e-6, grid=2).outcome.finished
 
 
 def test_limits_and_the_user_end_it_with_what_there_is():
@@ -509,7 +509,7 @@ def test_the_spatial_slider_crank_meets_what_is_asked_after_eight_turns():
     """At 1e-9 its speed errs by -1.4e-9 at first and by -0.7e-9 at the tolerance that checks it; most of it is a shift in time."""
     crank, truth = load(loops.spatial_crank()), loops.spatial_crank_at(5.0)
     for asked in (1e-8, 1e-9, 1e-10):
-        run = simulate(crank, duration="5 s", accuracy=asked, output=2)
+        run = simulate(crank, duration="5 s", accuracy=asked, grid=2)
         y, dy = run.history.part("y")[-1:], run.history.part("dy")[-1:]
         true_y = y.copy()
         true_y[0, : crank.nq + crank.nu] = [truth[name] for name in (*crank.coordinates, *crank.speeds)]

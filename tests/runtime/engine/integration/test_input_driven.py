@@ -107,7 +107,7 @@ def test_a_run_goes_on_and_is_made_again_to_the_bit():
         np.testing.assert_array_equal(whole.history.part(name)[-len(rest.t) :], rest.history.part(name))
     again = simulate(pickle.loads(pickle.dumps(short.model)), duration="2 ms", tolerance=1e-8)
     np.testing.assert_array_equal(again.history.rows, short.history.rows)
-    grid = simulate(short.model, duration="2 ms", tolerance=1e-8, output=101)
+    grid = simulate(short.model, duration="2 ms", tolerance=1e-8, grid=101)
     np.testing.assert_array_equal(grid.with_steps().history.rows, short.history.rows)
 
 

@@ -14,7 +14,7 @@ RUNS = {
     "impacts": ("slider_crank", {"duration": "10 ms"}),
     "closed loop, implicit": ("four_bar_clearance", {"duration": "5 ms", "method": "esdirk", "tolerance": 1e-6}),
     "redundant constraints": ("bricard", {"duration": "0.1 s", "tolerance": 1e-6}),
-    "a grid": ("bouncing_ball", {"duration": "0.5 s", "output": 100}),
+    "a grid": ("bouncing_ball", {"duration": "0.5 s", "grid": 100}),
 }
 
 

@@ -98,9 +98,9 @@ def test_a_run_that_was_finished_goes_on_as_if_it_had_not_ended_there(method):
 
 
 def test_grids_go_on_and_find_what_the_whole_finds():
-    crank, asked = built("slider_crank"), {"duration": "24 ms", "tolerance": TOLERANCE, "output": "0.1 ms"}
+    crank, asked = built("slider_crank"), {"duration": "24 ms", "tolerance": TOLERANCE, "grid": "0.1 ms"}
     whole, stopped = simulate(crank, **asked), simulate(crank, **asked, max_steps=500)
-    rest = stopped.continued(output="0.1 ms")
+    rest = stopped.continued(grid="0.1 ms")
     assert_bitwise(whole, stopped, rest)
     assert rest.t[0] - stopped.t[-1] < 1.01e-4
     onsets = {impact.t for impact in whole.impacts}

@@ -97,7 +97,7 @@ def test_an_observer_that_fails_takes_no_row_from_the_others(ball, whole, monkey
         take(self, block, fresh)
 
     monkeypatch.setattr(step_observers.Findings, "take", fails)
-    run = simulate(ball, **ASKED, output=1000)
+    run = simulate(ball, **ASKED, grid=1000)
     assert run.outcome.name == "exception"
     assert run.t_end == seen[2]
     assert np.array_equal(run.t, np.linspace(0, 5, 1000)[np.linspace(0, 5, 1000) <= run.t_end])
@@ -141,7 +141,7 @@ def test_a_run_ends_before_its_steps_fill_the_memory(monkeypatch):
     assert "keep a grid" in run.outcome.remedy
     assert 2**19 < run.history.rows.nbytes < 2**20
     assert np.array_equal(run.history.rows, whole.history.rows[: len(run.t)])
-    assert simulate(crank, **given, output=100).outcome.finished
+    assert simulate(crank, **given, grid=100).outcome.finished
 
 
 @pytest.mark.slow

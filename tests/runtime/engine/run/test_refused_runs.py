@@ -41,7 +41,7 @@ def test_an_output_that_is_an_array_is_refused_with_the_first_row(compiled, work
 
     sets = [{"drop_height": (0.1 + 0.01 * i, "m")} for i in range(8)]
     with pytest.raises(
-        InputError, match=r"outputs: found output heights returned an array of shape \(\d+,\); expected a number"
+        InputError, match=r"functions: found output heights returned an array of shape \(\d+,\); expected a number"
     ):
         simulate_many(
             BALL,
@@ -50,14 +50,14 @@ def test_an_output_that_is_an_array_is_refused_with_the_first_row(compiled, work
             tolerance=1e-6,
             workers=workers,
             compiled=compiled,
-            outputs={"heights": heights},
+            functions={"heights": heights},
         )
     assert len(seen) <= 1  # in this process
 
 
 def test_an_array_of_one_number_in_no_dimension_is_one():
     found = simulate_many(
-        BALL, [{}], duration="0.1 s", tolerance=1e-6, outputs={"top": lambda run: np.max(run["vertical.travel"])}
+        BALL, [{}], duration="0.1 s", tolerance=1e-6, functions={"top": lambda run: np.max(run["vertical.travel"])}
     )
     assert found.rows[0].outcome == "finished"
     assert found.rows[0].outputs["top"] > 0
@@ -71,8 +71,8 @@ def test_sets_that_are_none(sets):
 
 @pytest.mark.parametrize("outputs", [5, ["a"], {"a": 5}, {5: len}])
 def test_outputs_that_are_none(outputs):
-    with pytest.raises(InputError, match="outputs"):
-        simulate_many(BALL, [{}], duration="0.1 s", tolerance=1e-6, outputs=outputs)
+    with pytest.raises(InputError, match="functions"):
+        simulate_many(BALL, [{}], duration="0.1 s", tolerance=1e-6, functions=outputs)
 
 
 @pytest.mark.parametrize(

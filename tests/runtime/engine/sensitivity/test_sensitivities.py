@@ -300,7 +300,7 @@ def test_a_run_may_be_asked_for_them_at_once(crank):
     assert (found.unit, found.name, len(found)) == ("N", "d(slider_pin.normal_force)/d(restitution)", len(run.t))
     assert run.derivatives.impacts("speed", "restitution").tolist() == later.impacts("speed", "restitution").tolist()
     assert np.isfinite(run.sensitivity("guide.travel", "clearance")[-1])  # not asked for: found now
-    grid = simulate(crank, **how, output=20, sensitivities=("restitution",)).sensitivity("guide.travel", "restitution")
+    grid = simulate(crank, **how, grid=20, sensitivities=("restitution",)).sensitivity("guide.travel", "restitution")
     assert grid.values.shape == grid.t.shape == (20,)
     assert grid[-1] == pytest.approx(later["guide.travel", "restitution"][-1], rel=1e-9)
 
@@ -368,7 +368,7 @@ def test_unknown_names_are_refused_at_once(ball):
 
 
 def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
-    run = made(ball, duration="0.1 s", tolerance=1e-9, output=[0.05])
+    run = made(ball, duration="0.1 s", tolerance=1e-9, grid=[0.05])
     assert run.sensitivities("gravity").at(np.array([0.05]), "vertical.travel", "gravity")[0] == pytest.approx(
         -(0.05**2) / 2
     )

@@ -168,7 +168,7 @@ def crank():
 @pytest.mark.parametrize("block", [5_000, 2**23])
 def test_a_run_on_a_grid_has_the_averages_of_its_steps(crank, block, monkeypatch):
     monkeypatch.setattr("hertzwerk.runtime.engine.run.single_run.BLOCK", block)
-    grid = simulate(load("slider_crank_frictionless"), **CRANK, output=7)
+    grid = simulate(load("slider_crank_frictionless"), **CRANK, grid=7)
     kept = named(crank)
     assert 9 in {average.blocks for average in kept.values()}  # some may be correlated: the motion is chaotic
     for name, average in named(grid).items():

@@ -101,7 +101,7 @@ def test_energy_that_is_not_the_forces_ends_a_run_so(factor):
     assert "hertzwerk audit" in run.outcome.remedy
     assert run.t_end == pytest.approx(0.6)
     assert run.energy_residual > 1e-4
-    assert simulate(dropped(factor), duration="0.6 s", tolerance=1e-9, output=50).outcome.name == "energy_not_closed"
+    assert simulate(dropped(factor), duration="0.6 s", tolerance=1e-9, grid=50).outcome.name == "energy_not_closed"
 
 
 def test_energy_that_is_the_forces_does_not():
@@ -110,7 +110,7 @@ def test_energy_that_is_the_forces_does_not():
         {"accuracy": 1e-6},
         {"tolerance": 1e-2},
         {"tolerance": 1e-12},
-        {"tolerance": 1e-9, "output": 50},
+        {"tolerance": 1e-9, "grid": 50},
     ):
         assert simulate(dropped(1.0), duration="0.6 s", **given).outcome.finished
     assert simulate(

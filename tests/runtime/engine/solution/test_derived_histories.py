@@ -210,7 +210,7 @@ def carried(run, other):
 
 def worst_reaction(name, model):
     """Largest difference of a joint's reaction to its multiplier in absolute coordinates, over the largest there."""
-    run = simulate(model, duration=4e-3 if "crank" in name else 2e-2, tolerance=1e-7, output=5)
+    run = simulate(model, duration=4e-3 if "crank" in name else 2e-2, tolerance=1e-7, grid=5)
     there = carried(run, load(name, coordinates="absolute"))
     pairs = [
         (f"{of}.reaction_{what.split('_')[1]}", f"{of}.{what}")

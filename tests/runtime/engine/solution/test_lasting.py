@@ -91,7 +91,7 @@ def pressed(**options):
 def test_a_ball_pressed_on_a_shaken_plane():
     """Amplitude and phase of a spring and damper h K d^n/v0, power dissipated, and the largest gap rate."""
     v0, _, x = steady()
-    run = pressed(output=2001)  # 100 a period
+    run = pressed(grid=2001)  # 100 a period
     vibration = (run["floor.penetration"] - DEPTH)[1000:-1]  # ten periods
     found = 2j * np.mean(vibration * np.exp(-1j * OMEGA * run.t[1000:-1]))
     assert found == pytest.approx(x, rel=1e-5)
@@ -118,7 +118,7 @@ def test_nothing_is_computed_beside_the_steps(monkeypatch):
 
 
 def test_it_is_the_same_of_steps_that_are_kept_and_of_those_that_are_not():
-    kept, alone = pressed(), pressed(output=2)
+    kept, alone = pressed(), pressed(grid=2)
     assert kept.findings.lasting == alone.findings.lasting != ()
 
 
@@ -146,7 +146,7 @@ def test_a_damping_without_v0_has_nothing_to_leave():
 def test_the_flagship_says_since_when_and_how_much():
     """Its pin comes to stay at about 0.2 s, with an approach speed that is chance."""
     crank = load("slider_crank")
-    runs = [simulate(crank, duration="0.3 s", tolerance=1e-6, output=output, compiled=False) for output in (2, 500)]
+    runs = [simulate(crank, duration="0.3 s", tolerance=1e-6, grid=output, compiled=False) for output in (2, 500)]
     first, second = (run.findings.lasting for run in runs)
     assert first == second  # whatever is kept
     worst = max(first, key=lambda left: left.ratio)

@@ -214,7 +214,7 @@ def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):
         duration="1 s",
         tolerance=1e-6,
         parameters={"exponent": "1.4", "stiffness": "2e9 N/m^1.4"},
-        output=40,
+        grid=40,
     )
     assert run.draw().axes
     saved = Solution.load(run.save(tmp_path / "run.npz"))

@@ -43,11 +43,11 @@ def test_dollars_of_a_summary_are_no_mathematics(tmp_path):
     assert "A \\$x^{\\$ b &amp; &lt;i> \\\\ \\$." in str(model.equations())
 
 
-@pytest.mark.parametrize("output", ["steps", 5])
+@pytest.mark.parametrize("output", [None, 5])
 def test_a_run_is_sampled_once_for_all_of_its_pictures(output, monkeypatch):
     calls = []
     monkeypatch.setattr(curves, "dense", lambda run: calls.append(run) or dense(run))
-    run = simulate(load("soft_ball"), duration="1 s", tolerance=1e-6, output=output)
+    run = simulate(load("soft_ball"), duration="1 s", tolerance=1e-6, grid=output)
     run.plot(), run.plot("floor"), run.plot("energy")
     assert len(calls) == 1
     assert b"Curves" not in pickle.dumps(run)  # what pictures share is theirs

@@ -32,7 +32,7 @@ def crank():
 @pytest.fixture(scope="module")
 def coarse():
     """The same, of which 61 rows were kept: one in four impacts has a row."""
-    return simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, output="0.1 ms")
+    return simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, grid="0.1 ms")
 
 
 @pytest.fixture(autouse=True)
@@ -85,7 +85,7 @@ def test_a_run_on_a_grid_is_made_again_bitwise(crank, coarse):
     assert np.array_equal(again.t, crank.t)
     assert np.array_equal(again.history.rows, crank.history.rows)
     assert crank.with_steps() is crank
-    stopped = simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, output=100, max_steps=100)
+    stopped = simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, grid=100, max_steps=100)
     again = stopped.with_steps()
     assert again.t[-1] == stopped.t_end < 6e-3
     assert np.array_equal(again.history.rows, crank.history.rows[: len(again.t)])

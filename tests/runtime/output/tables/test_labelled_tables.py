@@ -29,7 +29,7 @@ def ball():
 def grid(ball):
     """3 x 2 rows, those of the negative mass without a run."""
     over = {"drop_height": "0.5..1 m:3", "mass": "0.1, -1 kg"}
-    return sweep(ball, over, values={"radius": "25 mm"}, outputs=OUTPUTS, **QUICK)
+    return sweep(ball, over, parameters={"radius": "25 mm"}, outputs=OUTPUTS, **QUICK)
 
 
 @pytest.fixture(scope="module")

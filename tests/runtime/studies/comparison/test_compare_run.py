@@ -155,7 +155,7 @@ def test_ranges_are_read_with_units(text, ends):
 
 
 def test_a_run_without_its_steps_is_refused(run):
-    grid = simulate(load("slider_crank"), duration="12 ms", tolerance=1e-6, output=100)
+    grid = simulate(load("slider_crank"), duration="12 ms", tolerance=1e-6, grid=100)
     with pytest.raises(InputError, match="kept its steps"):
         compare(grid, data_of(run), map=MAP)
 

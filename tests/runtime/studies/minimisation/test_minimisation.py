@@ -145,7 +145,7 @@ def test_every_fault_is_told_at_once(yoke):
             {"counterweight": "-1..5 kg", "throw": "1..2 s", "nothing": "1..2", "speed": "1, 2 rad/s"},
             {"bearing.reaction_x.max": "5 N", "bearing.reaction_y.max": "<= 5 m"},
             start={"arm": "1 m", "counterweight": "9 kg"},
-            values={"counterweight": "1 kg"},
+            parameters={"counterweight": "1 kg"},
             duration="1 m",
             precision=0,
         )

@@ -81,14 +81,14 @@ def test_what_is_bad_for_every_run_is_bad_input(ball):
     with pytest.raises(InputError, match="workers"):
         simulate_many(ball, [{}], duration="1 s", workers=0, tolerance=1e-6)
     with pytest.raises(InputError, match="a name of its own"):
-        simulate_many(ball, [{}], duration="1 s", outputs={"impacts": lambda run: 0.0}, tolerance=1e-6)
+        simulate_many(ball, [{}], duration="1 s", functions={"impacts": lambda run: 0.0}, tolerance=1e-6)
 
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_outputs_are_columns_and_one_that_raises_is_a_row(ball, workers):
     outputs = {"top": lambda run: np.max(run["vertical.travel"]), "second": lambda run: run.impacts[1].speed}
     sets = [{"drop_height": "1 m"}, {"drop_height": "20 m"}]
-    sweep = simulate_many(ball, sets, duration="1.5 s", outputs=outputs, workers=workers, tolerance=1e-6)
+    sweep = simulate_many(ball, sets, duration="1.5 s", functions=outputs, workers=workers, tolerance=1e-6)
     assert sweep["top"] == pytest.approx([1.1, 20.1])
     assert sweep["second"][0] > 0
     assert sweep.rows[1].outcome == "bad_output"
@@ -100,7 +100,7 @@ def test_a_process_that_dies_is_a_row(ball):
         os._exit(3)
 
     sweep = simulate_many(
-        ball, [{}, {}, {}], duration="1 s", compiled=False, workers=2, outputs={"x": die}, tolerance=1e-6
+        ball, [{}, {}, {}], duration="1 s", compiled=False, workers=2, functions={"x": die}, tolerance=1e-6
     )
     assert set(sweep["outcome"]) == {"lost"}
     assert len(sweep) == 3
@@ -209,7 +209,7 @@ def tell(run):
     time.sleep(600 if run.initial["vertical.speed"] else 0)
     return 0.0
 sets = [{}] + [{"vertical.speed": "-1 m/s"}] * 3
-simulate_many(load("bouncing_ball"), sets, duration="1 s", tolerance=1e-6, workers=2, compiled=False, outputs={"x": tell})
+simulate_many(load("bouncing_ball"), sets, duration="1 s", tolerance=1e-6, workers=2, compiled=False, functions={"x": tell})
 """
     parent = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     workers = {int(parent.stdout.readline()) for _ in range(3)} - {parent.pid}
@@ -233,7 +233,7 @@ def test_of_all_rows_only_the_guilty_ones_are_lost(ball):
 
     heights = [round(0.5 + 0.1 * i, 1) for i in range(20)]
     sets = [{"drop_height": f"{height} m"} for height in heights]
-    sweep = simulate_many(ball, sets, duration="1 s", compiled=False, workers=2, outputs={"end": die}, tolerance=1e-6)
+    sweep = simulate_many(ball, sets, duration="1 s", compiled=False, workers=2, functions={"end": die}, tolerance=1e-6)
     assert [row.index for row in sweep] == list(range(20))
     assert [h for h, row in zip(heights, sweep, strict=True) if row.outcome == "lost"] == [1.2, 1.8]
     assert all(row["end"] == 1 for row in sweep if row.outcome != "lost")
@@ -247,7 +247,7 @@ def test_processes_look_for_no_garbage_in_what_they_were_forked_with(ball):
 
     sets = [{"drop_height": height} for height in HEIGHTS[:2]]
     ours, theirs = (
-        simulate_many(ball, sets, workers=workers, compiled=False, outputs={"left_out": left_out}, **SETTINGS)[
+        simulate_many(ball, sets, workers=workers, compiled=False, functions={"left_out": left_out}, **SETTINGS)[
             "left_out"
         ]
         for workers in (1, 2)
@@ -259,14 +259,14 @@ def test_a_grid_changes_no_row_and_is_what_outputs_see(ball):
     sets = [{"drop_height": height} for height in HEIGHTS[:3]]
     outputs = {"rows": lambda run: float(len(run.t))}
     steps, grid = (
-        simulate_many(ball, sets, workers=1, compiled=False, output=output, outputs=outputs, **SETTINGS)
-        for output in ("steps", 11)
+        simulate_many(ball, sets, workers=1, compiled=False, grid=output, functions=outputs, **SETTINGS)
+        for output in (None, 11)
     )
     assert list(grid["rows"]) == [11] * 3
     for name in ("peak_force", "impacts", "energy_residual", "steps", "final.vertical.speed"):
         assert np.array_equal(steps[name], grid[name]), name
     with pytest.raises(InputError, match="output"):
-        simulate_many(ball, sets, duration="1 s", output=1, tolerance=1e-6)
+        simulate_many(ball, sets, duration="1 s", grid=1, tolerance=1e-6)
 
 
 def test_csv(ball, tmp_path):

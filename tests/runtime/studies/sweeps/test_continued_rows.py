@@ -128,7 +128,7 @@ def test_several_starts_are_followed_side_by_side(crank):
     over = {**OVER, "guide.travel": "169.8, 170 mm"}
     both = sweep(crank, over, continued="up", **{**CRANK, "workers": 2})
     for i, place in enumerate(("169.8 mm", "170 mm")):
-        alone = sweep(crank, OVER, values={"guide.travel": place}, continued="up", **CRANK)
+        alone = sweep(crank, OVER, parameters={"guide.travel": place}, continued="up", **CRANK)
         assert np.array_equal(both["final.guide.travel"][i::2], alone["final.guide.travel"])
         assert np.isfinite(alone["final.guide.travel"]).all()
         assert both["guide.travel"][i::2] == pytest.approx(float(place.split()[0]) * 1e-3)

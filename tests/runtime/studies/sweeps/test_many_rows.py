@@ -113,7 +113,7 @@ def test_points_of_a_definition_are_those_that_it_was_written_from():
         assert not faults
         values = {name: as_text(value) for name, value in design.fixed.items()}
         spread = {"zip": False, "sample": None, "sampler": "latin", "seed": 0, **how}
-        read = design_of({"over": axes_of(design, NO_CHOICES), "values": values, **spread})
+        read = design_of({"over": axes_of(design, NO_CHOICES), "parameters": values, **spread})
         assert len(read) == len(design)
         places = np.linspace(0, len(design) - 1, 20).astype(int).tolist()
         assert [read[i] for i in places] == [design[i] for i in places]

@@ -69,7 +69,7 @@ def test_what_is_stored_is_what_a_sweep_returns_and_is_not_computed_again(ball, 
     height, computed = counted
     how = {
         **BALL,
-        "values": {"radius": "21 mm"},
+        "parameters": {"radius": "21 mm"},
         "outputs": ["floor.peak_force", "floor.impact_rate", "final.vertical.speed"],
         "functions": {"n": height},
     }
@@ -113,7 +113,7 @@ def test_what_would_change_the_numbers_is_computed_anew(ball, tmp_path, counted)
         {"laws": {"floor": "hunt_crossley"}},
         {"tolerance": 1e-7},
         {"duration": "1 s"},
-        {"values": {"radius": "21 mm"}},
+        {"parameters": {"radius": "21 mm"}},
         {"outputs": ["impacts"]},
         {"functions": {"n": lambda run: height(run) + 1}},
     ):

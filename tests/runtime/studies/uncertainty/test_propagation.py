@@ -161,7 +161,9 @@ def test_every_fault_is_told_at_once(ball):
         "drop_height": Normal("1 m", "-1 m"), "vertical.speed": Uniform("1 m/s", "0 m/s"), "radius": LogNormal("1 cm", "2 m"),
     }  # fmt: skip
     with pytest.raises(InputError) as caught:
-        propagate(ball, uncertain, ["final.nothing"], sample=100, duration="1 m", values={"mass": "2 s"}, indices="no")
+        propagate(
+            ball, uncertain, ["final.nothing"], sample=100, duration="1 m", parameters={"mass": "2 s"}, indices="no"
+        )
     places = [fault.where for fault in caught.value.faults]
     for place in ("mas", "mass, mean", "restitution, high", "gravity", "drop_height", "vertical.speed", "radius, factor",
                   "sample", "indices", "final.nothing", "duration"):  # fmt: skip

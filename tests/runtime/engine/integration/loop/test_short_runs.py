@@ -46,7 +46,7 @@ def test_a_run_without_a_step(stuck, tmp_path):
 
 
 def test_a_run_of_one_step_on_a_grid_has_one_row(tmp_path):
-    run = simulate(load("slider_crank"), duration="24 ms", tolerance=1e-6, output=100, max_steps=1)
+    run = simulate(load("slider_crank"), duration="24 ms", tolerance=1e-6, grid=100, max_steps=1)
     assert (run.outcome.name, run.statistics.steps, len(run.t)) == ("too_many_steps", 1, 1)
     assert all(average.mean is None for average in everything(run, tmp_path))
 

@@ -141,7 +141,7 @@ def test_pairs_that_latch_nothing_are_listed(monkeypatch):
 @pytest.mark.exhaustive
 def test_a_hundred_spheres_move_bit_for_bit_as_with_every_pair_in_every_step(monkeypatch):
     model = load(scenes.spheres_in_box(100, 5))
-    options = {"duration": "25 ms", "tolerance": 1e-6, "method": "dopri5", "compiled": False, "output": "steps"}
+    options = {"duration": "25 ms", "tolerance": 1e-6, "method": "dopri5", "compiled": False, "grid": None}
     assert near_model(model) is not None
     run = simulate(model, **options)
     monkeypatch.setattr(near_pairs, "WORTH", np.inf)

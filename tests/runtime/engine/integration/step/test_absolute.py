@@ -159,7 +159,7 @@ def test_redundant_constraints_are_named():
 
 def test_what_drives_a_joint_is_the_force_that_holds_it():
     """Work of the drive between two bodies against what its multiplier does at its speed, summed over the steps of a fine grid."""
-    absolute = simulate(load(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, output=4001)
+    absolute = simulate(load(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, grid=4001)
     power = absolute["pin_1.moment_angle"] * absolute["pin_1.speed"]
     t = absolute.t
     work = np.sum((power[1:] + power[:-1]) / 2 * np.diff(t))

@@ -71,10 +71,10 @@ def test_impacts_tell_by_their_rate_and_their_speeds():
     """Rate of an elastic ball: 1 / (2 gap / v + pi sqrt(m / K)); each list at a start of its own, independent of the other."""
     walls = load("ball_between_walls")
     lists = [
-        MeasuredSeries(impacts(9.0), map={"t": "impacts.t", "speed": "impacts.speed"}, values={"gap": "0.4 m"}),
-        MeasuredSeries(impacts(9.0 * 0.5, seed=5), map={"t": "impacts.t"}, values={"gap": "0.8 m"}),
+        MeasuredSeries(impacts(9.0), map={"t": "impacts.t", "speed": "impacts.speed"}, parameters={"gap": "0.4 m"}),
+        MeasuredSeries(impacts(9.0 * 0.5, seed=5), map={"t": "impacts.t"}, parameters={"gap": "0.8 m"}),
     ]
-    how = {"values": WALLS, "workers": 1, "duration": "3 s", "tolerance": 1e-7}
+    how = {"parameters": WALLS, "workers": 1, "duration": "3 s", "tolerance": 1e-7}
     found = fit_moments(walls, {"t.rate": None, "speed.mean": None}, free={"speed": "8..10 m/s"}, series=lists, **how)
     names = [moment.name for moment in found.moments]
     assert names == ["t.rate of series 1", "speed.mean", "t.rate of series 2"]

@@ -8,7 +8,7 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import fit_moments, load, simulate
 
 RANGES = {"drop_height": "0.7..1.5 m log", "stiffness": "1e10..4e10 N/m^1.5 log"}
-HOW = {"duration": "0.7 s", "values": {"restitution": 1}, "tolerance": 1e-9, "workers": 1}
+HOW = {"duration": "0.7 s", "parameters": {"restitution": 1}, "tolerance": 1e-9, "workers": 1}
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +72,7 @@ def test_runs_that_do_not_finish_say_why(ball):
 def test_a_rattling_pin_returns_its_clearance():
     """Statistics of one run of 400 revolutions, far beyond its horizon, against runs of 200."""
     model = load("slider_crank_frictionless")
-    run = simulate(model, duration="400 rev", tolerance=1e-6, parameters={"clearance": "0.5 mm"}, output=100)
+    run = simulate(model, duration="400 rev", tolerance=1e-6, parameters={"clearance": "0.5 mm"}, grid=100)
     names = {
         "slider_pin.impact_rate": "slider_pin.impact_rate",
         "slider_pin.peak_force": "slider_pin.mean_peak_force",

@@ -62,7 +62,7 @@ def test_the_phase_of_what_depends_on_time_is_that_of_a_constant_drive(crank):
 def test_a_body_that_turns_freely_returns_after_whole_turns(direction, speed):
     """Closed form: angle 0.25 + w t is 1 modulo 2 pi."""
     (row,) = table = sweep(
-        *("pendulum", {"hinge.speed": f"{speed} rad/s"}), values=FREE, section=f"hinge.angle = 1 rad {direction}",
+        *("pendulum", {"hinge.speed": f"{speed} rad/s"}), parameters=FREE, section=f"hinge.angle = 1 rad {direction}",
         after="1 s", duration="5 s", tolerance=1e-10, compiled=False, workers=1,
     )  # fmt: skip
     turns = np.arange(-10, 10)
@@ -78,7 +78,7 @@ def test_a_return_at_the_end_of_the_transient_belongs_to_it():
     """An angle of .25 + 2 pi n t returns at 1 s, which rounding has on either side of `after`."""
     speeds = [2 * math.pi * n for n in range(1, 8)]
     table = sweep(
-        *("pendulum", {"hinge.speed": [f"{speed!r} rad/s" for speed in speeds]}), values=FREE,
+        *("pendulum", {"hinge.speed": [f"{speed!r} rad/s" for speed in speeds]}), parameters=FREE,
         section="hinge.angle = 0.25 rad", after="1 s", duration="1.9 s", tolerance=1e-10, compiled=False, workers=1,
     )  # fmt: skip
     for n, row in enumerate(table, 1):
@@ -95,7 +95,7 @@ def test_a_section_that_trusts_rounding_counts_some_of_them(monkeypatch):
 def test_events_are_those_of_rigid_bounces(ball):
     """An elastic ball strikes after the time of fall and then of flight; Hertz's contacts last 0.1 ms."""
     table = sweep(
-        *(ball, {"drop_height": "0.5, 1 m"}), values={"restitution": 1},
+        *(ball, {"drop_height": "0.5, 1 m"}), parameters={"restitution": 1},
         section="floor.gap = 0 m falling", histories=["vertical.speed", "floor.gap"], **BALL,
     )  # fmt: skip
     for row, height in zip(table, (0.5, 1.0), strict=True):
@@ -110,7 +110,7 @@ def test_events_are_those_of_rigid_bounces(ball):
 
 def test_crossings_within_a_step_are_all_found(ball):
     """Thrown up, a ball passes a height twice, however long the steps of free flight are."""
-    how = {"values": {"vertical.travel": "10 m"}, "duration": "0.5 s", "tolerance": 1e-10, "compiled": False}
+    how = {"parameters": {"vertical.travel": "10 m"}, "duration": "0.5 s", "tolerance": 1e-10, "compiled": False}
     height = 10 + 3 * 0.302 - 9.81 * 0.302**2 / 2
     up, down = np.sort(np.roots([-9.81 / 2, 3, 10 - height]))
     both = sweep(ball, {"vertical.speed": "3 m/s"}, section=f"vertical.travel = {height!r} m both", workers=1, **how)

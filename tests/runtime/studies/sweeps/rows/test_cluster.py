@@ -136,7 +136,7 @@ def test_rows_are_those_of_one_machine_to_the_bit(client, compiled, tmp_path):
 def test_failures_are_rows_of_batches_too(client):
     sets = [{"mass": "-1 kg"}, {"drop_height": "0.3 m"}, {"mass": "1 m"}, {"drop_height": "20 m"}]
     outputs = {"second": lambda run: run.impacts[1].speed}
-    asked = {"duration": "1 s", "tolerance": 1e-6, "outputs": outputs, "compiled": False}
+    asked = {"duration": "1 s", "tolerance": 1e-6, "functions": outputs, "compiled": False}
     alone, together = (simulate_many(load("bouncing_ball"), sets, **asked, **who) for who in ({}, {"client": client}))
     assert list(together["outcome"]) == ["bad_input", "finished", "bad_input", "bad_output"]
     assert same(alone, together)
@@ -169,7 +169,7 @@ def test_what_cannot_be_sent_is_one_clear_error(client):
             [{}],
             duration="1 s",
             client=client,
-            outputs={"x": lambda run: lock.locked()},
+            functions={"x": lambda run: lock.locked()},
             compiled=False,
         )
     free = point(lambda d, v, v0: 1e6 * d)

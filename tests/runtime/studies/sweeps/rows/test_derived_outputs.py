@@ -26,7 +26,7 @@ def test_a_derivative_is_a_column_with_its_unit_and_is_kept(crank, tmp_path):
     assert (table.unit(BY), table.unit(names[2])) == ("N", "m/m")
     now = crank.bind()["restitution"]
     sides = [
-        sweep(crank, {"clearance": "0.2, 0.4 mm"}, values={"restitution": now + d}, outputs=[PEAK], **HOW)[PEAK]
+        sweep(crank, {"clearance": "0.2, 0.4 mm"}, parameters={"restitution": now + d}, outputs=[PEAK], **HOW)[PEAK]
         for d in (1e-4, -1e-4)
     ]
     np.testing.assert_allclose(table[BY], (sides[0] - sides[1]) / 2e-4, rtol=1e-5)
@@ -60,7 +60,13 @@ def test_methods_and_durations_that_derivatives_cannot_follow_are_refused(crank)
 def test_an_average_beyond_the_horizon_says_so():
     """Of a chaotic double pendulum: errors of 1e-8 reach 1 % within ten seconds, see `test_lyapunov`."""
     model, name = load("double_pendulum"), "d(elbow.speed.rms)/d(shoulder.angle)"
-    how = {"values": {"elbow.angle": "2 rad"}, "outputs": [name], "tolerance": 1e-8, "compiled": False, "workers": 1}
+    how = {
+        "parameters": {"elbow.angle": "2 rad"},
+        "outputs": [name],
+        "tolerance": 1e-8,
+        "compiled": False,
+        "workers": 1,
+    }
     (short,) = sweep(model, {"shoulder.angle": "2.5 rad"}, duration="2 s", **how)
     (long,) = sweep(model, {"shoulder.angle": "2.5 rad"}, duration="20 s", **how)
     assert short.outcome == "finished"

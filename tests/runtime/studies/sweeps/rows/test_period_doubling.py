@@ -63,7 +63,7 @@ def test_the_period_doubles_where_it_must():
             "vertical.travel": [f"{x!r} m" for x in (0.01 + 1e-7 + amplitudes * np.sin(phases)).tolist()],
         },
         zip=True,
-        values={"vertical.speed": f"{SPEED!r} m/s"},
+        parameters={"vertical.speed": f"{SPEED!r} m/s"},
         duration="10 s",
         section="floor.gap = 0 falling",
         histories=["vertical.speed"],
