@@ -284,7 +284,7 @@ ARGUMENTS = (
     "method",
     "parameters",
     "initial",
-    "output",
+    "grid",
     "compiled",
     "max_steps",
     "max_events",

@@ -41,6 +41,7 @@ class SweepFile(BaseModel):
     sampler: str = "latin"
     seed: int = 0
     parameters: dict[str, Quantity] = Field({}, description='values by name, such as radius = "20 mm"')
+    initial: dict[str, Quantity] = Field({}, description='initial states by name, such as travel = "1 m"')
     inputs: dict[str, Quantity] = Field({}, description=INPUTS)
     without: list[str] = []
     laws: dict[str, str] = Field({}, description='laws by the names of effects, such as floor = "flores"')

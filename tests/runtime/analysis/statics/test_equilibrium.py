@@ -310,8 +310,8 @@ def test_where_a_drive_of_given_speed_is_later_is_not_known():
 
 
 def test_bad_input_is_named():
-    with pytest.raises(InputError, match="model"):
-        equilibrium("pendulum")
+    with pytest.raises(InputError, match="target"):
+        equilibrium(5)
     with pytest.raises(InputError, match="at"):
         equilibrium(load("pendulum"), at="soon")
     with pytest.raises(InputError, match="mass"):

@@ -265,7 +265,7 @@ def test_a_grid_changes_no_row_and_is_what_outputs_see(ball):
     assert list(grid["rows"]) == [11] * 3
     for name in ("peak_force", "impacts", "energy_residual", "steps", "final.vertical.speed"):
         assert np.array_equal(steps[name], grid[name]), name
-    with pytest.raises(InputError, match="output"):
+    with pytest.raises(InputError, match="grid"):
         simulate_many(ball, sets, duration="1 s", grid=1, tolerance=1e-6)
 
 
