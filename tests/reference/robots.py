@@ -85,7 +85,7 @@ def urdf(name: str, rows: list[Row], more: str = "") -> str:
         names = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
         moments = " ".join(f'{key}="{value!r}"' for key, value in zip(names, row.inertia, strict=True))
         inertial = f'<inertial><origin xyz="{_triple(row.centre)}"/><mass value="{row.mass!r}"/><inertia {moments}/></inertial>'
-        text.append(f'<link name="{row.child}">{inertial if row.mass else ""}</link>')
+        text.append(f'<link name="{row.child}">{inertial if row.mass or any(row.inertia) else ""}</link>')
         if row.joint:
             text.append(
                 f'<joint name="{row.joint}" type="{row.kind}"><parent link="{row.parent}"/><child link="{row.child}"/>'

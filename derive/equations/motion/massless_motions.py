@@ -1,4 +1,4 @@
-"""Motions without inertia: massless bodies that neither a mass nor a closed loop holds.
+"""Motions without inertia: bodies without mass or inertia that neither a mass nor a closed loop holds.
 
 The fault is in the mechanism: its mass matrix is singular on the motions that the constraints allow, in every position.
 It is tested at a random position, with parameters at their defaults.
@@ -27,10 +27,16 @@ SMALL = 1e-6  # share of a motion that counts as rounding
 def resistance_faults(scene: Scene) -> Iterator[Fault]:
     """Yield a fault for each motion of the free joints without inertia.
 
-    Only massless bodies allow such motions, so other scenes skip the test. In absolute coordinates bodies without
-    inertia are allowed if joint coordinates allow them, which are tested.
+    Only bodies without mass, or turned ones without inertia, allow such motions, so other scenes skip the test. In
+    absolute coordinates bodies without inertia are allowed if joint coordinates allow them, which are tested.
     """
-    massless = [body.name for body in scene.mechanism.bodies if default_value(body.mass) == 0]
+    mechanism = scene.mechanism
+    massless = [
+        body.name
+        for body in mechanism.bodies
+        if default_value(body.mass) == 0
+        or (mechanism.turned_by(body) is not None and not any(default_value(value) for value in body.moments))
+    ]
     if isinstance(scene, Absolute):
         scene = scene.declared
         massless = [body.name for body in scene.mechanism.bodies if not _is_whole(body)]

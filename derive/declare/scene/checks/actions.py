@@ -25,7 +25,8 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
         if count > 1:
             yield Fault(what, str(count), "one", "Leave out the others, or sum up in one what they do.")
     if not scene.mechanism.freedoms:
-        yield Fault("effects", "no joint that can move", "at least one joint that is free to move")
+        yield Fault("effects", "no joint that can move", "at least one joint that is free to move",
+                    "A robot without joints that move can float: from_urdf(..., base='floating').")  # fmt: skip
     elif not (scene.free or scene.ledger or scene.states or any(drive.integrates for drive in scene.driven.values())):
         yield Fault("effects", "a drive on every joint", "at least one joint that is free to move, or the work of the drives",
                     "Add EnergyLedger(), or the Contact of what the drives move.")  # fmt: skip

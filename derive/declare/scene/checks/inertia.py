@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
+from mpmath import mp  # SymPy brings it
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.derive.declare.mechanism.bodies import Body, Direction, Frame
+from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Frame, steiner
 from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
 from hertzwerk.derive.declare.scene.checks.topology import connection_faults, rigid_root
-from hertzwerk.derive.expressions.algebra.vectors import apply, cross, sub
+from hertzwerk.derive.expressions.algebra.vectors import (
+    Matrix,
+    Vector,
+    add,
+    apply,
+    combine,
+    dot,
+    multiply,
+    scaled,
+    sub,
+    transpose,
+)
 from hertzwerk.derive.expressions.parameter import Parameter, default_value, is_number, parameters_of
 
 ROUNDING = 1e-9
@@ -21,56 +33,36 @@ ROUNDING = 1e-9
 def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterator[Fault]:
     """Yield faults of missing masses and inertias.
 
-    A body turned about its mass centre needs an inertia about the axis; other principal inertias may be zero in plane
-    motion. The last body of a chain needs a mass, unless it closes a loop, and an inertia about every axis where it may
-    turn about every axis.
+    The last rigid whole of a chain needs a mass, unless it closes a loop, and an inertia about the axis that its joint
+    turns it about, or about every axis where that turns it about every axis.
     """
-    if any(True for _ in connection_faults(mechanism)):
+    if any(connection_faults(mechanism)):
         return
-    loaded = {rigid_root(mechanism, body) for body in mechanism.bodies if not (is_number(body.mass) and body.mass == 0)}
-    moved = [joint for joint in mechanism.joints if joint.freedoms]
-    carriers = {rigid_root(mechanism, joint.parent.body) for joint in moved}
-    alone = {joint.parent.body for joint in mechanism.joints}
+    wholes: dict[Frame, list[Body]] = {}
+    for body in mechanism.bodies:
+        wholes.setdefault(rigid_root(mechanism, body), []).append(body)
+    carriers = {rigid_root(mechanism, joint.parent.body) for joint in mechanism.joints if joint.freedoms}
     tied = {rigid_root(mechanism, place.body) for joint in mechanism.closures for place in (joint.parent, joint.child)}
-    for body in (joint.child.body for joint in mechanism.tree if isinstance(joint.child.body, Body)):
-        root = rigid_root(mechanism, body)
-        if body == root and body not in carriers and body not in loaded and body not in tied:
-            yield Fault(f"body {body.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",
-                        "Give it a mass (under a drive any will do: only the drive's force has it), close a loop by a joint to it, or "
-                        "leave it out.")  # fmt: skip
-        if body.mass == 0:
-            continue
-        rows = body.inertia if isinstance(body.inertia, tuple) and body.has_products else (body.moments,)
-        given = (body.mass, *body.centre, *(value for row in rows for value in row))
-        if not all(is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v)) for v in given):
-            continue
-        zero = [default_value(value) == 0 for value in body.moments]
-        impossible = list(_tensor_faults(mechanism, body))
-        yield from impossible
-        if impossible:
-            continue
-        for axis in _turning_axes(mechanism, body):
-            if axis is None and body == root and body not in {*carriers, *alone} and _spins_freely(mechanism, body):
-                yield Fault(f"body {body.name}", "inertia 0 about an axis through its joint",
-                            "a positive one about every axis, because the joint lets the body turn in every way",
-                            "Body(name, mass, (J_x, J_y, J_z)), or a Universal joint, which does not let it turn about itself.")  # fmt: skip
-            elif (
-                axis is not None
-                and axis.points
-                and all(zero[k] for k in range(3) if axis.components[k] != 0)
-                and not _swings(mechanism, body, axis)
-            ):
-                yield Fault(
-                    f"body {body.name}",
-                    "inertia 0",
-                    "a positive inertia about the joint's axis, because the body rotates",
-                    "Body(name, mass, inertia) about the mass centre; or, if another joint keeps it from turning, "
-                    "that joint before this one: then it carries the body.",
-                )
+    for root, bodies in wholes.items():
+        if all(is_number(value) and value == 0 for body in bodies for value in (body.mass, *body.moments)):
+            if root not in {*carriers, *tied, GROUND}:
+                yield Fault(f"body {root.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",
+                            "Give it a mass (under a drive any will do: only the drive's force has it), close a loop by a joint to it, or "
+                            "leave it out; in a robot, lock its joint: from_urdf(..., locked={joint: 0}).")  # fmt: skip
+        elif all(_is_sound(body, sound) for body in bodies):
+            impossible = [fault for body in bodies for fault in tensor_faults(mechanism, body)]
+            yield from impossible or _turning_faults(mechanism, bodies, inner=root in carriers)
 
 
-def _tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
-    """Faults of a tensor that is not symmetric, or that no distribution of mass has at the defaults.
+def _is_sound(body: Body, sound: dict[str, Parameter]) -> bool:
+    """Whether the quantities of a body are numbers or sound parameters."""
+    rows = body.inertia if isinstance(body.inertia, tuple) and body.has_products else (body.moments,)
+    given = (body.mass, *body.centre, *(value for row in rows for value in row))
+    return all(is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v)) for v in given)
+
+
+def tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
+    """Yield the faults of a tensor that is not symmetric, or that no distribution of mass has at the defaults.
 
     Principal values of zero are short for those that do not matter, as in plane motion.
     """
@@ -85,7 +77,7 @@ def _tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
             return
     if not isinstance(body.inertia, tuple) or (mechanism.plane is not None and not body.has_products):
         return
-    values = sorted(_principal([[default_value(value) for value in row] for row in J]))
+    values = sorted(principal([[default_value(value) for value in row] for row in J]))
     least, middle, most = values
     found = f"principal values {', '.join(f'{value:.4g}' for value in values)} kg m^2"
     if body.has_products and not least > ROUNDING * most:
@@ -96,46 +88,65 @@ def _tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
                     "No distribution of mass has these: see the values, and the signs of the products, J_xy = -integral of x y dm.")  # fmt: skip
 
 
-def _principal(J: list[list[float]]) -> tuple[float, float, float]:
-    """Eigenvalues of a symmetric 3 x 3 matrix. Smith, Comm. ACM 4 (1961) 168."""
-    mean = (J[0][0] + J[1][1] + J[2][2]) / 3
-    spread = math.sqrt(sum((J[i][k] - mean * (i == k)) ** 2 for i in range(3) for k in range(3)) / 6)
-    if not spread > 0:
-        return (mean, mean, mean)
-    B = sp.Matrix(3, 3, lambda i, k: (J[i][k] - mean * (i == k)) / spread)
-    angle = math.acos(max(-1.0, min(1.0, float(B.det()) / 2))) / 3
-    first, last = mean + 2 * spread * math.cos(angle), mean + 2 * spread * math.cos(angle + 2 * math.pi / 3)
-    return (first, 3 * mean - first - last, last)
+def principal(rows: Sequence[Sequence[float]]) -> list[float]:
+    """Eigenvalues of a symmetric 3 x 3 matrix, the least first."""
+    return [float(value) for value in mp.eigsy(mp.matrix(rows), eigvals_only=True)]
 
 
-def _spins_freely(mechanism: Mechanism, body: Body) -> bool:
-    """Whether a body has no inertia about some axis through its joint's point, at the defaults."""
-    joint = mechanism.joint_of(body)
-    at = joint.child.position if joint is not None else (0, 0, 0)
-    arm = [default_value(c) - default_value(p) for c, p in zip(body.centre, at, strict=True)]
-    own = [[default_value(value) for value in row] for row in body.tensor]
-    mass, square = default_value(body.mass), sum(x * x for x in arm)
-    about = sp.Matrix(3, 3, lambda i, j: own[i][j] + mass * square * (i == j) - mass * arm[i] * arm[j])
-    return bool(about.det() <= 1e-12 * about.trace() ** 3)
+def whole_of(mechanism: Mechanism, bodies: Sequence[Body]) -> Body:
+    """Rigid whole of bodies at their defaults, in the frame of the first, which all others are welded to."""
+    parts = [_carried(mechanism, body, bodies[0]) for body in bodies]
+    if any(part.mass for part in parts):
+        return Body.of(bodies[0].name, *parts)
+    return replace(parts[0], inertia=combine(*(part.tensor for part in parts)))
 
 
-def _swings(mechanism: Mechanism, body: Body, axis: Direction) -> bool:
-    """Whether the joint of a body turns it about an axis that misses its mass centre.
+def _carried(mechanism: Mechanism, body: Body, root: Body) -> Body:
+    """Body at its defaults, in the frame of one that it is welded to."""
+    centre, rows = _numbers(body.centre), _matrix(body.tensor)
+    place: Frame = body
+    while place != root and (joint := mechanism.joint_of(place)) is not None:
+        turn = _matrix(multiply(joint.parent.axes, transpose(joint.child.axes)))
+        centre = add(_numbers(joint.parent.position), apply(turn, sub(centre, _numbers(joint.child.position))))
+        rows, place = multiply(multiply(turn, rows), transpose(turn)), joint.parent.body
+    return Body(body.name, sp.Float(default_value(body.mass)), rows, centre)
 
-    Then it needs no inertia of its own.
+
+def _numbers(vector: Vector) -> Vector:
+    """Components at the defaults."""
+    x, y, z = (sp.Float(default_value(value)) for value in vector)
+    return (x, y, z)
+
+
+def _matrix(rows: Matrix) -> Matrix:
+    x, y, z = map(_numbers, rows)
+    return (x, y, z)
+
+
+def _turning_faults(mechanism: Mechanism, bodies: Sequence[Body], inner: bool) -> Iterator[Fault]:
+    """Yield the fault of a rigid whole without inertia about an axis that it is turned about.
+
+    Within a chain (`inner`) others beyond may have it.
     """
-    joint = mechanism.joint_of(body)
-    if joint is None or all(freedom.kind == "slide" for freedom in joint.freedoms):
-        return False
-    arm = sub(body.centre, joint.child.position)
-    turned = apply(joint.child.axes, axis.unit)
-    return any(default_value(component) != 0 for component in cross(arm, turned))
-
-
-def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:
-    """Axis of the last turn of the nearest joint that turns a body, in the joint's axes.
-
-    [None] if that is every axis; [] if nothing turns it.
-    """
-    joint = mechanism.turned_by(body)
-    return [] if joint is None else [joint.turning[-1]]
+    own, joint = mechanism.joint_of(bodies[0]), mechanism.turned_by(bodies[0])
+    if inner or own is None or joint is None:
+        return
+    whole, axis = whole_of(mechanism, bodies), joint.turning[-1]
+    arm = sub(whole.centre, _numbers(own.child.position))
+    about = combine(whole.tensor, scaled(whole.mass, steiner(arm)))
+    size = float(about[0][0] + about[1][1] + about[2][2])
+    if axis is None:
+        if float(sp.Matrix(about).det()) <= 1e-12 * size**3:
+            yield Fault(f"body {whole.name}", "inertia 0 about an axis through its joint",
+                        "a positive one about every axis, because the joint lets the body turn in every way",
+                        "Body(name, mass, (J_x, J_y, J_z)), or a Universal joint, which does not let it turn about itself.")  # fmt: skip
+    elif axis.points:
+        line = _numbers(apply(joint.child.axes, axis.unit))
+        if float(dot(line, apply(about if own is joint else whole.tensor, line))) <= 1e-14 * size:
+            yield Fault(
+                f"body {whole.name}",
+                "inertia 0",
+                "a positive inertia about the joint's axis, because the body rotates",
+                "Body(name, mass, inertia) about the mass centre; or, if another joint keeps it from turning, "
+                "that joint before this one: then it carries the body.",
+            )

@@ -427,10 +427,11 @@ def test_an_arm_is_asked_for_where_bodies_turn():
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-def test_axes_that_coincide_with_no_mass_between_them_are_refused(coordinates):
+@pytest.mark.parametrize("mass", [0, MASS])
+def test_axes_that_coincide_with_no_inertia_between_them_are_refused(coordinates, mass):
     hub, cross, one = (
         Body("hub", MASS, (ACROSS, ACROSS, ACROSS)),
-        Body("cross", 0),
+        Body("cross", mass),
         Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
     )
     with pytest.raises(InputError, match=r"axes that coincide: .* together move no mass; .* without one: cross"):

@@ -1,5 +1,10 @@
-"""Robots of URDF files: mass matrices of public robots by a second derivation, and every fault of a file at once."""
+"""Robots of URDF files: mass matrices of public robots by a second derivation, and every fault of a file at once.
 
+Ten structures that occur in example-robot-data stand here with numbers of our own; `compare_robots.py` reads such a
+collection beside Pinocchio.
+"""
+
+from dataclasses import replace
 from pathlib import Path
 
 import casadi as ca
@@ -25,7 +30,7 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.exchange.user_files.urdf import Robot
 from hertzwerk.runtime import load, simulate
-from reference.robots import ROBOTS, Row, urdf
+from reference.robots import NONE, ROBOTS, Row, urdf
 
 SCALES = Scales(length=Parameter("size", "m", 0.1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 0.1))
 GRAVITY = Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Z)
@@ -82,7 +87,7 @@ def textbook_mass_matrix(rows: list[Row], q: np.ndarray, floating: bool) -> np.n
 def state_of(robot: Robot, seed: int):
     rng = np.random.default_rng(seed)
     q = np.concatenate([rng.uniform(-1, 1, len(freedom.coordinates)) for freedom in robot.mechanism.freedoms])
-    if len(q) == 15:
+    if robot.mechanism.freedoms[3:] and robot.mechanism.freedoms[3].kind == "ball":
         q[3:7] /= np.linalg.norm(q[3:7])
     return q, rng.normal(size=sum(len(freedom.speeds) for freedom in robot.mechanism.freedoms))
 
@@ -300,3 +305,151 @@ def test_a_file_that_is_not_there_and_a_base_that_is_none(tmp_path):
     with pytest.raises(InputError, match="no such file"):
         from_urdf(tmp_path / "none.urdf")
     assert "expected 'fixed' or 'floating'" in faults_of(tmp_path, robot_with(links=""), base="loose")
+
+
+SOUND = {"mass": 1.3, "centre": (0.02, -0.03, 0.1), "inertia": (0.02, 0.001, -0.002, 0.03, 0.003, 0.025)}
+LAZY = (1e-5,) * 6  # principal values 0, 0 and 3e-5
+LONG = (1e-3, 2e-4, 0, 1e-3, 0, 9e-3)  # one principal value above the sum of the others
+NEGATIVE = (3e-5, 8e-5, 0, 3e-5, 0, 9e-5)
+THIN = (1e-20, -3e-20, 0, 2e-20, 0, 4e-20)  # rounding, for a link of a kilogramme
+BASE = Row("", "", "", "trunk", NONE, **SOUND)
+HIP = Row("hip", "revolute", "trunk", "thigh", (0.1, 0.2, 0), (0.1, 0, 0.3), (0, 1, 0), **SOUND)
+KNEE = Row("knee", "revolute", "thigh", "shin", (0, 0.05, -0.3), (0, 0.2, 0), (0, 0.6, 0.8), **SOUND)
+TIP = Row("glue", "fixed", "shin", "foot", (0.02, 0, -0.2), (0.4, 0.5, 0.6), mass=0.2, centre=(0.01, 0.02, 0.03))
+WHEEL = Row("axle", "revolute", "shin", "wheel", (0, 0.1, 0), axis=(0, 1, 0), mass=0.5)
+SLED = Row("sled", "fixed", "trunk", "box", (0.3, 0, 0.1), (0, 0, 0.7), mass=0.4, inertia=LONG)
+
+STRUCTURES: dict[str, tuple[str, list[Row], dict, tuple[str, ...]]] = {
+    "names": ("2dof", [replace(HIP, parent="ground", child="lambda"), replace(KNEE, joint="1st", parent="lambda")], {},
+              ("names: 2dof is robot_2dof, ground is link_ground, lambda is link_lambda, 1st is joint_1st",)),
+    "names of a floating base": ("quadruped", [BASE, replace(SLED, joint="floating_base", inertia=(0,) * 6), HIP], {"base": "floating"},
+                                 ("names: floating_base is joint_floating_base", "masses without inertia, taken as point masses: box")),
+    "an inertia without a mass": ("biped", [HIP, KNEE, replace(TIP, mass=0, inertia=(5.7e-3, 1e-4, 0, 8.4e-3, 0, 5.3e-3))], {}, ()),
+    "a point mass on the axis": ("arm", [HIP, KNEE, replace(TIP, xyz=(0, 0.3, 0.4), centre=(0, 0, 0))], {},
+                                 ("masses without inertia, taken as point masses: foot",)),
+    "a negative inertia on a sound link": ("arm", [HIP, KNEE, replace(TIP, inertia=NEGATIVE)], {},
+                                           ("inertias that no body has, counted with shin, which they are welded to: foot",)),
+    "a lazy base": ("quadruped", [replace(BASE, mass=1e-6, centre=(0, 0, 0), inertia=LAZY), replace(SLED, inertia=SOUND["inertia"]), HIP],
+                    {"base": "floating"}, ("inertias that no body has, counted with trunk, which they are welded to: box",)),
+    "an impossible one fixed to the ground": ("lift", [SLED, HIP], {},
+                                              ("inertias that no body has, counted with ground, which they are welded to: box",)),
+    "rounding, and links without inertia": (
+        "humanoid", [replace(HIP, inertia=(0,) * 6), replace(KNEE, inertia=THIN), replace(WHEEL, **SOUND)], {},
+        ("masses without inertia, taken as point masses: thigh", "inertias impossible by rounding alone, zero where they are rounding: shin"),
+    ),
+    "a locked joint": ("gripper", [HIP, KNEE, replace(WHEEL, mass=0)], {"locked": {"knee": 0.4, "axle": 0}}, ()),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", STRUCTURES)
+def test_what_is_repaired_is_listed_and_changes_nothing(tmp_path, name):
+    title, rows, options, repairs = STRUCTURES[name]
+    robot = from_urdf(written(tmp_path, urdf(title, rows)), **options)
+    assert robot.repairs == repairs
+    for joint, angle in options.get("locked", {}).items():
+        row = next(row for row in rows if row.joint == joint)
+        turned = Rotation.from_euler("xyz", row.rpy) * Rotation.from_rotvec(angle * np.array(row.axis))
+        rows = [replace(row, kind="fixed", rpy=tuple(turned.as_euler("xyz"))) if each == row else each for each in rows]
+    model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+    q, u = state_of(robot, 1)
+    expected = textbook_mass_matrix(rows, q, options.get("base") == "floating")
+    assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max()
+
+
+def test_a_joint_locked_at_a_value_takes_those_that_mimic_it_with_it(tmp_path):
+    text = robot_with(
+        joint("turn", "continuous", "base", "a", '<axis xyz="0 0 1"/>'),
+        joint("slide", "prismatic", "a", "b", '<origin xyz="0 0 0.5" rpy="0 0 1.5"/><axis xyz="3 0 4"/><limit effort="1" velocity="1"/>'
+              '<dynamics damping="1" friction="2"/>'),
+        joint("finger", "prismatic", "b", "c", '<axis xyz="0 1 0"/><mimic joint="slide" multiplier="2" offset="0.1"/>'),
+        joint("nail", "fixed", "c", "d", '<mimic joint="slide"/>'),
+        links="abcd",
+    )  # fmt: skip
+    robot = from_urdf(written(tmp_path, text), locked={"slide": 0.05})
+    assert robot.repairs == (
+        "mimic of joints that are fixed, left out: nail",
+        "joint finger mimics slide, which is fixed: fixed at 0.2",
+    )
+    assert not robot.effects and not robot.limits and not robot.friction
+    assert [type(j).__name__ for j in robot.mechanism.joints] == ["Revolute", "Weld", "Weld", "Weld"]
+    found = [
+        float(sp.sympify(x).xreplace({p: p.si for p in sp.sympify(x).free_symbols}))
+        for x in robot.mechanism.joints[1].parent.position
+    ]
+    along = Rotation.from_euler("z", 1.5).apply([0.03, 0, 0.04])
+    assert found == pytest.approx(np.array([0, 0, 0.5]) + along, abs=1e-15)
+
+
+def test_a_robot_that_only_floats(tmp_path):
+    path = written(tmp_path, urdf("drone", [BASE, SLED]))
+    with pytest.raises(InputError, match=r"no joint that can move; .*\n.* from_urdf\(\.\.\., base='floating'\)"):
+        from_urdf(path).scene(GRAVITY, scales=SCALES)
+    robot = from_urdf(path, "floating")
+    model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+    q, u = state_of(robot, 2)
+    expected = textbook_mass_matrix([BASE, SLED], q, True)
+    assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("inertia", [LONG, NEGATIVE, LAZY, (-1e-3, 0, 0, -2e-3, 0, -1e-3)])
+def test_an_inertia_that_no_body_has_or_the_nearest_possible_one(tmp_path, inertia):
+    """A projection onto a convex cone: the residual is perpendicular to it, and no rod's inertia lies along it."""
+    path = written(tmp_path, urdf("arm", [HIP, replace(KNEE, inertia=inertia)]))
+    with pytest.raises(InputError, match=r'link shin, inertia: found principal values .*\n.*inertia="nearest"'):
+        from_urdf(path)
+    robot = from_urdf(path, inertia="nearest")
+    xx, xy, xz, yy, yz, zz = inertia
+    given = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    found = np.array([[float(getattr(value, "si", value)) for value in row] for row in robot.bodies["shin"].tensor])
+    values, axes = np.linalg.eigh(found)
+    size = np.abs(given).max()
+    assert values[0] >= 0 and values[2] <= values[0] + values[1] + 1e-9 * size
+    rest = given - found
+    assert abs(np.sum(rest * found)) < 1e-8 * size**2
+    for axis in (*axes.T, *np.random.default_rng(3).normal(size=(50, 3))):
+        assert np.sum(rest * (np.eye(3) - np.outer(axis, axis) / (axis @ axis))) < 1e-8 * size
+    (repair,) = robot.repairs
+    assert (
+        f"at a distance of {np.linalg.norm(rest):.3g} kg m^2, {100 * np.linalg.norm(rest) / np.linalg.norm(given):.2g} %"
+        in repair
+    )
+
+
+def test_likely_causes_and_ways_out_of_files_that_contradict_themselves(tmp_path):
+    drone = robot_with(joint("top", "fixed", "base", "b2"), joint("side", "fixed", "base", "a"), links="ab")
+    assert (
+        "joint top, child: found b2, which is no link; expected one of base, a, b\n      No joint carries base and b: one may be meant."
+        in faults_of(tmp_path, drone)
+    )
+    hand = robot_with(
+        joint("left_thumb", "revolute", "base", "a"),
+        joint("left_index", "revolute", "a", "b", '<mimic joint="thumb"/>'),
+        links="ab",
+    )
+    assert (
+        "joint left_index, mimic: found thumb, which is no joint; expected another joint\n      did you mean left_thumb?"
+        in faults_of(tmp_path, hand)
+    )
+    assert "No <link>: is the macro of an .xacro not called?" in faults_of(tmp_path, '<robot name="r"/>')
+    gripper = '<robot name="r"><link name="base"/><link name="a"/>' + joint("j", "revolute", "base", "a") + "</robot>"
+    assert 'from_urdf(..., locked={"j": 0}) welds it' in faults_of(tmp_path, gripper)
+
+
+def test_every_fault_of_options_is_reported_at_once(tmp_path):
+    path = written(
+        tmp_path, robot_with(joint("turn", "continuous", "base", "a"), joint("glue", "fixed", "a", "b"), links="ab")
+    )
+    with pytest.raises(InputError, match=r"inertia: found 'best'") as caught:
+        from_urdf(path, "loose", locked="turn", inertia="best")
+    assert len(caught.value.faults) == 3
+    with pytest.raises(InputError) as caught:
+        from_urdf(path, locked={"turm": 0, "turn": "0.1", "glue": float("nan")})
+    reported = str(caught.value)
+    for part in (
+        "locked, turm: found no joint of this name",
+        "did you mean turn?",
+        "locked, turn: found '0.1'; expected a finite number, in rad or m",
+        "locked, glue: found a fixed joint; expected a joint of one coordinate",
+        "locked, glue: found nan",
+    ):
+        assert part in reported, reported
