@@ -154,9 +154,9 @@ def _read(path: str | Path) -> ElementTree.Element:
 
 
 def _names(kind: str, given: Iterable[str], *taken: str) -> dict[str, str]:
-    """Names as hertzwerk's are, by those of the file: other characters become _, and the kind goes before some.
+    """Names as hertzwerk's are, by those of the file.
 
-    These are the `taken` ones, Python's keywords, and those that begin with a digit.
+    Other characters become _. The kind goes before `taken` ones, keywords of Python, and those that begin with a digit.
     """
     plain = {name: re.sub(r"\W", "_", name, flags=re.ASCII) for name in given}
     return {
@@ -186,7 +186,10 @@ class _Reader:
         self.repairs = list(self._held_mimics())
 
     def _held_mimics(self) -> Iterator[str]:
-        """Yield what is done about joints that mimic where one of the two does not move; those that then do not are held."""
+        """Yield repairs of joints that mimic where one of the two is held.
+
+        A joint that mimics one that is held is held too.
+        """
         mimics = {joint.name: joint.mimic for joint in self.joints.values() if joint.mimic is not None}
         if still := [name for name in mimics if name in self.held]:
             yield f"mimic of joints that are fixed, left out: {', '.join(still)}"

@@ -76,7 +76,7 @@ Made = tuple[Mechanism, Mapping[str, Frame]]
 def repaired(
     given: Mapping[str, Massed], make: Callable[[Mapping[str, Massed]], Made], take_nearest: bool
 ) -> tuple[Made, list[str], list[Fault]]:
-    """Mechanism and bodies of links whose inertias are possible, what was repaired, and faults of what cannot be.
+    """Mechanism and bodies of links with possible inertias, repairs, and faults of what cannot be.
 
     `make` gives the mechanism and its bodies by link.
     """
@@ -120,9 +120,9 @@ def _possible(mechanism: Mechanism, body: Body) -> bool:
 def _counted(
     mechanism: Mechanism, bodies: Mapping[str, Frame], numbers: Mapping[str, Massed], root: Frame, wrong: list[str]
 ) -> tuple[str, dict[str, Massed]]:
-    """Link that impossible ones count with, and the numbers of all these then; none where the sum is impossible too.
+    """Link that impossible ones count with, and the numbers of these links then.
 
-    It takes the impossible ones, or all that is welded to it.
+    It takes the impossible ones, or all that is welded to it. No numbers where the sum is impossible too.
     """
     if root == GROUND:
         return GROUND.name, {name: replace(numbers[name], rows=NO_ROWS) for name in wrong}

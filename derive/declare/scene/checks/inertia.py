@@ -62,9 +62,9 @@ def _is_sound(body: Body, sound: dict[str, Parameter]) -> bool:
 
 
 def tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
-    """Yield the faults of a tensor that is not symmetric, or that no distribution of mass has at the defaults.
+    """Yield the faults of a tensor that is not symmetric, or that no distribution of mass has.
 
-    Principal values of zero are short for those that do not matter, as in plane motion.
+    Values are at the defaults. Principal values of zero are short for those that do not matter, as in plane motion.
     """
     where, J = f"body {body.name}, inertia", body.tensor
     for i, k in ((0, 1), (0, 2), (1, 2)):
