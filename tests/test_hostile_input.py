@@ -252,7 +252,7 @@ def test_small_files_take_no_long_time_and_end_in_one_error(file, text, tmp_path
         (5, (0, 1), (0, 1), ("s", "m")),
     ],
 )  # fmt: skip
-def test_a_table_says_what_is_wrong_with_it(table):
+def test_a_bad_table_is_a_fault_and_no_exception(table):
     assert [fault for fault in Table(*table).faults() if str(fault)]
 
 

@@ -71,7 +71,7 @@ def test_set_up_example_and_picture_stand_by_line_40():
         assert promised in top
 
 
-def test_a_newcomer_finishes_it():
+def test_it_has_at_most_125_lines_and_its_example_20():
     assert len(TEXTS["README.md"].splitlines()) <= 125
     assert len(blocks("README.md", "python")[0].splitlines()) <= 20
 

@@ -12,6 +12,9 @@ from typing import Any
 from hertzwerk.derive.common.faults import Fault, InputError, unreadable
 
 _FOLDER: ContextVar[Path | None] = ContextVar("folder of the file that is executed", default=None)
+_NEIGHBOURS: set[str] = (
+    set()
+)  # modules that files imported from their folders: another folder may have others of these names
 
 
 def beside(path: str | Path) -> Path:
@@ -21,7 +24,7 @@ def beside(path: str | Path) -> Path:
 
 
 def names_defined_by(path: Path) -> dict[str, Any]:
-    """Names defined by a Python file, which may import from its folder.
+    """Names defined by a Python file, which may import from its folder, anew each time.
 
     Raises InputError for any error in the file.
     """
@@ -34,19 +37,30 @@ def names_defined_by(path: Path) -> dict[str, Any]:
         raise InputError(str(path), [Fault(where, f"{type(error).__name__}: {error}", "Python source")]) from error
     module = ModuleType("hertzwerk_scene_file")
     module.__file__ = str(path)
-    folder = str(path.resolve().parent)
+    folder = path.resolve().parent
+    while _NEIGHBOURS:
+        sys.modules.pop(_NEIGHBOURS.pop(), None)
+    before = set(sys.modules)
     sys.modules[module.__name__] = module  # dataclasses and pickling look their module up
-    sys.path.insert(0, folder)
-    token = _FOLDER.set(path.resolve().parent)
+    sys.path.insert(0, str(folder))
+    token = _FOLDER.set(folder)
     try:
         exec(code, module.__dict__)
     except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
         raise _input_error(path, error) from error
     finally:
         _FOLDER.reset(token)
-        sys.path.remove(folder)
+        sys.path.remove(str(folder))
         del sys.modules[module.__name__]
+        _NEIGHBOURS.update(name for name in set(sys.modules) - before if _is_beside(name, folder))
     return module.__dict__
+
+
+def _is_beside(name: str, folder: Path) -> bool:
+    """Whether a module is a file of the folder, or of a package in it."""
+    package = name.partition(".")[0]
+    file = getattr(sys.modules.get(package), "__file__", None)
+    return file is not None and Path(file).parent in (folder, folder / package)
 
 
 def _input_error(path: Path, error: BaseException) -> InputError:

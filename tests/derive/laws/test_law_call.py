@@ -157,7 +157,7 @@ def test_a_law_of_a_file_is_taken_by_its_name(tmp_path, monkeypatch):
         load("bouncing_ball", laws={"floor": evil})
 
 
-def test_friction_with_modes_and_memory_by_the_command_line():
+def test_friction_with_modes_and_memory_by_the_text_of_a_law():
     for law in (
         "coulomb(mu_k=friction_coefficient, mu_s=0.15)",
         "lugre(mu_k=0.1, mu_s=0.15, v_S=0.1 m/s, s_0=1e5 1/m, s_1=100 s/m, c_v=0 N s/m)",

@@ -32,7 +32,7 @@ def test_a_law_that_changes_is_out_of_date(write, monkeypatch):
 
 
 @pytest.mark.parametrize("arguments", [["--markdown", "flores"], ["--stub", "--markdown"], ["--stub", "--json"]])
-def test_a_listing_stands_alone(arguments):
+def test_a_listing_is_refused_beside_names_and_other_forms(arguments):
     assert CliRunner().invoke(main, ["laws", *arguments]).exit_code == 2
 
 

@@ -123,6 +123,7 @@ def test_outside_the_repository_derive_wants_a_folder(hertzwerk, arguments):
     Path("mine.py").write_text(SCENE)
     done = hertzwerk("derive", *arguments)
     assert done.exit_code == 2
+    assert ("--out" if arguments else "TARGET: found none") in done.output
     assert written() == ["mine.py"]
 
 
@@ -285,14 +286,17 @@ def test_other_coordinates_are_derived_into_a_folder_of_their_own(hertzwerk):
     assert hertzwerk("derive", "pendulum", "--coordinates", "absolute", "--check", "--out", "here").exit_code == 1
 
 
-def test_a_file_imports_its_neighbours_and_they_leave_no_trace(hertzwerk):
-    Path("sizes_of_mine.py").write_text("HEIGHT = 0.2\n")
-    Path("mine.py").write_text(
-        "from sizes_of_mine import HEIGHT\n"
-        + SCENE.replace('"m", 0.1), Parameter("height", "m", 0.1)', '"m", 0.1), Parameter("height", "m", HEIGHT)')
-    )
+def test_a_file_imports_the_neighbours_of_its_own_folder(hertzwerk):
+    """On the old code the second file had the height of the first one's neighbour."""
+    own = SCENE.replace('"m", 0.1), Parameter("height", "m", 0.1)', '"m", 0.1), Parameter("height", "m", HEIGHT)')
     path = list(sys.path)
-    assert hertzwerk("run", "mine.py", "--json", "--duration", "0.1 s").exit_code == 0
+    for folder, height in (("one", 0.2), ("two", 0.3)):
+        Path(folder).mkdir()
+        Path(folder, "sizes_of_mine.py").write_text(f"HEIGHT = {height}\n")
+        Path(folder, "mine.py").write_text("from sizes_of_mine import HEIGHT\n" + own)
+        done = hertzwerk("run", f"{folder}/mine.py", "--json", "--duration", "0.4 s")
+        speed = json.loads(done.output)["impacts"][0]["speed"]
+        assert speed == pytest.approx((2 * 9.81 * height) ** 0.5, rel=1e-6)
     assert sys.path == path
 
 

@@ -81,7 +81,7 @@ def on_terminal(command, **environment):
     return read.decode().replace("\r\n", "\n")
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(4)
 @pytest.mark.parametrize(
     "command",
     ["list", "laws", "hardcases --list", "laws flores", pytest.param(HARDCASES, marks=pytest.mark.exhaustive)],

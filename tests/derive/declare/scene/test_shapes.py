@@ -168,7 +168,7 @@ def test_every_field_takes_what_it_takes_or_says_so(name):
         lambda value: touching(Contact("floor", LAW)).without(value),
     ],
 )
-def test_functions_too(make, value):
+def test_functions_refuse_what_is_no_name(make, value):
     assert refused(lambda: make(value)) is not None
 
 

@@ -176,7 +176,7 @@ def pair(request):
     return both(SCENES[request.param])
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 def test_bodies_are_placed_where_the_joints_put_them(pair):
     tree, absolute = pair
     q, _, Q, U = state(*pair)
@@ -187,7 +187,7 @@ def test_bodies_are_placed_where_the_joints_put_them(pair):
     assert np.max(np.abs(rate)) < 1e-12
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 def test_motion_energy_and_drives_are_the_same(pair):
     """Accelerations of the bodies: the rates of their speeds as the joints have them, by derivatives of `placed`."""
     tree, absolute = pair
@@ -283,7 +283,7 @@ def quick_return() -> Scene:
     return Scene(Mechanism("quick_return", joints), (), Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize(
     "name", ["spatial", "turned points", "free, with a tail", "slender rods and a cross without mass", "quick return"]
 )

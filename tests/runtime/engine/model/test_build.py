@@ -143,8 +143,8 @@ def test_all_faults_of_a_variation_come_at_once():
     assert all(word in text for word in ("nope", "nor_this", "newton", "guide"))
 
 
-def test_errors_in_a_generated_module_show_its_line():
-    """The text has no file; a traceback finds its lines all the same."""
+def test_tracebacks_find_the_lines_of_a_generated_module():
+    """Its text has no file."""
     import linecache
 
     module = build.build_built_in("two_spheres", ["energy_ledger"])

@@ -37,7 +37,7 @@ from hertzwerk.runtime.engine.integration.step import implicit_step
 from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import Model
 
-pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(7)  # methods and sizes that run the same code
 
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 REFERENCES = ("cvodes", "idas")

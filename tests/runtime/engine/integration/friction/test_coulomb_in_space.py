@@ -15,7 +15,7 @@ from hertzwerk.runtime.engine.integration.events.slip_directions import settling
 from hertzwerk.runtime.engine.integration.step import implicit_step
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import solve_sticking
 
-pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
+pytestmark = pytest.mark.by_turns(7)  # methods that run the same code
 
 REFERENCES = tuple(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("cvodes", "idas"))
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto", *REFERENCES)

@@ -14,7 +14,7 @@ from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.events import slip_directions, stick_and_slip
 
-pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
+pytestmark = pytest.mark.by_turns(7)  # methods that run the same code
 
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 MU = 0.2

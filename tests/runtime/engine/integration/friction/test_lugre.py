@@ -14,7 +14,7 @@ from hertzwerk.derive import (  # fmt: skip
 from hertzwerk.derive.laws import lugre
 from hertzwerk.runtime import load, simulate
 
-pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
+pytestmark = pytest.mark.by_turns(7)  # methods and sizes that run the same code
 
 MU_K, MU_S, V_S, S_0, S_1 = 0.2, 0.3, 0.05, 1e5, 20.0
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")

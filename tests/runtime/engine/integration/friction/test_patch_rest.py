@@ -16,7 +16,7 @@ from hertzwerk.runtime.engine.integration.events.slip_directions import settling
 from hertzwerk.runtime.engine.integration.friction import limit_sets
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import solve_sticking
 
-pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
+pytestmark = pytest.mark.by_turns(7)  # methods that run the same code
 
 REFERENCES = (
     pytest.param(method, 1.0, 10.5, "tree", marks=[pytest.mark.exhaustive] if method == "idas" else [pytest.mark.slow])

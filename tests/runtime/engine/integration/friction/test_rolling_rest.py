@@ -28,7 +28,7 @@ from hertzwerk.derive import (
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import equilibrium, load, simulate
 
-pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
+pytestmark = pytest.mark.by_turns(7)  # methods that run the same code
 
 REFERENCES = tuple(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("cvodes", "idas"))
 OWN = ("dop853", "dopri5", "rodas", "esdirk", "auto")

@@ -55,7 +55,7 @@ def test_rows_done_together_are_those_done_alone_and_the_runs_themselves(job):
         assert tuple(row.outputs[name] for name in ("impacts", "peak_force", "energy_residual")) == found
 
 
-def test_contacts_are_followed_in_pieces_of_any_size_for_all_rows_at_once(job, monkeypatch):
+def test_peaks_are_the_same_in_pieces_of_any_size_for_all_rows_at_once(job, monkeypatch):
     expected = [plain(row) for row in job.do(*TASKS)]
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.PIECE", 7)
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.TOGETHER", 2)
