@@ -1,26 +1,46 @@
-"""Measured data over time or by impacts, read from CSV with every fault and its line."""
+"""Measured data over time or by impacts, read from text, data frames or arrays, with every fault and its line."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown, unreadable
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
+from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of
 
 Array = NDArray[np.float64]
 
-TIMES = ("t", "time")  # names of a time column, in any case
+TIMES = ("t", "time", "zeit")  # names of a time column, in any case
 NUMBERS = ("impact",)  # names of a column that counts impacts, in any case
-MISSING = ("", "nan")  # cells without a sample, in any case
-LISTED = 20  # most faulty lines that are listed
-HEADING = re.compile(r"(?P<name>[^\[\]]*[^\[\]\s])\s*\[(?P<unit>[^\[\]]*)\]")
-DELIMITERS = (",", ";", "\t")
+KEY_UNITS = {TIMES: "s", NUMBERS: "1"}
+HEADINGS = (  # name [unit], name (unit), name/unit
+    re.compile(r"(?P<name>[^\[\]]*[^\[\]\s])\s*\[(?P<unit>[^\[\]]*)\]"),
+    re.compile(r"(?P<name>[^()\[\]]*[^()\[\]\s])\s*\((?P<unit>[^\[\]]*)\)"),
+    re.compile(r"(?P<name>[^/]*[^/\s])\s*/\s*(?P<unit>[^/()\[\]]+|\([^()]*\))"),
+)
+WORDS = {
+    **{
+        "second": "s",
+        "sec": "s",
+        "millisecond": "ms",
+        "microsecond": "us",
+        "metre": "m",
+        "meter": "m",
+        "millimeter": "mm",
+    },
+    **{"volt": "V", "millivolt": "mV", "ampere": "A", "amp": "A", "newton": "N", "degree": "deg", "-": "1"},
+}
+"""Units that instruments write as words, in small letters, one of it."""
+MeasuredTable: TypeAlias = Any  # file, data frame, or dictionary of arrays
+Chosen = Sequence[str] | Mapping[str, str | int]  # names of columns, or names beside headings or numbers from 1 on
+Column = tuple[int, str, str]  # place in a line, name and unit text of a column that is read
 
 
 class Columns:
@@ -105,206 +125,240 @@ class MeasuredImpacts(Columns):
             raise InputError(self.source or "measured impacts", faults)
 
 
-def read_measurement(path: str | Path, columns: Sequence[str] | None = None) -> Measurement:
-    """Read measured data from CSV, headed `name [unit]`, with a time column `t [s]` or `time [ms]`.
+def read_measurement(
+    data: MeasuredTable,
+    columns: Chosen | None = None,
+    *,
+    units: Mapping[str, str] | None = None,
+    skip: int = 0,
+    decimal: str | None = None,
+    missing: str | Iterable[str] = (),
+) -> Measurement:
+    """Read measured data over time from a text file, a data frame or a dictionary of arrays.
 
-    Separated by commas, semicolons or tabs, with decimal points; lines that begin with # are left out, and a cell that
-    is empty or nan is a missing sample. `columns` names those that are read, by default all. Raises InputError with
-    every fault and its line: units that cannot be read, cells that are no numbers, times that are missing or fall. Two
-    lines of one time are a jump, as where a run writes an event: the later one is taken; three are refused.
+    data       a file with headings `name [unit]`, `name (unit)` or `name/unit`, or units in the line below, and a time column (`t`, `time`); cells
+               separated by commas, semicolons, tabs or spaces. Lines before the headings are left out, and lines that begin with #
+    columns    names of those to read, by default all; or their names beside headings or numbers of columns from 1 on, {"t": 1, "force": "CH 2"}
+    units      unit texts by column, {"force": "N"}, in place of those of the file
+    skip       lines to leave out at the beginning, where headings are not found by themselves
+    decimal    mark "." or ","; by default what the cells prove. The other one may separate thousands then
+    missing    text or number of cells without a sample, beside empty ones, nan, N/A and the like, and marks of overflow
+
+    Raises InputError with every fault and its line: units that are missing or unknown, cells that are no numbers or may be two
+    (1,234), times that are missing or fall. Two lines of one time are a jump, as where a run writes an event: the later is
+    taken; three are refused.
     """
-    times, found, units, jumps = _read(Path(path), columns, TIMES)
-    return Measurement(times, found, units, str(path), jumps)
+    times, found, read, jumps, source = _read(data, columns, TIMES, units, skip, decimal, missing)
+    return Measurement(times, found, read, source, jumps)
 
 
-def read_impacts(path: str | Path, columns: Sequence[str] | None = None) -> MeasuredImpacts:
-    """Read measured impacts from CSV with a column `impact [1]` that counts them from 1.
+def read_impacts(
+    data: MeasuredTable,
+    columns: Chosen | None = None,
+    *,
+    units: Mapping[str, str] | None = None,
+    skip: int = 0,
+    decimal: str | None = None,
+    missing: str | Iterable[str] = (),
+) -> MeasuredImpacts:
+    """Read measured impacts from a table with a column `impact [1]` that counts them from 1.
 
     As `read_measurement` otherwise: `impact [1], t [ms], speed [m/s]`. Raises InputError with every fault and its line.
     """
-    numbers, found, units, _ = _read(Path(path), columns, NUMBERS)
-    return MeasuredImpacts(numbers, found, units, str(path))
+    numbers, found, read, _, source = _read(data, columns, NUMBERS, units, skip, decimal, missing)
+    return MeasuredImpacts(numbers, found, read, source)
 
 
-def counts_impacts(path: str | Path) -> bool:
-    """Return whether a CSV file has a column that counts impacts; False for one that cannot be read."""
+def counts_impacts(data: MeasuredTable, skip: int = 0) -> bool:
+    """Return whether a table has a column that counts impacts; False for a file that cannot be read."""
+    if not isinstance(data, str | Path):
+        names: Any = getattr(data, "columns", data)
+        return any(_heading(str(name))[0].lower() in NUMBERS for name in names)
     try:
-        lines = _lines(Path(path))
+        found = layout_of(text_of(Path(data)), lambda _, cell: _heading(cell)[0].lower() in NUMBERS, skip)
     except InputError:
         return False
-    return any(name.lower() in NUMBERS for name in _names(_cells_of(lines[0][1], _delimiter(lines[0][1]))))
-
-
-def _lines(path: Path) -> list[tuple[int, str]]:
-    """Return the numbered lines of a file but for comments; raises InputError where there are none."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, ValueError) as error:
-        no_text = isinstance(error, UnicodeDecodeError)
-        found: Exception = ValueError("bytes that are no UTF-8 text") if no_text else error
-        raise InputError("measurement", [unreadable(path, found, "a CSV file")]) from error
-    lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
-    if not lines:
-        expected = "a line of headings, name [unit], and lines of numbers"
-        raise InputError(str(path), [Fault(str(path), "no lines", expected)])
-    return lines
+    return found is not None and any(_heading(cell)[0].lower() in NUMBERS for cell in found.headings)
 
 
 def _read(
-    path: Path, columns: Sequence[str] | None, keys: tuple[str, ...]
-) -> tuple[Array, dict[str, Array], dict[str, str], int]:
-    """Return the rows' key in SI, times or numbers of impacts, columns and units by name, and the jumps."""
-    lines = _lines(path)
-    faults: list[Fault] = []
-    (first, heading), *rows = lines
-    delimiter = _delimiter(heading)
-    headings = _cells_of(heading, delimiter)
-    chosen = _chosen(f"{path.name}, line {first}", headings, columns, keys, faults)
-    cells = _Cells(path.name, headings, chosen, keys)
-    values = cells.read([(number, _cells_of(line, delimiter)) for number, line in rows])
-    faults += cells.faults
+    data: Any,
+    columns: Chosen | None,
+    keys: tuple[str, ...],
+    units: Mapping[str, str] | None,
+    skip: int,
+    decimal: str | None,
+    missing: str | Iterable[str],
+) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:
+    """Return the rows' key in SI, times or numbers of impacts, columns and units by name, the jumps, and the source."""
+    faults = _option_faults(skip, decimal)
+    marks = [str(mark) for mark in ([missing] if isinstance(missing, str | int | float) else missing)]
+    chosen: list[Column] = []
+    table: Numbers | Arrays
+    source = str(data) if isinstance(data, str | Path) else ""
+    if faults:
+        raise InputError(source or "measurement", faults)
+    if source:
+        path, text = Path(data), text_of(Path(data))
+        places = [old - 1 for old in columns.values() if isinstance(old, int)] if isinstance(columns, Mapping) else []
+        bare = isinstance(columns, Mapping) and len(places) == len(columns)
+        layout = layout_of(text, _key_test(columns, keys), skip, places if bare else ())
+        if layout is None:
+            expected = "a line of headings, name [unit], and lines of numbers"
+            raise InputError(source, [Fault(source, "no lines", expected)])
+        where, headings = f"{path.name}, line {layout.line}", layout.headings[: layout.width]
+        chosen = _chosen(where, headings, layout.below, columns, keys, units or {}, faults)
+        at, names = [column[0] for column in chosen], [column[1] for column in chosen]
+        table = Numbers(path.name, text, layout, at, names, decimal or "", marks)
+    elif not (isinstance(data, Mapping) or hasattr(data, "columns")):
+        raise InputError("measurement", [Fault("data", shown(data), "a file, a data frame, or a dictionary of arrays")])
+    else:
+        data = data.reset_index() if getattr(getattr(data, "index", None), "name", None) else data
+        given = list(getattr(data, "columns", data))
+        known = {**getattr(data, "attrs", {}).get("units", {}), **(units or {})}
+        chosen = _chosen("columns", list(map(str, given)), [], columns, keys, known, faults)
+        table = Arrays([data[given[column[0]]] for column in chosen], [column[1] for column in chosen], marks)
+    values = table.values
+    if chosen and chosen[0][1].lower() in keys:
+        repeated = _repeated(table, keys)
+        values = values[~repeated]
+    faults += table.faults
     fewest = 2 if keys == TIMES else 1
     if not faults and len(values) < fewest:
         faults.append(
-            Fault(str(path), f"{len(values)} lines of numbers", "two or more" if fewest == 2 else "one or more")
+            Fault(source or "data", f"{len(values)} lines of numbers", "two or more" if fewest == 2 else "one or more")
         )
     if faults:
-        raise InputError(str(path), faults)
+        raise InputError(source or "measurement", faults)
     (_, _, unit), *others = chosen
     along, *measured = values.T
     empty = [name for (_, name, _), each in zip(others, measured, strict=True) if not np.any(np.isfinite(each))]
     if empty:
-        raise InputError(
-            str(path), [Fault(f"{path.name}, {name}", "no sample", "a column of numbers") for name in empty]
-        )
-    found = {name: each for (_, name, _), each in zip(others, measured, strict=True)}
-    return along * parse_unit(unit).factor, found, {name: text for _, name, text in others}, cells.jumps
+        where = f"{Path(source).name}, " if source else ""
+        faults = [Fault(f"{where}{name}", "no sample", "a column of numbers") for name in empty]
+        raise InputError(source or "measurement", faults)
+    found = {name: each.copy() for (_, name, _), each in zip(others, measured, strict=True)}
+    read = {name: text for _, name, text in others}
+    return along * parse_unit(unit).factor, found, read, len(table.values) - len(values), source
 
 
-def _names(headings: Sequence[str]) -> list[str]:
-    found = [HEADING.fullmatch(heading) for heading in headings]
-    return [match["name"].strip() if match else heading for match, heading in zip(found, headings, strict=True)]
+def _option_faults(skip: object, decimal: object) -> list[Fault]:
+    faults = [] if decimal in (None, ".", ",") else [Fault("decimal", shown(decimal), '"." or ","')]
+    whole = isinstance(skip, int) and not isinstance(skip, bool) and skip >= 0
+    return faults if whole else [*faults, Fault("skip", shown(skip), "a number of lines")]
 
 
-def _delimiter(heading: str) -> str:
-    return max(DELIMITERS, key=heading.count)
+def _key_test(columns: Chosen | None, keys: tuple[str, ...]) -> Callable[[int, str], bool]:
+    """Return whether the heading at a place is that of the column that orders the rows."""
+    mapped = columns if isinstance(columns, Mapping) else {}
+    wanted = {old for new, old in mapped.items() if new.lower() in keys}
+    if not wanted:
+        return lambda _, cell: _heading(cell)[0].lower() in keys
+    return lambda place, cell: bool(wanted & {place + 1, cell, _heading(cell)[0]})
 
 
-Chosen = tuple[int, str, str]  # place in a line, name and unit text of a column that is read
+def _heading(cell: str) -> tuple[str, str]:
+    """Return the name and the unit that a heading has; "" where it has none.
+
+    What stands in brackets is a unit; in parentheses, or behind a stroke, only where it reads as one: `force (left)` is
+    a name, `force (1)` may be the first one.
+    """
+    for pattern in HEADINGS:
+        if match := pattern.fullmatch(cell):
+            unit = _unit(match["unit"])
+            if pattern is HEADINGS[0] or (match["unit"] != "1" and _is_unit(unit)) or cell.endswith("/1"):
+                return match["name"].strip(), unit
+    return cell, ""
+
+
+def _unit(text: str) -> str:
+    """Return unit text without brackets, words as symbols."""
+    bare = text.strip()
+    bare = bare[1:-1].strip() if bare[:1] + bare[-1:] in ("()", "[]") else bare
+    return WORDS.get(bare.lower().removesuffix("s"), bare)
+
+
+def _is_unit(text: str) -> bool:
+    try:
+        return bool(parse_unit(text))
+    except UnitError:
+        return False
 
 
 def _chosen(
-    where: str, headings: Sequence[str], columns: Sequence[str] | None, keys: tuple[str, ...], faults: list[Fault]
-) -> list[Chosen]:
+    where: str,
+    headings: Sequence[str],
+    below: Sequence[str],
+    columns: Chosen | None,
+    keys: tuple[str, ...],
+    units: Mapping[str, str],
+    faults: list[Fault],
+) -> list[Column]:
     """Return the columns to be read, the key first; faults of their headings are appended."""
-    found, names = [HEADING.fullmatch(heading) for heading in headings], _names(headings)
-    times = [name for name in names if name.lower() in keys]
-    key_unit = "s" if keys == TIMES else "1"
+    names = [_heading(heading)[0] for heading in headings]
+    free = [name for name in names if name.lower() not in keys]
+    wanted: dict[str, str | int] = dict(columns) if isinstance(columns, Mapping) else {c: c for c in columns or ()}
+    wanted = wanted if columns is not None else dict(zip(free, free, strict=True))
+    times = [(new, old) for new, old in wanted.items() if new.lower() in keys]
+    times = times or [(name, name) for name in names if name.lower() in keys]
     if len(times) != 1:
+        found = f"{', '.join(str(old) for _, old in times) or 'none'} among {shown(', '.join(names))}"
         expected = "one time column, such as t [s] or time [ms]" if keys == TIMES else "one column impact [1]"
-        faults.append(Fault(where, f"{', '.join(times) or 'none'} among {shown(', '.join(names))}", expected))
-    wanted = [name for name in names if name not in times] if columns is None else list(dict.fromkeys(columns))
-    chosen: list[Chosen] = []
-    for name in [*times[:1], *wanted]:
-        if name not in names:
-            faults.append(unknown("column", name, [each for each in names if each not in times]))
+        faults.append(Fault(where, found, expected, f'columns={{"{keys[0]}": NAME}} says which' if names else ""))
+    pairs = dict([*times[:1], *wanted.items()])
+    faults += [unknown("column", name, names) for name in units if name not in {*pairs, *names, *headings}]
+    chosen: list[Column] = []
+    for new, old in pairs.items():
+        places = [k for k, heading in enumerate(headings) if old in (k + 1, names[k], heading)]
+        if not places:
+            faults.append(unknown("column", old, free))
             continue
-        if names.count(name) > 1:
-            faults.append(Fault(f"{where}, {name}", f"{names.count(name)} columns of this name", "one"))
-        place = names.index(name)
-        match = found[place]
-        unit = match["unit"].strip() if match else ""
-        try:
-            exponents = parse_unit(unit).exponents
-        except UnitError as error:
-            is_given = bool(match and unit)
-            remedy = str(error) if is_given else "[1] for a plain number"
-            faults.append(Fault(f"{where}, {name}", shown(headings[place]), "name [unit]", remedy))
-            continue
-        if name in times and exponents != parse_unit(key_unit).exponents:
-            faults.append(Fault(f"{where}, {name}", f"[{unit}]", "a unit of time" if keys == TIMES else "[1]"))
-        chosen.append((place, name, unit))
+        place, heading = places[0], headings[places[0]]
+        if len(places) > 1:
+            remedy = f"columns={{{new!r}: {place + 1}}} takes the first"
+            faults.append(Fault(f"{where}, {new}", f"{len(places)} columns of this name", "one", remedy))
+        given = next((units[name] for name in (new, names[place], heading) if name in units), "")
+        texts = [given] if given else [_heading(heading)[1], below[place] if place < len(below) else ""]
+        unit = _stated_unit(f"{where}, {new}", heading, new, [_unit(text) for text in texts], faults)
+        if unit and new.lower() in keys and parse_unit(unit).exponents != parse_unit(KEY_UNITS[keys]).exponents:
+            expected = "a unit of time" if keys == TIMES else "[1]"
+            faults.append(Fault(f"{where}, {new}", f"[{unit}]", expected))
+        chosen += [(place, new, unit)] if unit else []
     return chosen
 
 
-class _Cells:
-    """Reader of the numbers of chosen columns; the first is time. `faults` has those of the first lines.
-
-    jumps    lines that were left out, as the next has their time
-    """
-
-    def __init__(self, file: str, headings: Sequence[str], chosen: Sequence[Chosen], keys: tuple[str, ...]) -> None:
-        self._file, self._count, self._chosen, self._keys = file, len(headings), chosen, keys
-        self._what = "time" if keys == TIMES else "number"
-        self._found: list[Fault] = []
-        self._more = 0
-        self.jumps = 0
-
-    @property
-    def faults(self) -> list[Fault]:
-        """Faults of the first lines, and the number of others."""
-        more = [Fault(self._file, f"{self._more} faults more", "none")] if self._more else []
-        return [*self._found, *more]
-
-    def read(self, rows: Sequence[tuple[int, list[str]]]) -> Array:
-        """Return the numbers, shape (rows, columns), of numbered lines."""
-        values = np.full((len(rows), len(self._chosen)), np.nan)
-        before: tuple[float, str] | None = None
-        repeated: list[int] = []  # lines whose time the next one has
-        for i, (number, row) in enumerate(rows):
-            where = f"{self._file}, line {number}"
-            if len(row) != self._count:
-                self._add(Fault(where, f"{len(row)} cells", f"{self._count}, as there are headings", _comma(row)))
-                continue
-            for k, (place, name, _) in enumerate(self._chosen):
-                cell = row[place]
-                if cell.lower() not in MISSING:
-                    values[i, k] = self._number(f"{where}, {name}", cell)
-            if not self._chosen or self._chosen[0][1].lower() not in self._keys:
-                continue
-            time, cell = float(values[i, 0]), row[self._chosen[0][0]]
-            if cell.lower() in MISSING:
-                self._add(Fault(where, f"no {self._what}", f"a {self._what} in every line"))
-            elif self._keys != TIMES and not (time >= 1 and time % 1 == 0):
-                self._add(Fault(where, f"the number {cell}", "a whole number of an impact, from 1 on"))
-            elif (
-                self._keys == TIMES
-                and before is not None
-                and time == before[0]
-                and i - 1 not in (r + 1 for r in repeated[-1:])
-            ):
-                repeated.append(i - 1)
-            elif before is not None and time <= before[0]:
-                again = "a third time" if self._keys == TIMES else "again"
-                found = f"the {self._what} {cell}, {again if time == before[0] else f'after {before[1]}'}"
-                limit = ", at most two lines of one" if self._keys == TIMES else ""
-                self._add(Fault(where, found, f"{self._what}s that increase{limit}"))
-            elif np.isfinite(time):
-                before = time, cell
-        self.jumps = len(repeated)
-        return np.delete(values, repeated, axis=0)
-
-    def _number(self, where: str, cell: str) -> float:
-        try:
-            value = float(cell)
-        except ValueError:
-            value = np.inf
-        if np.isfinite(value):
-            return value
-        self._add(Fault(where, shown(cell), "a finite number, or nothing where a sample is missing", _comma([cell])))
-        return np.nan
-
-    def _add(self, fault: Fault) -> None:
-        if len(self._found) < LISTED:
-            self._found.append(fault)
-        else:
-            self._more += 1
+def _stated_unit(where: str, heading: str, name: str, texts: Sequence[str], faults: list[Fault]) -> str:
+    """Return the unit that a heading and the line below it agree on; "" with a fault where there is none."""
+    found = list(dict.fromkeys(filter(None, texts)))
+    remedy = f'units={{{name!r}: "..."}}'
+    if len(found) > 1:
+        faults.append(Fault(where, f"the units [{found[0]}] and, below, [{found[1]}]", "one", remedy))
+        return ""
+    try:
+        parse_unit(found[0] if found else "")
+    except UnitError as error:
+        reason = str(error) if found else "[1] for a plain number"
+        faults.append(Fault(where, shown(heading), "name [unit]", f"{reason}, or {remedy}"))
+        return ""
+    return found[0]
 
 
-def _cells_of(line: str, delimiter: str) -> list[str]:
-    return [cell.strip().strip('"').strip() for cell in line.split(delimiter)]
-
-
-def _comma(cells: Sequence[str]) -> str:
-    """Return a remedy for cells with decimal commas; empty where there are none."""
-    return "write decimal points in place of commas" if any(re.fullmatch(r"[-+\d]+,\d+", c) for c in cells) else ""
+def _repeated(table: Numbers | Arrays, keys: tuple[str, ...]) -> NDArray[np.bool_]:
+    """Return which rows have the time of the next one; what is missing, falls or stands too often is a fault."""
+    along, what = table.values[:, 0], "time" if keys == TIMES else "number"
+    for row in np.flatnonzero(np.isnan(along)):
+        table.add(int(row), f"no {what}", f"a {what} in every line")
+    rows = np.flatnonzero(np.isfinite(along))
+    known = along[rows]
+    before, equal = np.maximum.accumulate(known)[:-1], np.diff(known) == 0
+    wrong = known[1:] <= before if keys != TIMES else (known[1:] < before) | (equal & np.append(False, equal[:-1]))
+    for k in np.flatnonzero(wrong):
+        again = "a third time" if keys == TIMES else "again"
+        found = again if known[k + 1] == before[k] else f"after {before[k]:.12g}"
+        limit = ", at most two lines of one" if keys == TIMES else ""
+        table.add(int(rows[k + 1]), f"the {what} {known[k + 1]:.12g}, {found}", f"{what}s that increase{limit}")
+    for k in np.flatnonzero((known < 1) | (known % 1 != 0)) if keys != TIMES else ():
+        table.add(int(rows[k]), f"the number {known[k]:.12g}", "a whole number of an impact, from 1 on")
+    repeated = np.zeros(len(along), dtype=bool)
+    repeated[rows[:-1][equal]] = True
+    return repeated

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.engine.inputs.measurement_csv import Measurement
+from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredTable, Measurement
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.solution.solution import Solution
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_asked
@@ -29,7 +28,7 @@ class Comparison(Compared):
 
 def compare(
     run: Solution,
-    data: Measurement | str | Path,
+    data: Measurement | MeasuredTable,
     *,
     map: Mapping[str, str] | None = None,
     bandwidth: str | float | None = None,
@@ -39,7 +38,7 @@ def compare(
     drift: Between = 0.0,
     noise: Mapping[str, Value] | None = None,
 ) -> Comparison:
-    """Compare a run with measured data: a CSV file headed `name [unit]`, or a `Measurement`.
+    """Compare a run with measured data: a `Measurement`, or a table as `read_measurement` reads it.
 
     map         histories of the run by measured column, {"acceleration": "guide.acceleration"}; by default equal names
     bandwidth   cut-off frequency of the instrument, "5 kHz" or [Hz]: the run goes through a Butterworth low-pass of this `order`, causal

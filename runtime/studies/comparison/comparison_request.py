@@ -6,11 +6,10 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import UnitError, parse_unit, rate_remedy
-from hertzwerk.runtime.engine.inputs.measurement_csv import Array, Columns, Measurement, read_measurement
+from hertzwerk.runtime.engine.inputs.measurement_csv import Array, Columns, MeasuredTable, Measurement, read_measurement
 from hertzwerk.runtime.engine.model.binding import Value, read, read_state
 from hertzwerk.runtime.studies.comparison.alignment import Range
 from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
@@ -56,7 +55,7 @@ class Asked:
 
 def read_asked(
     units: Mapping[str, str],
-    data: Measurement | str | Path,
+    data: Measurement | MeasuredTable,
     map: Mapping[str, str] | None,
     *,
     bandwidth: str | float | None,

@@ -16,6 +16,7 @@ from hertzwerk.runtime.engine.inputs.input_values import given_inputs
 from hertzwerk.runtime.engine.inputs.measurement_csv import (
     Columns,
     MeasuredImpacts,
+    MeasuredTable,
     Measurement,
     counts_impacts,
     read_impacts,
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.simulation import Solution
 
 Array = NDArray[np.float64]
-Data = Measurement | MeasuredImpacts | str | Path
+Data = Measurement | MeasuredImpacts | MeasuredTable
 
 LONGER = 1.25  # times the last measured time of an impact that a run lasts: it may be predicted later
 APART = 1e-4  # of the spacing of samples: to both sides of one, for the rate of a history
@@ -44,7 +45,7 @@ APART = 1e-4  # of the spacing of samples: to both sides of one, for the rate of
 class Experiment:
     """Measured run, with the values that it was made at.
 
-    data       a `Measurement` over time, `MeasuredImpacts`, or a CSV file of either
+    data       a `Measurement` over time, `MeasuredImpacts`, or a table of either, as `read_measurement` reads it
     parameters, inputs    as `simulate` takes them, initial states among the parameters: {"drop_height": "0.5 m"}
     duration   of the run that is compared, by default that of the data; needed where impacts have no times
     """
@@ -267,8 +268,10 @@ def read_table(
     """Return measured data, read where a file of them is named; None with bad input appended to `faults`."""
     if isinstance(data, Measurement | MeasuredImpacts):
         return data
-    if not isinstance(data, str | Path):
-        faults.append(Fault("data", shown(data), "a CSV file, a Measurement, MeasuredImpacts, or an Experiment"))
+    if not (isinstance(data, str | Path | Mapping) or hasattr(data, "columns")):
+        faults.append(
+            Fault("data", shown(data), "a file, a data frame, a Measurement, MeasuredImpacts, or an Experiment")
+        )
         return None
     try:
         if counts_impacts(data):

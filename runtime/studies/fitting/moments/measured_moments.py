@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredImpacts, Measurement
+from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredImpacts, MeasuredTable, Measurement
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.solution.averages import TRANSIENT, seconds
@@ -45,7 +45,7 @@ RATES = "excursions", "rate"  # kinds whose unit is 1/s
 class MeasuredSeries:
     """Measured series, or measured list of impacts, that a fit takes statistics of, and how.
 
-    data       CSV file headed `name [unit]` over time, or with a column `impact [1]`; a `Measurement` or `MeasuredImpacts`
+    data       table over time or with a column `impact [1]`, as `read_measurement` reads it; a `Measurement` or `MeasuredImpacts`
     map        histories by column; of impacts numbers of them, {"t": "floor.impacts.t", "speed": "floor.impacts.speed"}
     noise      standard deviations by column: that of the sensor, which is added to runs
     bandwidth, order, zero_phase    of the instrument that runs go through, as of `compare`; not of impacts
@@ -53,7 +53,7 @@ class MeasuredSeries:
     parameters that it was measured at, initial states too, beside those of the fit
     """
 
-    data: Measurement | MeasuredImpacts | str | Path
+    data: Measurement | MeasuredImpacts | MeasuredTable
     map: Mapping[str, str] | None = None
     noise: Mapping[str, Value] | None = None
     bandwidth: str | float | None = None
@@ -217,7 +217,7 @@ def read_series(
     faults += [unknown(f"{name}, column", column[name], there) for name in names if column[name] not in there]
     found = []
     for number, (one, sight, has, skip) in enumerate(zip(series, read, own, skips, strict=True), 1):
-        source = one.data if isinstance(one.data, str | Path) else one.data.source
+        source = one.data if isinstance(one.data, str | Path) else getattr(one.data, "source", "")
         of = f" of {Path(source).stem or f'series {number}'}"
         among = [name for name in names if column[name] in has]
         labels = [name + of * (sum(column[name] in other for other in own) > 1) for name in among]

@@ -1,0 +1,293 @@
+"""Tables of numbers in text, as instruments and spreadsheets write them: encoding, headings, decimal marks, numbers.
+
+Nothing is guessed. A cell that reads as two different numbers, such as 1,234, is refused unless other cells prove the
+decimal mark or the caller states it. NumPy's reader takes plain numbers; what it refuses is read cell by cell.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unreadable
+
+Array = NDArray[np.float64]
+
+HEAD = 500  # lines among which the headings stand
+LISTED = 20  # most faults of numbers that are listed
+DELIMITERS = ("\t", ";", ",", " ")  # in the order in which they are tried
+MISSING = frozenset(
+    {
+        "",
+        "nan",
+        "-nan",
+        "n/a",
+        "na",
+        "#n/a",
+        "#nv",
+        "null",
+        "none",
+        "-",
+        "--",
+        "---",
+        "∞",
+        "+∞",
+        "-∞",
+        "ol",
+        "o.l",
+        "o.l.",
+    }
+    | {"ovl", "over", "overflow", "overload", "overrange", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind"}
+)
+"""Cells without a sample, in small letters: empty, not available, beyond the instrument's range."""
+BEYOND = (
+    9.9e37,
+    -9.9e37,
+    9.91e37,
+)  # infinite and not a number as instruments write them (SCPI 1999, volume 1, 7.2.1.4-5)
+GROUP = {".": ",", ",": "."}  # mark between thousands beside a decimal mark
+NUMBER = {
+    mark: re.compile(
+        rf"[-+]?(?:(?:\d+(?:\{mark}\d*)?|\{mark}\d+)(?:[eE][-+]?\d+)?|[1-9]\d{{0,2}}(?:\{group}\d{{3}})+(?:\{mark}\d*)?)",
+        re.ASCII,
+    )
+    for mark, group in GROUP.items()
+}
+COMMENT = re.compile(r"\s*(?:#(?!n/a|nv\b)|$)", re.IGNORECASE)  # not a cell of Excel's that is not available
+POINT = re.compile(
+    r"(?<![\d.])(?:0*\.\d|\d{4,}\.|\d+\.(?!\d{3}(?![\deE])))"
+)  # in no number whose points part thousands
+UNEVEN = "?"  # cells of a line with more or fewer than there are headings
+REMARKS = "comment"  # heading of the last column that LabVIEW writes, whose cells may be left out
+UNPRINTED = re.compile(r"[\0-\x08\x0e-\x1f]")  # in no text
+
+
+def text_of(path: Path) -> str:
+    """Return the text of a file in UTF-8, UTF-16 or Latin-1, lines ended by "\\n"; raises InputError where it is none."""
+    try:
+        raw = path.read_bytes()
+        if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
+            text = raw.decode("utf-16")
+        elif b"\0" in raw[:2]:
+            text = raw.decode("utf-16-be" if raw[:1] == b"\0" else "utf-16-le")
+        else:
+            try:
+                text = raw.decode("utf-8-sig")
+            except UnicodeDecodeError:
+                text = raw.decode("latin-1")
+    except (OSError, ValueError) as error:
+        raise InputError("measurement", [unreadable(path, _no_text(error), "a CSV file")]) from error
+    if UNPRINTED.search(text):
+        raise InputError("measurement", [unreadable(path, _no_text(ValueError()), "a CSV file")])
+    return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n").replace("\u2212", "-")
+
+
+def _no_text(error: Exception) -> Exception:
+    plain = "bytes that are no UTF-8, UTF-16 or Latin-1 text; a workbook is saved as CSV first"
+    return error if isinstance(error, OSError) else ValueError(plain)
+
+
+def cells_of(line: str, delimiter: str) -> list[str]:
+    """Return the cells of a line; a delimiter " " stands for any space."""
+    if delimiter == " ":
+        return line.split()
+    cells = (
+        next(csv.reader([line], delimiter=delimiter, skipinitialspace=True)) if '"' in line else line.split(delimiter)
+    )
+    return [cell.strip() for cell in cells]
+
+
+def is_number(cell: str) -> bool:
+    """Return whether a cell is a number with either decimal mark."""
+    return any(number.fullmatch(cell) for number in NUMBER.values())
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where headings and numbers stand: headings and the units below them by column, numbers after line `start`."""
+
+    delimiter: str
+    line: int
+    headings: list[str]
+    below: list[str]
+    start: int
+
+    @cached_property
+    def width(self) -> int:
+        """Number of columns: headings but for empty ones, and LabVIEW's remarks, at the end."""
+        return max(k for k, cell in enumerate(["", *self.headings]) if k == 0 or cell.lower() not in ("", REMARKS))
+
+
+def layout_of(text: str, is_key: Callable[[int, str], bool], skip: int, places: Sequence[int] = ()) -> Layout | None:
+    """Return the layout of the first line with a key above numbers; else of a likely one, None without lines.
+
+    is_key    whether the heading at a place is that of the column that orders the rows
+    places    of columns that are read without headings: numbers begin in the first line that has them all
+    """
+    lines = [(n, line) for n, line in enumerate(text.split("\n", skip + HEAD)[: skip + HEAD], 1) if n > skip]
+    rows = [(n, line) for n, line in lines if not COMMENT.match(line)]
+    likely: list[Layout] = []
+    for n, line in rows if places else lines:
+        for delimiter in DELIMITERS:
+            cells = _headings(line, delimiter)
+            if places and all(k < len(cells) and is_number(cells[k]) for k in places):
+                return Layout(delimiter, n, [str(k + 1) for k in range(len(cells))], [], n - 1)
+            keys = [k for k, cell in enumerate(cells) if len(cells) > 1 and not places and is_key(k, cell)]
+            if not keys:
+                continue
+            following = [(m, cells_of(row, delimiter)) for m, row in rows if m > n]
+            (m, below), (_, row) = [*following, (n, [""]), (n, [""])][:2]
+            if any(cell.lower() not in MISSING for cell in below) and not any(map(is_number, below)):
+                likely.append(Layout(delimiter, n, cells, below, m))
+            else:
+                likely.append(Layout(delimiter, n, cells, [], n))
+                row = below
+            even = len(row) == len(cells) if delimiter == " " else len(row) > 1
+            if even and keys[0] < len(row) and is_number(row[keys[0]]):
+                return likely[-1]
+    if likely or not rows:
+        return likely[0] if likely else None
+    n, line = rows[0]
+    delimiter = max(DELIMITERS[:3], key=line.count)
+    return Layout(delimiter, n, _headings(line, delimiter), [], n)
+
+
+def _headings(line: str, delimiter: str) -> list[str]:
+    """Return the cells of a line of headings; a unit in brackets belongs to the name before it, also after a space."""
+    bare = re.sub(r"^\s*[#%]+\s*", "", line)
+    return re.split(r"\s+(?![\[(])", bare.strip()) if delimiter == " " else cells_of(bare, delimiter)
+
+
+class Numbers:
+    """Numbers of columns of a text, with the faults of those that are none.
+
+    places, names    of the columns; decimal: their mark, "" where the cells prove it
+    missing          further cells without a sample, text or numbers
+    """
+
+    def __init__(
+        self, file: str, text: str, layout: Layout, places: Sequence[int], names: Sequence[str], decimal: str,
+        missing: Iterable[str],
+    ) -> None:  # fmt: skip
+        self._file, self._text, self._layout = file, text, layout
+        self._places, self._names = list(places), names
+        self._missing = {mark.strip().lower() for mark in missing} | MISSING
+        self._found: list[tuple[int, Fault]] = []
+        plain = self._plain(decimal)
+        self.values: Array = self._by_cells(decimal) if plain is None else plain
+        texts = [mark.replace(decimal or ".", ".") for mark in self._missing]
+        self.values[np.isin(self.values, [*BEYOND, *(float(x) for x in texts if NUMBER["."].fullmatch(x))])] = np.nan
+
+    @property
+    def faults(self) -> list[Fault]:
+        """Faults in the order of the lines: of many the first, and the number of others."""
+        ordered = [fault for _, fault in sorted(self._found, key=lambda each: each[0])]
+        more = len(ordered) - LISTED
+        return [*ordered[:LISTED], *([Fault(self._file, f"{more} faults more", "none")] if more > 0 else [])]
+
+    def add(self, row: int, found: str, expected: str, remedy: str = "", column: int | None = None) -> None:
+        """Add a fault of a row."""
+        where = f"{self._file}, line {self._rows[row][0]}" + ("" if column is None else f", {self._names[column]}")
+        self._found.append((row, Fault(where, found, expected, remedy)))
+
+    def _plain(self, decimal: str) -> Array | None:
+        """Return the numbers as NumPy reads them; None where a cell is more than a number with a decimal point."""
+        body, delimiter = self._text.split("\n", self._layout.start)[-1], self._layout.delimiter
+        in_doubt = delimiter != "," and "." in body and not (decimal or POINT.search(body))
+        if decimal == "," or in_doubt or '"' in body or "#" in body or not body.strip():
+            return None
+        try:
+            values = np.loadtxt(
+                io.StringIO(body), delimiter=None if delimiter == " " else delimiter, comments=None, ndmin=2
+            )
+        except ValueError:
+            return None
+        even = values.shape[1] == len(self._layout.headings)
+        return values[:, self._places] if even and not np.any(np.isinf(values)) else None
+
+    @cached_property
+    def _rows(self) -> list[tuple[int, str]]:
+        lines = enumerate(self._text.split("\n"), 1)
+        return [(n, line) for n, line in lines if n > self._layout.start and not COMMENT.match(line)]
+
+    def _by_cells(self, decimal: str) -> Array:
+        rows = [cells_of(line, self._layout.delimiter) for _, line in self._rows]
+        width, most = self._layout.width, len(self._layout.headings)
+        remarks = self._layout.headings[-1].lower() == REMARKS
+        most += not remarks and all(len(row) == most + 1 and not row[-1] for row in rows)
+        for r, row in enumerate(rows):
+            if not width <= len(row) <= most or (any(row[width:]) and not remarks):
+                comma = self._layout.delimiter == "," and any(re.fullmatch(r"[-+\d]+,\d+", c) for c in row)
+                remedy = "decimal commas want another delimiter, or quotes" if comma else ""
+                self.add(r, f"{len(row)} cells", f"{width}, as there are headings", remedy)
+                rows[r] = [UNEVEN] * width
+        columns = [[row[place] for row in rows] for place in self._places]
+        marks = decimal or self._proven(columns)
+        values = np.full((len(rows), len(columns)), np.nan)  # inf where a cell is faulty
+        for c, cells in enumerate(columns):
+            for r, cell in enumerate(cells):
+                if cell.lower() in self._missing:
+                    continue
+                fits = [mark for mark in marks if NUMBER[mark].fullmatch(cell)]
+                values[r, c] = float(cell.replace(GROUP[fits[0]], "").replace(fits[0], ".")) if fits else np.inf
+                if np.isinf(values[r, c]) and cell is not UNEVEN:
+                    self.add(r, shown(cell), "a finite number, or nothing where a sample is missing", column=c)
+        return values
+
+    def _proven(self, columns: Sequence[Sequence[str]]) -> str:
+        """Return the decimal mark that the cells prove; both with a fault where they prove none, or both."""
+        if self._layout.delimiter == "," and '"' not in self._text:
+            return "."
+        firsts: dict[
+            str, tuple[int, int, str]
+        ] = {}  # by the mark that reads the cell; "?," where both do and it has one
+        for c, cells in enumerate(columns):
+            for r, cell in enumerate(cells):
+                if "," in cell or "." in cell:
+                    marks = [mark for mark, number in NUMBER.items() if number.fullmatch(cell)]
+                    kind = marks[0] if len(marks) == 1 else f"?{',' if ',' in cell else '.'}" if marks else ""
+                    firsts.setdefault(kind, (r, c, cell))
+        mark = "," if "," in firsts else "." if "." in firsts or not {"?,", "?."} & firsts.keys() else ""
+        if mark == "," and "." in firsts:
+            (r, c, cell), (other, column, point) = firsts[","], firsts["."]
+            found = f"{shown(cell)}, and {shown(point)} in line {self._rows[other][0]}, {self._names[column]}"
+            self.add(r, found, "one decimal mark", 'decimal="," or decimal="." decides, and refuses the other', c)
+            return ".,"
+        doubtful = None if mark == "," else firsts.get("?,")
+        if doubtful := doubtful or (None if mark == "." else firsts.get("?.")):
+            r, c, cell = doubtful
+            readings = [f'decimal="{m}" reads {cell.replace(g, "").replace(m, ".")}' for m, g in GROUP.items()]
+            self.add(
+                r, f"{shown(cell)}, which is two numbers", "cells that prove the decimal mark", ", ".join(readings), c
+            )
+            return ".,"
+        return mark
+
+
+class Arrays:
+    """Numbers of columns that a data frame or a dictionary holds, with the faults of those that are none."""
+
+    def __init__(self, columns: Sequence[Any], names: Sequence[str], missing: Iterable[str]) -> None:
+        self.faults: list[Fault] = []
+        arrays = [np.ma.asanyarray(each) for each in columns]
+        for name, array in zip(names, arrays, strict=True):
+            if array.dtype.kind not in "iuf" or array.shape != (arrays[0].size,):
+                found = f"{array.dtype} of shape {array.shape}"
+                self.faults.append(Fault(name, found, f"numbers, {arrays[0].size} as {names[0]} has"))
+        fine = [] if self.faults else [np.ma.filled(array.astype(float), np.nan) for array in arrays]
+        self.values: Array = np.column_stack(fine) if fine else np.zeros((0, len(arrays)))
+        marks = [float(mark) for mark in missing if NUMBER["."].fullmatch(mark)]
+        self.values[np.isin(self.values, [*BEYOND, *marks])] = np.nan
+
+    def add(self, row: int, found: str, expected: str) -> None:
+        """Add a fault of a row."""
+        self.faults.append(Fault(f"row {row + 1}", found, expected))
