@@ -69,7 +69,7 @@ def fit(
     """Fit parameters and initial states to measurements, with exact derivatives through impacts.
 
     target      a scene or a Model, as `simulate` takes it
-    data        a table over time, or with a column `impact [1]` that counts impacts, as `read_measurement` reads it; a `Measurement`, `MeasuredImpacts`;
+    data        a table over time, or with a column `impact [1]`, as `read_measurement` reads it; a `Measurement`, `MeasuredImpacts`;
                 an `Experiment`, which says what its run was made at; or several of them, fitted at once
     free        ranges by name, {"restitution": (0.3, 1), "stiffness": "1e7..1e9 N/m log", "clearance": "log"}; names alone take their laws' range.
                 A quantity is searched by ratios where its range says log, or spans two decades

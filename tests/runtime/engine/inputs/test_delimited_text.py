@@ -24,7 +24,7 @@ class File:
     encoding: str = "utf-8"
 
 
-TEKTRONIX = "Model,MSO54\nFirmware Version,1.2\n\nHorizontal Units,s\nRecord Length,3\n\nLabels,,\nTIME,CH1,CH2\n-1e-06,0.1,2\n0,0.2,3\n1e-06,9.9E+37,4\n"
+TEKTRONIX = "Model,MSO54\n\nHorizontal Units,s\nRecord Length,3\n\nLabels,,\nTIME,CH1,CH2\n-1e-06,0.1,2\n0,0.2,3\n1e-06,9.9E+37,4\n"
 KEYSIGHT = "x-axis,1,2\nsecond,Volt,Volt\n-5.0E-04,+1.5E+00,0\n0.0E+00,+2.5E+00,1\n"
 PICOSCOPE = "Time,Channel A,Channel B\n(ms),(mV),(V)\n\n-1.50000000,20.5,∞\n-1.40000000,-∞,0.25\n-1.30000000,21.5,0.5\n"
 LVM = (
