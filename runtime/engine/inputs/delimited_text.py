@@ -1,4 +1,4 @@
-"""Tables of numbers in text, as instruments and spreadsheets write them: encoding, headings, decimal marks, numbers.
+"""Tables of numbers in text, as instruments and spreadsheets write them.
 
 Nothing is guessed. A cell that reads as two different numbers, such as 1,234, is refused unless other cells prove the
 decimal mark or the caller states it. NumPy's reader takes plain numbers; what it refuses is read cell by cell.
@@ -72,7 +72,7 @@ UNPRINTED = re.compile(r"[\0-\x08\x0e-\x1f]")  # in no text
 
 
 def text_of(path: Path) -> str:
-    """Return the text of a file in UTF-8, UTF-16 or Latin-1, lines ended by "\\n"; raises InputError where it is none."""
+    """Return the text of a file in UTF-8, UTF-16 or Latin-1; raises InputError where it is none."""
     try:
         raw = path.read_bytes()
         if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
@@ -113,7 +113,7 @@ def is_number(cell: str) -> bool:
 
 @dataclass(frozen=True)
 class Layout:
-    """Where headings and numbers stand: headings and the units below them by column, numbers after line `start`."""
+    """Where headings, the units below them, and numbers stand: these after line `start`."""
 
     delimiter: str
     line: int
@@ -128,7 +128,7 @@ class Layout:
 
 
 def layout_of(text: str, is_key: Callable[[int, str], bool], skip: int, places: Sequence[int] = ()) -> Layout | None:
-    """Return the layout of the first line with a key above numbers; else of a likely one, None without lines.
+    """Return the layout below the first key that stands above a number; None without lines.
 
     is_key    whether the heading at a place is that of the column that orders the rows
     places    of columns that are read without headings: numbers begin in the first line that has them all
@@ -162,7 +162,7 @@ def layout_of(text: str, is_key: Callable[[int, str], bool], skip: int, places: 
 
 
 def _headings(line: str, delimiter: str) -> list[str]:
-    """Return the cells of a line of headings; a unit in brackets belongs to the name before it, also after a space."""
+    """Return the headings of a line; a unit in brackets belongs to the name before it."""
     bare = re.sub(r"^\s*[#%]+\s*", "", line)
     return re.split(r"\s+(?![\[(])", bare.strip()) if delimiter == " " else cells_of(bare, delimiter)
 
@@ -200,7 +200,7 @@ class Numbers:
         self._found.append((row, Fault(where, found, expected, remedy)))
 
     def _plain(self, decimal: str) -> Array | None:
-        """Return the numbers as NumPy reads them; None where a cell is more than a number with a decimal point."""
+        """Return the numbers as NumPy reads them; None where a cell is no plain number."""
         body, delimiter = self._text.split("\n", self._layout.start)[-1], self._layout.delimiter
         in_doubt = delimiter != "," and "." in body and not (decimal or POINT.search(body))
         if decimal == "," or in_doubt or '"' in body or "#" in body or not body.strip():

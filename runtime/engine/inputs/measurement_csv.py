@@ -1,4 +1,4 @@
-"""Measured data over time or by impacts, read from text, data frames or arrays, with every fault and its line."""
+"""Measured data over time or by impacts, read from text, data frames or arrays with every fault."""
 
 from __future__ import annotations
 
@@ -190,7 +190,7 @@ def _read(
     decimal: str | None,
     missing: str | Iterable[str],
 ) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:
-    """Return the rows' key in SI, times or numbers of impacts, columns and units by name, the jumps, and the source."""
+    """Return times in SI or numbers of impacts, columns and units by name, jumps, and the source."""
     faults = _option_faults(skip, decimal)
     marks = [str(mark) for mark in ([missing] if isinstance(missing, str | int | float) else missing)]
     chosen: list[Column] = []
@@ -344,7 +344,7 @@ def _stated_unit(where: str, heading: str, name: str, texts: Sequence[str], faul
 
 
 def _repeated(table: Numbers | Arrays, keys: tuple[str, ...]) -> NDArray[np.bool_]:
-    """Return which rows have the time of the next one; what is missing, falls or stands too often is a fault."""
+    """Return which rows have the time of the next one; times that are missing or fall are faults."""
     along, what = table.values[:, 0], "time" if keys == TIMES else "number"
     for row in np.flatnonzero(np.isnan(along)):
         table.add(int(row), f"no {what}", f"a {what} in every line")
