@@ -30,7 +30,7 @@ NAME = "ball_bearing"
 SOURCE = "derive/scenes/ball_bearing.py"
 SUMMARY = "balls between two rings: cage speed, and the frequency of their passing"
 FORMAT = "hertzwerk module 1"
-DIGEST = "91083ac3178ff2112f921185194d5a65"
+DIGEST = "85b65190a699568eae2648aed63ce617"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on ring = (0, -load, 0) in axes of ground"),
@@ -196,8 +196,8 @@ OPERATIONS = (
     ("poses", 138), ("outputs", 98), ("period", 3), ("landmarks", 20),
 )
 
-UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
-ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

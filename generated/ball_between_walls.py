@@ -14,7 +14,7 @@ NAME = "ball_between_walls"
 SOURCE = "derive/scenes/ball_between_walls.py"
 SUMMARY = "ball between two walls"
 FORMAT = "hertzwerk module 1"
-DIGEST = "873d6040ecb1221c75a48849fa258ce1"
+DIGEST = "069579cb6e7e6488148d56b23a2aa04a"
 
 EFFECTS = (
     ("left_wall", "contact", "power x hunt_crossley"), ("right_wall", "contact", "power x hunt_crossley"),
@@ -77,8 +77,8 @@ OPERATIONS = (
     ("poses", 0), ("outputs", 5), ("landmarks", 3),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
-ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
+SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -15,7 +15,7 @@ NAME = "ball_in_socket"
 SOURCE = "derive/scenes/ball_in_socket.py"
 SUMMARY = "ball swinging at the bottom of a socket"
 FORMAT = "hertzwerk module 1"
-DIGEST = "4889943e2009a2565646d7fefb5531c4"
+DIGEST = "226e42c4b37c29931adfde49cbfc416d"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("ball_joint", "contact", "power"),
@@ -84,8 +84,8 @@ OPERATIONS = (
     ("landmarks", 1),
 )
 
-UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
-SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -16,7 +16,7 @@ NAME = "bicycle"
 SOURCE = "derive/scenes/bicycle.py"
 SUMMARY = "a bicycle that balances itself, on wheels that roll without slip"
 FORMAT = "hertzwerk module 1"
-DIGEST = "615b199d5a619ff2ca4309b62a281a7e"
+DIGEST = "0b6ee3ef15ff371186073f4939426561"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("rear_grip", "rolling_without_slip", "rolling without slip at rear_tyre"),
@@ -155,8 +155,8 @@ OPERATIONS = (
     ("rolling_limits", 0), ("landmarks", 11),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
-GUIDES = SLIPS = RELEASES = DISSIPATED = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = ()
+FED = RUBBING = GUIDES = SLIPS = RELEASES = DISSIPATED = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -15,7 +15,7 @@ NAME = "bouncing_ball"
 SOURCE = "derive/scenes/bouncing_ball.py"
 SUMMARY = "ball dropped on a plane"
 FORMAT = "hertzwerk module 1"
-DIGEST = "e2e9a617e40a0a1d254c6d7ec11c64df"
+DIGEST = "ff76323c22e831d0b54efb3d08fa4f43"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("floor", "contact", "power x flores"),
@@ -76,8 +76,8 @@ OPERATIONS = (
     ("applied", 2), ("accelerations", 1), ("ledger", 0), ("energy", 11), ("poses", 0), ("outputs", 1), ("landmarks", 0),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
-ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
+SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -14,7 +14,7 @@ NAME = "bricard"
 SOURCE = "derive/scenes/bricard.py"
 SUMMARY = "five rods and six hinges in space, one constraint redundant"
 FORMAT = "hertzwerk module 1"
-DIGEST = "badedffb113c5cae5a04d4e146a12651"
+DIGEST = "cb98d710b466e9af5a65c508409f1808"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
@@ -73,8 +73,8 @@ OPERATIONS = (
     ("landmarks", 5),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
-GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = GIVEN = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = ()
+FED = RUBBING = GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = GIVEN = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -14,7 +14,7 @@ NAME = "double_pendulum"
 SOURCE = "derive/scenes/double_pendulum.py"
 SUMMARY = "double pendulum"
 FORMAT = "hertzwerk module 1"
-DIGEST = "6651297fb489bfffa2061086bb51d8e5"
+DIGEST = "78f9630afe9980f629244edf76c90990"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
@@ -55,8 +55,8 @@ OPERATIONS = (
     ("accelerations", 50), ("ledger", 0), ("energy", 37), ("poses", 10), ("outputs", 0), ("landmarks", 3),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
-GUIDES = SLIPS = RELEASES = DISSIPATED = CONSTRAINTS = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = ()
+FED = RUBBING = GUIDES = SLIPS = RELEASES = DISSIPATED = CONSTRAINTS = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

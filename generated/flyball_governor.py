@@ -15,7 +15,7 @@ NAME = "flyball_governor"
 SOURCE = "derive/scenes/flyball_governor.py"
 SUMMARY = "centrifugal governor, two loops on a turning spindle"
 FORMAT = "hertzwerk module 1"
-DIGEST = "4712a47bafc5000b18a9020f8b5c43c6"
+DIGEST = "cee60d2a09101bcd17078f628dcb0c81"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of guide"),
@@ -106,8 +106,8 @@ OPERATIONS = (
     ("landmarks", 10),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
-GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = ()
+FED = RUBBING = GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -17,7 +17,7 @@ NAME = "four_bar_clearance"
 SOURCE = "derive/scenes/four_bar_clearance.py"
 SUMMARY = "four-bar linkage with a clearance joint between coupler and rocker"
 FORMAT = "hertzwerk module 1"
-DIGEST = "0a2232ff6acba1d2137f5862e2654685"
+DIGEST = "97d6ce2a85bbc77bba02b425fdcc7912"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -124,8 +124,8 @@ OPERATIONS = (
     ("speed_limits", 3), ("period", 3), ("landmarks", 3),
 )
 
-UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
-BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -17,7 +17,7 @@ NAME = "geared_hoist"
 SOURCE = "derive/scenes/geared_hoist.py"
 SUMMARY = "a motor lifts a load by a gear pair and a drum"
 FORMAT = "hertzwerk module 1"
-DIGEST = "c7efe98da9e3fa6f2b7a355d110a834b"
+DIGEST = "3eea6fbe022c04c4ee5ff213c91de59e"
 
 EFFECTS = (
     ("motor", "force", "force on pinion_shaft = torque"), ("mesh", "coupling", "drum_shaft = -pinion_teeth/wheel_teeth pinion_shaft"),
@@ -84,8 +84,8 @@ OPERATIONS = (
     ("landmarks", 35),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
-SLIPS = RELEASES = DISSIPATED = ROLLING = GIVEN = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = PAIRS = EVENTS = LOADS = FED = ()
+RUBBING = GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = GIVEN = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -15,7 +15,7 @@ NAME = "geneva_drive"
 SOURCE = "derive/scenes/geneva_drive.py"
 SUMMARY = "a pin that turns a slotted wheel by a quarter, and a disc that locks it, in closed form within the plays"
 FORMAT = "hertzwerk module 1"
-DIGEST = "0c214889aeeefac1ee9cd35c6a1849fc"
+DIGEST = "b7b21404612695eeee9a407d76ae1352"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft"), ("slot", "contact", "power x power_damping"),
@@ -171,8 +171,8 @@ SLOTS_CURVE = (True, False, (0, -1, 0, 1, -1, 1, 0, -1, 0, 1, -1, 1, 0, -1, 0, 1
 
 DISC_CURVE = (True, False, (1, 0, 0))
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
-CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -17,7 +17,7 @@ NAME = "journal_in_bearing"
 SOURCE = "derive/scenes/journal_in_bearing.py"
 SUMMARY = "loaded journal turning in a bush with clearance"
 FORMAT = "hertzwerk module 1"
-DIGEST = "0bb7a1ed3252c459ce161440bc6c6746"
+DIGEST = "849a900b2f4e57e6be5871751be3a831"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
@@ -95,8 +95,8 @@ OPERATIONS = (
     ("period", 3), ("landmarks", 2),
 )
 
-UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
-GIVEN = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = GIVEN = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -17,7 +17,7 @@ NAME = "journal_lubricated"
 SOURCE = "derive/scenes/journal_lubricated.py"
 SUMMARY = "loaded journal on the oil film of a short bearing"
 FORMAT = "hertzwerk module 1"
-DIGEST = "5f148fe0cc1805f6cfbbbcb509b5ff1f"
+DIGEST = "d9c05a1809adf622079c27dbc7b521e9"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
@@ -97,8 +97,8 @@ OPERATIONS = (
     ("period", 3), ("landmarks", 2),
 )
 
-UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
-GIVEN = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = GIVEN = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

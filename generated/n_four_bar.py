@@ -14,7 +14,7 @@ NAME = "n_four_bar"
 SOURCE = "derive/scenes/n_four_bar.py"
 SUMMARY = "four-bar linkages in a row, 2 windows, through singular positions"
 FORMAT = "hertzwerk module 1"
-DIGEST = "934c9c543c13d359850e4ca778222d75"
+DIGEST = "0f6c8ed1c0504311ea868d5f12e42255"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
@@ -70,8 +70,8 @@ OPERATIONS = (
     ("landmarks", 2),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
-GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = ()
+FED = RUBBING = GUIDES = SLIPS = RELEASES = DISSIPATED = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -15,7 +15,7 @@ NAME = "newtons_cradle"
 SOURCE = "derive/scenes/newtons_cradle.py"
 SUMMARY = "Newton's cradle"
 FORMAT = "hertzwerk module 1"
-DIGEST = "1c902bd9833843286ee05c27f11b09ff"
+DIGEST = "ff5e89b366955bada68385c5a801c66e"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("contact_0", "contact", "power x exact"), ("contact_1", "contact", "power x exact"),
@@ -101,8 +101,8 @@ OPERATIONS = (
     ("accelerations", 5), ("ledger", 0), ("energy", 101), ("poses", 15), ("outputs", 61), ("landmarks", 21),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
-ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
+SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -14,7 +14,7 @@ NAME = "pendulum"
 SOURCE = "derive/scenes/pendulum.py"
 SUMMARY = "pendulum let go horizontal"
 FORMAT = "hertzwerk module 1"
-DIGEST = "89a39c47918448eacad7b76493dfc0de"
+DIGEST = "b4434f280408973a7501e80205df8be3"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
@@ -51,8 +51,8 @@ OPERATIONS = (
     ("accelerations", 1), ("ledger", 0), ("energy", 7), ("poses", 3), ("outputs", 0), ("landmarks", 1),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = FED = RUBBING = ()
-GUIDES = SLIPS = RELEASES = DISSIPATED = CONSTRAINTS = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = MEMORY = LATCHES = PAIRS = EVENTS = LOADS = ()
+FED = RUBBING = GUIDES = SLIPS = RELEASES = DISSIPATED = CONSTRAINTS = ROLLING = SEATED = BRISTLES = OUTPUTS = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -17,7 +17,7 @@ NAME = "slider_crank"
 SOURCE = "derive/scenes/slider_crank.py"
 SUMMARY = "slider-crank with a clearance joint between rod and slider"
 FORMAT = "hertzwerk module 1"
-DIGEST = "d884f10e9b7cf1e53420196851fb5690"
+DIGEST = "442f74b8fa809b8aa49e38993b015855"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -120,8 +120,8 @@ OPERATIONS = (
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
-UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
-BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -19,7 +19,7 @@ NAME = "slider_crank_dc_motor"
 SOURCE = "derive/scenes/slider_crank_dc_motor.py"
 SUMMARY = "slider-crank with clearance at both pins, driven by a motor whose speed is controlled"
 FORMAT = "hertzwerk module 1"
-DIGEST = "fb6b197930074ee6d7cfe3338d945661"
+DIGEST = "be4d641a96ae857b2155b56a4fa0d5a1"
 
 EFFECTS = (
     ("motor", "motor", "direct-current motor on main_bearing at the voltage crank_speed*motor_constant + speed_control.command"),
@@ -162,8 +162,8 @@ OPERATIONS = (
     ("ledger", 4), ("energy", 63), ("poses", 7), ("outputs", 21), ("speed_limits", 3), ("landmarks", 1),
 )
 
-UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = ()
-FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
+SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -16,7 +16,7 @@ NAME = "slider_crank_frictionless"
 SOURCE = "derive/scenes/slider_crank_frictionless.py"
 SUMMARY = "slider-crank with a clearance joint, without friction"
 FORMAT = "hertzwerk module 1"
-DIGEST = "88110c1430763ce739475c9e77921994"
+DIGEST = "1b0137ab8944bf1864327d219d8842c2"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -115,8 +115,8 @@ OPERATIONS = (
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
-UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
-BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -17,7 +17,7 @@ NAME = "slider_crank_line"
 SOURCE = "derive/scenes/slider_crank_line.py"
 SUMMARY = "slider-crank with a clearance joint whose pin touches its bush along a line"
 FORMAT = "hertzwerk module 1"
-DIGEST = "11d830b7065b690fd1af4ccdb8a0b76c"
+DIGEST = "810c17e14ffcdcb176c90e09b464d508"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -120,8 +120,8 @@ OPERATIONS = (
     ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
-UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
-SEATED = BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

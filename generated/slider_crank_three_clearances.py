@@ -19,7 +19,7 @@ NAME = "slider_crank_three_clearances"
 SOURCE = "derive/scenes/slider_crank_three_clearances.py"
 SUMMARY = "slider-crank with clearance at all three pins"
 FORMAT = "hertzwerk module 1"
-DIGEST = "9b03b80f6484565d6b6a8c1de919f92e"
+DIGEST = "4a8c4f4e840b39f83e52aac189dda53a"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of crank_plane.angle"), ("gravity", "gravity", "uniform gravity"),
@@ -139,8 +139,8 @@ OPERATIONS = (
     ("ledger", 1), ("energy", 78), ("poses", 7), ("outputs", 22), ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
-UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
-BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -18,7 +18,7 @@ NAME = "slider_crank_two_clearances"
 SOURCE = "derive/scenes/slider_crank_two_clearances.py"
 SUMMARY = "slider-crank with clearance at both pins of the rod"
 FORMAT = "hertzwerk module 1"
-DIGEST = "b2869f08b805d1f29cfee401a2bb5c55"
+DIGEST = "fc5776ce1cf4c8eba7b02e9bfc684d47"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -129,8 +129,8 @@ OPERATIONS = (
     ("poses", 7), ("outputs", 20), ("speed_limits", 3), ("period", 3), ("landmarks", 1),
 )
 
-UNCHECKED = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
-BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -15,7 +15,7 @@ NAME = "soft_ball"
 SOURCE = "derive/scenes/soft_ball.py"
 SUMMARY = "soft elastic ball dropped on a plane"
 FORMAT = "hertzwerk module 1"
-DIGEST = "c18c66d4de06464ce355badc6c12746f"
+DIGEST = "8b996a0518be5c4e25fdf0f8b73431df"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("floor", "contact", "power"),
@@ -68,8 +68,8 @@ OPERATIONS = (
     ("applied", 2), ("accelerations", 1), ("ledger", 0), ("energy", 13), ("poses", 0), ("outputs", 1), ("landmarks", 0),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
-CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = LATCHES = EVENTS = LOADS = FED = RUBBING = ()
+GUIDES = SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -16,7 +16,7 @@ NAME = "spatial_slider_crank"
 SOURCE = "derive/scenes/spatial_slider_crank.py"
 SUMMARY = "spatial slider-crank with a ball joint with clearance between crank and rod"
 FORMAT = "hertzwerk module 1"
-DIGEST = "cc5e9b9e18b47b46f21c2aea3acaee5e"
+DIGEST = "9895169e4ca68ea787c3d9b392921dab"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),
@@ -120,8 +120,8 @@ OPERATIONS = (
     ("speed_limits", 3), ("period", 3), ("landmarks", 4),
 )
 
-UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ROLLING = ()
-SEATED = BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

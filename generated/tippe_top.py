@@ -16,7 +16,7 @@ NAME = "tippe_top"
 SOURCE = "derive/scenes/tippe_top.py"
 SUMMARY = "a top that turns over, raised by friction"
 FORMAT = "hertzwerk module 1"
-DIGEST = "941435ecb93aaf55c37fa0a18b41b0bb"
+DIGEST = "011c13fff9419ce8fe8465d1312b98f8"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("floor", "contact", "power x kelvin_voigt"),
@@ -93,8 +93,8 @@ OPERATIONS = (
     ("landmarks", 0),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
-ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = LATCHES = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -19,7 +19,7 @@ NAME = "translational_clearance"
 SOURCE = "derive/scenes/translational_clearance.py"
 SUMMARY = "slider-crank with clearance between slider and guide"
 FORMAT = "hertzwerk module 1"
-DIGEST = "a1c13b7214bb7a45777e52672f39d885"
+DIGEST = "77e47d74f254544749a9aa087d51465a"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("rear_lower", "contact", "power x flores"), ("rear_upper", "contact", "power x flores"),
@@ -134,8 +134,8 @@ OPERATIONS = (
     ("accelerations", 55), ("ledger", 0), ("energy", 157), ("poses", 17), ("outputs", 78), ("landmarks", 9),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = SLIPS = CONSTRAINTS = ROLLING = ()
-SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = SLIPS = ()
+CONSTRAINTS = ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

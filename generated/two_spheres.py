@@ -14,7 +14,7 @@ NAME = "two_spheres"
 SOURCE = "derive/scenes/two_spheres.py"
 SUMMARY = "a sphere meets an equal one at rest"
 FORMAT = "hertzwerk module 1"
-DIGEST = "081042db0b4b294a35fa5603eac584c9"
+DIGEST = "d50db52aa01c44fdbe09e07bf0077a6d"
 
 EFFECTS = (("spheres", "contact", "hertz_point x flores"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 
@@ -80,8 +80,8 @@ OPERATIONS = (
     ("speed_limits", 3), ("landmarks", 0),
 )
 
-UNCHECKED = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = SLIPS = CONSTRAINTS = ()
-ROLLING = SEATED = BRISTLES = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = SUM_LIMITS = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = GUIDES = ()
+SLIPS = CONSTRAINTS = ROLLING = SEATED = BRISTLES = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

@@ -19,7 +19,7 @@ NAME = "woodpecker"
 SOURCE = "derive/scenes/woodpecker.py"
 SUMMARY = "jamming, slipping and pecking in turn: a limit cycle of friction and impact"
 FORMAT = "hertzwerk module 1"
-DIGEST = "f7ab773105f9ebedc23681eddd9d3208"
+DIGEST = "d00edbf5646752599dc48fa4e061b02c"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of spring_hinge"),
@@ -135,8 +135,8 @@ OPERATIONS = (
     ("outputs", 19), ("landmarks", 61),
 )
 
-UNCHECKED = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = SLIPS = CONSTRAINTS = ROLLING = SEATED = ()
-BRISTLES = SPEED_LIMITED = FAMILIES = ()
+UNCHECKED = CONTRADICTIONS = ADVICE = INPUTS = SMOOTH_INPUTS = QUATERNIONS = EVENTS = LOADS = FED = RUBBING = SLIPS = CONSTRAINTS = ()
+ROLLING = SEATED = BRISTLES = SPEED_LIMITED = FAMILIES = ()
 
 GIVEN = JOINT_COORDINATES = JOINT_SPEEDS = JOINT_QUATERNIONS = JOINT_CONSTRAINTS = None
 

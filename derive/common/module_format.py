@@ -18,8 +18,10 @@ FORMAT = "hertzwerk module 1"
 """Format that modules state. A change of the tables, or of what functions take and return, is another one."""
 
 EMPTY: dict[str, tuple[Any, ...] | None] = {
-    **dict.fromkeys(("EFFECTS", "UNCHECKED", "ADVICE", "PARAMETERS", "LIMITS", "SUM_LIMITS", "INPUTS"), ()),
-    **dict.fromkeys(("SMOOTH_INPUTS", "COORDINATES", "QUATERNIONS", "SPEEDS", "MEMORY", "LATCHES", "PAIRS"), ()),
+    **dict.fromkeys(("EFFECTS", "UNCHECKED", "CONTRADICTIONS", "ADVICE", "PARAMETERS", "LIMITS", "SUM_LIMITS"), ()),
+    **dict.fromkeys(
+        ("INPUTS", "SMOOTH_INPUTS", "COORDINATES", "QUATERNIONS", "SPEEDS", "MEMORY", "LATCHES", "PAIRS"), ()
+    ),
     **dict.fromkeys(("EVENTS", "LOADS", "FED", "RUBBING", "GUIDES", "SLIPS", "RELEASES", "DISSIPATED"), ()),
     **dict.fromkeys(("CONSTRAINTS", "ROLLING", "SEATED", "BRISTLES", "OUTPUTS", "SPEED_LIMITED", "BODIES"), ()),
     **dict.fromkeys(("LANDMARKS", "FAMILIES", "CONSTANTS", "OPERATIONS"), ()),

@@ -109,6 +109,11 @@ class Mechanism:
         """Keys of speeds without a coordinate: none of joints."""
         return ()
 
+    @property
+    def contradictions(self) -> tuple[tuple[str, str], ...]:
+        """Velocities that positions contradict, with what is wrong: none of joints."""
+        return ()
+
     @cached_property
     def wrapped(self) -> tuple[str, ...]:
         """Keys of angles of closing joints in space, which the bodies tell up to whole turns."""

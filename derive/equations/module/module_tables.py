@@ -33,6 +33,7 @@ def tables(system: System) -> Mapping[str, Any]:
     return {
         "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
         "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if e.unchecked),
+        "CONTRADICTIONS": scene.mechanism.contradictions,
         "ADVICE": tuple(finding.reason for finding in advice_findings(scene)),
         "PARAMETERS": tuple(
             (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()

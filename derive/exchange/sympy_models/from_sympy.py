@@ -20,7 +20,7 @@ from sympy.physics.mechanics import ReferenceFrame
 from sympy.physics.vector import Point as SymPyPoint
 
 from hertzwerk.derive.audit.numeric import evaluate
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.identifiers import name_faults
 from hertzwerk.derive.declare.effects.effect import Effect
 from hertzwerk.derive.declare.effects.state_expression import Varying
@@ -29,6 +29,7 @@ from hertzwerk.derive.declare.mechanism.pair import Pair
 from hertzwerk.derive.declare.scene.scales import Scales
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.declare.scene.start import Start
+from hertzwerk.derive.exchange.sympy_models.kinematics_audit import kinematic_faults
 from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import Given
 from hertzwerk.derive.exchange.sympy_models.model_equations import (
     Reading,
@@ -52,31 +53,40 @@ STILL: Linear = ({}, sp.S.Zero)
 
 def from_sympy(
     method: Any, *, units: Mapping[Any, str], values: Mapping[Any, float], name: str = "model", origin: Any = None,
-    specified: Mapping[Any, Any] | None = None,
+    specified: Mapping[Any, Any] | None = None, kinematics: str = "audited",
 ) -> Model:  # fmt: skip
     """Model of a KanesMethod, a LagrangesMethod or a System whose equations are formed.
 
-    Raises InputError, listing every fault, for symbols without unit or value and for expressions whose units part.
+    Raises InputError, listing every fault, for symbols without unit or value, for expressions whose units part, and for
+    velocities that were set and do not follow from positions and axes.
 
     units      unit of every symbol, coordinate and function of time, and of speeds that are no derivatives, by symbol or name
     values     value of every constant symbol in its unit; a run may set it anew
     origin     fixed point from which positions are known; without one nothing has a place, and no pair may touch
     specified  functions of time that are neither coordinates nor speeds: expressions of `T`, or an `Input`; of loads
                also of coordinates, speeds and states
+    kinematics  "audited", or "as given": velocities that do not follow are taken as they were set, and the generated
+                module, solutions and pictures name them
     """
+    if kinematics not in ("audited", "as given"):
+        raise InputError(f"from_sympy, {name}", [Fault("kinematics", shown(kinematics), '"audited" or "as given"')])
     reading = reading_of(method, origin)
-    return Model(reading, name, Naming(reading, _expressions(reading), units, values, specified or {}))
+    naming = Naming(reading, _expressions(reading), units, values, specified or {})
+    return Model(reading, name, naming, as_given=kinematics == "as given")
 
 
 class Model:
     """Model that was imported: its parameters by name, points of its bodies, and scenes of it."""
 
-    def __init__(self, reading: Reading, name: str, naming: Naming) -> None:
+    def __init__(self, reading: Reading, name: str, naming: Naming, as_given: bool) -> None:
         self.name, self._reading = name, reading
         self._points, self._frames = points_of(reading), frames_of(reading)
         self._names = names = naming.found()
         faults = [*name_faults("model", name), *naming.faults]
         faults += unit_faults(reading, names.table) if not faults else []
+        wrong = kinematic_faults(reading, names) if not naming.faults else []
+        self._contradictions = tuple((f.where, f"{f.found}; it would be {f.expected}") for f in wrong if as_given)
+        faults += [] if as_given else wrong
         faults += naming.unused
         if faults:
             raise InputError(f"from_sympy, {name}", dict.fromkeys(faults))
@@ -216,7 +226,7 @@ class Model:
         quantities += [Varying(f"function {name_of(f)}(t)", v, str(names.table[f])) for f, v in names.moving.items()]
         return Description(
             names.freedoms, names.measured, names.uncounted, rates, tuple(steps), places,
-            Equations(mass, bias, potential), conditions, tuple(quantities),
+            Equations(mass, bias, potential), conditions, tuple(quantities), self._contradictions,
         )  # fmt: skip
 
     def _loads(self) -> tuple[Loads, ...]:

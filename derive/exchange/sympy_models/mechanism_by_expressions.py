@@ -62,6 +62,11 @@ class Given(Mechanism):
         return self.description.uncounted
 
     @property
+    def contradictions(self) -> tuple[tuple[str, str], ...]:
+        """Velocities of the description that its positions and axes contradict."""
+        return self.description.contradictions
+
+    @property
     def plane(self) -> int | None:
         """Coordinate axis normal to the motion of all bodies, by structure; None in space."""
         places = [self.description.places[body.name] for body in self.moved]

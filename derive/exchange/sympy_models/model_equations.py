@@ -6,7 +6,7 @@ equations again without its constraints, which are kept beside them: multipliers
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType
@@ -128,6 +128,9 @@ def _of_kane(method: Any, origin: Any) -> Reading:
 def _of_lagrange(method: Any, origin: Any) -> Reading:
     if method.eom is None:
         raise _not_formed("LagrangesMethod", "method.form_lagranges_equations()")
+    if method.bodies and method.inertial is None:
+        raise InputError("from_sympy", [Fault("LagrangesMethod", "bodies without an inertial frame", "the frame that they move in",
+                                              "LagrangesMethod(..., bodies=bodies, frame=N).")])  # fmt: skip
     q, n = tuple(method.q), len(method.q)
     u = tuple(each.diff(TIME) for each in q)
     (lagrangian,) = method._L
@@ -172,21 +175,22 @@ def mass_centre(body: Any) -> tuple[Any, Any]:
 def points_of(reading: Reading) -> dict[str, Any]:
     """Points by name that are connected to the origin, the bodies or the loads."""
     starts = [reading.origin, *(mass_centre(body)[0] for body in reading.bodies), *(load[0] for load in reading.loads)]
-    return {point.name: point for point in _connected([p for p in starts if hasattr(p, "_pos_dict")], "_pos_dict")}
+    return {point.name: point for point in connected([p for p in starts if hasattr(p, "_pos_dict")], "_pos_dict")}
 
 
 def frames_of(reading: Reading) -> dict[str, Any]:
     """Frames by name that are connected to the inertial one."""
-    return {frame.name: frame for frame in _connected([reading.frame] if reading.frame else [], "_dcm_dict")}
+    return {frame.name: frame for frame in connected([reading.frame] if reading.frame else [], "_dcm_dict")}
 
 
-def _connected(starts: list[Any], neighbours: str) -> Iterator[Any]:
+def connected(starts: list[Any], neighbours: str) -> dict[Any, Any]:
+    """Everything that is connected to some nodes, nearest first, with the node that it was reached from."""
     found = dict.fromkeys(starts)
     pending = list(found)
     while pending:
         node = pending.pop(0)
-        yield node
         for other in getattr(node, neighbours):
             if other not in found:
-                found[other] = None
+                found[other] = node
                 pending.append(other)
+    return found

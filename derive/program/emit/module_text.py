@@ -26,7 +26,7 @@ from hertzwerk.derive.program.expression_text import curve_names
 from hertzwerk.derive.program.program import OWN, Function, Program, count_checked, curves_in
 from hertzwerk.derive.program.repetition import share
 
-_PROSE = ("PARAMETERS", "LIMITS", "INPUTS", "SMOOTH_INPUTS", "ADVICE")  # tables of one row a line
+_PROSE = ("PARAMETERS", "LIMITS", "INPUTS", "SMOOTH_INPUTS", "ADVICE", "CONTRADICTIONS")  # tables of one row a line
 FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # cost of a right-hand side without contact
 
 
@@ -141,6 +141,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
                 for line in prose_lines(f"{_listed(names, program)}: {text}", "    ", " " * 8)
             ),
             f"Units: {verdict}",
+            *(f"AGAINST ITS OWN POSITIONS: {prose(where)}" for where, _ in program.tables.get("CONTRADICTIONS", ())),
             *([f"Coordinates: {prose(program.note)}"] if program.note else []),
             f"Operations: flight {sum(counts.get(name, 0) for name in FLIGHT)} (equations of motion and gaps){contact}",
             '"""',

@@ -18,9 +18,16 @@ SMALL = 0.01  # share of a dissipation below which a number says no more
 
 
 def unchecked(model: Model) -> tuple[str, ...]:
-    """Return the dimensionally inconsistent effects that a model runs unchecked."""
-    return tuple(
-        f"{effect} is dimensionally inconsistent and runs unchecked: {why}" for effect, why in model.module.UNCHECKED
+    """Return what a model runs on purpose: inconsistent effects, velocities against its positions."""
+    return (
+        *(
+            f"{effect} is dimensionally inconsistent and runs unchecked: {why}"
+            for effect, why in model.module.UNCHECKED
+        ),
+        *(
+            f"{where} is taken as given, against the model's positions: {why}"
+            for where, why in model.module.CONTRADICTIONS
+        ),
     )
 
 

@@ -36,7 +36,7 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
     The last rigid whole of a chain needs a mass, unless it closes a loop, and an inertia about the axis that its joint
     turns it about, or about every axis where that turns it about every axis.
     """
-    if any(connection_faults(mechanism)):
+    if not mechanism.tree or any(connection_faults(mechanism)):  # where motion is given no joint turns a body
         return
     wholes: dict[Frame, list[Body]] = {}
     for body in mechanism.bodies:
