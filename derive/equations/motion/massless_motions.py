@@ -35,7 +35,11 @@ def resistance_faults(scene: Scene) -> Iterator[Fault]:
         body.name
         for body in mechanism.bodies
         if default_value(body.mass) == 0
-        or (mechanism.turned_by(body) is not None and not any(default_value(value) for value in body.moments))
+        or (
+            mechanism.tree
+            and mechanism.turned_by(body) is not None
+            and not any(default_value(value) for value in body.moments)
+        )
     ]
     if isinstance(scene, Absolute):
         scene = scene.declared

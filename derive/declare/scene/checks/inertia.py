@@ -39,7 +39,7 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
     if not mechanism.tree or any(connection_faults(mechanism)):  # where motion is given no joint turns a body
         return
     wholes: dict[Frame, list[Body]] = {}
-    for body in mechanism.bodies:
+    for body in (joint.child.body for joint in mechanism.tree if isinstance(joint.child.body, Body)):
         wholes.setdefault(rigid_root(mechanism, body), []).append(body)
     carriers = {rigid_root(mechanism, joint.parent.body) for joint in mechanism.joints if joint.freedoms}
     tied = {rigid_root(mechanism, place.body) for joint in mechanism.closures for place in (joint.parent, joint.child)}
