@@ -7,6 +7,7 @@ import importlib.util
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
     from hertzwerk.derive.declare.scene.scene import Scene
     from hertzwerk.runtime.engine.model.binding import Value
+    from hertzwerk.runtime.engine.model.signal import Signal
     from hertzwerk.runtime.output.tables.history_meanings import Histories
 
 
@@ -27,7 +29,22 @@ OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  #
 
 
 class Model(plain.Model):
-    """Model of a scene that can be simulated and drawn, as `load` returns it."""
+    """Model of a scene that can be simulated and drawn, as `load` returns it.
+
+    `module` is any target of `load`; `declaration` is its origin, where it is a generated module that has one.
+    """
+
+    def __init__(
+        self,
+        module: Target | SimpleNamespace,
+        declaration: plain.Declaration | None = None,
+        dependent: tuple[plain.Dependent, ...] = (),
+        signals: Mapping[str, Signal] | None = None,
+    ) -> None:
+        if not isinstance(module, ModuleType | SimpleNamespace):
+            loaded = load(module)
+            module, declaration = loaded.module, loaded.declaration
+        super().__init__(module, declaration, dependent, signals)
 
     @property
     def histories(self) -> Histories:
@@ -77,8 +94,9 @@ class Model(plain.Model):
 def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
     """Return the faults of arguments of a wrong type."""
     faults: list[Fault] = []
-    if not isinstance(target, str | Path | plain.Model) and not hasattr(target, "mechanism"):
-        faults.append(Fault("target", shown(target), "the name of a built-in scene, a Python file, a Scene or a Model"))
+    if not isinstance(target, str | Path | ModuleType | plain.Model) and not hasattr(target, "mechanism"):
+        expected = "the name of a built-in scene, a Python file, a Scene, a Model or a generated module"
+        faults.append(Fault("target", shown(target), expected))
     if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
         faults.append(Fault("without", shown(without), "a list of names of effects"))
     given = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
@@ -89,8 +107,11 @@ def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list
     return faults
 
 
-Target: TypeAlias = "str | Path | Scene | plain.Model"
-"""What every function runs: the name of a built-in scene, a Python file, a Scene, or a Model."""
+Target: TypeAlias = "str | Path | Scene | ModuleType | plain.Model"
+"""What every function runs: a built-in scene by name, FILE.py, FILE.py:NAME, package.module:NAME, or the object itself.
+
+A file holds a scene or is a generated module.
+"""
 
 
 def load(
@@ -100,11 +121,12 @@ def load(
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
 ) -> Model:
-    """Return the model of a built-in scene, a Python file that defines `scene`, a Scene, or a Model.
+    """Return the model of a scene, of a generated module, or a Model itself.
 
-    A built-in scene without variation never imports SymPy. `without` names effects to leave out, `laws` gives an
-    effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of the scene's own. Raises
-    InputError.
+    A target is the name of a built-in scene, a Python file that defines `scene` or is a generated module, "FILE.py:NAME"
+    where a file has several scenes, "package.module:NAME", or the object. A built-in scene without variation, and a
+    generated module, never import SymPy. `without` names effects to leave out, `laws` gives an effect another law by
+    name, `coordinates` are "tree", "absolute" or "auto" in place of the scene's own. Raises InputError.
     """
     faults = _type_faults(target, without, laws, coordinates)
     if faults:
@@ -120,19 +142,18 @@ def load(
 
     laws = {effect: build.located_laws(law, Path.cwd()) for effect, law in (laws or {}).items()}
     how = tuple(without), tuple(laws.items()), coordinates
-    if isinstance(target, str) and not build.is_file(target):
+    if isinstance(target, str) and not build.in_python(target):
         return Model(build.build_built_in(target, without, laws, coordinates), plain.Declaration(target, *how))
     source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
-    scene = build.scene_from(target) if isinstance(target, str | Path) else target
+    scene = build.scene_or_module(target) if isinstance(target, str | Path) else target
+    if isinstance(scene, ModuleType):
+        return load(Model(scene), without=without, laws=laws, coordinates=coordinates)
     return Model(build.build(build.vary(scene, without, laws, coordinates), source), plain.Declaration(scene, *how))
 
 
 def _varied(model: plain.Model, without: Sequence[str], laws: Mapping[str, str], coordinates: str | None) -> Model:
     """Return the model of a variation of a model's scene, its inputs with their values; raises InputError."""
-    of = model.declaration
-    if of is None:
-        fault = f"{model.name}, a model without its scene, and a variation of it"
-        raise InputError("load", [Fault("target", fault, "a scene that is to be varied")])
+    of = model.declared_for("without, laws or coordinates")
     gone, changed = (*of.without, *without), {**dict(of.laws), **laws}
     found = load(of.target, without=gone, laws=changed, coordinates=coordinates or of.coordinates)
     return found.with_signals({name: signal for name, signal in model.signals.items() if name in found.inputs})

@@ -294,6 +294,7 @@ def test_derive_imports_pydantic_only_where_a_file_is_read():
 def test_what_both_sides_share_imports_the_standard_library_and_pydantic(file):
     for module in modules(file):
         own = reaches(module, "hertzwerk.derive.common", "pydantic")
+        own = own or (file.name, module) == ("execute_file.py", "")  # the module that a user names
         assert module.split(".")[0] in sys.stdlib_module_names or own, module
 
 

@@ -1,9 +1,11 @@
-"""Execution of a user's Python file, as by `python file.py`, for the names it defines."""
+"""Execution of a user's Python file, or import of a module, for the names it defines."""
 
 from __future__ import annotations
 
 import sys
 import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 from types import ModuleType
@@ -38,22 +40,59 @@ def names_defined_by(path: Path) -> dict[str, Any]:
     module = ModuleType("hertzwerk_scene_file")
     module.__file__ = str(path)
     folder = path.resolve().parent
+    with _imports_from(folder, 0, folder):
+        sys.modules[module.__name__] = module  # dataclasses and pickling look their module up
+        try:
+            exec(code, module.__dict__)
+        except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
+            raise _input_error(path, error) from error
+        finally:
+            del sys.modules[module.__name__]
+    return module.__dict__
+
+
+def names_imported(name: str, wanted: str) -> dict[str, Any]:
+    """Names of a module, which may be in the working folder; raises InputError for any error in it.
+
+    `wanted` is one of them, or a module in it that is imported as well.
+    """
+    file = file_of_module(name)
+    with _imports_from(Path.cwd(), len(sys.path), file and file.parent):  # after what is installed
+        try:
+            return vars(__import__(name, fromlist=[wanted]))
+        except (Exception, SystemExit) as error:
+            if isinstance(error, ModuleNotFoundError) and f"{name}.".startswith(f"{error.name}."):
+                expected = "a module that is installed, or in the working folder"
+                raise InputError(name, [Fault(name, "no module of this name", expected)]) from error
+            raise _input_error(file or Path(name), error) from error
+
+
+def file_of_module(name: str) -> Path | None:
+    """Return the file of a module without executing anything of its packages, None where there is none."""
+    folders: Any = [*sys.path, str(Path.cwd())]
+    spec, known = None, ""
+    for part in name.split("."):
+        known = f"{known}.{part}".lstrip(".")
+        finders = (finder.find_spec(known, folders) for finder in sys.meta_path)
+        spec = next(filter(None, finders), None) if folders else None
+        folders = None if spec is None else spec.submodule_search_locations
+    return Path(spec.origin) if spec is not None and spec.origin and spec.has_location else None
+
+
+@contextmanager
+def _imports_from(folder: Path, place: int, beside: Path | None) -> Iterator[None]:
+    """Import from a folder as well, at a place in the path; what was imported from another is forgotten."""
     while _NEIGHBOURS:
         sys.modules.pop(_NEIGHBOURS.pop(), None)
     before = set(sys.modules)
-    sys.modules[module.__name__] = module  # dataclasses and pickling look their module up
-    sys.path.insert(0, str(folder))
-    token = _FOLDER.set(folder)
+    sys.path.insert(place, str(folder))
+    token = _FOLDER.set(beside)
     try:
-        exec(code, module.__dict__)
-    except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
-        raise _input_error(path, error) from error
+        yield
     finally:
         _FOLDER.reset(token)
         sys.path.remove(str(folder))
-        del sys.modules[module.__name__]
         _NEIGHBOURS.update(name for name in set(sys.modules) - before if _is_beside(name, folder))
-    return module.__dict__
 
 
 def _is_beside(name: str, folder: Path) -> bool:

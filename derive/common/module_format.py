@@ -44,14 +44,32 @@ def is_generated(text: str) -> bool:
     return _MARK.search(text) is not None
 
 
+def target_of(source: str, name: str) -> str:
+    """Return the target that names the scene of a module, by its file as SOURCE states it."""
+    return name if source.startswith("derive/") else source or "FILE"
+
+
 def command(source: str, name: str) -> str:
     """Return the command that generates the module of a scene, by its file as SOURCE states it."""
-    return f"hertzwerk derive {name if source.startswith('derive/') else source or 'FILE'}"
+    return f"hertzwerk derive {target_of(source, name)}"
 
 
-def source_in(text: str) -> str:
-    """Return the file of the scene as the text of a module states it; "" where it states none."""
-    return _stated(text, "SOURCE")
+def without_scene(where: str, source: str, name: str) -> InputError:
+    """Return the error of what needs the scene of a model that has none; `source` as its SOURCE states it."""
+    found = "a model without its scene, as a generated module or a saved run is"
+    target = target_of(source, name)
+    remedy = f"load({target!r}) has it; hertzwerk derive {target} --show prints its equations"
+    return InputError(name, [Fault(where, found, f"the scene itself, of {source or 'its file'}", remedy)])
+
+
+def refuse_generated(path: Path) -> None:
+    """Raise InputError for the file of a generated module, where a scene is needed."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return
+    if is_generated(text):
+        raise without_scene(str(path), _stated(text, "SOURCE"), _stated(text, "NAME") or path.stem)
 
 
 def require_intact(text: str, name: str, path: Path | None = None) -> None:
@@ -67,7 +85,7 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
         said, expected = "a text that does not fit its digest", "the module as hertzwerk wrote it"
     else:
         return
-    source = source_in(text)
+    source = _stated(text, "SOURCE")
     beside = path is not None and (path.parent / source).is_file()
     again = command(
         shlex.quote(str(path.parent / source)) if path and beside else source, _stated(text, "NAME") or name

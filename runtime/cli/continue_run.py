@@ -121,11 +121,11 @@ def _differences(
 ) -> list[Fault]:
     """Return faults for the options of a command line that differ from the original run."""
     from hertzwerk.runtime.engine.inputs.input_values import located
-    from hertzwerk.runtime.engine.model.build import is_file, located_laws
+    from hertzwerk.runtime.engine.model.build import located_laws, located_target
 
     faults: list[Fault] = []
-    if target is not None and is_file(target):
-        target = str(Path(target).resolve())
+    if target is not None:
+        target = located_target(target, Path.cwd())
     asked = {
         "TARGET": (target, request["target"]),
         "--input": ([located(text, Path.cwd()) for text in inputs] or None, request["inputs"]),

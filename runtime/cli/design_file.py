@@ -18,7 +18,7 @@ from typing import Any
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.runtime.engine.inputs.input_values import located
-from hertzwerk.runtime.engine.model.build import is_file
+from hertzwerk.runtime.engine.model.build import located_target
 
 OF_SCENE = ("without", "laws", "coordinates")
 NOT_IN_FILES = ("functions", "compiled", "workers", "client", "into", "widen", "progress")
@@ -39,8 +39,7 @@ def read_definition(path: Path, function: Callable[..., Any], required: tuple[st
         faults.append(Fault("target", shown(target), "the name of a scene, or its file"))
     if faults:
         raise InputError(str(path), faults)
-    if is_file(target):
-        content["target"] = str(path.parent / target)
+    content["target"] = located_target(target, path.parent)
     if isinstance(inputs := content.get("inputs"), Mapping):
         content["inputs"] = {n: located(x, path.parent) if isinstance(x, str) else x for n, x in inputs.items()}
     return content

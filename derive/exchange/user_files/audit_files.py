@@ -12,6 +12,7 @@ from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by
 from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.module_format import refuse_generated
 from hertzwerk.derive.common.toml_file import MAX_BYTES
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.derivation import audit_scene
@@ -80,6 +81,7 @@ def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
 
 def _audit_python(file: Path) -> tuple[Finding, ...]:
     """Audit the laws made by a Python file, then its scenes."""
+    refuse_generated(file)
     values = {id(value): value for value in names_defined_by(file).values()}.values()
     built_in = {id(law) for law in LAWS.values()}
     laws = [value for value in values if isinstance(value, Law) and id(value) not in built_in]

@@ -135,6 +135,7 @@ def study_effects(
     if within is not None and not 0 < within < 1:
         raise InputError("effects", [Fault("--within", f"{within:g}", "a change above 0 and below 100 %")])
     whole, faults = load(target, without=without, laws=laws), progress_faults(progress)
+    whole.declared_for("effects")
     own, states = given_values(whole, parameters, initial, faults)
     bench, tell = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
     whole, wrong = given_inputs(whole, inputs, duration, bench.parameters(whole))

@@ -64,10 +64,7 @@ def held(model: Model) -> Model:
     drives = drives_of(model)
     if not drives and model.joints is model:
         return model
-    if model.declaration is None:
-        found = "a model without its scene, as a saved run has it"
-        raise InputError(model.name, [Fault("statics", found, "a model that `load` returned")])
-    scene = model.declaration.scene()
+    scene = model.declared_for("statics").scene()
     return load(replace(build.held(scene) if drives else scene, coordinates="tree"))
 
 

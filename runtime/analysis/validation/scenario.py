@@ -31,7 +31,7 @@ from hertzwerk.derive.common.units import parse_quantity, parse_unit, rate_remed
 from hertzwerk.runtime.analysis.validation import scenarios
 from hertzwerk.runtime.engine.inputs.input_values import INPUTS, given_inputs, located
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
-from hertzwerk.runtime.engine.model.build import is_file
+from hertzwerk.runtime.engine.model.build import located_target
 from hertzwerk.runtime.engine.run.run_request import METHOD, Settings, check
 from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.loading import load
@@ -147,8 +147,8 @@ def load_scenario(target: str | Path) -> Scenario:
         return _validated(f"scenario {target}", scenarios.read(str(target)))
     content = read_toml(path, "scene, duration, parameters and checks")
     scene = content.get("scene")
-    if isinstance(scene, str) and is_file(scene):
-        content["scene"] = str(path.parent / scene)
+    if isinstance(scene, str):
+        content["scene"] = located_target(scene, path.parent)
     inputs = content.get("inputs")
     if isinstance(inputs, dict):
         content["inputs"] = {k: located(v, path.parent) if isinstance(v, str) else v for k, v in inputs.items()}

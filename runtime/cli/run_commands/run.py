@@ -198,11 +198,10 @@ def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
         expected = "a scene or a file, or --continue FOLDER"
         raise InputError("run", [Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes")])
     from hertzwerk.runtime.engine.inputs.input_values import located
-    from hertzwerk.runtime.engine.model.build import is_file, located_laws
+    from hertzwerk.runtime.engine.model.build import located_laws, located_target
 
-    place = str(Path(target).resolve()) if is_file(target) else target
     return {
-        "target": place,
+        "target": located_target(target, Path.cwd()),
         **{name: options[name] for name in ("without", "coordinates", "grid")},
         "laws": [located_laws(text, Path.cwd()) for text in options["laws"]],
         "inputs": [located(text, Path.cwd()) for text in options["inputs"]],

@@ -62,9 +62,7 @@ def _list_histories(varied: Variation) -> int:
 @click.option(
     "--check", is_flag=True, help="Write nothing; compare with the existing modules (default: of all built-in scenes)."
 )
-@click.option(
-    "--out", type=click.Path(path_type=Path), help="Folder to write to (default: generated/ of this repository)."
-)
+@click.option("--out", type=click.Path(path_type=Path), help="Folder to write to (default: that of the scene's file).")
 @click.option(
     "--coordinates",
     metavar="NAME",
@@ -81,12 +79,12 @@ def derive(
     Every unit is checked. Exit code 1: with --check, a module differs.
     """
     from hertzwerk.runtime.engine.model import regenerate
-    from hertzwerk.runtime.engine.model.build import built_in_scenes, require_targets
+    from hertzwerk.runtime.engine.model.build import built_in_scenes, in_python, require_targets
     from hertzwerk.runtime.system.result_folder import unwritable
 
     if show or as_json:
         _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
-    elif coordinates is not None and out is None:
+    elif coordinates is not None and out is None and not all(map(in_python, targets)):
         expected = "a folder for what are other modules than those of generated/"
         raise InputError(
             "derive", [Fault("--coordinates without --out", coordinates, expected, "name a folder: --out DIR")]
@@ -99,11 +97,11 @@ def derive(
     if show:
         return _show(targets, coordinates, as_json=as_json)
     require_targets(targets)
-    folder = out if out is not None else regenerate.repository_folder(targets)
-    hindrance = unwritable(folder)
-    if hindrance is not None:
-        raise InputError("derive", [Fault("--out", hindrance, "a folder that can be written to")])
-    for path in regenerate.write(regenerate.derived(targets, coordinates), folder):
+    folders = dict.fromkeys([out] if out is not None else map(regenerate.folder_of, targets))
+    hindrances = [hindrance for folder in folders if (hindrance := unwritable(folder)) is not None]
+    if hindrances:
+        raise InputError("derive", [Fault("--out", each, "a folder that can be written to") for each in hindrances])
+    for path in regenerate.write(regenerate.derived(targets, coordinates), out):
         line("written", str(path))
     return GOOD
 
@@ -138,7 +136,8 @@ def _compare(modules: Sequence[Derived], folder: Path | None, *, everything: boo
             continue
         good = False
         click.echo(found.diff, nl=False)
-        line("different", f"{found.name}: accept with `{found.accept}`")
+        what = "accept" if found.diff else f"no module at {found.place}; write it"
+        line("different", f"{found.name}: {what} with `{found.accept}`")
     orphans = set(regenerate.generated_names()) - {module.name for module in modules} if everything else set()
     for name in sorted(orphans):
         line("different", f"{name}: a generated module without a scene; remove generated/{name}.py")

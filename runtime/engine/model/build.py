@@ -17,8 +17,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.common.execute_file import file_of_module, names_imported
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
-from hertzwerk.runtime.engine.model.generated_text import module_of
+from hertzwerk.derive.common.module_format import without_scene
+from hertzwerk.runtime.engine.model.generated_text import module_in, module_of
 from hertzwerk.runtime.system import cache as disk
 
 if TYPE_CHECKING:
@@ -39,29 +41,82 @@ def built_in_scenes() -> tuple[str, ...]:
     return NAMES
 
 
+def split_target(target: str | Path) -> tuple[str, str]:
+    """Return the file, module or built-in scene of a target, and the name after ":", which may be ""."""
+    place, _, name = str(target).rpartition(":")
+    named = place.endswith(".py") or all(map(str.isidentifier, place.split(".")))
+    return (place, name) if named and name.isidentifier() else (str(target), "")
+
+
 def is_file(target: str | Path) -> bool:
-    """Return whether a target names a Python file rather than a built-in scene."""
-    return isinstance(target, Path) or target.endswith(".py") or "/" in target or "\\" in target
+    """Return whether a target names a Python file, as FILE.py or FILE.py:NAME."""
+    place, _ = split_target(target)
+    return isinstance(target, Path) or place.endswith(".py") or "/" in place or "\\" in place
+
+
+def in_python(target: str | Path) -> bool:
+    """Return whether a target names a Python file, or package.module:NAME, rather than a built-in scene."""
+    return is_file(target) or split_target(target)[1] != ""
+
+
+def file_of(target: str | Path) -> Path | None:
+    """Return the file of a target, None for a built-in scene or a module without one; executes nothing."""
+    if is_file(target):
+        return Path(split_target(target)[0])
+    return file_of_module(split_target(target)[0]) if in_python(target) else None
+
+
+def located_target(target: str | Path, folder: Path) -> str:
+    """Return a target with its file as seen from a folder."""
+    place, name = split_target(target)
+    if not is_file(target):
+        return str(target)
+    file = folder / place
+    return str(file.resolve() if file.is_absolute() else file) + f":{name}" * bool(name)
 
 
 def scene_from(target: str | Path) -> Scene:
-    """Return the scene of a built-in name, or of a Python file that defines `scene`; raises InputError.
+    """Return the scene that a target names; raises InputError, also for a generated module.
 
-    The file is executed, as `python file.py` would.
+    A built-in name, FILE.py, FILE.py:NAME or package.module:NAME. A file is executed, as `python file.py` would.
     """
+    found = scene_or_module(target)
+    if isinstance(found, ModuleType):
+        raise without_scene(str(target), getattr(found, "SOURCE", ""), getattr(found, "NAME", str(target)))
+    return found
+
+
+def scene_or_module(target: str | Path) -> Scene | ModuleType:
+    """Return the scene, or the generated module, that a target names; raises InputError."""
+    place, name = split_target(target)
+    if not in_python(target):
+        require_targets([place])
+        built_in: Scene = __import__(f"hertzwerk.derive.scenes.{place}", fromlist=["scene"]).scene
+        return built_in
+    module = module_in(Path(place)) if is_file(target) else None
+    if module is not None and not name:
+        return module
+    if module is not None:
+        found = f"`{name}` of a generated module"
+        raise InputError(str(target), [Fault(str(target), found, f"the module itself, {place}")])
+    content = defined_by(Path(place)) if is_file(target) else names_imported(place, name)
+    return _scene_in(content, str(target), name or "scene", "file" if is_file(target) else "module")
+
+
+def _scene_in(content: Mapping[str, Any], target: str, name: str, kind: str) -> Scene | ModuleType:
+    """Return a scene, or a generated module, by its name; raises InputError with the names of all scenes."""
+    value = content.get(name)
+    if isinstance(value, ModuleType) and hasattr(value, "FORMAT"):
+        return value
     from hertzwerk.derive.declare.scene.scene import Scene
 
-    if is_file(target):
-        content = defined_by(Path(target))
-        scene = content.get("scene")
-        if not isinstance(scene, Scene):
-            found = "no `scene`" if scene is None else f"`scene` of type {type(scene).__name__}"
-            raise InputError(str(target), [Fault(str(target), found, "a file that defines `scene = Scene(...)`")])
-        return scene
-    require_targets([str(target)])
-    module = __import__(f"hertzwerk.derive.scenes.{target}", fromlist=["scene"])
-    built_in: Scene = module.scene
-    return built_in
+    if isinstance(value, Scene):
+        return value
+    found = f"no `{name}`" if value is None else f"`{name}` of type {type(value).__name__}"
+    place, _ = split_target(target)
+    known = [f"{place}:{each}" for each, scene in content.items() if isinstance(scene, Scene) and each[0] != "_"]
+    expected = f"one of {', '.join(known)}" if known else f"a {kind} that defines `{name} = Scene(...)`"
+    raise InputError(target, [Fault(target, found, expected)])
 
 
 def defined_by(path: Path) -> dict[str, Any]:
@@ -73,7 +128,9 @@ def defined_by(path: Path) -> dict[str, Any]:
 
 def source_of(target: str | Path) -> str:
     """Return the origin as stated in a generated module's header, without folders of this machine."""
-    return Path(target).name if is_file(target) else f"derive/scenes/{target}.py"
+    if is_file(target):
+        return Path(str(target)).name
+    return str(target) if in_python(target) else f"derive/scenes/{target}.py"
 
 
 def vary(
@@ -208,7 +265,7 @@ def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
 
     audited: dict[str, tuple[Finding, ...]] = {}
     for target in targets:
-        if target in built_in_scenes():
+        if target in built_in_scenes() or split_target(target)[1]:
             audited[target] = audit_scene(scene_from(target))
         elif is_file(target) or target.endswith(".toml") or Path(target).is_dir():
             audited.update((str(path), found) for path, found in audit_files(Path(target)).items())
@@ -379,7 +436,7 @@ def readings_text(
 
         return generate_readings(scene, source)
 
-    if not isinstance(target, str) or is_file(target):
+    if not isinstance(target, str) or in_python(target):
         return text(scene(), "a scene")
     variation = "readings", target, tuple(without), _laws_as_they_are(laws), coordinates
     return _cached_text(variation, scene, source_of(target), text)
@@ -415,10 +472,10 @@ def _cached_text(
 
 
 def require_targets(targets: Sequence[str]) -> None:
-    """Raise InputError with every target that is neither a Python file nor a built-in scene."""
+    """Raise InputError with every target that names neither Python nor a built-in scene."""
     known = built_in_scenes()
     way_out = "or a Python file (its name ends in .py)"
-    faults = [unknown("scene", name, known, way_out) for name in targets if not is_file(name) and name not in known]
+    faults = [unknown("scene", name, known, way_out) for name in targets if not in_python(name) and name not in known]
     if faults:
         raise InputError(f"scene {faults[0].where}" if len(faults) == 1 else "scenes", faults)
 

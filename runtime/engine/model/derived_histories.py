@@ -125,8 +125,9 @@ class Units(dict[str, str]):
         if self._model.reads:
             return ""
         return (
-            "; motions of bodies, joint reactions and other readings are derived from the scene, which this model is without: "
-            "load the scene and simulate, or name readings before a run is saved, run.with_histories(NAME, ...)"
+            "; motions of bodies, joint reactions and other readings are derived from the scene, a model without its scene has none: "
+            f"load the scene, of {getattr(self._model.module, 'SOURCE', '') or 'its file'}, and simulate, "
+            "or name readings before a run is saved, run.with_histories(NAME, ...)"
         )
 
     @property

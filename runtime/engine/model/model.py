@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.binding import Declared, Port, Value, quantity_text, read_parameters
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.direct_sx import direct
@@ -332,7 +333,7 @@ class Model:
         """
         from hertzwerk.runtime.engine.model import build
 
-        return build.equations(self._scene())
+        return build.equations(self.declared_for("equations").scene())
 
     def sympy_file(self, values: Mapping[str, tuple[float, str]]) -> str:
         """Return a file of Python that makes the model's equations with SymPy; raises InputError.
@@ -341,15 +342,13 @@ class Model:
         """
         from hertzwerk.runtime.engine.model import build
 
-        return build.sympy_file(self._scene(), values)
+        return build.sympy_file(self.declared_for("equations").scene(), values)
 
-    def _scene(self) -> Scene:
-        """Return the model's scene; raises InputError where it has none."""
+    def declared_for(self, what: str) -> Declaration:
+        """Return the origin of the model for what needs its scene; raises InputError where it has none."""
         if self.declaration is None:
-            fault = Fault("equations", "a model without its scene", "a model that `load` returned",
-                          f"load({self.name!r}).equations(), or hertzwerk derive {self.name} --show")  # fmt: skip
-            raise InputError(self.name, [fault])
-        return self.declaration.scene()
+            raise without_scene(what, getattr(self.module, "SOURCE", ""), self.name)
+        return self.declaration
 
     @property
     def reads(self) -> bool:
@@ -359,13 +358,8 @@ class Model:
     @per_model
     def reading_module(self) -> ModuleType:
         """Return the module of the readings, derived from the scene; raises InputError for a model without it."""
-        if self.declaration is None:
-            fault = Fault(
-                "readings", "a model without its scene", "a model that `load` returned", f"load({self.name!r})"
-            )
-            raise InputError(self.name, [fault])
         coordinates = "tree" if self.joints is self else "absolute"
-        return module_of(f"{self.name}_readings", self.declaration.readings(coordinates))
+        return module_of(f"{self.name}_readings", self.declared_for("readings").readings(coordinates))
 
     def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
         """Return the defaults overridden by `parameters`, in SI; raises InputError with every fault."""

@@ -12,11 +12,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.module_format import is_generated
 from hertzwerk.runtime.engine.model.build import (
     derive_digest,
     derive_text,
     equations,
-    is_file,
+    file_of,
+    in_python,
     scene_from,
     source_of,
     vary,
@@ -38,9 +40,13 @@ class Derived:
 
 @dataclass(frozen=True)
 class Difference:
-    """Difference between a module in place and the derived one, and the command that accepts the latter."""
+    """Difference between a module in place and the derived one, and the command that accepts the latter.
+
+    diff    "" where no module is in place
+    """
 
     name: str
+    place: Path
     diff: str
     accept: str
 
@@ -90,15 +96,15 @@ def _all_or_none(targets: Sequence[str], make: Callable[[str], _T]) -> tuple[_T,
     return tuple(made)
 
 
-def repository_folder(targets: Sequence[str]) -> Path:
-    """Return generated/ of the hertzwerk repository around the working folder.
+def folder_of(target: str) -> Path:
+    """Return the folder of a module where none is named: that of its scene's file.
 
-    Raises InputError where the targets need another folder.
+    For a built-in scene generated/ of hertzwerk's repository; raises InputError where there is none.
     """
+    file = file_of(target)
+    if file is not None:
+        return file.parent
     subject = "derive: name a folder for the modules with --out DIR"
-    files = [target for target in targets if is_file(target)]
-    if files:
-        raise InputError(subject, [Fault("--out", "none", f"a folder for the module of {file}") for file in files])
     for folder in (Path.cwd(), *Path.cwd().parents):
         if _project_name(folder / "pyproject.toml") == "hertzwerk":
             if derive_digest(folder / "derive") != derive_digest():
@@ -109,25 +115,48 @@ def repository_folder(targets: Sequence[str]) -> Path:
     raise InputError(subject, [Fault("--out", "none", "a folder, as this is no clone of hertzwerk's repository")])
 
 
-def write(modules: Sequence[Derived], folder: Path) -> tuple[Path, ...]:
-    """Write modules into a folder, made if need be; return their paths."""
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = tuple(folder / f"{module.name}.py" for module in modules)
+def write(modules: Sequence[Derived], folder: Path | None) -> tuple[Path, ...]:
+    """Write modules into a folder, made if need be, or where `folder_of` has them; return their paths.
+
+    Raises InputError where a file that is no generated module stands there.
+    """
+    paths = tuple(_place(module, folder or folder_of(module.target)) for module in modules)
+    faults = [
+        Fault(str(path), "a file that is no generated module", "a module, or no file", "name another --out DIR")
+        for path in paths
+        if path.exists() and not (path.is_file() and is_generated(path.read_text(encoding="utf-8", errors="replace")))
+    ]
+    if faults:
+        raise InputError("derive", faults)
     for path, module in zip(paths, modules, strict=True):
+        path.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(path, module.text.encode())
     return paths
 
 
+def _place(module: Derived, folder: Path) -> Path:
+    """Return the file of a module in a folder, under another name where it would replace its scene."""
+    path, scene = folder / f"{module.name}.py", file_of(module.target)
+    same = scene is not None and path.resolve() == scene.resolve()
+    return folder / f"{module.name}_generated.py" if same else path
+
+
 def difference(module: Derived, folder: Path | None) -> Difference | None:
-    """Return the difference of a module in a folder, or the installed one, to the derived one; or None."""
-    path = folder / f"{module.name}.py" if folder is not None else _installed(module.name)
-    present = path.read_text(encoding="utf-8") if path is not None and path.is_file() else ""
+    """Return the difference of a module in place to the derived one, None where there is none.
+
+    In a folder, or beside its scene; of a built-in scene the installed one.
+    """
+    built_in = folder is None and not in_python(module.target)
+    path = _installed(module.name) if built_in else _place(module, folder or folder_of(module.target))
+    present = path.read_text(encoding="utf-8") if path.is_file() else ""
     if present == module.text:
         return None
+    accept = f"hertzwerk derive {module.target}{'' if folder is None else f' --out {folder}'}"
+    if not present:
+        return Difference(module.name, path, "", accept)
     before, after = (text.splitlines(keepends=True) for text in (present, module.text))
     diff = difflib.unified_diff(before, after, f"{module.name}.py in place", f"{module.name}.py derived")
-    where = f" --out {folder}" if folder is not None else " --out DIR" if is_file(module.target) else ""
-    return Difference(module.name, "".join(diff), f"hertzwerk derive {module.target}{where}")
+    return Difference(module.name, path, "".join(diff), accept)
 
 
 def generated_names() -> tuple[str, ...]:
@@ -138,9 +167,9 @@ def generated_names() -> tuple[str, ...]:
     )
 
 
-def _installed(name: str) -> Path | None:
-    package = importlib.import_module("hertzwerk.generated")
-    return next((path for folder in package.__path__ if (path := Path(folder) / f"{name}.py").is_file()), None)
+def _installed(name: str) -> Path:
+    paths = [Path(folder) / f"{name}.py" for folder in importlib.import_module("hertzwerk.generated").__path__]
+    return next((path for path in paths if path.is_file()), paths[0])
 
 
 def _project_name(file: Path) -> str | None:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.derive.common.markup import joined
+from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.loading import load
@@ -50,7 +51,7 @@ def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[
         expected = 'laws by effect, such as {"floor": ["flores", "hunt_crossley"]}'
         return {}, [Fault("laws", shown(laws), expected)]
     if model.declaration is None:
-        return {}, [Fault("laws", "a model without its scene", "a model that `load` returned")]
+        return {}, [*without_scene("laws", model.module.SOURCE, model.name).faults]
     variants: dict[str, Model] = {}
     many = [effect for effect, each in laws.items() if len(each) > 1]
     if not many:

@@ -20,7 +20,7 @@ from hertzwerk.derive.common.file_schema import form_faults
 from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.runtime.engine.inputs.input_values import INPUTS, located
 from hertzwerk.runtime.engine.inputs.inputs_by_row import located_choices
-from hertzwerk.runtime.engine.model.build import is_file, located_laws
+from hertzwerk.runtime.engine.model.build import located_laws, located_target
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep
 
@@ -85,8 +85,7 @@ def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:
     }
     laws = {effect: located_laws(law, path.parent) for effect, law in arguments.get("laws", {}).items()}
     over = {name: located_choices(axis, path.parent) for name, axis in arguments["over"].items()}
-    place = str(path.parent / target) if is_file(target) else target
-    return {**arguments, "target": place, "over": over, "inputs": inputs, "laws": laws}
+    return {**arguments, "target": located_target(target, path.parent), "over": over, "inputs": inputs, "laws": laws}
 
 
 def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> list[Fault]:

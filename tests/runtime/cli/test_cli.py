@@ -118,7 +118,7 @@ def test_derived_module_of_a_file_is_the_model_that_runs(hertzwerk):
     assert "mine.py" in text
 
 
-@pytest.mark.parametrize("arguments", [("soft_ball",), ("mine.py",), ()])
+@pytest.mark.parametrize("arguments", [("soft_ball",), ("mine.py", "soft_ball"), ()])
 def test_outside_the_repository_derive_wants_a_folder(hertzwerk, arguments):
     Path("mine.py").write_text(SCENE)
     done = hertzwerk("derive", *arguments)

@@ -21,7 +21,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.inputs.inputs_by_row import Choices, Labels
 from hertzwerk.runtime.engine.model.binding import Value, read, read_parameters, read_state
-from hertzwerk.runtime.engine.model.build import derive_digest, is_file, law_files
+from hertzwerk.runtime.engine.model.build import derive_digest, file_of, law_files, located_target
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.ranges import Given, Range, RangeValues
 from hertzwerk.runtime.engine.model.signal import digest_of
@@ -83,7 +83,7 @@ def target_of(target: object, model: Model) -> dict[str, Any]:
     origin = model.declaration
     laws = {} if origin is None else dict(origin.laws)
     named = target if isinstance(target, str | Path) or origin is None else origin.target
-    place = str(Path(named).resolve()) if isinstance(named, str | Path) and is_file(named) else named
+    place = located_target(named, Path.cwd()) if isinstance(named, str | Path) else named
     return {
         "target": place if isinstance(place, str) else None,
         "target_file": _file_digest(place),
@@ -96,10 +96,11 @@ def target_of(target: object, model: Model) -> dict[str, Any]:
 
 def _file_digest(target: object) -> str | None:
     """Return the digest of the file that a target names, None where it names none."""
-    if not isinstance(target, str | Path) or not is_file(target):
+    file = file_of(target) if isinstance(target, str) else None
+    if file is None:
         return None
     try:
-        return hashlib.sha256(Path(target).read_bytes()).hexdigest()
+        return hashlib.sha256(file.read_bytes()).hexdigest()
     except OSError:
         return None
 
