@@ -11,9 +11,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -259,7 +260,7 @@ def _solution_of(
     )
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Solution(plain_solution.Solution):
     """Result of a run, as `simulate` returns it, with continuation, derivatives, plots and drawings.
 
@@ -422,11 +423,15 @@ class Solution(plain_solution.Solution):
         """Write every history as .csv, .parquet or .nc, by the ending; raises InputError."""
         return write_table(Path(path), partial(history_table, self), self.csv, overwrite=overwrite)
 
-    def plot(self, *names: str) -> Figure:
-        """Draw the overview, one contact pair, or the named histories; raises KeyError for an unknown name."""
+    def plot(self, *names: str | Sequence[str]) -> Figure:
+        """Draw the overview, one contact pair, or the named histories, also a list of them.
+
+        Raises KeyError for an unknown name.
+        """
         from hertzwerk.runtime.output.plots import plot_run as plot
 
-        return plot.plot(self, *names)
+        listed = [[each] if isinstance(each, str) or not isinstance(each, Iterable) else each for each in names]
+        return plot.plot(self, *chain.from_iterable(listed))
 
     def animate(
         self,

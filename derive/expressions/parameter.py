@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from numbers import Integral, Real
 from typing import Any, Self, TypeAlias
 
 import sympy as sp
@@ -27,7 +28,7 @@ class Parameter(Tagged):
     """Named constant of a scene; a SymPy symbol, so it can be used in expressions.
 
     `unit` is text (`"mm"`, `"N/m^1.5"`, `"N/m^exponent"` with another parameter's name), `default` a number in that
-    unit. Parameters that differ in anything are different symbols; a scene refuses two of one name.
+    unit, of NumPy too, or rational. Parameters that differ in anything are different symbols; a scene refuses two of one name.
     """
 
     __slots__ = ("default", "meaning", "unit")
@@ -36,7 +37,7 @@ class Parameter(Tagged):
     def __new__(cls, name: str, unit: str, default: float, meaning: str = "") -> Parameter:
         """Make a new symbol; raises InputError for values that are no text."""
         cls.must_be_text("parameter", name, unit=unit, meaning=meaning)
-        return super().__new__(cls, name, unit, default, meaning)
+        return super().__new__(cls, name, unit, plain_number(default), meaning)
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of the declaration itself."""
@@ -93,6 +94,16 @@ NOT_NEGATIVE = Interval(lower=0)
 
 Scalar: TypeAlias = sp.Expr | float
 """A parameter, an expression of parameters, or a number (dimensionless, or 0)."""
+
+
+def plain_number(value: Any) -> Any:
+    """Return a real number of any kind, of NumPy or a fraction, as an int or a float; others as they are."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return value
+    try:
+        return int(value) if isinstance(value, Integral) else float(value)
+    except OverflowError:
+        return value
 
 
 def is_number(value: Any) -> bool:

@@ -79,7 +79,7 @@ def test_the_governor_keeps_energy_loops_and_angular_momentum_and_turns_back_whe
     run = simulate(model("flyball_governor"), duration=4.0, tolerance=1e-11)
     assert run.outcome.finished, run
     assert run.energy_residual < 1e-9
-    assert max(np.max(np.abs(run[name])) for name in run.names if ".apart_" in name) < 1e-9
+    assert max(np.max(np.abs(run[name])) for name in run if ".apart_" in name) < 1e-9
     dense = run.at(np.linspace(0, 4, 8001))
     angle = dense["right_hinge.angle"]
     assert dense["left_hinge.angle"] == pytest.approx(angle, abs=1e-9)

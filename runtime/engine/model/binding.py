@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit, rate_remedy, split_quantity
 
 Value: TypeAlias = str | float | tuple[float, str]  # "0.2 mm"; a bare number where dimensionless; (0.2, "mm")
@@ -166,6 +166,26 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
     return si, None if finite else Fault(name, quantity_text(number, text), "a finite number")
 
 
+def si_of_all(where: str, unit: str, values: Any) -> np.ndarray:
+    """Return numbers in an SI unit, one or many, or values with units, as an array (n,); raises InputError."""
+    given = plain_value(values)
+    try:
+        if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
+            numbers, of = np.asarray(given[0], dtype=float), parse_unit(given[1])
+        elif isinstance(given, str):
+            number, of, _ = read(given)
+            numbers = np.asarray(number)
+        else:
+            numbers, of = np.asarray(given, dtype=float), parse_unit(unit)
+    except (UnitError, TypeError, ValueError) as error:
+        raise InputError(
+            where, [Fault(where, shown(values), f"numbers in {unit}, or values with a unit", str(error))]
+        ) from None
+    if of.exponents != parse_unit(unit).exponents:
+        raise InputError(where, [Fault(where, f"{shown(values)}, which is {of}", f"a value in {unit}")])
+    return np.atleast_1d(np.asarray(of.to_si(1.0) * numbers if of.to_si(1.0) != 1 else numbers))
+
+
 def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> float:
     """Return the seconds of text such as "24 ms"; nan and a fault if it is no positive time."""
     try:
@@ -194,8 +214,20 @@ def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:
     return {name: port.default for name, port in ports.items() if parse_unit(port.unit).dimensionless}
 
 
+def plain_value(value: Any) -> Any:
+    """Return a quantity of pint or astropy, or a fitted value, as (number, unit text), by what it has; others as they are."""
+    if hasattr(value, "magnitude") and hasattr(value, "units"):
+        return value.magnitude, f"{value.units:~C}" or "1"
+    unit: Any = getattr(value, "unit", None)
+    if hasattr(unit, "bases") and hasattr(value, "value"):
+        powers = " ".join(f"{base}^({power})" for base, power in zip(unit.bases, unit.powers, strict=True))
+        return value.value * unit.scale, powers or "1"
+    return (value.value, unit or "1") if isinstance(unit, str) and hasattr(value, "value") else value
+
+
 def read(value: Value) -> tuple[float, Unit, str]:
     """Read a value as (number, unit, unit text); a bare number has the unit "1". Raises UnitError."""
+    value = plain_value(value)
     if isinstance(value, str):
         number, text = split_quantity(value)
         return number, parse_unit(text), text

@@ -15,7 +15,7 @@ from hertzwerk.derive.common.units import UnitError, parse_quantity
 from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
 from hertzwerk.runtime.engine.integration.loop.near_list import listing
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
-from hertzwerk.runtime.engine.model.binding import Value, read_time
+from hertzwerk.runtime.engine.model.binding import Value, plain_value, read_time
 from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -301,6 +301,8 @@ def read_duration(
 ) -> float:
     """Return a duration [s], that of revolutions with these parameters; faults are appended."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
+    given = plain_value(duration)
+    duration = f"{given[0]!r} {given[1]}" if isinstance(given, tuple) and len(given) == 2 else given
     with contextlib.suppress(ValueError, TypeError):
         # on a command line "24" is 24 s, as 24 is
         duration = float(duration) if isinstance(duration, str) else duration

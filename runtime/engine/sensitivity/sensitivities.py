@@ -174,6 +174,9 @@ class Sensitivities:
         self._found = follow(history, self._directions, begin, frozenset(initial), compiled=compiled)
         self.until, self.reason = self._found.until, self._found.reason
 
+    def __repr__(self) -> str:
+        return f"<Sensitivities {self.history.model.name}: by {', '.join(self.names)}, until {self.until:g} s>"
+
     # -- what is read ------------------------------------------------------------------------------------------------
 
     def __getitem__(self, asked: tuple[str, str]) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from types import MappingProxyType
 
@@ -17,6 +17,7 @@ from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, turns
+from hertzwerk.runtime.engine.model.binding import si_of_all
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.derived_histories import Units, evaluate
 from hertzwerk.runtime.engine.model.model import Model
@@ -30,8 +31,18 @@ _HELD_BY = {  # ending of a constraint's name -> that of the force which holds i
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
 
 
-class History:
-    """Histories over `t`, in SI; `history[name]` has shape (rows,).
+class Histories(Mapping[str, np.ndarray]):
+    """Mapping from names to histories, compared by identity; `[name, "mm"]` is a history in a unit of one's own."""
+
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    def __hash__(self) -> int:
+        return id(self)
+
+
+class History(Histories):
+    """Histories over `t`, in SI; `history[name]` has shape (rows,), `history[name, "mm"]` is converted.
 
     rows: states of the engine, shape (rows, ns), as `layout` names them. steps: whether each row is one accepted step
     after the row before, so that the steps between can be interpolated. p: the parameters in SI, which readings need.
@@ -74,14 +85,22 @@ class History:
 
     @cached_property
     def units(self) -> Units:
-        """SI unit text of "t" and of every name, in the order of `names`; of readings when asked for."""
+        """SI unit text of "t" and of every name, in their order; of readings when requested."""
         units = units_of(self.model, tuple(self._found) if self.integrator is None else None)
         return Units({**units, **{name: units[name] for name in self.beside}}, self.model)
 
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Every name except "t"."""
-        return tuple(name for name in self.units if name != "t")
+    def __iter__(self) -> Iterator[str]:
+        """Iterate over every name except "t", without readings that are not listed."""
+        return (name for name in self.units if name != "t")
+
+    def __len__(self) -> int:
+        return len(self.units) - 1
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and name in self.units
+
+    def __repr__(self) -> str:
+        return f"<History {self.model.name}: {len(self)} names over {len(self.t)} times, {self.t[0]:g} to {self.t[-1]:g} s>"
 
     @property
     def t(self) -> np.ndarray:
@@ -89,10 +108,14 @@ class History:
         times: np.ndarray = self["t"] if self.integrator is None else self.part("t")[:, 0]
         return times
 
-    def __getitem__(self, name: str) -> np.ndarray:
-        if name not in self.units:
+    def __getitem__(self, name: str | tuple[str, str]) -> np.ndarray:
+        if isinstance(name, tuple) and list(map(type, name)) == [str, str]:
+            values = self[name[0]]
+            converted: np.ndarray = values / si_of_all(f"{name[0]} in {name[1]}", self.units[name[0]], (1.0, name[1]))
+            return converted
+        if name not in self:
             known = self.units.everything
-            near = get_close_matches(name, known, n=3)
+            near = get_close_matches(name, known, n=3) if isinstance(name, str) else []
             hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
             raise KeyError(f"no history {name!r}; {hint}{self.units.missing}")
         if name not in self._found:

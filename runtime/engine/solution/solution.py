@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
@@ -14,6 +14,7 @@ import numpy as np
 from hertzwerk.derive.common.module_format import EMPTY
 from hertzwerk.derive.common.units import time_text
 from hertzwerk.runtime.engine.accuracy.error_estimate import ErrorEstimate
+from hertzwerk.runtime.engine.model.binding import Value, si_of_all
 from hertzwerk.runtime.engine.model.derived_histories import readings_of
 from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import Model
@@ -21,7 +22,7 @@ from hertzwerk.runtime.engine.solution import saved_run
 from hertzwerk.runtime.engine.solution.averages import Average, Run, averages
 from hertzwerk.runtime.engine.solution.checkpoint import Checkpoint
 from hertzwerk.runtime.engine.solution.error_scales import Scales
-from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.engine.solution.history import Histories, History
 from hertzwerk.runtime.engine.solution.impacts import Impact
 from hertzwerk.runtime.engine.solution.interval_sums import Sums
 from hertzwerk.runtime.engine.solution.outcome import Outcome
@@ -55,9 +56,13 @@ class Statistics:
     compile_s: float = 0.0
 
 
-@dataclass(frozen=True)
-class Solution:
-    """Result of a run; `run["guide.travel"]` is a history over `run.t`, in SI, `run.names` lists all."""
+@dataclass(frozen=True, eq=False)
+class Solution(Histories):
+    """Result of a run, a mapping from names to histories over `run.t`, in SI.
+
+    `run["guide.travel"]` is one, `run["guide.travel", "mm"]` in a unit of one's own, `list(run)` has the names,
+    `run.units[name]` the SI unit.
+    """
 
     model_type: ClassVar[type[Model]] = Model  # of saved runs
     history: History = field(repr=False)
@@ -123,17 +128,26 @@ class Solution:
         return (*self.model.coordinates, *self.model.speeds, *self.model.memory)
 
     @property
-    def names(self) -> tuple[str, ...]:
-        """Every name that `run[name]` has."""
-        return self.history.names
+    def units(self) -> Mapping[str, str]:
+        """SI unit text of every history by name."""
+        return self.history.units
 
     @property
     def choices(self) -> tuple[Choice, ...]:
         """Choices of `method="auto"`: the first method and every change, with reasons; else empty."""
         return self.findings.choices
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str | tuple[str, str]) -> np.ndarray:
         return self.history[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.history)
+
+    def __len__(self) -> int:
+        return len(self.history)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.history
 
     def with_histories(self, *names: str) -> Self:
         """Return the run with readings listed among its histories, so that tables and files have them too.
@@ -146,13 +160,13 @@ class Solution:
         """Return a saved run with the functions of its model, by which pictures show the ideal mechanism too."""
         return replace(self, history=self.history.with_model(model))
 
-    def at(self, times: Sequence[float] | np.ndarray) -> History:
-        """Return histories at any times [s] of the run, interpolated by the method's own step and order.
+    def at(self, times: Value | Sequence[float] | np.ndarray) -> History:
+        """Return histories at one or more times of the run [s], interpolated by the method's own step and order.
 
-        Under the modes of the step that covers each time. Raises ValueError for times outside the run, and between
-        the rows of a run that kept a grid or was saved.
+        Under the modes of the step that covers each time, which may have a unit: "2 ms". Raises InputError for what is
+        no time, ValueError for times outside the run, and between the rows of a run that kept a grid or was saved.
         """
-        return self.history.at(np.asarray(times, dtype=float))
+        return self.history.at(si_of_all("times", "s", times))
 
     @property
     def initial(self) -> dict[str, float]:
@@ -209,9 +223,9 @@ class Solution:
     def csv(self, rows: slice = slice(None)) -> bytes:
         """Return the content of the file that `to_csv` writes, or some rows of it."""
         units = self.history.units
-        table = np.column_stack([self.t[rows], *(self[name][rows] for name in self.names)])
+        table = np.column_stack([self.t[rows], *(self[name][rows] for name in self)])
         text = io.StringIO()
-        text.write(",".join(f"{name} [{units[name]}]" for name in ("t", *self.names)) + "\n")
+        text.write(",".join(f"{name} [{units[name]}]" for name in ("t", *self)) + "\n")
         np.savetxt(text, table, delimiter=",", fmt="%.17g")
         return text.getvalue().encode()
 
@@ -236,7 +250,7 @@ class Solution:
             "checkpoint": self.checkpoint and self.checkpoint.about(),
             "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
         }
-        histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
+        histories: dict[str, Any] = {name: self[name] for name in ("t", *self)}
         if self.checkpoint is not None:
             histories[CHECKPOINT] = self.checkpoint.resume.state
         content = b""

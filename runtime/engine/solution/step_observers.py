@@ -136,6 +136,9 @@ class Findings:
         self._lasting = LastingContacts(model) if self._needs and model.latches else None
         self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
 
+    def __repr__(self) -> str:
+        return f"<Findings {self._model.name}: of {self._begin:g} to {self._duration:g} s>"
+
     @classmethod
     def saved(
         cls,

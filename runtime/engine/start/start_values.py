@@ -11,7 +11,7 @@ from typing import TypeVar
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
-from hertzwerk.runtime.engine.model.binding import Value, named_values, read_state
+from hertzwerk.runtime.engine.model.binding import Value, named_values, plain_value, read_state
 from hertzwerk.runtime.engine.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.engine.model.si_values import latch_units
 from hertzwerk.runtime.engine.start.pair_values import pair_values
@@ -34,10 +34,15 @@ def given_values(
     model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None, faults: list[Fault]
 ) -> tuple[dict[str, Value], dict[str, Value]]:
     """Return parameters and initial states, which may stand among the parameters too; faults are appended."""
-    own, states = split_values(model, named_values("parameters", {} if parameters is None else parameters, faults))
-    given = named_values("initial", {} if initial is None else initial, faults)
+    own, states = split_values(model, _plain("parameters", parameters, faults))
+    given = _plain("initial", initial, faults)
     faults += [Fault(name, "among parameters and initial", "one of the two") for name in given if name in states]
     return own, {**states, **given}
+
+
+def _plain(where: str, values: Mapping[str, Value] | None, faults: list[Fault]) -> dict[str, Value]:
+    given = named_values(where, {} if values is None else values, faults)
+    return {name: plain_value(value) for name, value in given.items()}
 
 
 @np.errstate(all="ignore")  # what is not finite is a fault, or an outcome

@@ -55,7 +55,7 @@ def friction_of(curves: Curves, pair: str) -> Array:
     sliding velocity; 0 where it does not slide, in a scene without a ledger, and in a run of which there are rows alone.
     """
     model, nothing = curves.run.model, np.zeros(len(curves.t))
-    if f"{pair}.sliding_velocity" not in curves.run.names or not isinstance(curves.sampled, History):
+    if not curves.run.history.units.lists(f"{pair}.sliding_velocity") or not isinstance(curves.sampled, History):
         return nothing
     if is_set_valued(curves, pair):
         return np.abs(curves[f"{pair}.friction_force"])
@@ -76,7 +76,7 @@ def friction_of(curves: Curves, pair: str) -> Array:
 
 def is_set_valued(curves: Curves, pair: str) -> bool:
     """Return whether the friction force of a pair, along its tangent, is a history of the run."""
-    return f"{pair}.friction_force" in curves.run.names
+    return curves.run.history.units.lists(f"{pair}.friction_force")
 
 
 def tangent_of(parts: Parts, marks: Sequence[Landmark], normal: Array) -> Array | None:

@@ -68,11 +68,12 @@ def plot(run: Solution, *names: str) -> Figure:
 def histories(run: Solution, *names: str) -> Figure:
     """Draw a panel for each named history; raises KeyError for an unknown name."""
     curves = Curves.of(run)
+    values = [curves[name] for name in names]
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout=Arrangement())
         axes = figure.subplots(len(names), 1, squeeze=False).ravel()
-        for axis, name in zip(axes, names, strict=True):
-            scale = lines(axis, curves, run.history.units.get(name, "1"), {name: curves[name]})
+        for axis, name, of in zip(axes, names, values, strict=True):
+            scale = lines(axis, curves, run.history.units.get(name, "1"), {name: of})
             over_time(axis, curves, f"{name} [{scale.unit}]")
         caption(figure, run, run.model.module.SUMMARY, curves.notes)
     return figure

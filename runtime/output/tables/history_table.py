@@ -13,7 +13,7 @@ from hertzwerk.runtime.system.versions import versions
 def history_table(run: Solution) -> LabelledTable:
     """Return every history of a run over its times, with parameters and outcome."""
     model, units = run.model, run.history.units
-    columns = {name: Column(run[name], units[name], meaning_of(model, name)) for name in ("t", *run.names)}
+    columns = {name: Column(run[name], units[name], meaning_of(model, name)) for name in ("t", *run)}
     about: dict[str, str | float] = {
         "scene": model.name,
         "outcome": run.outcome.name,

@@ -38,7 +38,7 @@ SEED = 0  # of the noise added to the run before statistics
 def match(run: Solution, asked: Asked) -> Compared:
     """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
     if not run.history.steps:
-        found, expected = "a saved run, or one that kept a grid", 'a run that kept its steps, output="steps"'
+        found, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
         raise InputError("comparison with measured data", [Fault("run", found, expected)])
     times = asked.measurement.times
     spacing = float(np.median(np.diff(times))) / PER_SAMPLE

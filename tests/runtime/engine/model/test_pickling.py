@@ -37,7 +37,7 @@ def test_a_run_is_what_it_was(name, again):
     assert twin.history is not run.history
     assert twin.model is not run.model
     assert (str(twin), twin.impacts, twin.warnings) == (str(run), run.impacts, run.warnings)
-    for history in ("t", *run.names):
+    for history in ("t", *run):
         assert np.array_equal(twin[history].view(np.uint64), run[history].view(np.uint64)), history
     assert (twin.energy_residual, twin.choices) == (run.energy_residual, run.choices)
     times = np.linspace(0, run.t_end, 17) if run.history.steps else run.t[:5]

@@ -182,14 +182,12 @@ def test_a_netcdf_file_opens_with_xarray(name, request, tmp_path):
 def test_histories_of_a_run_have_units_meanings_and_parameters(run, tmp_path):
     frame = run.to_pandas()
     assert same(frame.index.to_numpy(), run.t)
-    assert all(same(frame[name].to_numpy(), run[name]) for name in run.names)
+    assert all(same(frame[name].to_numpy(), run[name]) for name in run)
     assert frame.attrs["units"] == run.history.units
     for found in (run.to_xarray(), xr.load_dataset(run.to_file(tmp_path / "run.nc"), engine="h5netcdf")):
         assert same(found["t"].values, run.t)
-        assert all(same(found[name].values, run[name]) for name in run.names)
-        assert {name: found[name].attrs["units"] for name in run.names} == {
-            name: run.history.units[name] for name in run.names
-        }
+        assert all(same(found[name].values, run[name]) for name in run)
+        assert {name: found[name].attrs["units"] for name in run} == {name: run.units[name] for name in run}
         assert found["floor.penetration"].attrs["long_name"] == "penetration of the surfaces, of floor"
         assert found.attrs["parameter.mass"] == "50.0 g"
         assert found.attrs["outcome"] == run.outcome.name

@@ -83,7 +83,7 @@ def test_sliding_to_rest(model, method):
     assert force[: sticks[0]] == pytest.approx(MU_K * WEIGHT, rel=1e-6)
     assert np.max(np.abs(force[sticks])) < 1e-9
     assert run.energy_residual < 1e-8
-    assert run["energy_ledger.input"][-1] == 0 if "energy_ledger.input" in run.names else True
+    assert run["energy_ledger.input"][-1] == 0 if "energy_ledger.input" in run else True
     assert run.final["rub_0.dissipated"] == pytest.approx(MOVING / 2, rel=1e-8)
 
 

@@ -113,7 +113,7 @@ def test_friction_is_a_vector():
     total = [run[f"floor.force_{axis}"][-1] for axis in "xyz"]
     assert total == pytest.approx([found[0], run["floor.normal_force"][-1], found[2]], rel=1e-12)
     assert run["rub.power"][-1] == pytest.approx(np.linalg.norm(found) * run["floor.sliding_velocity"][-1], rel=1e-12)
-    assert {"floor.slip", "floor.friction_force", "floor.friction_force_1"} <= set(run.names)
+    assert {"floor.slip", "floor.friction_force", "floor.friction_force_1"} <= set(run)
 
 
 # ---- a particle that turns downhill ----------------------------------------------------------------------------------

@@ -467,7 +467,7 @@ def test_geometry_that_can_just_be_is_accepted(crank):
 
 def test_names_and_misspelt_names(crank):
     run = simulate(crank, duration="1 ms", tolerance=1e-6)
-    for name in run.names:
+    for name in run:
         assert run[name].shape == run.t.shape
         assert np.all(np.isfinite(run[name])), name
     with pytest.raises(KeyError, match=r"guide\.travel"):
@@ -499,8 +499,8 @@ def test_npz_there_and_back(crank, tmp_path):
     run = simulate(crank, duration="1 ms", tolerance=1e-6)
     path = run.save(tmp_path / "run.npz")
     again = Solution.load(path)
-    assert again.names == run.names
-    assert all(np.array_equal(again[name], run[name]) for name in ("t", *run.names))
+    assert list(again) == list(run)
+    assert all(np.array_equal(again[name], run[name]) for name in ("t", *run))
     for name in ("outcome", "statistics", "impacts", "energy_residual", "warnings", "parameters", "final", "duration"):
         assert getattr(again, name) == getattr(run, name), name
     assert again.model.module.PARAMETERS == crank.module.PARAMETERS
