@@ -12,6 +12,7 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.scenes.bouncing_ball import scene
 from hertzwerk.runtime import (
     Measurement,
+    compare,
     equilibrium,
     fit,
     fit_laws,
@@ -31,6 +32,11 @@ FILE = Path(__file__).parents[2] / "derive" / "scenes" / "bouncing_ball.py"
 TARGETS = {"name": "bouncing_ball", "path": FILE, "file": str(FILE), "scene": scene, "model": BALL}
 DROP = Measurement([0.0, 0.1, 0.2], {"vertical.travel": [1.0, 0.95, 0.8]}, {"vertical.travel": "m"})
 SHORT = {"duration": "10 ms", "tolerance": 1e-6}
+WAVE = Measurement(
+    [0.002 * k for k in range(30)],
+    {"vertical.travel": [1.1 - 4.905 * (0.002 * k) ** 2 for k in range(30)]},
+    {"vertical.travel": "m"},
+)
 CALLS: dict[str, Callable[..., Any]] = {
     "simulate": lambda target, **more: simulate(target, **SHORT, **more),
     "simulate_many": lambda target, **more: simulate_many(target, [{}], **SHORT, workers=1, **more),
@@ -44,11 +50,12 @@ CALLS: dict[str, Callable[..., Any]] = {
     "fit_moments": lambda target, **more: fit_moments(
         target, {"final.vertical.travel": "0.9 +- 0.1 m"}, free={"drop_height": "0.9..1.1 m"}, duration="10 ms", **more
     ),
+    "compare": lambda target, **more: compare(target, WAVE, tolerance=1e-6, **more),
     "equilibrium": lambda target, **more: equilibrium(target, **more),
     "modes": lambda target, **more: modes(target, **more),
     "study_effects": lambda target, **more: study_effects(target, **SHORT, **more),
 }
-WITHOUT_PROGRESS = {"equilibrium", "minimise", "modes"}
+WITHOUT_PROGRESS = {"compare", "equilibrium", "minimise", "modes"}
 
 
 @pytest.mark.parametrize("function", CALLS)
@@ -107,3 +114,17 @@ def test_whole_numbers_are_whole():
         simulate(BALL, **SHORT, max_steps=1.5, max_events=2.5)  # type: ignore[arg-type]
     assert {fault.where for fault in caught.value.faults} == {"max_steps", "max_events"}
     assert simulate(BALL, **SHORT, max_steps=1e6).outcome.finished  # type: ignore[arg-type]
+
+
+def test_a_scene_is_run_as_long_as_the_data_it_is_compared_with_last():
+    found, run = compare("bouncing_ball", WAVE, tolerance=1e-6), simulate(BALL, duration="58 ms", tolerance=1e-6)
+    assert found.solution.t_end == pytest.approx(0.058, rel=1e-15)
+    assert found.solution.final == pytest.approx(run.final, rel=1e-12)
+    assert compare(run, WAVE, offset="0 s").signals[0].samples == found.signals[0].samples
+    for data in (run, run.history, 3, None):
+        with pytest.raises(InputError, match="data: found"):
+            compare(run, data)
+        with pytest.raises(InputError, match="data: found"):
+            fit(BALL, data, free=["drop_height"])
+    with pytest.raises(InputError, match="values beside a run"):
+        compare(run, WAVE, duration="1 s")

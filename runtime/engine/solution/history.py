@@ -113,7 +113,7 @@ class History(Histories):
             values = self[name[0]]
             converted: np.ndarray = values / si_of_all(f"{name[0]} in {name[1]}", self.units[name[0]], (1.0, name[1]))
             return converted
-        if name not in self:
+        if not isinstance(name, str) or name not in self.units:
             known = self.units.everything
             near = get_close_matches(name, known, n=3) if isinstance(name, str) else []
             hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"

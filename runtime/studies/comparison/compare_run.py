@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
+from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredTable, Measurement
 from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.run.run_request import Accuracy
+from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_asked
 from hertzwerk.runtime.studies.comparison.comparison_result import Compared
 from hertzwerk.runtime.studies.comparison.matching import match
@@ -27,7 +33,7 @@ class Comparison(Compared):
 
 
 def compare(
-    run: Solution,
+    target: Solution | Target,
     data: Measurement | MeasuredTable,
     *,
     map: Mapping[str, str] | None = None,
@@ -37,9 +43,18 @@ def compare(
     offset: Between = 0.0,
     drift: Between = 0.0,
     noise: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
+    duration: str | float | None = None,
+    accuracy: Accuracy | None = None,
+    tolerance: float | None = None,
+    method: str | None = None,
 ) -> Comparison:
     """Compare a run with measured data: a `Measurement`, or a table as `read_measurement` reads it.
 
+    target      a run; or a scene or a Model, which is run as long as the data last, or for a `duration`, as `simulate` does with
+                `parameters`, `initial`, `inputs`, `accuracy`, `tolerance`, `method`
     map         histories of the run by measured column, {"acceleration": "guide.acceleration"}; by default equal names
     bandwidth   cut-off frequency of the instrument, "5 kHz" or [Hz]: the run goes through a Butterworth low-pass of this `order`, causal
                 (3 dB down there), or with zero_phase forwards and backwards (6 dB); None: the run is compared as it is
@@ -50,8 +65,17 @@ def compare(
     Trajectories are compared while the run's own numerical error (`run.error`) is within 0.1 % of its scales, statistics beyond it.
     Raises InputError with every fault: lines of the file, units, names, ranges; a run that did not keep its steps.
     """
+    of_run = {
+        **{"parameters": parameters, "initial": initial, "inputs": inputs, "duration": duration},
+        **{"accuracy": accuracy, "tolerance": tolerance, "method": method},
+    }
+    given: dict[str, Any] = {name: value for name, value in of_run.items() if value is not None}
+    run = target if isinstance(target, Solution) else None
+    if run is not None and given:
+        raise InputError("compare", [Fault(", ".join(given), "values beside a run", "none: it has its own")])
+    model = run.model if run is not None else load(cast("Target", target))
     asked = read_asked(
-        run.history.units,
+        units_of(model, None) if run is None else run.units,
         data,
         map,
         bandwidth=bandwidth,
@@ -61,4 +85,4 @@ def compare(
         drift=drift,
         noise=noise,
     )
-    return Comparison(**vars(match(run, asked)))
+    return Comparison(**vars(match(run or simulate(model, **{"duration": asked.lasts, **given}), asked)))

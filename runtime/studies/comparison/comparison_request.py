@@ -11,12 +11,14 @@ from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import UnitError, parse_unit, rate_remedy
 from hertzwerk.runtime.engine.inputs.measurement_csv import Array, Columns, MeasuredTable, Measurement, read_measurement
 from hertzwerk.runtime.engine.model.binding import Value, read, read_state
+from hertzwerk.runtime.engine.solution.history import Histories
 from hertzwerk.runtime.studies.comparison.alignment import Range
 from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
 
 HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "1/s": 1.0}
 FREQUENCY = re.compile(r"\s*(?P<number>[-+.\deE]+)\s*(?P<unit>Hz|kHz|MHz|1/s)\s*")
 
+AS_MEASURED = "Measurement(run.t, dict(run), run.units) takes a run as if it were measured"
 Between = str | float | tuple[float, float]  # "-2..2 ms", (-0.002, 0.002), or one value
 
 
@@ -76,6 +78,8 @@ def read_asked(
         map = None
     measurement: Measurement | None = None
     try:
+        if isinstance(data, Histories):
+            raise InputError("data", [Fault("data", "a run", "measured data", AS_MEASURED)])
         measurement = (
             data if isinstance(data, Measurement) else read_measurement(data, None if map is None else list(map))
         )

@@ -24,7 +24,7 @@ from hertzwerk.runtime.engine.inputs.measurement_csv import (
 )
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.run.run_request import read_duration
-from hertzwerk.runtime.engine.solution.history import units_of
+from hertzwerk.runtime.engine.solution.history import Histories, units_of
 from hertzwerk.runtime.engine.start.start_values import split_values
 from hertzwerk.runtime.studies.comparison.comparison_request import Channel, read_channels
 from hertzwerk.runtime.studies.fitting.impact_numbers import IMPACTS, impact_units, of_impacts, onsets, parts_of
@@ -268,7 +268,7 @@ def read_table(
     """Return measured data, read where a file of them is named; None with bad input appended to `faults`."""
     if isinstance(data, Measurement | MeasuredImpacts):
         return data
-    if not (isinstance(data, str | Path | Mapping) or hasattr(data, "columns")):
+    if isinstance(data, Histories) or not (isinstance(data, str | Path | Mapping) or hasattr(data, "columns")):
         faults.append(
             Fault("data", shown(data), "a file, a data frame, a Measurement, MeasuredImpacts, or an Experiment")
         )
