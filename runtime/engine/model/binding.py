@@ -167,7 +167,7 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
 
 
 def si_of_all(where: str, unit: str, values: Any) -> np.ndarray:
-    """Return numbers in an SI unit, one or many, or values with units, as an array (n,); raises InputError."""
+    """Return one or more numbers, in an SI unit or with their own, as an array (n,); raises InputError."""
     given = plain_value(values)
     try:
         if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
@@ -215,7 +215,10 @@ def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:
 
 
 def plain_value(value: Any) -> Any:
-    """Return a quantity of pint or astropy, or a fitted value, as (number, unit text), by what it has; others as they are."""
+    """Return a quantity of pint or astropy, or a fitted value, as (number, unit text).
+
+    Recognised by their attributes, so that neither is imported; other values are returned as they are.
+    """
     if hasattr(value, "magnitude") and hasattr(value, "units"):
         return value.magnitude, f"{value.units:~C}" or "1"
     unit: Any = getattr(value, "unit", None)

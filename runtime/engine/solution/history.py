@@ -32,7 +32,7 @@ _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal
 
 
 class Histories(Mapping[str, np.ndarray]):
-    """Mapping from names to histories, compared by identity; `[name, "mm"]` is a history in a unit of one's own."""
+    """Mapping from names to histories, compared by identity; `[name, "mm"]` is one in another unit."""
 
     def __eq__(self, other: object) -> bool:
         return self is other

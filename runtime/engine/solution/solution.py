@@ -161,9 +161,9 @@ class Solution(Histories):
         return replace(self, history=self.history.with_model(model))
 
     def at(self, times: Value | Sequence[float] | np.ndarray) -> History:
-        """Return histories at one or more times of the run [s], interpolated by the method's own step and order.
+        """Return histories at one or more times of the run [s]; one time may have a unit, "2 ms".
 
-        Under the modes of the step that covers each time, which may have a unit: "2 ms". Raises InputError for what is
+        Interpolated by the method's own step and order, under the modes of the step that covers each time. Raises InputError for what is
         no time, ValueError for times outside the run, and between the rows of a run that kept a grid or was saved.
         """
         return self.history.at(si_of_all("times", "s", times))

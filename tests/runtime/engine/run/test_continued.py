@@ -26,7 +26,7 @@ def model(name):
 def assert_bitwise(whole, *parts):
     """Histories one after the other are those of the whole."""
     one = parts[0]
-    for name in ("t", *whole.names):
+    for name in ("t", *whole):
         values = one[name]
         t = one.t
         for part in parts[1:]:

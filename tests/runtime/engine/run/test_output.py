@@ -63,8 +63,8 @@ def test_a_grid_holds_what_lies_between_the_steps_bitwise(case, small_blocks):
     times = np.linspace(0, steps.duration, 101)
     assert np.array_equal(grid.t, times)
     between = steps.at(times)
-    assert grid.names == steps.names
-    for name in grid.names:
+    assert list(grid) == list(steps)
+    for name in grid:
         assert np.array_equal(grid[name], between[name]), name
 
 

@@ -214,7 +214,7 @@ def worst_reaction(name, model):
     there = carried(run, load(name, coordinates="absolute"))
     pairs = [
         (f"{of}.reaction_{what.split('_')[1]}", f"{of}.{what}")
-        for of, _, what in (entry.partition(".") for entry in there.names)
+        for of, _, what in (entry.partition(".") for entry in there)
         if what in ("force_x", "force_y", "force_z") and f"{of}.reaction_x" in there.units and of not in model.pairs
     ]
     pairs += [
@@ -263,9 +263,9 @@ def test_all_names_are_told_and_used_wherever_a_history_is(rattling, tmp_path):
     assert (
         entries["main_bearing.reaction_x"].unit == "N" and "main_bearing" in entries["main_bearing.reaction_x"].meaning
     )
-    assert "rod.x" not in rattling.names
+    assert "rod.x" not in list(rattling)
     beside = rattling.with_histories("rod.x", "crank_drive.power")
-    assert beside.names[-2:] == ("rod.x", "crank_drive.power")
+    assert list(beside)[-2:] == ["rod.x", "crank_drive.power"]
     again = Solution.load(beside.save(tmp_path / "run.npz"))
     np.testing.assert_array_equal(again["rod.x"], rattling["rod.x"])
     assert again.history.units["rod.x"] == "m"

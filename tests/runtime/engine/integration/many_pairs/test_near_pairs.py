@@ -57,7 +57,7 @@ def test_no_impact_of_fast_spheres_is_missed(listed, every_pair_evaluated, monke
     assert len({pair for pair, _ in begun(every)}) > 20
     assert [pair for pair, _ in begun(run)] == [pair for pair, _ in begun(every)]
     assert [t for _, t in begun(run)] == pytest.approx([t for _, t in begun(every)], abs=1e-9)
-    for name in every.names:
+    for name in every:
         found, expected = run.at([0.08])[name], every.at([0.08])[name]
         assert found == pytest.approx(expected, abs=1e-6 * np.max(np.abs(every[name])) + 1e-9), name
 
@@ -74,7 +74,7 @@ def test_what_a_pair_dissipated_before_it_left_the_list_is_kept(listed, every_pa
     every = every_pair_evaluated
     run = simulate(listed, initial=fast(1), **OPTIONS)
     assert len(run.history.departures) > 3
-    names = [name for name in every.names if name.endswith(".dissipated")]
+    names = [name for name in every if name.endswith(".dissipated")]
     ends = [[float(of[name][-1]) for name in names] for of in (run, every)]
     assert ends[0] == pytest.approx(ends[1], rel=1e-6, abs=1e-12)
     dense = run.history.part("y")[-1][-len(names) :]
