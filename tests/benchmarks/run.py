@@ -27,13 +27,10 @@ from benchmarks.automatic import automatic
 from benchmarks.bodies import bodies
 from benchmarks.chains import chains
 from benchmarks.contenders import hertzwerk, scipy
-from benchmarks.coordinates import coordinates
 from benchmarks.derivatives import sensitivities
 from benchmarks.honesty import honesty
 from benchmarks.limit import limit
 from benchmarks.minute import minute
-from benchmarks.nothing import nothing
-from benchmarks.orders import orders
 from benchmarks.pairs import pairs
 from benchmarks.ratios import Ratio, medians, timed
 from benchmarks.rows import rows
@@ -124,11 +121,8 @@ SECTIONS = {
     "peers": peers,
     "exudyn": exudyn,
     "implicit": implicit,
-    "orders": orders,
     "pairs": pairs,
     "auto": automatic,
-    "nothing": nothing,
-    "coordinates": coordinates,
     "honesty": honesty,
     "sweep": sweep,
     "sensitivities": sensitivities,
