@@ -4,8 +4,6 @@
 STEEL = {"E": "207e9", "nu": "0.3", "R_1": "0.010", "R_2": "0.0095", "L": "0.015"}
 ALUMINIUM = {"E": "69e9", "nu": "0.35", "R_1": "2.5e-3", "R_2": "2.45e-3", "L": "1"}
 
-STEEL_EFFECTIVE_MODULUS = "113.736264e9"  # Pa
-
 # Force [N] at the penetrations [m]; the last digit printed is rounded.
 STEEL_PENETRATIONS = ("1e-7", "1e-6", "1e-5")
 STEEL_FORCES = {
@@ -29,9 +27,6 @@ EXACT_FACTORS = {
     "0.95": "0.078927", "0.9": "0.166482", "0.8": "0.373146", "0.7": "0.634828", "0.6": "0.974872", "0.5": "1.432751",
     "0.4": "2.082498", "0.3": "3.087082", "0.2": "4.919167", "0.1": "9.998159",
 }  # fmt: skip
-
-# Least restitution that can come out, as e goes to 0
-LEAST_RESTITUTION = {"lankarani_nikravesh": "0.6630", "hunt_crossley": "0.4877"}
 
 # Jankowski: restitution asked for -> returned
 JANKOWSKI = {"0.9": "0.8997", "0.7": "0.6977", "0.5": "0.4946", "0.3": "0.2917", "0.1": "0.0933"}

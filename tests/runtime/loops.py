@@ -89,46 +89,6 @@ def spatial_crank() -> Scene:
     return Scene(Mechanism("spatial_crank", joints), effects, Scales(arm, arm * pace, with_clearance.scales.arm), start)
 
 
-def spatial_crank_at(t: float) -> dict[str, float]:
-    """Angles, travel and their rates of the spatial slider-crank at t: t = integral sqrt(M(th) / 2 (E - V(th))) dth over the crank's angle."""
-    with mpmath.workdps(25):
-        r, l, y, z, slider, rod = (mpmath.mpf(x) for x in (0.08, 0.3, 0.1, 0.12, 2.0, 0.5))
-
-        def moved(th):
-            """Position, its derivatives by th, and kinetic and potential energy at one rad/s."""
-            a2 = mpmath.asin((z + r * mpmath.cos(th)) / l)
-            s2, c2 = mpmath.sin(a2), mpmath.cos(a2)
-            a1 = -mpmath.asin((y - r * mpmath.sin(th)) / (l * c2))
-            s1, c1 = mpmath.sin(a1), mpmath.cos(a1)
-            d2 = -r * mpmath.sin(th) / (l * c2)
-            d1 = (r * mpmath.cos(th) + l * s2 * d2 * s1) / (l * c2 * c1)
-            dx = -l * (s2 * d2 * c1 + c2 * s1 * d1)
-            spin = 4e-4 * (d1 * s2) ** 2 + 4e-3 * (d2**2 + (d1 * c2) ** 2)
-            mass = 1e-4 + rod * (dx**2 + r**2) / 4 + spin + slider * dx**2
-            return (th, l * c2 * c1, a1, a2), (mpmath.mpf(1), dx, d1, d2), mass / 2, rod * 9.81 * l * s2 / 2
-
-        *_, mass, height = moved(mpmath.mpf(0))
-        energy = 36 * mass + height
-
-        def slowness(th):
-            *_, mass, height = moved(th)
-            return mpmath.sqrt(mass / (energy - height))
-
-        count = 300  # of a periodic function: the trapezoidal rule errs by less than 1e-25
-        period = sum(slowness(2 * mpmath.pi * k / count) for k in range(count)) * 2 * mpmath.pi / count
-        turns = mpmath.floor(t / period)
-        rest = t - turns * period
-        th = mpmath.findroot(
-            lambda th: mpmath.quad(slowness, mpmath.linspace(0, th, 7)) - rest, 2 * mpmath.pi * rest / period
-        )
-        place, rates, *_ = moved(th)
-        names = ("main_bearing.angle", "guide.travel", "slider_joint.angle_1", "slider_joint.angle_2")
-        speeds = ("main_bearing.speed", "guide.speed", "slider_joint.angle_1_speed", "slider_joint.angle_2_speed")
-        found = dict(zip((*names, *speeds), (*place, *(rate / slowness(th) for rate in rates)), strict=True))
-        found["main_bearing.angle"] += 2 * mpmath.pi * turns
-        return {name: float(value) for name, value in found.items()}
-
-
 def open_by(run) -> float:
     """Largest |constraint| over the accepted steps."""
     model, y = run.model, run.history.part("y")

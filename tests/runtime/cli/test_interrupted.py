@@ -6,7 +6,6 @@ import contextlib
 import json
 import os
 import pty
-import random
 import re
 import resource
 import select
@@ -157,42 +156,6 @@ def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments,
         assert not (run / "slider_pin.png").exists()
         assert any("slider_pin.png is not there" in warning for warning in told["warnings"])
         assert "slider_pin.png is not there" in ended.said.replace("\r\n", " ")
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("seed", range(60))
-def test_a_signal_at_any_moment(tmp_path, seed):
-    chance = random.Random(seed)
-    commands = [
-        (RUN, 8.0),
-        (LONG, 12.0),
-        ([*RUN, "--law", "slider_pin=flores", "--set", "clearance=0.3 mm"], 12.0),
-        ([*RUN, "--method", "esdirk", "--duration", "10 s"], 15.0),
-        (["run", "slider_crank_three_clearances", "--duration", "10 s", "--averages"], 20.0),
-        (["accuracy", "bouncing_ball"], 15.0),
-        (["effects", "bouncing_ball"], 15.0),
-        (["hardcases", "--case", "drop_to_rest"], 15.0),
-        (["validate"], 15.0),
-        (["derive", "--check", "slider_crank"], 8.0),
-        (["draw", "slider_crank"], 8.0),
-        (["laws", "--restitution"], 15.0),
-    ]
-    arguments, span = commands[seed % len(commands)]
-    environment = {"HERTZWERK_CACHE": str(tmp_path / ".cache")}
-    with pytest.MonkeyPatch.context() as patch:
-        for name, value in environment.items():
-            patch.setenv(name, value)
-        ended = signalled(tmp_path, arguments, chance.uniform(0, span), signal.SIGINT)
-    assert ended.imported < IMPORTS, (arguments, ended)
-    if "hertzwerk.runtime.cli" not in ended.said:
-        return  # it was Python itself that had not begun yet
-    assert "Traceback" not in ended.said, ended.said
-    if arguments[0] == "run":
-        told = whole(tmp_path)
-        assert (told is None) == (ended.code == -signal.SIGINT), ended
-    else:
-        assert ended.code in (-signal.SIGINT, 130, 0, 1), ended
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")

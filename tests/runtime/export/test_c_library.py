@@ -151,21 +151,6 @@ def test_slider_crank_closes_its_start_under_other_parameters(tmp_path):
     assert turned.vector("states") == pytest.approx([run[name][0] for name in library.names("state")], rel=1e-11)
 
 
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("method", ["dopri5", "rodas", "esdirk", "auto"])
-@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-@pytest.mark.parametrize(
-    ("scene", "duration"), [("slider_crank", 0.01), ("andrews_squeezer", 0.02), ("tippe_top", 0.05)]
-)
-def test_every_method_and_coordinates(method, coordinates, scene, duration, tmp_path):
-    model = load(scene, coordinates=coordinates)
-    library = exported(tmp_path / "c", model, duration, method=method, tolerance=1e-6)
-    simulation = library.simulation()
-    assert simulation.run(duration) == 0
-    run = simulate(model, duration=duration, tolerance=1e-6, method=method)
-    same_bits(library, run, simulation, rounding=1e-11)  # forces of constraints are solved for in another order
-
-
 def test_what_cannot_be_exported_is_refused_by_name(tmp_path, capsys):
     with pytest.raises(InputError, match="SUNDIALS"):
         exported(tmp_path / "c", "bouncing_ball", 1.0, method="cvodes")

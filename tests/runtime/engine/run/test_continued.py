@@ -146,12 +146,6 @@ def test_what_cannot_go_on_says_why():
         replace(short, outcome=replace(short.outcome, name="not_finite")).continued("2 ms")
 
 
-@pytest.mark.exhaustive
-def test_sundials_keeps_its_state_to_itself():
-    with pytest.raises(InputError, match="dopri5, dop853"):
-        simulate(built("bouncing_ball"), duration="1 ms", tolerance=1e-6, method="cvodes").continued("0.2 s")
-
-
 # ---- from the command line -------------------------------------------------------------------------------------------
 
 

@@ -5,7 +5,6 @@ from dataclasses import replace
 import pytest
 
 from hertzwerk.runtime.studies.paper import study_bouncing as study
-from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
 
 SPHERES, CYLINDERS = study.FORMS
 LAWS = ("flores", "tsuji", "kelvin_voigt")
@@ -62,13 +61,3 @@ def test_the_loss_of_a_nearly_elastic_impact_is_small():
     (bounce,) = study._bounces(SPHERES, "hunt_crossley", (0.99,))
     assert bounce.lost == pytest.approx(1 - bounce.out**2, rel=1e-6)
     assert bounce.out == pytest.approx(0.99, abs=1e-3)
-
-
-@pytest.mark.exhaustive
-def test_the_whole_page():
-    page = study.STUDY.run(True, lambda done: None, Sweeps())
-    assert page.holds
-    (table,) = page.tables
-    assert set(table.column("law")) == set(study.QUICK)
-    assert len(table.rows) == len(study.QUICK) * len(study.FORMS) * len(study.FEW)
-    assert any("wang_liu_external is a reconstruction (grade R)" in text for text in page.lacking)

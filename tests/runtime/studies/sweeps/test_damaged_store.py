@@ -167,11 +167,6 @@ def test_random_damage_changes_no_number_and_loses_no_row_that_sqlite_reads(whol
     assert refused > 5
 
 
-@pytest.mark.exhaustive
-def test_five_hundred_random_damages(whole, tmp_path):
-    ends_of(whole, tmp_path, range(500))
-
-
 # -- the seeded faults: without each of the guards a number changes or a row is lost --------------------------------------
 
 

@@ -18,7 +18,6 @@ from hertzwerk.runtime.engine.integration.step.rounding_errors import bounds, ga
 pytestmark = pytest.mark.by_turns(2)  # methods and sizes that run the same code
 
 EPS = 2.0**-52
-METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 
 
 @cache
@@ -129,32 +128,6 @@ def test_an_accuracy_is_reached_where_coordinates_begin_at_the_spheres():
     run = simulate(model_of(5), duration=0.004, accuracy=1e-9, compiled=False)
     assert run.outcome.finished
     assert np.max(np.abs(speeds(run, 5) - np.array(many.STRUCK[1.5]))) < 1e-9
-
-
-@pytest.mark.exhaustive
-@pytest.mark.parametrize("count", [2, 3, 4, 5, 7, 10, 20, 35, 50])
-def test_every_row(count):
-    """All exponents, preloads, tolerances and methods; implicit ones of short rows only."""
-    model, failing = model_of(count), []
-    for exponent in (1.0, 1.5, 3.0):
-        duration = max(1, count / 10) * (0.004 if exponent < 3 else 0.02)
-        for preload, last_speed in ((0.0, 0.0), (100.0, 0.0), (0.0, -1.0)):
-            if count == 2 and last_speed:
-                continue  # it is another speed, no second wave
-            given = {"exponent": exponent, "preload": preload, "last_speed": last_speed}
-            _, expected = row(count, duration, **given)
-            for method in METHODS if count <= 10 else ("dop853",):
-                for tolerance in (1e-6, 1e-9, 1e-11, 1e-12, 1e-13)[: 5 if method in ("dop853", "dopri5") else 3]:
-                    run = solve(model, tolerance, duration, method=method, **given)
-                    error = float(np.max(np.abs(speeds(run, count) - expected)))
-                    tried = run.statistics.rejected + run.statistics.retaken
-                    if (
-                        not run.outcome.finished
-                        or error > 1e3 * tolerance + 1e-10 * count
-                        or tried > run.statistics.steps
-                    ):
-                        failing.append((given, method, tolerance, run.outcome.name, error, tried))
-    assert not failing
 
 
 def test_the_same_row_in_coordinates_from_one_origin():
