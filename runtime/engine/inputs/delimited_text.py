@@ -25,35 +25,10 @@ Array = NDArray[np.float64]
 HEAD = 500  # lines among which the headings stand
 LISTED = 20  # most faults of numbers that are listed
 DELIMITERS = ("\t", ";", ",", " ")  # in the order in which they are tried
-MISSING = frozenset(
-    {
-        "",
-        "nan",
-        "-nan",
-        "n/a",
-        "na",
-        "#n/a",
-        "#nv",
-        "null",
-        "none",
-        "-",
-        "--",
-        "---",
-        "∞",
-        "+∞",
-        "-∞",
-        "ol",
-        "o.l",
-        "o.l.",
-    }
-    | {"ovl", "over", "overflow", "overload", "overrange", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind"}
-)
+MARKS = "nan -nan n/a na #n/a #nv null none - -- --- ∞ +∞ -∞ ol o.l o.l. ovl over overflow overload overrange nan(ind) -nan(ind) 1.#qnan -1.#ind"
+MISSING = frozenset(("", *MARKS.split()))
 """Cells without a sample, in small letters: empty, not available, beyond the instrument's range."""
-BEYOND = (
-    9.9e37,
-    -9.9e37,
-    9.91e37,
-)  # infinite and not a number as instruments write them (SCPI 1999, volume 1, 7.2.1.4-5)
+BEYOND = (9.9e37, -9.9e37, 9.91e37)  # infinite and not a number, as instruments write them (SCPI 1999, volume 1, 7.2.1)
 GROUP = {".": ",", ",": "."}  # mark between thousands beside a decimal mark
 NUMBER = {
     mark: re.compile(
@@ -63,9 +38,9 @@ NUMBER = {
     for mark, group in GROUP.items()
 }
 COMMENT = re.compile(r"\s*(?:#(?!n/a|nv\b)|$)", re.IGNORECASE)  # not a cell of Excel's that is not available
-POINT = re.compile(
-    r"(?<![\d.])(?:0*\.\d|\d{4,}\.|\d+\.(?!\d{3}(?![\deE])))"
-)  # in no number whose points part thousands
+PROOF = {  # of a decimal mark: what no number has whose marks part thousands
+    mark: re.compile(rf"(?<![\d.,])(?:0*\{mark}\d|\d{{4,}}\{mark}|\d+\{mark}(?!\d{{3}}(?![\deE])))") for mark in GROUP
+}
 UNEVEN = "?"  # cells of a line with more or fewer than there are headings
 REMARKS = "comment"  # heading of the last column that LabVIEW writes, whose cells may be left out
 UNPRINTED = re.compile(r"[\0-\x08\x0e-\x1f]")  # in no text
@@ -202,16 +177,23 @@ class Numbers:
     def _plain(self, decimal: str) -> Array | None:
         """Return the numbers as NumPy reads them; None where a cell is no plain number."""
         body, delimiter = self._text.split("\n", self._layout.start)[-1], self._layout.delimiter
-        in_doubt = delimiter != "," and "." in body and not (decimal or POINT.search(body))
-        if decimal == "," or in_doubt or '"' in body or "#" in body or not body.strip():
+        mark = decimal or ("," if delimiter != "," and "," in body else ".")
+        in_doubt = delimiter != "," and mark in body and not (decimal or PROOF[mark].search(body))
+        mixed = mark == "," and (delimiter == "," or "." in body)
+        if mixed or in_doubt or '"' in body or "#" in body or not body.strip():
             return None
+        body = body.replace(",", ".") if mark == "," else body
+        empty, gap = 2 * delimiter, f"{delimiter}nan{delimiter}"
+        if delimiter != " ":
+            body = body.replace(empty, gap).replace(empty, gap).replace(f"{delimiter}\n", f"{delimiter}nan\n")
         try:
             values = np.loadtxt(
                 io.StringIO(body), delimiter=None if delimiter == " " else delimiter, comments=None, ndmin=2
             )
         except ValueError:
             return None
-        even = values.shape[1] == len(self._layout.headings)
+        width = self._layout.width
+        even = values.shape[1] == len(self._layout.headings) and np.all(np.isnan(values[:, width:]))
         return values[:, self._places] if even and not np.any(np.isinf(values)) else None
 
     @cached_property

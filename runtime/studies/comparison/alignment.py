@@ -79,10 +79,11 @@ def standard_errors(
 
 def _spread(ways: Array, residual: Array, free: int) -> Array:
     """Return the covariance of the products of a residual (n,) with ways (n, k) that it could go."""
-    sums = ways.T @ ways
-    for lag, correlation in enumerate(autocorrelations(residual)[:LAGS], 1):
-        products = ways[:-lag].T @ ways[lag:]
-        sums += correlation * (products + products.T)
+    from scipy.signal import fftconvolve  # slow to import
+
+    known = autocorrelations(residual)[:LAGS]
+    both_ways = np.concatenate([known[::-1], [1.0], known])
+    sums = ways.T @ fftconvolve(ways, both_ways[:, None], mode="same", axes=0)
     variance = float(residual @ residual) / (len(residual) - 2 - free)
     return variance * sums
 
@@ -217,10 +218,13 @@ class _Search:
         self._shifts = int((offsets[1] - offsets[0]) / seen.spacing + 1e-9)
         middle = seen.values.mean(axis=0)
         self._run = seen.values - middle
-        self._rows = np.unique(np.concatenate(signals))
-        self._elapsed = elapsed[self._rows]
-        self._among = [np.searchsorted(self._rows, rows) for rows in signals]
+        counted = np.zeros(len(elapsed), dtype=bool)
+        counted[np.concatenate(signals)] = True
+        self._elapsed = elapsed[counted]
+        whole = len(self._elapsed)
+        self._among = [slice(None) if len(rows) == whole else np.cumsum(counted)[rows] - 1 for rows in signals]
         self._parts = [(elapsed[rows], measured[rows, j] - middle[j]) for j, rows in enumerate(signals)]
+        self._sums = [(len(y), float(np.sum(y)), float(y @ y)) for _, y in self._parts]
 
     def curve(self, drift: float) -> Array:
         """Return the correlation at every offset, `spacing` apart, mean over the signals."""
@@ -237,7 +241,7 @@ class _Search:
             product, mean, square = (
                 correlate(a, b, mode="valid", method="fft") for a, b in ((run, sums), (run, weights), (run**2, weights))
             )
-            curves.append(_correlation(len(y), product, mean, square, float(np.sum(y)), float(y @ y)))
+            curves.append(_correlation(product, mean, square, *self._sums[j]))
         return np.asarray(np.mean(curves, axis=0))
 
     def value(self, offset: float, drift: float) -> float:
@@ -247,8 +251,8 @@ class _Search:
         found = []
         for j, (among, (_, y)) in enumerate(zip(self._among, self._parts, strict=True)):
             x = seen[among, j] - np.mean(seen[among, j])
-            sizes = np.array([np.sum(x)]), np.array([x @ x])
-            found.append(_correlation(len(y), np.array([x @ y]), *sizes, float(np.sum(y)), float(y @ y))[0])
+            product, mean, square = (np.array([value]) for value in (x @ y, np.sum(x), x @ x))
+            found.append(_correlation(product, mean, square, *self._sums[j])[0])
         return float(np.mean(found))
 
     def refined(self, offset: float, drift: float, offsets: Range, drifts: Range) -> tuple[float, float, float]:
@@ -274,7 +278,7 @@ class _Search:
         return float(best[0]), float(best[1]), -float(found.fun)
 
 
-def _correlation(n: int, product: Array, mean: Array, square: Array, total: float, power: float) -> Array:
+def _correlation(product: Array, mean: Array, square: Array, n: int, total: float, power: float) -> Array:
     """Return correlations from sums of x y, x, x^2 at every offset, and of y, y^2; 0 of a constant."""
     spread, other = n * square - mean**2, n * power - total**2
     alive = (spread > 1e-12 * n * np.max(square, initial=0.0)) & (other > 0)

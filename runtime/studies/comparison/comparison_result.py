@@ -101,7 +101,8 @@ class Compared:
 
     def csv(self) -> str:
         """Return run times with measured and run of every signal as CSV; empty where missing."""
-        times = np.unique(np.concatenate([signal.t for signal in self.signals]))
+        times = np.sort(np.concatenate([signal.t for signal in self.signals]))
+        times = times[np.diff(times, prepend=-np.inf) > 0]
         columns = {"t [s]": times}
         for signal in self.signals:
             rows = np.searchsorted(times, signal.t)
@@ -109,10 +110,8 @@ class Compared:
                 column = np.full(len(times), np.nan)
                 column[rows] = values
                 columns[f"{signal.channel.column} {which} [{signal.channel.unit}]"] = column
-        rows_of_text = (
-            ",".join("" if np.isnan(x) else repr(float(x)) for x in row) for row in zip(*columns.values(), strict=True)
-        )
-        return "\n".join([",".join(columns), *rows_of_text]) + "\n"
+        texts = (["" if x != x else repr(x) for x in column.tolist()] for column in columns.values())
+        return "\n".join([",".join(columns), *map(",".join, zip(*texts, strict=True))]) + "\n"
 
     def record(self) -> dict[str, Any]:
         """Return everything but the samples as plain numbers, in SI, null for missing ones."""

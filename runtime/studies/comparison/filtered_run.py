@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.polynomial.chebyshev import chebpts1, chebval, chebvander
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
@@ -24,6 +25,12 @@ Array = NDArray[np.float64]
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(3)
 BLOCK = 50_000  # pieces evaluated at once
 MOST = 5_000_000  # cells of a run
+POINTS = chebpts1(12)  # in a step, -1..1: polynomials through them are taken in place of
+FEW = 3 * len(POINTS)  # times in a step and more
+COEFFICIENTS = np.linalg.inv(
+    chebvander(POINTS, len(POINTS) - 1)
+).T  # of Chebyshev polynomials, from values at the points
+SMOOTH = 1e-10  # of the largest value: last coefficients of a polynomial that is used
 
 
 class SeenRun:
@@ -56,10 +63,34 @@ class SeenRun:
 
     def at(self, times: Array) -> Array:
         """Return what is seen at times [s] from `start` to `end`, shape (n, names)."""
-        if self._instrument is None:
-            history = self._run.at(times)
-            return np.column_stack([history[name] for name in self._names])
-        return np.asarray(self._spline(times))
+        if self._instrument is not None:
+            return np.asarray(self._spline(times))
+        step = np.searchsorted(self._run.t, times, side="right") - 1
+        used, of = np.flatnonzero(np.bincount(step)), np.cumsum(np.bincount(step) > 0)[step] - 1
+        found = np.empty((len(times), len(self._names)))
+        rough = np.ones(len(times), dtype=bool)
+        if len(times) > FEW * len(used):
+            found, rough = self._between(times, used, of)
+        if np.any(rough):
+            history = self._run.at(times[rough])
+            found[rough] = np.column_stack([history[name] for name in self._names])
+        return found
+
+    def _between(self, times: Array, used: NDArray[np.intp], of: NDArray[np.intp]) -> tuple[Array, NDArray[np.bool_]]:
+        """Return what polynomials through points within steps have at times, and where they are too rough.
+
+        used    steps (k,) that times lie in, and of which time each: `of` (n,)
+        """
+        begin = self._run.t[used]
+        length = self._run.t[np.minimum(used + 1, len(self._run.t) - 1)] - begin
+        history = self._run.at((begin[:, None] + length[:, None] * (1 + POINTS) / 2).ravel())
+        where = 2 * (times - begin[of]) / np.where(length > 0, length, 1)[of] - 1
+        found, rough = np.empty((len(times), len(self._names))), np.zeros(len(times), dtype=bool)
+        for k, name in enumerate(self._names):
+            parts = history[name].reshape(-1, len(POINTS)) @ COEFFICIENTS
+            found[:, k] = chebval(where, parts.T[:, of], tensor=False)
+            rough |= (np.abs(parts[:, -2:]).max(axis=1) > SMOOTH * np.abs(parts).max())[of]
+        return found, rough
 
     @cached_property
     def _spline(self) -> Callable[[Array], Array]:

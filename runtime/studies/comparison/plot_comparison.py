@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 SHADE = "#f1ece4"  # beyond the horizon
 CLOSE = 40  # samples around the largest measured value, each side, that its panel shows
 GAP = 1.5  # samples: times farther apart are not joined
+PARTS = 2000  # of a curve that is thinned, more than a panel has columns of dots
 CHARACTERS = 165  # of a line below the panels
 
 
@@ -87,7 +88,18 @@ def _both(axis: Axes, signal: Signal, times: Scale, values: Scale, shown: NDArra
 def _broken(t: Array, values: Array) -> tuple[Array, Array]:
     """Return a curve that is interrupted where samples are missing."""
     gaps = np.flatnonzero(np.diff(t) > GAP * np.median(np.diff(t))) + 1
-    return np.insert(t, gaps, np.nan), np.insert(values, gaps, np.nan)
+    return _thinned(np.insert(t, gaps, np.nan), np.insert(values, gaps, np.nan))
+
+
+def _thinned(t: Array, values: Array) -> tuple[Array, Array]:
+    """Return the first, least, largest and last point of each of many parts of a curve: it looks the same."""
+    size = len(t) // PARTS
+    if size < 8:
+        return t, values
+    table = values[: PARTS * size].reshape(PARTS, size)  # the least of a part with a gap is the gap
+    inside = np.array([np.zeros(PARTS, int), table.argmin(axis=1), table.argmax(axis=1), np.full(PARTS, size - 1)])
+    kept = np.append(np.sort((inside + size * np.arange(PARTS)).T).ravel(), np.arange(PARTS * size, len(t)))
+    return t[kept], values[kept]
 
 
 def _residual(axis: Axes, signal: Signal, times: Scale) -> None:
@@ -108,10 +120,9 @@ def _spectra(axis: Axes, signal: Signal, comparison: Compared) -> None:
     if isinstance(spectrum, str):
         empty_panel(axis, "\n".join(textwrap.wrap(f"no spectrum: {spectrum}", 45)))
         return
-    kilo = spectrum.frequencies / 1e3
     noisy = "" if signal.channel.noise is None else ", stated noise added"
-    axis.semilogy(kilo, spectrum.run, color=ORANGE, linewidth=2.4, label=f"run{noisy}")
-    axis.semilogy(kilo, spectrum.measured, color=BLUE, linewidth=0.9, label="measured")
+    axis.semilogy(*_thinned(spectrum.frequencies / 1e3, spectrum.run), color=ORANGE, linewidth=2.4, label=f"run{noisy}")
+    axis.semilogy(*_thinned(spectrum.frequencies / 1e3, spectrum.measured), color=BLUE, linewidth=0.9, label="measured")
     unit = f"{name}²" if (name := signal.channel.unit).isidentifier() else f"({name})²"
     axis.set_title(plain(f"power spectral density [{unit} s]"))
     axis.set_xlabel("frequency [kHz]")

@@ -165,3 +165,15 @@ def test_the_picture_shows_every_signal(run):
     titles = [axis.get_title("left") for axis in figure.axes]
     assert len(titles) == 8 and sum("residual" in title for title in titles) == 2
     assert [len(axis.lines) > 0 for axis in figure.axes] == [True] * 8
+
+
+def test_the_picture_of_many_samples_keeps_gaps_and_extremes():
+    from hertzwerk.runtime.studies.comparison.plot_comparison import PARTS, _broken
+
+    t = np.delete(np.arange(300_000.0), slice(1000, 1500))
+    values = np.sin(t / 1e4)
+    values[[7, 200_001]] = 9, -9
+    x, y = _broken(t, values)
+    assert len(x) < 5 * PARTS and np.all(np.diff(x[np.isfinite(x)]) >= 0)
+    assert np.nanmax(y) == 9 and np.nanmin(y) == -9 and np.isnan(y).any() and x[-1] == t[-1]
+    assert len(_broken(t[:100], values[:100])[0]) == 100

@@ -90,3 +90,24 @@ def test_a_causal_filter_has_seen_the_first_value_for_ever():
     """A constant passes it unchanged from the first sample on."""
     constant = np.full((50, 1), 3.0)
     assert Instrument(20.0, order=3).filtered(constant, 1e-3) == pytest.approx(constant, rel=1e-12)
+
+
+def test_many_times_within_steps_are_seen_by_a_few_points_of_each():
+    """Without an instrument: counted are the states that the run evaluates. Seeded fault: coarse polynomials show."""
+    run, rows = simulate("slider_crank", duration="4 ms"), []
+
+    class Counted:
+        t = run.t
+
+        def at(self, times):
+            rows.append(len(times))
+            return run.at(times)
+
+    names = ("guide.acceleration", "slider_pin.normal_force", "guide.travel")
+    times = np.linspace(run.t[0], run.t[-1], 100_000)
+    exact = np.column_stack([run.at(times)[name] for name in names])
+    seen = SeenRun(Counted(), names, None, 1e-6).at(times)
+    assert sum(rows) < 25_000
+    np.testing.assert_allclose(seen / np.max(np.abs(exact), axis=0), exact / np.max(np.abs(exact), axis=0), atol=1e-9)
+    few = times[::1000]
+    assert np.array_equal(SeenRun(Counted(), names, None, 1e-6).at(few), exact[::1000])
