@@ -83,7 +83,7 @@ def _spread(ways: Array, residual: Array, free: int) -> Array:
 
     known = autocorrelations(residual)[:LAGS]
     both_ways = np.concatenate([known[::-1], [1.0], known])
-    sums = ways.T @ fftconvolve(ways, both_ways[:, None], mode="same", axes=0)
+    sums: Array = ways.T @ fftconvolve(ways, both_ways[:, None], mode="same", axes=0)
     variance = float(residual @ residual) / (len(residual) - 2 - free)
     return variance * sums
 
