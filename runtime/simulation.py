@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.accuracy.error_estimate import LadderResult
-from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
+from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.integration.step.layout import FINISHED
 from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value
@@ -174,7 +174,7 @@ def solving(
     """Run a model as `solve` does, in stages: up to its start, the run, its solution."""
     began = time.perf_counter()
     # 2. bound, 3. start
-    model, faults = given_inputs(model, inputs, settings.duration, parameters)
+    model, faults = with_input_values(model, inputs, settings.duration, parameters)
     given, times = read(model, settings, parameters, initial, [*before, *faults])
     # 4. run
     run = set_up(model, settings, given, needs=needs, began=began)
@@ -193,7 +193,7 @@ def solving(
     else:
         ladder_result = run_to_accuracy(run, scales, times, asked, progress)
         yield
-        found = _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
+        found = _solution_of(run, ladder_result.run.data, scales, build_s, asked, ladder_result)
     return found.with_sensitivities(*settings.sensitivities)
 
 
@@ -206,7 +206,7 @@ def _solution_of(
     ladder_result: LadderResult[Trace] | None = None,
 ) -> Solution:
     """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
-    model, bound, counted = run.model, run.given.bound, trace.counted
+    model, bound, counted = run.model, run.request.bound, trace.counted
     if trace.ending.error is not None and not counted["steps"]:
         raise trace.ending.error
     found: tuple[str, ...] = ()
@@ -221,11 +221,11 @@ def _solution_of(
             or result
         )
     return Solution(
-        history=trace.kept.history,
-        ends=trace.kept.ends,
+        history=trace.recorded.history,
+        ends=trace.recorded.ends,
         findings=trace.findings,
         outcome=result,
-        duration=run.given.seconds,
+        duration=run.request.seconds,
         accuracy=None if asked is None else asked.error,
         tolerance=trace.tolerance,
         method=run.method,
@@ -243,20 +243,20 @@ def _solution_of(
         ),
         warnings=(
             *unchecked(model),
-            *open_forces(model, bound, run.given.q),
-            *((*run.given.warnings, *released(model, trace.kept.ends)) if run.start is None else bound.warnings),
+            *open_forces(model, bound, run.request.q),
+            *((*run.request.warnings, *released(model, trace.recorded.ends)) if run.start is None else bound.warnings),
             *floored(counted["floored"], run.floor),
-            *left_law(model, trace.findings.lasting, trace.kept.ends),
+            *left_law(model, trace.findings.lasting, trace.recorded.ends),
             *unsettled(counted["unsettled"]),
-            *lost_grip(model, bound, trace.kept.history),
-            *too_fast(model, run.given.speed_limits, trace.tally),
+            *lost_grip(model, bound, trace.recorded.history),
+            *too_fast(model, run.request.speed_limits, trace.tally),
             *uncompiled(run.engine.code),
             *found,
         ),
         scales=scales,
         energy_residual=None if trace.balance is None else trace.balance.residual,
         error=None if ladder_result is None else ladder_result.error,
-        checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
+        checkpoint=checkpoint_of(model, trace.ending, run.request.initial),
     )
 
 
@@ -339,7 +339,7 @@ class Solution(plain_solution.Solution):
         tried = max(self.statistics.steps, self.statistics.rejected + self.statistics.retaken)
         settings = Settings(self.duration, None, self.tolerance, self.method, max_steps=tried + 1)
         inputs, _ = read(self.model, settings, given, kept.initial)
-        found = set_up(self.model, settings, inputs).trace(self.tolerance, self.scales, None).kept.history
+        found = set_up(self.model, settings, inputs).trace(self.tolerance, self.scales, None).recorded.history
         rows = found.rows[found.t <= self.t_end]
         history = History(self.model, rows, found.controls, found.integrator, p=found.p, beside=self.history.beside)
         return replace(self, history=history)

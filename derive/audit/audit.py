@@ -33,7 +33,7 @@ class Finding:
     """
 
     effect: str
-    what: str
+    quantity: str
     law: str
     title: str
     source: str
@@ -82,7 +82,7 @@ class Finding:
         """The finding as it is shown to people, with explanation and remedy."""
         if not self.effect:
             return self.sentence
-        lines = [f"{self.effect}, {self.what}: {self.title}"]
+        lines = [f"{self.effect}, {self.quantity}: {self.title}"]
         width = max(14, len(self.expression))
         for k, (name, unit, meaning) in enumerate(self.symbols):
             lines.append(
@@ -94,7 +94,7 @@ class Finding:
             return "\n".join([*lines, f"    {self.found}, consistent"])
         lines.append(f"    found {self.found}, expected {self.expected}")
         lines.append(f"{self.repair}." if self.repair else f"{self.reason}.")
-        if self.consistent_exponent is not None and self.what == "normal force":
+        if self.consistent_exponent is not None and self.quantity == "normal force":
             lines.append(
                 f"Either keep n = {self.consistent_exponent}, or give a stiffness with its own unit: power(K [N/m^n], n), "
                 "or take a line-contact law\nwith the joint's length: johnson, popov_line, wang_liu_internal."
@@ -115,7 +115,7 @@ class Findings(tuple[Finding, ...]):
         rows = [
             (
                 coloured(f.verdict, f.sound),
-                f"{f.effect}, {f.what}",
+                f"{f.effect}, {f.quantity}",
                 tag("code", f.subexpression or f.expression, style="overflow-wrap:anywhere"),
                 f.found if f.sound else f"{f.found}, not {f.expected}",
                 f.repair or f.reason,
@@ -131,7 +131,7 @@ class InconsistentUnits(InputError):
 
     def __init__(self, scene: Scene, findings: Iterable[Finding]) -> None:
         self.findings = tuple(findings)
-        faults = [Fault(f"{f.effect}, {f.what}", f.found, f.expected, f.repair or f.reason) for f in self.findings]
+        faults = [Fault(f"{f.effect}, {f.quantity}", f.found, f.expected, f.repair or f.reason) for f in self.findings]
         super().__init__(f"scene {scene.name}", faults)
         count = f"{len(faults)} unit error" + ("s" if len(faults) != 1 else "")
         self.args = (f"derive {scene.name}: {count}, nothing written\n\n" + "\n\n".join(map(str, self.findings)),)
@@ -218,7 +218,7 @@ def with_repairs(findings: list[Finding], found: Sequence[Culprit]) -> list[Find
             return finding if all_given else replace(finding, repair=repair)
         if best:
             return replace(finding, repair=sentence(best, "every expression of the law"), consistent_exponent=None)
-        only = f"every other expression of the law holds, so that it is the {finding.what} that is wrong"
+        only = f"every other expression of the law holds, so that it is the {finding.quantity} that is wrong"
         one = len(faulty) == 1 and not alone
         return replace(finding, repair="; ".join(filter(None, (only if one else "", finding.repair))) or None)
 
@@ -254,9 +254,9 @@ def _law_findings(
         rows = (*(row for row in _definitions(law) if "^n" not in row[2]), *law.expressions())
         known[key] = [_law_finding(law, row, table, exponents, constants, {}) for row in rows]
     for finding in known[key]:
-        if force_is_wrong and finding.what == "stored energy":
+        if force_is_wrong and finding.quantity == "stored energy":
             continue  # follows from the wrong force
-        force_is_wrong = force_is_wrong or (finding.what == "normal force" and finding.verdict != "consistent")
+        force_is_wrong = force_is_wrong or (finding.quantity == "normal force" and finding.verdict != "consistent")
         yield replace(
             finding,
             effect=effect,
@@ -288,7 +288,7 @@ def _law_finding(
     )
     return Finding(
         effect=law.name,
-        what=what,
+        quantity=what,
         law=law.name,
         kind=law.kind,
         title=law.title,
@@ -377,7 +377,7 @@ def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding
 
 def _finding(program: Program, what: str, expression: Any, fault: DimensionFault) -> Finding:
     return Finding(
-        effect=program.scene.name, what=what, law="", title=fault.reason, source="", verdict="inconsistent",
+        effect=program.scene.name, quantity=what, law="", title=fault.reason, source="", verdict="inconsistent",
         expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,
         reason=fault.reason, consistent_exponent=_exponent(fault), repair=fault.repair, kind="program",
     )  # fmt: skip

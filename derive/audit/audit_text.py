@@ -170,7 +170,7 @@ def finding(expression: Expression, declared: Declared, expected: Dimension | No
     )  # fmt: skip
 
 
-_NOWHERE = dict.fromkeys(("effect", "what", "law", "title", "source"), "")
+_NOWHERE = dict.fromkeys(("effect", "quantity", "law", "title", "source"), "")
 
 
 def _symbols(expression: Expression, part: str, declared: Declared) -> tuple[tuple[str, str, str], ...]:

@@ -148,7 +148,7 @@ def _default_value(expression: sp.Basic) -> float:
 class Slot:
     """One quantity of a record: its place, value and unit, and the ranges (SI) it must and should keep.
 
-    `asked_as` is `<pair>.<symbol>` for quantities that a pair has for its laws alone: without a law that depends on
+    `law_symbol` is `<pair>.<symbol>` for quantities that a pair has for its laws alone: without a law that depends on
     it, it is unused.
     """
 
@@ -157,7 +157,7 @@ class Slot:
     unit: str
     limit: Interval | None = None
     recommended: Interval | None = None
-    asked_as: str = ""
+    law_symbol: str = ""
 
     @classmethod
     def of(cls, unit: str, limit: Interval | None = None, label: str = "", **given: Any) -> Self:

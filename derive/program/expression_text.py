@@ -171,7 +171,7 @@ def _drawn_teeth(node: Any) -> tuple[str, int]:
     return f"_drawn_teeth({_curve(curve)}, {_vector(given)}, {_text(root)[0]})", _ATOM
 
 
-def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
+def _search(helper: str) -> Callable[[Any], tuple[str, int]]:
     def rule(node: Any) -> tuple[str, int]:
         curve, samples, x, y, *given = node.args
         return f"{helper}{curve.searched}({_curve(curve)}, {samples.name}, {_vector(given)}, {_vector([x, y])})", _ATOM
@@ -182,8 +182,8 @@ def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
 def _between(node: Any) -> tuple[str, int]:
     first, second, one, two, *pose = node.args
     points = [point.row for point in pose if isinstance(point, ChainPoints | Place)]
-    end = 4 + len(first.given)
-    given = pose[4:end], pose[end : end + len(second.given)]
+    end = 4 + len(first.parameters)
+    given = pose[4:end], pose[end : end + len(second.parameters)]
     parts = [_curve(first), _curve(second), one.name, two.name, *map(_vector, (*given, pose[:4])), *map(repr, points)]
     return f"_between{first.searched}({', '.join(parts)})", _ATOM
 
@@ -240,8 +240,8 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     Sampled: _sampled("_samples"),
     Drawn: _sampled("_drawn"),
     DrawnTeeth: _drawn_teeth,
-    Nearest: _found("_nearest"),
-    Support: _found("_support"),
+    Nearest: _search("_nearest"),
+    Support: _search("_support"),
     Between: _between,
     Entry: _entry,
     Stacked: lambda node: (_vector(node.args), _ATOM),

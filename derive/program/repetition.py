@@ -167,7 +167,7 @@ class _Site:
     steps: tuple[str, ...]
     leaves: tuple[str, ...]
 
-    def seen_as(self, steps: _Pairs, leaves: _Pairs, side: int) -> _Site:
+    def common_part(self, steps: _Pairs, leaves: _Pairs, side: int) -> _Site:
         """Site of the part that is common with another form."""
         ends = [leaf[side] for leaf in leaves]
         names = tuple(self.steps[end] if end >= 0 else self.leaves[-1 - end] for end in ends)
@@ -248,7 +248,7 @@ def _share_once(groups: Iterable[_Group], found: list[Shared], least: int) -> li
     alike: dict[_Form, list[_Site]] = {}
     joined: list[tuple[Shared, _Site]] = []
     for group in groups:
-        again = next(((shared, site) for shared in found if (site := _found_in(group, shared))), None)
+        again = next(((shared, site) for shared in found if (site := _site_in(group, shared))), None)
         if again:
             again[0].sites.append(again[1])
             joined.append(again)
@@ -274,7 +274,7 @@ def _share_once(groups: Iterable[_Group], found: list[Shared], least: int) -> li
     return list(changed.values())
 
 
-def _found_in(group: _Group, shared: Shared) -> _Site | None:
+def _site_in(group: _Group, shared: Shared) -> _Site | None:
     """Site within a group of a function found before, if all of it is there and serves nothing else."""
     form, there = shared.form, shared.places
     if any(len(group.places.get(shape, ())) != len(there[shape]) for shape in form.key):
@@ -284,7 +284,7 @@ def _found_in(group: _Group, shared: Shared) -> _Site | None:
     common = _common(form, here)
     if common is None or len(common[0].shapes) < len(form.shapes) or common[0].leaves > form.leaves:
         return None
-    site = whole.seen_as(*common[1:], 1)
+    site = whole.common_part(*common[1:], 1)
     read = Counter(operand for operands in form.operands for operand in operands)
     inner = (k for k in range(len(form.shapes)) if k not in form.roots)
     return site if all(read[k] == group.reads[site.steps[k]] for k in inner) else None
@@ -307,7 +307,7 @@ def _join(form: _Form, sites: list[_Site], kinds: list[Shared]) -> None:
         return
     shared, (shared.form, pairs, leaves) = best
     for side, of in ((0, shared.sites), (1, sites)):
-        of[:] = [site.seen_as(pairs, leaves, side) for site in of]
+        of[:] = [site.common_part(pairs, leaves, side) for site in of]
     shared.sites += sites
 
 

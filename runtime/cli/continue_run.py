@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.cli.target_options import assignments, with_given
+from hertzwerk.runtime.cli.target_options import assignments, with_inputs
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.cli.stop_signals import Stopping
     from hertzwerk.runtime.engine.model.model import Model
     from hertzwerk.runtime.simulation import Solution
 
-KEPT = "leave it out: a run goes on as it began"
+REMEDY = "leave it out: a run goes on as it began"
 
 
 def continue_run(
@@ -52,7 +52,7 @@ def continue_run(
         coordinates=request["coordinates"],
     )
     until = before.duration if duration is None else duration
-    model = with_given(model, request["inputs"], until, parameters_of(before, model), faults)
+    model = with_inputs(model, request["inputs"], until, parameters_of(before, model), faults)
     faults += [*_differences(before, model, request, target, **others), *unknown_histories(model, histories)]
     spacing = grid if grid is not None else request["grid"]
     if grid is None and spacing is not None and spacing.isdecimal() and duration is not None:
@@ -138,7 +138,7 @@ def _differences(
         "--method": (method, before.method),
     }
     faults += [
-        Fault(option, str(given), f"{had or 'none'}, as of the run there", KEPT)
+        Fault(option, str(given), f"{had or 'none'}, as of the run there", REMEDY)
         for option, (given, had) in asked.items()
         if given is not None and given != had
     ]
@@ -167,10 +167,10 @@ def _value_differences(before: Solution, model: Model, values: Mapping[str, str]
             continue
         if other:
             value, unit = before.parameters[name]
-            faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", KEPT))
+            faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", REMEDY))
     given = before.checkpoint.initial if before.checkpoint is not None else {}
     faults += [
-        Fault(f"--set {name}", text, f"{given.get(name, 'the start of the model')}, as of the run there", KEPT)
+        Fault(f"--set {name}", text, f"{given.get(name, 'the start of the model')}, as of the run there", REMEDY)
         for name, text in initial.items()
         if given.get(name) != text
     ]

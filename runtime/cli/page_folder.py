@@ -15,7 +15,7 @@ from hertzwerk.runtime.system.digests import read_sealed
 from hertzwerk.runtime.system.result_folder import failures_of, made_folder, new_folder
 from hertzwerk.runtime.system.versions import versions
 
-ROWS, ASKED = "rows", "asked.json"
+ROWS, REQUEST = "rows", "request.json"
 COLUMNS = 80  # of prose
 MARKS = {True: "holds", False: "fails", None: "found"}
 
@@ -23,11 +23,11 @@ MARKS = {True: "holds", False: "fails", None: "found"}
 class StudyFolder:
     """Folder of a study: `out`, or the next free runs/<name>-study-NNN.
 
-    While the study goes on it holds rows/, with what was asked for and the sweeps; at the end the page too.
+    While the study goes on it holds rows/, with its request and the sweeps; at the end the page too.
     """
 
     def __init__(self, name: str, out: Path | None, asked: dict[str, Any], *, begun: bool = False) -> None:
-        self._name, self._out, self._asked = f"{name}-study", out, asked
+        self._name, self._out, self._request = f"{name}-study", out, asked
         self.path = out if begun else None
 
     def rows(self) -> Path:
@@ -35,7 +35,7 @@ class StudyFolder:
         if self.path is None:
             self.path = made_folder(self._name, self._out)
             (self.path / ROWS).mkdir()
-            write_atomically(self.path / ROWS / ASKED, record_text(self._asked).encode())
+            write_atomically(self.path / ROWS / REQUEST, record_text(self._request).encode())
         return self.path / ROWS
 
     def write(self, page: Page, about: Mapping[str, Any], missing: list[str]) -> tuple[Path, list[str]]:
@@ -56,13 +56,13 @@ class StudyFolder:
         return self.path, [*files, f"{ROWS}/"]
 
 
-def asked_of(folder: Path) -> dict[str, Any]:
-    """Return what was asked for in the folder of a study that has not ended; raises InputError."""
+def read_study_request(folder: Path) -> dict[str, Any]:
+    """Return the request in the folder of a study that has not ended; raises InputError."""
     expected = "the folder of a study that was stopped"
     if (folder / "study.json").exists():
         raise InputError("study", [Fault("--resume", f"{folder}, whose study is done", expected)])
     try:
-        return read_sealed(folder / ROWS / ASKED)
+        return read_sealed(folder / ROWS / REQUEST)
     except (OSError, ValueError) as error:
         raise InputError("study", [Fault("--resume", f"{folder} ({error})", expected)]) from error
 

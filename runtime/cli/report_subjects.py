@@ -48,13 +48,13 @@ def page_of(place: Path, target: str, scene: str | None) -> str:
 
 
 def _of_run_folder(folder: Path, scene: str | None) -> str:
-    return _of_run(folder / "states.npz", _told(folder / "run.json"), scene)
+    return _of_run(folder / "states.npz", _record(folder / "run.json"), scene)
 
 
 def _of_record(name: str, command: str, folder: Path, _: str | None) -> str:
     from hertzwerk.runtime.output.reports import record_pages
 
-    record = _told(folder / f"{name}.json")
+    record = _record(folder / f"{name}.json")
     make: Callable[[Mapping[str, Any], Path, Origin], str] = getattr(record_pages, f"{name}_page")
     try:
         return make(record, folder, _origin(record, str(record.get("command", f"hertzwerk {command}"))))
@@ -71,7 +71,7 @@ def _of_sweep(folder: Path, _: str | None) -> str:
     from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 
     sweep, definition = Sweep.load(folder), read_definition(folder) or {}
-    columns, rows = sweep.as_given(MOST)
+    columns, rows = sweep.in_stated_units(MOST)
     settings = {name: value for name, value in definition.items() if name not in (*FOLLOW, "versions")}
     command = str(definition.get("command", f"hertzwerk sweep --resume {shlex.quote(str(folder))}"))
     origin = _origin(definition, command)
@@ -81,7 +81,7 @@ def _of_sweep(folder: Path, _: str | None) -> str:
     column = sweep.names.index("warnings")
     for row, entries in zip(sweep, rows, strict=False):
         entries[column] = ", ".join(sorted({numbers[form_of(text)] for text in row.warnings}, key=int))
-    factors = {name: parse_unit(unit).to_si(1.0) for name, unit in sweep.given_units.items()}
+    factors = {name: parse_unit(unit).to_si(1.0) for name, unit in sweep.stated_units.items()}
     ranges: list[list[Cell]] = [
         [
             name,
@@ -107,7 +107,7 @@ def _origin(told: Mapping[str, Any], command: str) -> Origin:
     return Origin(command, versions or None)
 
 
-def _told(path: Path) -> dict[str, Any]:
+def _record(path: Path) -> dict[str, Any]:
     """Return the content of a record; raises InputError."""
     try:
         return read_sealed(path)

@@ -176,7 +176,7 @@ class Stopping(Protocol):
     """Stop request: whether it was made, where it may interrupt at once, and the current stage."""
 
     @property
-    def asked(self) -> bool:
+    def requested(self) -> bool:
         """Return whether a stop was requested."""
 
     def at_once(self) -> AbstractContextManager[None]:
@@ -187,7 +187,7 @@ class Stopping(Protocol):
 
 
 class _Never:
-    asked = False
+    requested = False
 
     def at_once(self) -> AbstractContextManager[None]:
         return nullcontext()
@@ -206,7 +206,7 @@ class _Extras:
 
     def make(self, name: str, make: Callable[[Path], object]) -> None:
         """Make one file, or something without a file, in a scratch folder, and move complete files."""
-        if self.stop.asked:
+        if self.stop.requested:
             self.written.missing.append(f"{name} is not there: it was stopped before")
             return
         self.guarded(name, lambda: self._made(name, make))
@@ -262,7 +262,7 @@ class _Extras:
         makers: dict[str, Callable[[Path], object]] = {"overview": partial(page, "overview"), "mechanism": mechanism}
         makers |= {name: partial(page, name) for name in self._pictured()}
         with suppress(Exception, KeyboardInterrupt), self.stop.at_once():  # each page reports what is wrong with it
-            if not self.stop.asked:
+            if not self.stop.requested:
                 pages()
         made = side_by_side([partial(self._apart, f"{name}.png", make) for name, make in makers.items()])
         for i, name in enumerate(makers):

@@ -30,7 +30,7 @@ class Stopping:
     def __init__(self, progress: Progress) -> None:
         self._progress, self._process = progress, os.getpid()
         self._before: dict[int, Any] = {}
-        self._asked: float | None = None  # when [s]
+        self._requested_at: float | None = None  # when [s]
         self._raises = False
         self._done, self._tries = math.inf, 0
 
@@ -47,9 +47,9 @@ class Stopping:
             signal.signal(number, before)
 
     @property
-    def asked(self) -> bool:
+    def requested(self) -> bool:
         """Return whether a stop was requested."""
-        return self._asked is not None
+        return self._requested_at is not None
 
     def __call__(self, fraction: float) -> None:
         """Take the fraction done of a run that has accepted steps."""
@@ -58,9 +58,9 @@ class Stopping:
             self._progress.stage("running" if self._tries == 1 else f"running, tolerance {self._tries}", fraction)
         self._done = fraction
         for number in self._before:
-            if signal.getsignal(number) != self._ask:
-                signal.signal(number, self._ask)
-        if self.asked:
+            if signal.getsignal(number) != self._on_signal:
+                signal.signal(number, self._on_signal)
+        if self.requested:
             raise KeyboardInterrupt
         self._progress(fraction)
 
@@ -78,11 +78,11 @@ class Stopping:
         finally:
             self._raises = False
 
-    def _ask(self, number: int, frame: FrameType | None) -> None:
+    def _on_signal(self, number: int, frame: FrameType | None) -> None:
         now = time.monotonic()
-        again = self._asked is not None and now - self._asked > AGAIN
-        if self._asked is None:
-            self._asked = now
+        again = self._requested_at is not None and now - self._requested_at > AGAIN
+        if self._requested_at is None:
+            self._requested_at = now
             if (
                 sys.stderr.isatty() and os.getpid() == self._process
             ):  # not by print: the signal may have come while it was printing

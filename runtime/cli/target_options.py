@@ -173,7 +173,7 @@ class Variation:
         model = self.model(faults, settings.faults)
         parameters, initial = split_values(model, given)
         faults += unknown_histories(model, histories)
-        model = with_given(model, self.inputs, settings.duration, parameters, faults)
+        model = with_inputs(model, self.inputs, settings.duration, parameters, faults)
         begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
         check(model, settings, parameters, begin, faults)
         return solve(model, settings, parameters, begin, progress=progress)
@@ -202,7 +202,7 @@ def run_settings(
     }
 
 
-def with_given(
+def with_inputs(
     model: AnyModel,
     texts: Sequence[str],
     duration: str | float | None,
@@ -213,9 +213,9 @@ def with_given(
     given = assignments("--input", texts, faults)
     if not given:
         return model
-    from hertzwerk.runtime.engine.inputs.input_values import given_inputs
+    from hertzwerk.runtime.engine.inputs.input_values import with_input_values
 
-    model, wrong = given_inputs(model, given, duration, parameters)
+    model, wrong = with_input_values(model, given, duration, parameters)
     faults += wrong
     return model
 
@@ -227,7 +227,7 @@ def _at_rest(
     from hertzwerk.runtime.analysis.statics.equilibrium import equilibrium
 
     rest = equilibrium(model, parameters=parameters, initial=initial)
-    if not rest.found:
+    if not rest.converged:
         fault = Fault("--start", f"no equilibrium: {rest.outcome.message}", "a position of rest", rest.outcome.remedy)
         raise InputError(model.name, [*faults, fault])
     return dict(rest)

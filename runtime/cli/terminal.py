@@ -16,7 +16,7 @@ import click
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime.cli import line_wrapping
 
-Kept = TypeVar("Kept")
+Written = TypeVar("Written")
 
 GOOD, OTHER_OUTCOME, BAD_INPUT = 0, 1, 2
 COLOURS = {
@@ -64,7 +64,7 @@ def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
     return guarded
 
 
-def written_or_none(write: Callable[[], Kept], missing: list[str], *, wanted: bool) -> Kept | None:
+def written_or_none(write: Callable[[], Written], missing: list[str], *, wanted: bool) -> Written | None:
     """Return the result of `write`, if wanted; a failure is appended to `missing`."""
     if not wanted:
         return None
@@ -155,7 +155,7 @@ class Progress:
     def __init__(self, title: str, *, shown: bool) -> None:
         self._title, self._shown = title, shown
         self._stage, self._width, self._from = "", 0, 0.0
-        self._start = self._told = time.perf_counter()
+        self._start = self._shown_at = time.perf_counter()
 
     def __enter__(self) -> Self:
         return self
@@ -163,7 +163,7 @@ class Progress:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._tell("")
+        self._show("")
 
     def stage(self, name: str, done: float = 0.0) -> None:
         """Announce the stage that begins, a part of it done.
@@ -171,32 +171,32 @@ class Progress:
         Shown at once, as the stage may keep this process from reporting for a while.
         """
         self._stage, self._start, self._from = name, time.perf_counter(), done
-        self._tell(f"{self._title}: {name}")
+        self._show(f"{self._title}: {name}")
 
     def __call__(self, fraction: float) -> None:
         """Show the fraction done and the estimated time left."""
         now = time.perf_counter()
-        if now - self._told < BETWEEN or now - self._start < BAR_AFTER:
+        if now - self._shown_at < BETWEEN or now - self._start < BAR_AFTER:
             return
         seconds = (now - self._start) * (1 - fraction) / max(fraction - self._from, 1e-9)
         rest = f"{seconds // 60:.0f}:{seconds % 60:02.0f} to go" if seconds < LONGEST else ""
         bar = "#" * round(BAR * min(fraction, 1))
         stage = f"{self._title}: {self._stage}" if self._stage else self._title
-        self._tell(f"{stage}  [{bar:-<{BAR}}] {fraction:4.0%}  {rest}")
+        self._show(f"{stage}  [{bar:-<{BAR}}] {fraction:4.0%}  {rest}")
 
     def aside(self, report: Callable[[], object]) -> None:
         """Let something print: the line disappears and returns with the next call."""
-        self._tell("")
+        self._show("")
         report()
 
-    def _tell(self, text: str) -> None:
+    def _show(self, text: str) -> None:
         """Replace the line by a text.
 
         The cursor stays visible, so that a process which is killed leaves the terminal unchanged.
         """
         if not self._shown or (not text and not self._width):
             return
-        self._told = time.perf_counter()
+        self._shown_at = time.perf_counter()
         text = text.rstrip()[: shutil.get_terminal_size().columns - 1]
         with contextlib.suppress(OSError):  # the terminal may be gone
             sys.stderr.write(f"\r{text:<{self._width}}\r{text}")

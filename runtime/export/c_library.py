@@ -34,7 +34,7 @@ from hertzwerk.runtime.system.versions import versions
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
     from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.export.export_request import Asked
+    from hertzwerk.runtime.export.export_request import ExportRequest
 
 ALL = (
     *("begin", "attempt", "attempt_choosing", "enter", "constants", "start", "scales_of", "joint_scales", "placed"),
@@ -163,7 +163,7 @@ def _alone(text: str) -> str:
     return _SPARSITY.sub(lambda found: found[0] if len(re.findall(rf"\b{found[1]}\b", text)) > 2 else "", text)
 
 
-def write(asked: Asked, folder: Path) -> str:
+def write(asked: ExportRequest, folder: Path) -> str:
     """Write the library of a scene into a new folder; return its files. Raises InputError."""
     faults = name_faults("scene", asked.model.name)
     if faults:
@@ -354,7 +354,7 @@ def _tables(found: Contents, name: str) -> str:
         "};",
         _array("double", "fallback_scales", [number(value) for value in found.scales]),
         _array("int", "is_stated", [str(int(value)) for value in found.stated]),
-        _array("int", "was_given", [str(int(value)) for value in found.given]),
+        _array("int", "was_given", [str(int(value)) for value in found.requested]),
         _array("int", "loop_is_length", [str(int(unit != "1")) for unit in found.loops]),
         _array("int", "quaternions", [str(i) for i in found.model.joints.quaternions]),
     ]

@@ -27,7 +27,7 @@ from hertzwerk.runtime.simulation import solve
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.export.export_request import Asked
+    from hertzwerk.runtime.export.export_request import ExportRequest
 
 IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,62}")
 C_WORDS = frozenset(re.findall(r"\w+", """
@@ -51,7 +51,7 @@ class Contents:
     """Numbers and names of an export.
 
     parameters, starts (coordinates and speeds of the joints), states, outputs, inputs, pairs    tables of names
-    stated, given    of each start, whether the scene says it, and whether the export was asked for it
+    stated, requested    of each start, whether the scene states it, and whether the export request does
     scales           (ny + 4,) of a run, for those that the scene does not state
     loops            unit of each constraint that the start closes, those of closed clearances last
     """
@@ -65,7 +65,7 @@ class Contents:
     inputs: tuple[Row, ...]
     pairs: tuple[Row, ...]
     stated: tuple[bool, ...]
-    given: tuple[bool, ...]
+    requested: tuple[bool, ...]
     scales: np.ndarray
     loops: tuple[str, ...]
     seconds: float
@@ -88,7 +88,7 @@ def name_faults(where: str, name: str) -> list[Fault]:
     ]
 
 
-def contents(asked: Asked) -> Contents:
+def contents(asked: ExportRequest) -> Contents:
     """Find the numbers of an export, its tolerance by runs; raises InputError for what cannot be exported."""
     model, settings = asked.model, asked.settings
     faults = _refused(model, settings.method, asked.initial)
@@ -135,7 +135,7 @@ def contents(asked: Asked) -> Contents:
         ),
         pairs=tuple(Row(pair, "1", 0.0, f"contact pair {pair}") for pair in model.pairs),
         stated=tuple(name in said for name in names),
-        given=tuple(name in asked.initial for name in names),
+        requested=tuple(name in asked.initial for name in names),
         scales=np.concatenate([scales.state, scales.scene]),
         loops=tuple(row[1] for row in (*loops, *closed)),
         seconds=given.seconds,

@@ -21,7 +21,7 @@ def with_zero_inputs(model: AnyModel) -> AnyModel:
 
 
 @dataclass(frozen=True)
-class Asked:
+class ExportRequest:
     """Model to export, the parameters and start that become its defaults, and the settings of its runs.
 
     outputs    names of histories, readings included, to export beside those of every export

@@ -26,7 +26,7 @@ from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.export.export_contents import Contents, Row
-    from hertzwerk.runtime.export.export_request import Asked
+    from hertzwerk.runtime.export.export_request import ExportRequest
 
 BASES = ("kg", "m", "s", "K", "A")
 CATEGORIES = {"logStatusError": "errors", "logEvents": "impacts"}
@@ -180,7 +180,7 @@ def faults(file: Path) -> list[Fault]:
     return found + name_faults("--fmu", file.stem)
 
 
-def write(asked: Asked, file: Path) -> str:
+def write(asked: ExportRequest, file: Path) -> str:
     """Write the unit of a scene into a new file; return what it is. Raises InputError."""
     found = contents(asked)
     repeated = sorted({row.name for row in found.parameters} & {row.name for row in (*found.states, *found.outputs)})

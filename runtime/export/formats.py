@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from hertzwerk.derive.common.faults import Fault
-    from hertzwerk.runtime.export.export_request import Asked
+    from hertzwerk.runtime.export.export_request import ExportRequest
 
 
-def _latex(asked: Asked, _: Path) -> str:
+def _latex(asked: ExportRequest, _: Path) -> str:
     """Return the equations as a LaTeX document; raises InputError."""
     return asked.model.equations().latex()
 
 
-def _mathml(asked: Asked, _: Path) -> str:
+def _mathml(asked: ExportRequest, _: Path) -> str:
     """Return the equations as an HTML page of MathML that fetches nothing; raises InputError."""
     from hertzwerk.derive.common.markup import Markup
     from hertzwerk.runtime.output.reports import html_page, scene_sections
@@ -34,7 +34,7 @@ def _mathml(asked: Asked, _: Path) -> str:
     return html_page.page("equations", model.name, model.module.SUMMARY, Markup(""), sections, origin)
 
 
-def _sympy(asked: Asked, _: Path) -> str:
+def _sympy(asked: ExportRequest, _: Path) -> str:
     """Return a file of Python that makes the equations with SymPy; raises InputError."""
     return asked.model.sympy_file(asked.model.bind(asked.parameters).values)
 
@@ -53,7 +53,7 @@ class Format:
     option: str
     place: str
     meaning: str
-    write: Callable[[Asked, Path], str]
+    write: Callable[[ExportRequest, Path], str]
     faults: Callable[[Path], list[Fault]] = lambda _: []
 
     @property
@@ -62,13 +62,13 @@ class Format:
         return self.option.removeprefix("--")
 
 
-def _c_library(asked: Asked, folder: Path) -> str:
+def _c_library(asked: ExportRequest, folder: Path) -> str:
     from hertzwerk.runtime.export import c_library
 
     return c_library.write(asked, folder)
 
 
-def _fmu(asked: Asked, file: Path) -> str:
+def _fmu(asked: ExportRequest, file: Path) -> str:
     from hertzwerk.runtime.export import fmu
 
     return fmu.write(asked, file)

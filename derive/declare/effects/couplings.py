@@ -64,7 +64,7 @@ class Coupling(Effect):
     offset: Scalar = 0
     equation: Scalar | None = None
     kind: ClassVar[str] = "coupling"
-    asks: ClassVar[str] = COORDINATE
+    reads: ClassVar[str] = COORDINATE
     enters: ClassVar[str] = NOWHERE
 
     @property

@@ -59,7 +59,7 @@ class AnyDrive(JointEffect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield the fault of a joint that does not carry its body, beside those of any effect on a joint."""
-        told = [freedom.key for freedom in scene.mechanism.told]
+        told = [freedom.key for freedom in scene.mechanism.dependent_freedoms]
         yield from (
             joint_faults(self.where, self.joint, scene, carried=True) if self.joint in told else super().faults(scene)
         )
@@ -177,14 +177,14 @@ class Drive(AnyDrive):
     }
 
     @property
-    def _given(self) -> list[tuple[int, str, Any]]:
+    def _stated(self) -> list[tuple[int, str, Any]]:
         laws = enumerate((("position", self.position), ("speed", self.speed), ("acceleration", self.acceleration)))
         return [(order, what, law) for order, (what, law) in laws if law is not None]
 
     @property
     def text(self) -> str:
         """Description for people."""
-        return ", ".join(f"{what} of {self.joint} = {shown(law)}" for _, what, law in self._given)
+        return ", ".join(f"{what} of {self.joint} = {shown(law)}" for _, what, law in self._stated)
 
     @property
     def integrates(self) -> bool:
@@ -194,17 +194,17 @@ class Drive(AnyDrive):
     @property
     def motion(self) -> Motion:
         """Motion as declared."""
-        order, _, law = self._given[0]
+        order, _, law = self._stated[0]
         return Motion(as_choice(law), order, (self.start, self.start_speed)[:order])
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of several laws or none, and of initial values the law does not need."""
         yield from super().type_faults()
-        if len(self._given) != 1:
-            found = " and ".join(what for _, what, _ in self._given) or "none of them"
+        if len(self._stated) != 1:
+            found = " and ".join(what for _, what, _ in self._stated) or "none of them"
             yield Fault(self.where, found, "one of position, speed and acceleration", "The others follow from it.")
             return
-        order, what, _ = self._given[0]
+        order, what, _ = self._stated[0]
         for name, value, needed in (("start", self.start, 1), ("start_speed", self.start_speed, 2)):
             if order < needed and value != 0:
                 yield Fault(

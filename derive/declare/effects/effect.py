@@ -254,7 +254,7 @@ class Effect:
 
     takes       fields that hold a law -> the kind of law they take
     measures    fields that hold a quantity -> its unit and range, `Slot.of(unit, limit)`, or `Varying.of(unit, on=...)`
-    asks        COORDINATE or SPEED of its joints; whole turns of loop-closing joints in space are counted where it is COORDINATE
+    reads       COORDINATE or SPEED of its joints; whole turns of loop-closing joints in space are counted where it is COORDINATE
     enters      function of a module that has its generalised forces: APPLIED, CONTACT, or NOWHERE for effects without
     quantities  words after its name -> letter, subscript, meaning of a quantity, for readers; `sought`: those shown by name
     unchecked   whether an inconsistent law may run
@@ -264,7 +264,7 @@ class Effect:
     kind: ClassVar[str]
     takes: ClassVar[Mapping[str, str]] = {}
     measures: ClassVar[Mapping[str, Slot]] = {}
-    asks: ClassVar[str] = SPEED
+    reads: ClassVar[str] = SPEED
     enters: ClassVar[str] = APPLIED
     quantities: ClassVar[Mapping[str, tuple[str, str, str]]] = {}
     sought: ClassVar[tuple[str, ...]] = ()
@@ -346,7 +346,7 @@ class Effect:
     def reactions(self, scene: Declared) -> Iterator[str]:
         """Yield the joints whose reaction it reads, by default in its expressions; called as `slots` is."""
         symbols = (symbol for slot in self.slots(scene) for symbol in states_in(slot.value))
-        return (symbol.joint for symbol in symbols if symbol.what == REACTION)
+        return (symbol.joint for symbol in symbols if symbol.quantity == REACTION)
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the states that it integrates, or changes at events; called as `slots` is."""
@@ -425,7 +425,7 @@ class JointEffect(Effect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a joint that is missing, or has not just one coordinate."""
-        yield from joint_faults(self.where, self.joint, scene, counted=self.asks == COORDINATE)
+        yield from joint_faults(self.where, self.joint, scene, counted=self.reads == COORDINATE)
         yield from super().faults(scene)
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
@@ -512,7 +512,7 @@ def joint_faults(
 
     counted    whether its angle is asked for, not its speed alone; carried    whether it must carry its body
     """
-    told = scene.mechanism.told if carried else ()
+    told = scene.mechanism.dependent_freedoms if carried else ()
     if key in scene.scalars and key not in [freedom.key for freedom in told]:
         if counted and key in scene.uncounted:
             yield uncounted_fault(where, key)

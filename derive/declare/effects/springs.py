@@ -36,7 +36,7 @@ class JointSpring(JointEffect):
     stiffness: Scalar
     rest: Scalar = 0
     kind: ClassVar[str] = "spring"
-    asks: ClassVar[str] = COORDINATE
+    reads: ClassVar[str] = COORDINATE
     drawn: ClassVar[bool] = True
     measures: ClassVar[Mapping[str, Slot]] = {
         "stiffness": Slot.of("{force}/({coordinate})", NOT_NEGATIVE),

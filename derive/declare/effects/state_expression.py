@@ -75,8 +75,8 @@ class Scope(Protocol):
 class StateSymbol(Tagged):
     """Time, a coordinate or a speed of a joint, or a state of an effect, in an expression of a scene."""
 
-    __slots__ = ("joint", "what")
-    tags = ("what", "joint")
+    __slots__ = ("joint", "quantity")
+    tags = ("quantity", "joint")
 
     @classmethod
     def of(cls, what: str, joint: str, ending: str = "") -> StateSymbol:
@@ -100,7 +100,7 @@ class Input(StateSymbol):
 
     __slots__ = ("meaning", "unit")
     tags = ("unit", "meaning")
-    what, joint = INPUT, ""
+    quantity, joint = INPUT, ""
 
     def __new__(cls, name: str, unit: str, meaning: str = "") -> Input:
         """Make a new symbol; raises InputError for values that are no text."""
@@ -207,14 +207,14 @@ def tables_in(expression: Any) -> list[Table]:
 
 def state_dimension(symbol: StateSymbol, scene: Scope) -> Dimension:
     """Dimension of time, of a coordinate or speed of a scene's freedom, or of an effect's state."""
-    if symbol.what in _PLAIN:
-        return Dimension.from_unit(_PLAIN[symbol.what])
+    if symbol.quantity in _PLAIN:
+        return Dimension.from_unit(_PLAIN[symbol.quantity])
     if isinstance(symbol, Input):
         return Dimension.from_unit(symbol.unit)
-    if symbol.what == STATE:
+    if symbol.quantity == STATE:
         return Dimension.from_unit(scene.states[symbol.joint].unit)
     coordinate, speed, _ = scene.scalars[symbol.joint].units
-    return Dimension.from_unit(coordinate if symbol.what == COORDINATE else speed)
+    return Dimension.from_unit(coordinate if symbol.quantity == COORDINATE else speed)
 
 
 _WITHOUT_DERIVATIVES = (
@@ -245,7 +245,7 @@ def expression_faults(
     # which `table_faults` and `input_faults` report
     strange = [f for t in tables_in(value) for f in t.faults()] + [f for i in inputs_in(value) for f in i.faults()]
     for symbol in states_in(value):
-        if symbol.what not in slot.on:
+        if symbol.quantity not in slot.on:
             of = " and ".join(slot.on) if slot.on else "parameters alone"
             way_out = _WITHOUT_DERIVATIVES if isinstance(symbol, Input) else ""
             yield Fault(where, f"{value}, which depends on {symbol}", f"an expression of {of}", way_out)
@@ -288,10 +288,10 @@ _NAMED = {
 
 def _unmet(where: str, symbol: StateSymbol, scene: Scope) -> Iterator[Fault]:
     """Fault of a symbol of what the scene does not have."""
-    text, names, otherwise = _NAMED.get(symbol.what, ("", "", ""))
+    text, names, otherwise = _NAMED.get(symbol.quantity, ("", "", ""))
     if names and symbol.joint not in getattr(scene, names):
         yield Fault(where, text.format(symbol.joint), one_of(getattr(scene, names), otherwise))
-    elif symbol.what == COORDINATE and symbol.joint in scene.uncounted:
+    elif symbol.quantity == COORDINATE and symbol.joint in scene.uncounted:
         yield uncounted_fault(where, symbol.joint)
 
 

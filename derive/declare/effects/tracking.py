@@ -127,8 +127,8 @@ def uncounted_angles(mechanism: Mechanism, effects: Iterable[Effect], scene: Dec
     asked = list(scene.start.near)
     for effect in effects:
         slots = (slot for slot in effect.slots(scene))
-        asked += [symbol.joint for slot in slots for symbol in states_in(slot.value) if symbol.what == COORDINATE]
-        asked += effect.joints if effect.asks == COORDINATE else ()
+        asked += [symbol.joint for slot in slots for symbol in states_in(slot.value) if symbol.quantity == COORDINATE]
+        asked += effect.joints if effect.reads == COORDINATE else ()
     counted = [effect.joint for effect in effects if isinstance(effect, CountedAngle)]
     for key in mechanism.wrapped:
         if key not in counted and (key in asked or scene.scalars[key].coordinates[0].name in asked):

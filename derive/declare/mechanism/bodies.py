@@ -55,8 +55,8 @@ def measured(
         value = getattr(record, name)
         if value is not None or getattr(type(record), name, record) is not None:
             place, unit = f"{where}, {slot.where or name.replace('_', ' ')}", slot.unit.format_map(units or {})
-            asked_as = slot.asked_as and f"{record.name}.{slot.asked_as}"
-            yield replace(slot, where=place, value=value, unit=unit, asked_as=asked_as)
+            law_symbol = slot.law_symbol and f"{record.name}.{slot.law_symbol}"
+            yield replace(slot, where=place, value=value, unit=unit, law_symbol=law_symbol)
 
 
 @dataclass(frozen=True)

@@ -75,7 +75,7 @@ class SolidCurve:
     def drawn(self) -> Drawn:
         """Its points for a picture."""
         planar = self.planar
-        return Drawn(planar, *planar.given)  # type: ignore[no-any-return]  # SymPy is untyped
+        return Drawn(planar, *planar.parameters)  # type: ignore[no-any-return]  # SymPy is untyped
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ class Curve(SolidCurve):
             x=sp.sympify(self.x),
             y=sp.sympify(self.y),
             s=S,
-            given=tuple(dict.fromkeys((*parameters_of(self.x), *parameters_of(self.y)))),
+            parameters=tuple(dict.fromkeys((*parameters_of(self.x), *parameters_of(self.y)))),
             start=float(self.start),
             end=float(self.end),
             closed=self.closed,

@@ -99,7 +99,7 @@ class Mechanism:
         return tuple(freedom for joint in self.tree for freedom in joint.freedoms)
 
     @cached_property
-    def told(self) -> tuple[Freedom, ...]:
+    def dependent_freedoms(self) -> tuple[Freedom, ...]:
         """Freedoms of closing joints that follow from where the bodies are, in order."""
         ruled = (joint for joint in self.closures if not joint.unruled())
         return tuple(freedom for joint in ruled for freedom in joint.freedoms if joint.measures(freedom))
@@ -126,7 +126,7 @@ class Mechanism:
         )
         return tuple(freedom.key for freedom in turns)
 
-    def given_motion(self, kinematics: Any) -> Any:
+    def motion_by_expressions(self, kinematics: Any) -> Any:
         """Motion that is given by expressions, on the tape of a kinematics; None where it is that of joints."""
         return None
 

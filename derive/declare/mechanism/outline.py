@@ -260,7 +260,7 @@ class Outline(SolidCurve):
             name=self.name,
             pieces=rows,
             turns=tuple(piece.turn if isinstance(piece, Arc) else 0 for piece in self.pieces),
-            given=tuple(dict.fromkeys(p for row in rows for value in row for p in parameters_of(value))),
+            parameters=tuple(dict.fromkeys(p for row in rows for value in row for p in parameters_of(value))),
             closed=self.closed,
             hole=self.hole,
         )

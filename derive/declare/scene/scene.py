@@ -235,7 +235,11 @@ class Scene:
     @cached_property
     def scalars(self) -> dict[str, Freedom]:
         """Freedoms with one coordinate, by their keys: of the tree, and those that closing joints tell."""
-        return {freedom.key: freedom for freedom in (*self.mechanism.freedoms, *self.mechanism.told) if freedom.scalar}
+        return {
+            freedom.key: freedom
+            for freedom in (*self.mechanism.freedoms, *self.mechanism.dependent_freedoms)
+            if freedom.scalar
+        }
 
     @cached_property
     def uncounted(self) -> tuple[str, ...]:
@@ -367,7 +371,7 @@ class Scene:
             for bound in effect.laws
             for quantity in bound.law.geometry
         }
-        return tuple(slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
+        return tuple(slot for slot in self.declarations() if not slot.law_symbol or slot.law_symbol in asked)
 
     def declarations(self) -> Iterator[Slot]:
         """Yield every quantity of the scene, in declared order."""

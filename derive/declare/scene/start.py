@@ -35,7 +35,7 @@ class Start:
 
     def coordinates(self, freedom: Freedom) -> list[Any]:
         """Values of a freedom's coordinates; a quaternion's are normalised."""
-        given = [_given({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
+        given = [_value_of({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
         if freedom.kind != "ball":
             return [value or 0 for value in given]
         if all(value is None for value in given):
@@ -46,13 +46,13 @@ class Start:
 
     def speeds(self, freedom: Freedom) -> list[Any]:
         """Values of a freedom's speeds."""
-        return [_given(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
+        return [_value_of(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
 
     def stated(self, freedom: Freedom) -> list[str]:
         """Names of a freedom's coordinates and speeds with a given value."""
         sides = (self.position, freedom.coordinates), (self.speed, freedom.speeds)
         return [
-            port.name for values, ports in sides for port in ports if _given(values, port.name, freedom) is not None
+            port.name for values, ports in sides for port in ports if _value_of(values, port.name, freedom) is not None
         ]
 
     def slots(self, freedoms: Iterable[Freedom]) -> Iterator[Slot]:
@@ -64,11 +64,11 @@ class Start:
                 (self.speed, freedom.speeds, "speed"),
             ):
                 for port in ports:
-                    value = _given(values, port.name, freedom)
+                    value = _value_of(values, port.name, freedom)
                     if value is not None:
                         named = port.name if freedom.kind == "ball" else freedom.key
                         yield Slot(f"start, {what} of {named}", value, port.unit)
 
 
-def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
+def _value_of(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
     return values.get(name, None if freedom.kind == "ball" else values.get(freedom.key))

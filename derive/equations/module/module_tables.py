@@ -142,7 +142,7 @@ def _loop_tables(system: System) -> dict[str, Any]:
     return {
         "CONSTRAINTS": _names(system.loops),
         "ROLLING": rolling,
-        "GIVEN": _given(scene, kin) if assembled else None,
+        "GIVEN": _stated_values(scene, kin) if assembled else None,
         "SEATED": tuple(pair.name for pair in scene.mechanism.pairs) if scene.start.seated else (),
         "JOINT_COORDINATES": None if joints is None else tuple(map(tuple, joints.coordinates)),
         "JOINT_SPEEDS": None if joints is None else tuple(map(tuple, joints.speeds)),
@@ -160,7 +160,7 @@ def _quaternions(ports: list[Port]) -> tuple[int, ...]:
     return tuple(i for i, port in enumerate(ports) if port.name.endswith(".q0"))
 
 
-def _given(scene: Scene, kin: Kinematics) -> tuple[str, ...]:
+def _stated_values(scene: Scene, kin: Kinematics) -> tuple[str, ...]:
     """Values of the start that are given instead of found by assembly."""
     stated = [name for freedom in scene.free for name in scene.start.stated(freedom)]
     return (*stated, *(state.port.name for state in kin.drive_states), *scene.states)

@@ -214,7 +214,7 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
     remedy = "Keep the joints' coordinates: coordinates='tree'."
     for effect in scene.effects:
         symbols = (symbol for slot in effect.slots(scene) for symbol in states_in(slot.value))
-        for key in [*(symbol.joint for symbol in symbols if symbol.what in (COORDINATE, SPEED)), *effect.joints]:
+        for key in [*(symbol.joint for symbol in symbols if symbol.quantity in (COORDINATE, SPEED)), *effect.joints]:
             if key in kept:
                 continue
             joint, freedom = closing[key]

@@ -53,7 +53,7 @@ class Inertia:
             Symmetric(lambda i, j: less(self.moving[i, j], product(push[i], move[j]))),
         )
 
-    def seen_from(self, change: Change, arm: Vector, tape: Tape, name: str) -> Inertia:
+    def in_parent_axes(self, change: Change, arm: Vector, tape: Tape, name: str) -> Inertia:
         """In the axes of the parent, about its O, from which this one is an arm away."""
         turning, moving = (change.symmetric(of, tape, f"{name}_turned_{what}") for of, what in ((self.turning, "J"), (self.moving, "M")))  # fmt: skip
         coupling = change.both(self.coupling, tape, f"{name}_turned_H")
@@ -90,7 +90,7 @@ class Articulated:
                 self._shares[row] = share
                 left = left.freed(force, share)
             if link.parent in bodies:
-                moved = left.named(tape, f"{name}_left").seen_from(link.change, parts.arm(link), tape, name)
+                moved = left.named(tape, f"{name}_left").in_parent_axes(link.change, parts.arm(link), tape, name)
                 bodies[link.parent] = _together(bodies[link.parent], moved)
 
     @property

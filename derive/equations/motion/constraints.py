@@ -38,7 +38,7 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
         ]  # fmt: skip
         raise InputError(f"mechanism {kinematics.mechanism.name}", faults)
     found = [constraint for constraint in found if constraint.rate != 0 and constraint.value != 0]
-    found += [] if kinematics.given is None else kinematics.given.constraints
+    found += [] if kinematics.by_expressions is None else kinematics.by_expressions.constraints
     found += [_coupled(kinematics, coupling) for coupling in kinematics.scene.all(Coupling)]
     for effect in kinematics.scene.effects:
         on_speeds = (_on_speeds(kinematics, effect.name, c) for c in effect.speed_constraints(kinematics))

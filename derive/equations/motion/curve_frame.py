@@ -85,7 +85,7 @@ class OnCurve:
         self.samples = self._sampled(curve)
 
     def _sampled(self, curve: PlanarCurve | PlanarChain) -> Any:
-        return self.tape.block(Sampled(curve, *curve.given), f"{curve.name}_samples", curve.width, METRE)
+        return self.tape.block(Sampled(curve, *curve.parameters), f"{curve.name}_samples", curve.width, METRE)
 
     def local(self, vector: Vector, what: str) -> Vector:
         """A vector along the curve's axes, on the tape."""
@@ -102,7 +102,7 @@ class OnCurve:
         return self.tape.let(value, f"{self.name}_{what}", dimension)
 
     def _entries(self, node: type, x: Any, y: Any, width: int) -> list[Any]:
-        return self._vector(node(self.curve, self.samples, x, y, *self.curve.given), width)
+        return self._vector(node(self.curve, self.samples, x, y, *self.curve.parameters), width)
 
     def _vector(self, found: Any, width: int) -> list[Any]:
         vector = self.tape.block(found, f"{self.name}_{type(found).__name__.lower()}", width, PURE)
@@ -153,7 +153,7 @@ class OnCurve:
         """
         found = Between(
             other, self.curve, self._sampled(other), self.samples, pose.x, pose.y, pose.cos, pose.sin,
-            *other.given, *self.curve.given, *points,
+            *other.parameters, *self.curve.parameters, *points,
         )  # fmt: skip
         named = (
             ("distance", METRE), ("normal_x", PURE), ("normal_y", PURE), ("foot_x", METRE), ("foot_y", METRE), ("share", PURE),

@@ -261,7 +261,7 @@ class Equations:
 
 def equations_of(kinematics: Kinematics, scene: Scene) -> Equations:
     """Equations of motion of the links, or those that the mechanism has by expressions."""
-    given = kinematics.given
+    given = kinematics.by_expressions
     return Equations(kinematics, scene) if given is None else given.equations(scene)
 
 

@@ -98,7 +98,7 @@ class Kinematics:
         self.mechanism: Mechanism = scene.mechanism
         self.t = tape.input("t", "t", Dimension.from_unit("s"))
         tape.set_rate(self.t, sp.S.One)
-        self.inputs = {name: self._given(name, given.unit) for name, given in scene.inputs.items()}
+        self.inputs = {name: self._input_value(name, given.unit) for name, given in scene.inputs.items()}
         free = scene.free
         inputs = [[self._input(port, groups[0]) for port in freedom.coordinates] for freedom in free]
         speeds = [[self._input(port, groups[1]) for port in freedom.speeds] for freedom in free]
@@ -140,7 +140,7 @@ class Kinematics:
         self.origin_of = cache(self._origin)
         self.direction_of = cache(self._direction)
         self.turned = cache(self._turned_about)
-        self.given = scene.mechanism.given_motion(self)
+        self.by_expressions = scene.mechanism.motion_by_expressions(self)
         """Motion given by expressions, see `imported`; None where links have their own."""
 
     def _quaternion_rates(self, q: Sequence[Any], rate: Sequence[Any]) -> tuple[Any, ...]:
@@ -243,8 +243,8 @@ class Kinematics:
 
         All turns on the way to the body must be about that axis.
         """
-        if self.given is not None:
-            return self.given.turned(body, k)
+        if self.by_expressions is not None:
+            return self.by_expressions.turned(body, k)
         joint = self.mechanism.joint_of(body)
         if joint is None:
             return sp.S.Zero
@@ -259,21 +259,21 @@ class Kinematics:
         return value.xreplace({symbol: self._state(symbol) for symbol in states_in(value)})
 
     def _state(self, symbol: StateSymbol) -> Any:
-        if symbol.what == TIME:
+        if symbol.quantity == TIME:
             return self.t
-        if symbol.what == STATE:
+        if symbol.quantity == STATE:
             return self.state(symbol.joint)
-        if symbol.what == REACTION:
+        if symbol.quantity == REACTION:
             return self.reaction(symbol.joint)
-        if symbol.what == NORMAL_FORCE:
+        if symbol.quantity == NORMAL_FORCE:
             return self.normal_force(symbol.joint)
-        if symbol.what == INPUT:
+        if symbol.quantity == INPUT:
             if symbol.name not in self.inputs:
                 raise InputError(f"scene {self.scene.name}", [unknown("input", symbol.name, self.inputs)])
             return self.inputs[symbol.name]
-        return self.coordinate(symbol.joint) if symbol.what == COORDINATE else self.speed(symbol.joint)
+        return self.coordinate(symbol.joint) if symbol.quantity == COORDINATE else self.speed(symbol.joint)
 
-    def _given(self, name: str, unit: str) -> Any:
+    def _input_value(self, name: str, unit: str) -> Any:
         """Value of an input on the tape: a polynomial of the time since its piece began."""
         of, per = Dimension.from_unit(unit), Dimension.from_unit("s")
         begin, *factors = self.tape.piece(name, [per, *(of / per**k for k in range(PIECE_DEGREE + 1))])
@@ -301,7 +301,7 @@ class Kinematics:
 
     def _turned(self, link: Link) -> Matrix:
         if link.kind == "given":
-            return self.given.rotation(link)  # type: ignore[no-any-return]
+            return self.by_expressions.rotation(link)  # type: ignore[no-any-return]
         return self.rotation_of(link.orientation, link.name)
 
     def _arm(self, link: Link) -> Vector:
@@ -325,7 +325,7 @@ class Kinematics:
         if link.parent is None:
             return ZERO
         if link.kind == "given":
-            return self.given.origin(link)  # type: ignore[no-any-return]
+            return self.by_expressions.origin(link)  # type: ignore[no-any-return]
         return self.tape.vector(add(self.origin_of(link.parent), self._arm(link)), link.name)
 
     def _motion(self, link: Link) -> Motion:
@@ -333,7 +333,7 @@ class Kinematics:
         if link.parent is None:
             return Motion(IDENTITY, ZERO, ZERO, ZERO, ZERO, ZERO)
         if link.kind == "given":
-            return self.given.motion(link)  # type: ignore[no-any-return]
+            return self.by_expressions.motion(link)  # type: ignore[no-any-return]
         before = self.motion_of(link.parent)
         given = before.angular_acceleration, before.acceleration
         spin, relative, alpha, acceleration = self._moved(link, *given, [row.acceleration for row in link.rows])
@@ -359,7 +359,7 @@ class Kinematics:
         if link.parent is None:
             return ZERO, ZERO
         if link.kind == "given":
-            return self.given.bias(link)  # type: ignore[no-any-return]
+            return self.by_expressions.bias(link)  # type: ignore[no-any-return]
         seconds = [sp.S.Zero if row.free else row.acceleration for row in link.rows]
         _, _, alpha, bias = self._moved(link, *self.bias_of(link.parent), seconds)
         tape, name = self.tape, link.name
@@ -454,7 +454,7 @@ class Kinematics:
     def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
         """Generalised forces in each row of a link, of a force at `position` on the link or its subtree."""
         if link.kind == "given":
-            return self.given.of_force(link, force, position)  # type: ignore[no-any-return]
+            return self.by_expressions.of_force(link, force, position)  # type: ignore[no-any-return]
         if link.kind == "slide":
             return [dot(force, self.direction_of(link))]
         arm = sub(position, self.origin_of(link))
@@ -466,7 +466,7 @@ class Kinematics:
     def partial_turns(self, link: Link) -> list[Vector]:
         """Partial angular velocities of a link and its subtree, by each speed of the link [1]."""
         if link.kind == "given":
-            return self.given.partial_turns(link)  # type: ignore[no-any-return]
+            return self.by_expressions.partial_turns(link)  # type: ignore[no-any-return]
         if link.kind == "slide":
             return [ZERO]
         return [self.direction_of(link)] if link.kind == "turn" else list(transpose(self._turned(link)))

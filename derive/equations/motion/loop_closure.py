@@ -20,7 +20,7 @@ from hertzwerk.derive.declare.mechanism.curve import SolidCurve
 from hertzwerk.derive.declare.mechanism.joints.conditions import (
     Carried,
     Coincident,
-    KeptAngle,
+    ConstantAngle,
     Moving,
     NoDisplacement,
     OnTrack,
@@ -86,8 +86,8 @@ def measured(kinematics: Kinematics, key: str) -> Measured:
     if key in kinematics.states:
         row = kinematics.row(key)
         return Measured(*kinematics.states[key], sp.S.Zero if row.free else row.acceleration, {row.key: sp.S.One})
-    if kinematics.given is not None:
-        return Measured(*kinematics.given.measured(key))
+    if kinematics.by_expressions is not None:
+        return Measured(*kinematics.by_expressions.measured(key))
     freedoms = ((joint, freedom) for joint in kinematics.mechanism.closures for freedom in joint.freedoms)
     joint, freedom = next(entry for entry in freedoms if entry[1].key == key)
     return Closure(kinematics, joint).measured(freedom)
@@ -185,7 +185,7 @@ class Closure:
         """Name a vector of this joint on the tape."""
         return self.tape.vector(vector, f"{self.joint.name}_{what}")
 
-    def _turn(self, kept: KeptAngle) -> Constraint:
+    def _turn(self, kept: ConstantAngle) -> Constraint:
         """A direction of the child keeps its angle to one of the parent."""
         label = kept.label
         a, b = (

@@ -120,7 +120,7 @@ def force_curve(
 
 def _unit(law: StiffnessLaw, exponent: float | None) -> str:
     """Unit of the force as the audit finds it, or what it finds wrong within the formula."""
-    findings = {finding.what: finding for finding in audit_law(law)}
+    findings = {finding.quantity: finding for finding in audit_law(law)}
     printed = findings["normal force"], findings.get("penetration", findings["normal force"])
     wrong = next((finding for finding in printed if finding.verdict != "consistent"), None)
     if wrong is None:

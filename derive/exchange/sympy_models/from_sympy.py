@@ -30,7 +30,7 @@ from hertzwerk.derive.declare.scene.scales import Scales
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.declare.scene.start import Start
 from hertzwerk.derive.exchange.sympy_models.kinematics_audit import kinematic_faults
-from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import Given
+from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import MechanismByExpressions
 from hertzwerk.derive.exchange.sympy_models.model_equations import (
     Reading,
     frames_of,
@@ -81,7 +81,7 @@ class Model:
     def __init__(self, reading: Reading, name: str, naming: Naming, as_given: bool) -> None:
         self.name, self._reading = name, reading
         self._points, self._frames = points_of(reading), frames_of(reading)
-        self._names = names = naming.found()
+        self._names = names = naming.names()
         faults = [*name_faults("model", name), *naming.faults]
         faults += unit_faults(reading, names.table) if not faults else []
         wrong = kinematic_faults(reading, names) if not naming.faults else []
@@ -125,7 +125,9 @@ class Model:
             raise InputError(f"scene {self.name}", faults)
         used = list(dict.fromkeys([*self.bodies, *_bodies_in((*pairs, *effects))]))
         moved = tuple(body for body in used if body.name in self._bodies and self._bodies[body.name][0] == body)
-        mechanism = Given(self.name, (), tuple(pairs), moved=moved, description=self._description(moved))
+        mechanism = MechanismByExpressions(
+            self.name, (), tuple(pairs), moved=moved, description=self._description(moved)
+        )
         return Scene(mechanism, (*self._loads(), *effects), scales, start or Start(), summary=summary)
 
     # -- bodies and points ---------------------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ import sympy as sp
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Frame, Point
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
-from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import GivenMotion
+from hertzwerk.derive.exchange.sympy_models.motion_by_expressions import MotionByExpressions
 from hertzwerk.derive.exchange.sympy_models.motion_description import Description
 from hertzwerk.derive.expressions.parameter import Slot
 
@@ -26,16 +26,16 @@ MASSES = ("kg", "g", "mg", "t")
 class Carried(Joint):
     """Relation of a body to the ground where its motion is given; it is no joint of the mechanism."""
 
-    given: tuple[Freedom, ...]
+    moved_by: tuple[Freedom, ...]
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
         """Every freedom of the mechanism."""
-        return self.given
+        return self.moved_by
 
 
 @dataclass(frozen=True)
-class Given(Mechanism):
+class MechanismByExpressions(Mechanism):
     """Mechanism of bodies whose motion is given by a description; it has no joints."""
 
     moved: tuple[Body, ...] = ()
@@ -52,7 +52,7 @@ class Given(Mechanism):
         return self.description.coordinates
 
     @property
-    def told(self) -> tuple[Freedom, ...]:
+    def dependent_freedoms(self) -> tuple[Freedom, ...]:
         """Coordinates with their rates, and speeds, where these are no freedoms."""
         return self.description.measured
 
@@ -87,13 +87,13 @@ class Given(Mechanism):
             not any(map(bool, shares.values())) and rest == 0
             for shares, rest in (*place.velocity, *place.angular_velocity)
         )
-        return Carried(body.name, Point(GROUND), Point(body), given=() if still else self.freedoms)
+        return Carried(body.name, Point(GROUND), Point(body), moved_by=() if still else self.freedoms)
 
     def slots(self) -> Iterator[Slot]:
         """Yield every quantity, in declared order."""
         yield from self.description.quantities
         yield from super().slots()
 
-    def given_motion(self, kinematics: Any) -> GivenMotion:
+    def motion_by_expressions(self, kinematics: Any) -> MotionByExpressions:
         """Its motion on the tape of a kinematics."""
-        return GivenMotion(kinematics, self.description)
+        return MotionByExpressions(kinematics, self.description)

@@ -12,7 +12,7 @@ from hertzwerk.derive.common.faults import Fault
 from hertzwerk.derive.declare.effects.effect import Declared, Effect, Element
 from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.declare.effects.state_expression import COORDINATE, Varying
-from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import Given
+from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import MechanismByExpressions
 from hertzwerk.derive.expressions.parameter import Slot
 
 
@@ -40,12 +40,12 @@ class Loads(Effect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield a fault of a mechanism that was not imported."""
-        if not isinstance(scene.mechanism, Given):
+        if not isinstance(scene.mechanism, MechanismByExpressions):
             yield Fault(self.where, f"mechanism {scene.mechanism.name}", "the imported model that has these loads")
 
     def element(self, kin: Any) -> Element:
         """Generalised forces, stored energy and power."""
-        tape, given = kin.tape, kin.given
+        tape, given = kin.tape, kin.by_expressions
         forces = {key: tape.let(given.of(value), f"{self.name}_on_{key}") for key, _, value in self.forces}
         power = sp.Add(*(force * given.speed(key) for key, force in forces.items()))
         stored = tape.let(given.of(self.stored), f"{self.name}_stored")

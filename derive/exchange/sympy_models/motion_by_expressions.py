@@ -30,7 +30,7 @@ _GROUPS = {
 }  # by unit: one alone may vanish at a position
 
 
-class GivenMotion:
+class MotionByExpressions:
     """Expressions of a description on a tape; links of kind `given`, one a body, move by them."""
 
     def __init__(self, kinematics: Kinematics, description: Description) -> None:
@@ -191,7 +191,7 @@ class GivenMotion:
 
     def equations(self, scene: Scene) -> Equations:
         """Equations of motion of the description."""
-        return GivenEquations(self, scene)
+        return EquationsByExpressions(self, scene)
 
     def _linear(self, given: Linear, name: str) -> tuple[dict[str, Any], Any]:
         shares, rest = given
@@ -212,17 +212,17 @@ class GivenMotion:
         return (x, y, z)
 
 
-class GivenEquations(Equations):
+class EquationsByExpressions(Equations):
     """Equations M du/dt + bias = f as they were given."""
 
-    def __init__(self, motion: GivenMotion, scene: Scene) -> None:
+    def __init__(self, motion: MotionByExpressions, scene: Scene) -> None:
         super().__init__(motion.kin, scene)
-        self.motion, self.given = motion, motion.description.equations
+        self.motion, self.expressions = motion, motion.description.equations
 
     def _mass_matrix(self) -> dict[tuple[str, str], Any]:
         entries = {
             (row, other): self.tape.let(self.motion.of(value), f"M_{row}_{other}")
-            for (row, other), value in self.given.mass.items()
+            for (row, other), value in self.expressions.mass.items()
         }
         return {key: value for key, value in entries.items() if value != 0}
 
@@ -236,7 +236,7 @@ class GivenEquations(Equations):
         driven = [
             mass[row.key, other.key] * other.acceleration for other in self.driven if (row.key, other.key) in mass
         ]
-        return self.tape.let(sp.Add(self.motion.of(self.given.bias[row.key]), *driven), f"{row.key}_bias")
+        return self.tape.let(sp.Add(self.motion.of(self.expressions.bias[row.key]), *driven), f"{row.key}_bias")
 
     def gravity(self, row: Row) -> Any:
         """Generalised force of the effects of gravity."""
@@ -255,4 +255,4 @@ class GivenEquations(Equations):
 
     def potential(self) -> Any:
         """Potential energy of gravity and of the given equations [J]."""
-        return self.tape.let(super().potential() + self.motion.of(self.given.potential), "potential")
+        return self.tape.let(super().potential() + self.motion.of(self.expressions.potential), "potential")

@@ -108,7 +108,7 @@ class Naming:
                 self.faults.append(Fault(what, shown(key), "a symbol of the model, or its name"))
         return found
 
-    def found(self) -> Names:
+    def names(self) -> Names:
         """The names, sound if there are no faults."""
         q, u = self.reading.q, self.reading.u
         minimal, partner = self._partners()

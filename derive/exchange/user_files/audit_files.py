@@ -42,7 +42,7 @@ def _of_law(law: Law) -> tuple[Finding, ...]:
     findings = audit_law(law)
     wrong = [finding for finding in findings if finding.verdict != "consistent"]
     if not wrong:
-        asked = [finding for finding in findings if not finding.what.startswith("definition")]
+        asked = [finding for finding in findings if not finding.quantity.startswith("definition")]
         return (asked or list(findings))[:1]  # type: ignore[return-value]
     named = f"repaired as {law.repair}" if law.repair else None
     return tuple(replace(finding, repair="; ".join(filter(None, (finding.repair, named))) or None) for finding in wrong)

@@ -57,7 +57,7 @@ class PlanarCurve(_OfData):
     """A curve x(s), y(s) with its data for a generated module.
 
     x, y, s  coordinates [m] as expressions of the parameter s
-    given    symbols that they contain beside s
+    parameters    symbols that they contain beside s
     start    least parameter, `end` the greatest
     closed   whether it ends where it starts, smoothly
     hole     whether the solid is to its right, not to its left
@@ -67,7 +67,7 @@ class PlanarCurve(_OfData):
     """
 
     searched = ""
-    __slots__ = ("at", "closed", "end", "given", "hole", "name", "repeats", "s", "start", "tries", "x", "y")
+    __slots__ = ("at", "closed", "end", "hole", "name", "parameters", "repeats", "s", "start", "tries", "x", "y")
 
     @property
     def width(self) -> int:
@@ -85,10 +85,10 @@ class PlanarChain(_OfData):
 
     pieces  of each its start, its end and its centre (x, y) [m]; a line has its start for a centre
     turns   of each 1 for an arc to the left, -1 for one to the right, 0 for a line
-    given   symbols that the pieces contain; closed, hole as of a `PlanarCurve`
+    parameters    symbols that the pieces contain; closed, hole as of a `PlanarCurve`
     """
 
-    __slots__ = ("closed", "given", "hole", "name", "pieces", "turns")
+    __slots__ = ("closed", "hole", "name", "parameters", "pieces", "turns")
     searched = "_of_chain"
 
     @property
@@ -125,7 +125,7 @@ class Place(_OfData):
 
 
 class Sampled(NoText):
-    """`Sampled(curve, *given)`: what is computed of a curve once per run, such as samples: a vector."""
+    """`Sampled(curve, *parameters)`: what is computed of a curve once per run, such as samples: a vector."""
 
     @classmethod
     def eval(cls, *_: Any) -> None:
@@ -133,15 +133,15 @@ class Sampled(NoText):
 
 
 class Drawn(Sampled):
-    """`Drawn(curve, *given)`: coordinates for a picture, first all x, then all y: a vector."""
+    """`Drawn(curve, *parameters)`: coordinates for a picture, first all x, then all y: a vector."""
 
 
 class DrawnTeeth(Drawn):
-    """`DrawnTeeth(flank, root, *given)`: the same of teeth, down to the radius of their root."""
+    """`DrawnTeeth(flank, root, *parameters)`: the same of teeth, down to the radius of their root."""
 
 
 class Nearest(NoText):
-    """`Nearest(curve, samples, x, y, *given)`: where it is nearest to a point (x, y): a vector.
+    """`Nearest(curve, samples, x, y, *parameters)`: where it is nearest to a point (x, y): a vector.
 
     Signed distance, normal there (two), curvature of the parallel curve through the point, parameter.
     """
@@ -152,7 +152,7 @@ class Nearest(NoText):
 
 
 class Support(NoText):
-    """`Support(curve, samples, x, y, *given)`: where it is least along (x, y): a vector.
+    """`Support(curve, samples, x, y, *parameters)`: where it is least along (x, y): a vector.
 
     Its point there (two), radius of curvature, parameter.
     """
@@ -163,7 +163,7 @@ class Support(NoText):
 
 
 class Between(NoText):
-    """`Between(one, two, samples, samples, x, y, cos, sin, *given)`: where they are nearest.
+    """`Between(one, two, samples, samples, x, y, cos, sin, *parameters)`: where they are nearest.
 
     A vector. The place of the first is at (x, y) along the axes of the second's, and turned. Signed distance, normal out of the
     second (two), its point there (two), three coefficients of their motion, both parameters (`OnCurve.between`). Of two chains

@@ -158,7 +158,7 @@ def _with_own_casadi(program: Program, lines: Iterable[str]) -> str:
 
 def curve_text(curve: Any) -> str:
     """Text of the function of a curve, also of a vector of its parameter, or of the pieces of a chain."""
-    (name, _), given = curve_names(curve), curve.given
+    (name, _), given = curve_names(curve), curve.parameters
     if curve.searched:
         values = tuple(value for piece in curve.pieces for value in piece)
         summary = f"Pieces of the chain {curve.name}: start x, y, end x, y, centre x, y of each."

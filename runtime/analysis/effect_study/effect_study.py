@@ -95,7 +95,7 @@ class Study:
             },
             "rows": [_record(row) for row in self.rows],
             "within": self.within,
-            "smallest": None if found is None else list(found.kept),
+            "smallest": None if found is None else list(found.effects),
             "smallest_found": None
             if found is None
             else {

@@ -25,7 +25,7 @@ from hertzwerk.runtime.analysis.effect_study.effect_study import BELOW_ERROR, GO
 from hertzwerk.runtime.analysis.effect_study.output_errors import EIGHTHS, LADDER, Bench, Case, Measurement
 from hertzwerk.runtime.analysis.effect_study.scene_cost import cost_of, shares
 from hertzwerk.runtime.analysis.effect_study.smallest_scene import smallest
-from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
+from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -138,7 +138,7 @@ def study_effects(
     whole.declared_for("effects")
     own, states = given_values(whole, parameters, initial, faults)
     bench, tell = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
-    whole, wrong = given_inputs(whole, inputs, duration, bench.parameters(whole))
+    whole, wrong = with_input_values(whole, inputs, duration, bench.parameters(whole))
     wanted, first = _outputs(whole, bench, outputs, [*faults, *wrong], compiled)
     study = Study(
         scene=whole.name,

@@ -116,12 +116,17 @@ def _times(axis: Axes, study: Study, places: Any) -> None:
         if share is None:
             continue
         ends += [share.low, share.high]
-        colour = BLUE if share.seen else SHADE
+        colour = BLUE if share.significant else SHADE
         axis.barh(place, share.median, color=colour, height=0.55)
         axis.plot((share.low, share.high), (place, place), color=GREY, linewidth=1.2)
-        text = percent(share.median, sign=False) if share.seen else "below error"
+        text = percent(share.median, sign=False) if share.significant else "below error"
         axis.text(
-            max(share.high, 0), place, f"  {text}", va="center", fontsize=8.5, color="black" if share.seen else GREY
+            max(share.high, 0),
+            place,
+            f"  {text}",
+            va="center",
+            fontsize=8.5,
+            color="black" if share.significant else GREY,
         )
     low, high = min(ends), max(*ends, 0.01)
     axis.axvline(0, color=GREY, linewidth=0.9)
@@ -191,7 +196,7 @@ def _captions(study: Study) -> list[str]:
     notes += [f"{row.effect}: {row.fault}" for row in study.rows if row.fault]
     notes += [f"{row.effect}: {note}" for row in study.rows for note in row.notes]
     if study.smallest is not None and study.within is not None:
-        kept = ", ".join(study.smallest.kept) or "no effect at all"
+        kept = ", ".join(study.smallest.effects) or "no effect at all"
         notes.append(
             f"Smallest scene within {100 * study.within:g} % (dashed): {kept}. Names of what it leaves out are grey."
         )

@@ -53,7 +53,7 @@ class Share:
     high: float
 
     @property
-    def seen(self) -> bool:
+    def significant(self) -> bool:
         """Return whether the share differs from 0 by more than its scatter."""
         return self.low > 0 or self.high < 0
 

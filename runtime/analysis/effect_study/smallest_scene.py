@@ -18,7 +18,7 @@ MOST = 80  # scenes tried
 class Smallest:
     """Effects kept and left out, largest change of an output with its error, scenes tried, completeness."""
 
-    kept: tuple[str, ...]
+    effects: tuple[str, ...]
     left_out: tuple[str, ...]
     change: float
     tried: int

@@ -44,7 +44,7 @@ class Source:
 class Known:
     """Quantity of a run with a known value: SI, allowed to be `within` of `expected`."""
 
-    what: str
+    quantity: str
     of: Callable[[Solution], float]
     expected: float
     within: float

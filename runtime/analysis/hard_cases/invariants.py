@@ -224,4 +224,4 @@ def _known(known: Known, run: Solution) -> Measured:
         value = math.nan
     unit = "" if known.unit == "1" else f" {known.unit}"
     note = f"{value:.12g}{unit}, expected {known.expected:.12g}{unit}: {known.source}"
-    return Measured(known.what, abs(value - known.expected), known.within, known.unit, note)
+    return Measured(known.quantity, abs(value - known.expected), known.within, known.unit, note)

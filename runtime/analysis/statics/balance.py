@@ -158,7 +158,7 @@ def felt(model: Model) -> tuple[int, ...]:
     (t, q, c), (_, change) = _rates_at_rest(model)
     u, reactions = model.symbols("u reactions")
     forces = [model.function("applied")(t, q, u, c)]
-    if model.has("loads"):
+    if model.has_function("loads"):
         forces.append(model.function("loads")(t, q, u, reactions, c))
     found = ca.vertcat(ca.jacobian(ca.vertcat(*forces), q), change)
     return tuple(sorted(set(found.sparsity().get_triplet()[1])))
@@ -208,7 +208,9 @@ def _balance(model: Model) -> Callers:
             # of bristles that bend in two directions the force along each is its speed's direction too
             S[i, :] = along[: model.nu, :].T if len(own_bristles) > 1 else ca.jacobian(sliding, u)
             limit[i] = ca.if_else(touches, 1, 0)
-    if model.has("loads"):  # by reactions and normal forces, which at rest are those of the accelerations' own solution
+    if model.has_function(
+        "loads"
+    ):  # by reactions and normal forces, which at rest are those of the accelerations' own solution
         whole = sum(contact, start=model.function("applied")(t, q, u, c))
         reactions = model.function("accelerations").call([t, q, u, whole, c])[1]
         force += model.function("loads")(t, q, u, reactions, c)[: model.nu, :]

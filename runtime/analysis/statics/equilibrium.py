@@ -26,7 +26,7 @@ from hertzwerk.runtime.analysis.statics.balance import (
     sizes_of,
 )
 from hertzwerk.runtime.analysis.statics.relaxation import Rest, Search
-from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
+from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import turns
 from hertzwerk.runtime.engine.model import build
 from hertzwerk.runtime.engine.model.binding import Value
@@ -170,7 +170,7 @@ class Equilibrium(Mapping[str, Value]):
         return {**own, **still}
 
     @property
-    def found(self) -> bool:
+    def converged(self) -> bool:
         """Return whether the position is one of rest."""
         return self.outcome.name != "no_equilibrium"
 
@@ -178,7 +178,7 @@ class Equilibrium(Mapping[str, Value]):
         """Draw the mechanism at rest, with its forces named; raises InputError where there is no equilibrium."""
         from hertzwerk.runtime.output.drawings.mode_shapes import at_rest
 
-        if not self.found:
+        if not self.converged:
             fault = Fault("plot", f"no equilibrium: {self.outcome.message}", "a position of rest", self.outcome.remedy)
             raise InputError(self.model.name, [fault])
         wanted = ("normal force", "drive")
@@ -190,7 +190,7 @@ class Equilibrium(Mapping[str, Value]):
     def rows(self) -> tuple[tuple[str, str, float, str], ...]:
         """Every number as (kind, name, value, unit); none without an equilibrium."""
         model = self.model
-        if not self.found:
+        if not self.converged:
             return ()
         units, sizes = drive_units(model), model.evaluate("scales", self.bound.p)[0]
         grips = dict.fromkeys(grip_names(model), "m")
@@ -208,10 +208,10 @@ class Equilibrium(Mapping[str, Value]):
     @property
     def notes(self) -> tuple[str, ...]:
         """Reservations: instability, choice among many, forces that balance alone leaves open."""
-        told = [] if self.stable or not self.found else ["unstable: some displacement is pushed further away"]
+        told = [] if self.stable or not self.converged else ["unstable: some displacement is pushed further away"]
         if self.indifferent:
             told.append(f"indifferent: {', '.join(self.indifferent)} may have other values; no force holds them")
-        if self.sticking and self.found:
+        if self.sticking and self.converged:
             told.append(f"one of many: {', '.join(self.sticking)} sticks, and holds within a range of positions")
         if self.indeterminate:
             told.append(
@@ -291,7 +291,7 @@ def inputs_at(model: Model, inputs: Mapping[str, Input] | None, t: float) -> Mod
     """Return a model whose inputs keep the values that they have at a time [s]; raises InputError."""
     if not (model.inputs or inputs):
         return model
-    model, faults = given_inputs(model, inputs, t or 1.0, {})
+    model, faults = with_input_values(model, inputs, t or 1.0, {})
     faults += input_faults(model, t, faults)
     if faults:
         raise InputError(model.name, faults)
@@ -314,7 +314,7 @@ def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, res
     touching = [j for j in range(model.k) if rest.closed[j]]
     held = np.where([grips.count(name) > 1 for name in grips], sizes_of(model, rest.mu), rest.mu)
     sticking = {name: float(held[i]) for i, name in enumerate(grips) if rest.closed[grip_pairs(model)[i]]}
-    least, indifferent = _least_stiffness(model, search, rest) if rest.found else (0.0, ())
+    least, indifferent = _least_stiffness(model, search, rest) if rest.converged else (0.0, ())
     return Equilibrium(
         model=model,
         bound=bound,
@@ -323,13 +323,13 @@ def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, res
         memory=memory_of(model, rest.mu),
         closed=rest.closed,
         outcome=_outcome(model, rest, indifferent, drifting(model, bound, t, rest.q)),
-        stable=rest.found and least >= 0,
+        stable=rest.converged and least >= 0,
         contacts={pair: float(at.normal[j]) for j, pair in enumerate(model.pairs)},
         penetrations={model.pairs[j]: float(-at.gap[j]) for j in touching},
         drives=_drives(model, bound, t, rest),
         sticking=sticking,
-        indifferent=indifferent if rest.found else (),
-        indeterminate=_indeterminate(model, search, rest) if rest.found else (),
+        indifferent=indifferent if rest.converged else (),
+        indeterminate=_indeterminate(model, search, rest) if rest.converged else (),
         residual=float(np.max(np.abs(rest.unbalanced), initial=0.0)),
         of=of,
     )
@@ -340,9 +340,9 @@ def _shown(value: float, unit: str) -> str:
 
 
 def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: Mapping[str, float]) -> Outcome:
-    if rest.found and indifferent:
+    if rest.converged and indifferent:
         return Outcome("not_unique", f"at rest, with {', '.join(indifferent)} indifferent", "state them in `initial`")
-    if rest.found:
+    if rest.converged:
         return Outcome("found", "at rest", "")
     if drifting:
         units = model.units

@@ -66,7 +66,7 @@ class Rest:
     sticks: Flags
     balance: Balance
     unbalanced: Array
-    found: bool = False
+    converged: bool = False
 
 
 @dataclass
@@ -102,7 +102,9 @@ class Search:
         """Return the place of rest that a strongly damped motion from a position leads to."""
         rest = self._polished(self.start(q), within=SETTLED)
         follow = {self.model.coordinates[i] for i in followers(self.model)}
-        if rest.found or drifting(self.model, self.bound, self.t, q).keys() - follow:  # no position stops the latter
+        if (
+            rest.converged or drifting(self.model, self.bound, self.t, q).keys() - follow
+        ):  # no position stops the latter
             return rest
         rest = self.start(q)
         pull = float(np.max(np.abs(rest.balance.force * self.scale), initial=0.0)) or 1.0
@@ -120,7 +122,7 @@ class Search:
                 break
             if change < NEAR or count % TRIED == 0:
                 polished = self._polished(rest, within=max(change, SETTLED))
-                if polished.found:
+                if polished.converged:
                     return polished
         return rest
 
@@ -152,7 +154,7 @@ class Search:
             here = found[0]
             settled = settled + 1 if self._balanced(here) else 0
             if settled and (settled >= ROUNDS or self._size(found[1]) <= STEADY):
-                return replace(here, found=True)
+                return replace(here, converged=True)
         return rest
 
     def _balanced(self, rest: Rest) -> bool:

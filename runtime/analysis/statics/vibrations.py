@@ -349,7 +349,7 @@ def modes(
 
 def of_equilibrium(rest: Equilibrium) -> Modes:
     """Return the small vibrations about an equilibrium; raises InputError where there is none."""
-    if not rest.found:
+    if not rest.converged:
         fault = Fault("modes", f"no equilibrium: {rest.outcome.message}", "a position of rest", rest.outcome.remedy)
         raise InputError(rest.model.name, [fault])
     model = rest.model

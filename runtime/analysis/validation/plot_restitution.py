@@ -73,8 +73,8 @@ def _deviation(axis: Axes, curve: Curve) -> None:
     inside = curve.inside
     for shown, colour in ((np.full(len(inside), fill_value=True), GREY), (inside, BLUE)):
         if curve.closed is not None:
-            axis.plot(curve.given[shown], (curve.closed - curve.given)[shown], color=colour, linewidth=1.5)
-        axis.plot(curve.given[shown], curve.deviation[shown], "o", color=colour, markersize=3.2)
+            axis.plot(curve.prescribed[shown], (curve.closed - curve.prescribed)[shown], color=colour, linewidth=1.5)
+        axis.plot(curve.prescribed[shown], curve.deviation[shown], "o", color=colour, markersize=3.2)
     axis.set(xlim=(0, 1), ylim=(-SCALE, SCALE), xticks=np.linspace(0, 1, 6), yticks=(-0.1, -0.05, 0, 0.05, 0.1))
     axis.set_title(f"{curve.law}  ({curve.grade})")
     e, worst = curve.worst(inside=True)
@@ -97,12 +97,12 @@ def _together(axis: Axes, study: Study) -> None:
     axis.plot((0, 1), (0, 1), color=GREY, linewidth=0.9)
     for curves, colour in ((near, BLUE), (strays, VERMILLION)):
         for curve in curves:
-            axis.plot(curve.given, curve.simulated, color=colour, linewidth=1.2)
+            axis.plot(curve.prescribed, curve.simulated, color=colour, linewidth=1.2)
     for end, side in ((0, -0.03), (-1, 0.03)):
         named = [curve for curve in strays if (curve.worst(inside=False)[0] < 0.5) == (end == 0)]
         heights = _apart([float(curve.simulated[end]) for curve in named], LABELS)
         for curve, height in zip(named, heights, strict=True):
-            x, y = float(curve.given[end]), float(curve.simulated[end])
+            x, y = float(curve.prescribed[end]), float(curve.simulated[end])
             axis.annotate(
                 curve.law, (x, y), (x + side, height), va="center", ha="left" if end else "right", color=VERMILLION,
                 arrowprops={"arrowstyle": "-", "color": VERMILLION, "linewidth": 0.6}, fontsize=9,
@@ -119,7 +119,7 @@ def _own(axis: Axes, study: Study) -> None:
     for curve, colour in zip(study.others, (BLUE, ORANGE, VERMILLION), strict=True):
         scaled, follows = OWN.get(curve.law, (curve.parameter, ""))
         label = f"{curve.law}, over {scaled}\n{follows}"
-        axis.semilogx(curve.given, curve.simulated, "o-", color=colour, markersize=3.2, linewidth=1.4, label=label)
+        axis.semilogx(curve.prescribed, curve.simulated, "o-", color=colour, markersize=3.2, linewidth=1.4, label=label)
     axis.set(ylim=(0, 1))
     axis.legend(loc="lower left", labelspacing=1.0)
     axis.set_title("Laws that take no e: e out over a number of their own")

@@ -42,7 +42,7 @@ class Impact:
 
 @dataclass(frozen=True)
 class Curve:
-    """Restitution out of one law over `given`, shape (k,): e, or the law's dimensionless `parameter`.
+    """Restitution out of one law over `prescribed`, shape (k,): e, or the law's dimensionless `parameter`.
 
     `simulated` (k,); `closed` (k,), or None where no closed form is known. `recommended`: range of e, None where the
     law has none.
@@ -52,7 +52,7 @@ class Curve:
     title: str
     grade: str
     parameter: str
-    given: Array
+    prescribed: Array
     simulated: Array
     closed: Array | None
     recommended: tuple[float, float] | None
@@ -63,19 +63,19 @@ class Curve:
 
     @property
     def takes_restitution(self) -> bool:
-        """Return whether `given` is the restitution in."""
+        """Return whether `prescribed` is the restitution in."""
         return self.recommended is not None
 
     @property
     def deviation(self) -> Array:
         """Restitution out minus restitution in."""
-        return self.simulated - self.given
+        return self.simulated - self.prescribed
 
     @property
     def inside(self) -> NDArray[np.bool_]:
         """Mask of `given` in the recommended range."""
         low, high = self.recommended or (-math.inf, math.inf)
-        return (self.given >= low) & (self.given <= high)
+        return (self.prescribed >= low) & (self.prescribed <= high)
 
     @property
     def difference(self) -> float | None:
@@ -84,9 +84,11 @@ class Curve:
 
     def worst(self, *, inside: bool) -> tuple[float, float]:
         """Return (e, e_out - e) of the largest deviation, in the recommended range or everywhere."""
-        deviation = np.where(self.inside if inside else np.full(len(self.given), fill_value=True), self.deviation, 0.0)
+        deviation = np.where(
+            self.inside if inside else np.full(len(self.prescribed), fill_value=True), self.deviation, 0.0
+        )
         at = int(np.argmax(np.abs(deviation)))
-        return float(self.given[at]), float(deviation[at])
+        return float(self.prescribed[at]), float(deviation[at])
 
     def record(self) -> dict[str, Any]:
         """Return the curve as JSON."""
@@ -96,7 +98,7 @@ class Curve:
             "title": self.title,
             "grade": self.grade,
             "parameter": self.parameter,
-            "given": self.given.tolist(),
+            "prescribed": self.prescribed.tolist(),
             "simulated": self.simulated.tolist(),
             "closed": None if self.closed is None else self.closed.tolist(),
             "largest_difference": self.difference,
@@ -146,9 +148,9 @@ class Study:
         lines = ["law,parameter,given,simulated,closed"]
         for curve in (*self.curves, *self.others):
             closed: Sequence[Any] = (
-                [""] * len(curve.given) if curve.closed is None else [f"{c:.17g}" for c in curve.closed]
+                [""] * len(curve.prescribed) if curve.closed is None else [f"{c:.17g}" for c in curve.closed]
             )
-            rows = zip(curve.given, curve.simulated, closed, strict=True)
+            rows = zip(curve.prescribed, curve.simulated, closed, strict=True)
             lines += [f'{curve.law},"{curve.parameter}",{given:.17g},{out:.17g},{exact}' for given, out, exact in rows]
         return "\n".join(lines) + "\n"
 
@@ -187,7 +189,7 @@ def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None
         title=law.title,
         grade=law.grade,
         parameter="e" if takes_e else _own_text(trial),
-        given=given,
+        prescribed=given,
         simulated=np.array([simulated(model, trial, float(x) * unit, impact) for x in given]),
         closed=None if not closed or None in closed else np.array(closed, dtype=float),
         recommended=trial.recommended,

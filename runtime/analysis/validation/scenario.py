@@ -29,7 +29,7 @@ from hertzwerk.derive.common.file_schema import MisfitError, form_faults
 from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.derive.common.units import parse_quantity, parse_unit, rate_remedy
 from hertzwerk.runtime.analysis.validation import scenarios
-from hertzwerk.runtime.engine.inputs.input_values import INPUTS, given_inputs, located
+from hertzwerk.runtime.engine.inputs.input_values import INPUTS, located, with_input_values
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.model.build import located_target
 from hertzwerk.runtime.engine.run.run_request import METHOD, Settings, check
@@ -37,7 +37,7 @@ from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.loading import load
 
 IMPACT_FIELDS = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}
-FOUND_IN_HISTORIES = ("final", "max", "min", "largest")
+HISTORY_REDUCTIONS = ("final", "max", "min", "largest")
 
 
 def si(text: str) -> float:
@@ -68,7 +68,7 @@ def _measurable(text: str) -> str:
     known = (
         text in ("energy_residual", "impacts")
         or (head == "impacts" and re.fullmatch("[0-9]{1,9}", index) and field in IMPACT_FIELDS)
-        or (head in FOUND_IN_HISTORIES and rest)
+        or (head in HISTORY_REDUCTIONS and rest)
     )
     if not known:
         raise MisfitError(
@@ -189,7 +189,7 @@ def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
     duration = content.get("duration") if "duration" not in faulty else "1 s"
     inputs = content.get("inputs", {})
     given = {k: v for k, v in inputs.items() if isinstance(v, str)} if isinstance(inputs, dict) else {}
-    model, wrong = given_inputs(model, given, duration, parameters)
+    model, wrong = with_input_values(model, given, duration, parameters)
     try:
         check(model, Settings(duration, None, None), parameters, initial, wrong)
     except InputError as error:
@@ -205,7 +205,7 @@ def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
 def misfit(check: Check, units: Mapping[str, str]) -> Fault | None:
     """Return the fault of a check with an unknown name or a unit that does not fit; else None."""
     head, _, name = check.quantity.partition(".")
-    if head in FOUND_IN_HISTORIES:
+    if head in HISTORY_REDUCTIONS:
         if name not in units:
             near = get_close_matches(name, units, n=1)
             known = f"such as {near[0]}" if near else f"one of {', '.join(units)}"

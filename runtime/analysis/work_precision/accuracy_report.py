@@ -34,7 +34,7 @@ def warnings(study: Study) -> list[str]:
     if study.shortened:
         known = "" if math.isinf(held.horizon) else f"; even to 1 % only until {seconds(held.horizon)}"
         found.append(
-            f"after {seconds(float(held.t[-1]))} of {seconds(study.asked)} no method here knows the true trajectory well enough to measure "
+            f"after {seconds(float(held.t[-1]))} of {seconds(study.requested)} no method here knows the true trajectory well enough to measure "
             f"errors by{known}: errors are those at that time. Of longer runs statistics survive, single trajectories do not: run.averages()"
         )
     if not study.compiled:
@@ -100,7 +100,7 @@ def record(study: Study) -> dict[str, Any]:
     return {
         "scene": study.problem.model.name,
         "duration": float(held.t[-1]),
-        "asked_duration": study.asked,
+        "asked_duration": study.requested,
         "rows": [
             {
                 **{name: getattr(row, name) for name in FIELDS},

@@ -62,7 +62,7 @@ class Row:
 class Study:
     """Rows by method, in the virtual machine and as C, each from loose to tight.
 
-    asked       duration that was asked for [s]; longer than the runs where the reference does not hold so long
+    requested   duration requested [s]; longer than the runs where the reference does not hold so long
     along       error and departure (n,) at the times of the reference, of the runs of each method and accuracy
     lyapunov    exponent along the reference; None where that has no derivatives, or a run to find them in is too dear
     taken       of the time simulated by `auto`, the share of each of its methods, by accuracy
@@ -70,7 +70,7 @@ class Study:
 
     problem: Problem
     reference: Reference
-    asked: float
+    requested: float
     rows: tuple[Row, ...]
     growth: Growth
     lyapunov: Lyapunov | None
@@ -80,7 +80,7 @@ class Study:
     @property
     def shortened(self) -> bool:
         """Return whether runs end where the reference is no longer known, before the requested duration."""
-        return float(self.reference.t[-1]) < self.asked
+        return float(self.reference.t[-1]) < self.requested
 
     @property
     def compiled(self) -> bool:
@@ -234,7 +234,7 @@ def study(
     return Study(
         problem=problem,
         reference=held,
-        asked=asked,
+        requested=asked,
         rows=tuple(sorted(rows, key=lambda row: places[row.method, row.compiled, row.accuracy])),
         growth=grows,
         lyapunov=exponent,

@@ -66,13 +66,13 @@ def statics(out: Path | None, as_json: bool, **options: Any) -> int:
         line(rest.model.name, rest.outcome.message)
         if rest.outcome.remedy:
             line("remedy", rest.outcome.remedy)
-        if rest.found:
+        if rest.converged:
             table(("what", "name", "value", "unit"), [(kind, name, f"{x:.9g}", of) for kind, name, x, of in rest.rows])
         for note in rest.notes:
             line("note", note)
-    if rest.found:
+    if rest.converged:
         _draw(out, rest.plot, told=not as_json)
-    return GOOD if rest.found else OTHER_OUTCOME
+    return GOOD if rest.converged else OTHER_OUTCOME
 
 
 @click.command(epilog="Example: hertzwerk modes double_pendulum")
@@ -86,7 +86,7 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
     from hertzwerk.runtime.analysis.statics.vibrations import modes as modes_of
 
     rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
-    found = modes_of(rest) if rest.found else None
+    found = modes_of(rest) if rest.converged else None
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
 

@@ -113,7 +113,7 @@ def _report(every: Sequence[Finding]) -> None:
     table(
         ("verdict", "checked", "law", "unit"),
         [
-            (f.verdict, ", ".join(filter(None, (f.effect, f.what))), f.law,
+            (f.verdict, ", ".join(filter(None, (f.effect, f.quantity))), f.law,
              f.found if f.found == f.expected else f"{f.found}, not {f.expected}")
             for f in findings
         ],

@@ -17,7 +17,7 @@ from hertzwerk.runtime.cli.target_options import (
     Variation,
     run_settings,
     together,
-    with_given,
+    with_inputs,
 )
 from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 from hertzwerk.runtime.export.formats import FORMATS, Format
@@ -63,7 +63,7 @@ def export(
     from hertzwerk.runtime.engine.run.run_request import Settings, check
     from hertzwerk.runtime.engine.solution.history import unknown_histories
     from hertzwerk.runtime.engine.start.start_values import split_values
-    from hertzwerk.runtime.export.export_request import Asked, with_zero_inputs
+    from hertzwerk.runtime.export.export_request import ExportRequest, with_zero_inputs
 
     varied = Variation.taken(target, places)
     wanted = [(each, place) for each in FORMATS if (place := places[each.name])]
@@ -76,9 +76,9 @@ def export(
     values, model = varied.values(faults), varied.model(faults, asked.faults)
     parameters, initial = split_values(model, values)
     faults += unknown_histories(model, outputs)
-    model = with_zero_inputs(with_given(model, varied.inputs, asked.duration, parameters, faults))
+    model = with_zero_inputs(with_inputs(model, varied.inputs, asked.duration, parameters, faults))
     check(model, asked, parameters, initial, faults)
-    request = Asked(model, parameters, initial, asked, tuple(outputs), int(fmi))
+    request = ExportRequest(model, parameters, initial, asked, tuple(outputs), int(fmi))
     for each, place in wanted:
         told = each.write(request, place if isinstance(place, Path) else Path())
         line("written", told) if each.place else click.echo(told)

@@ -305,4 +305,4 @@ def _row(curve: Curve) -> tuple[str, ...]:
 
 def _at(curve: Curve, value: float) -> Any:
     """Return the restitution out at a value of the grid."""
-    return curve.simulated[abs(curve.given - value).argmin()]
+    return curve.simulated[abs(curve.prescribed - value).argmin()]

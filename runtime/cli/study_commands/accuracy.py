@@ -18,7 +18,7 @@ from hertzwerk.runtime.cli.target_options import (
     WITHOUT,
     Variation,
     unwritable_faults,
-    with_given,
+    with_inputs,
 )
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input, table
 
@@ -79,7 +79,7 @@ def _problem(varied: Variation, out: Path | None, *, wanted: bool, duration: str
     values, model = varied.values(faults), varied.model(faults)
     numbers = scenarios.read(varied.target)
     until, (parameters, initial) = duration or numbers.get("duration"), split_values(model, values)
-    model = with_given(model, varied.inputs, until, parameters, faults)
+    model = with_inputs(model, varied.inputs, until, parameters, faults)
     problem = Problem(model, until, parameters, initial)
     check(model, Settings(problem.duration, None, None), problem.parameters, problem.initial, faults)
     return problem

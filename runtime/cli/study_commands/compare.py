@@ -24,7 +24,7 @@ from hertzwerk.runtime.cli.target_options import (
     assignments,
     run_settings,
     unwritable_faults,
-    with_given,
+    with_inputs,
 )
 from hertzwerk.runtime.cli.terminal import (
     OTHER_OUTCOME,
@@ -38,7 +38,7 @@ from hertzwerk.runtime.cli.terminal import (
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.studies.comparison.comparison_request import Asked
+    from hertzwerk.runtime.studies.comparison.comparison_request import ComparisonRequest
     from hertzwerk.runtime.studies.comparison.comparison_result import Compared
     from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated
 
@@ -156,12 +156,12 @@ def _compared(
     stopping.stage("building")
     limits = limits_of(max_steps, wall_time, faults)
     model = varied.model(faults)
-    asked = _asked(model, faults, **measured)
+    asked = _request(model, faults, **measured)
     given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
     until = given["duration"] = duration or (asked.lasts if asked is not None else given["duration"] or 1.0)
     settled = Settings(**given, **limits)
     parameters, initial = split_values(model, values)
-    model = with_given(model, varied.inputs, until, parameters, faults)
+    model = with_inputs(model, varied.inputs, until, parameters, faults)
     check(model, settled, parameters, initial, faults)
     if asked is None:  # its faults are among those that `check` raises
         raise InputError(model.name, faults)
@@ -172,16 +172,16 @@ def _compared(
     return match(run, asked)
 
 
-def _asked(
+def _request(
     model: Model, faults: list[Fault], *, measured: str, columns: Sequence[str], noise: Sequence[str], **how: Any
-) -> Asked | None:
+) -> ComparisonRequest | None:
     """Return what is compared; None with its faults appended."""
     from hertzwerk.runtime.engine.solution.history import units_of
-    from hertzwerk.runtime.studies.comparison.comparison_request import read_asked
+    from hertzwerk.runtime.studies.comparison.comparison_request import read_comparison_request
 
     mapped, sizes = assignments("--map", columns, faults), assignments("--noise", noise, faults)
     try:
-        return read_asked(units_of(model, None), measured, mapped or None, noise=sizes, **how)
+        return read_comparison_request(units_of(model, None), measured, mapped or None, noise=sizes, **how)
     except InputError as error:
         faults += error.faults
         return None

@@ -185,7 +185,9 @@ def _cells(study: Study, row: Row) -> list[str]:
     if row.cost is None:
         return [row.effect, *[""] * (5 + len(study.outputs))]
     pairs = zip(vars(row.cost).values(), vars(study.cost).values(), strict=True)
-    share = "" if row.share is None else percent(row.share.median, sign=False) if row.share.seen else "below error"
+    share = (
+        "" if row.share is None else percent(row.share.median, sign=False) if row.share.significant else "below error"
+    )
     costs = (f"{cost} of {whole}" if cost else "-" for cost, whole in pairs)
     return [row.effect, *costs, share, *(_cell(row.changes.get(output.name)) for output in study.outputs)]
 
@@ -210,10 +212,10 @@ def _report_smallest(study: Study) -> None:
     found = study.smallest
     if found is None or study.within is None:
         return
-    print_prose(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.kept) or 'no effect at all'}.")
+    print_prose(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.effects) or 'no effect at all'}.")
     if found.left_out:
         share = study.smallest_share
-        saved = "" if share is None or not share.seen else f"; the time changes by {percent(-share.median)}"
+        saved = "" if share is None or not share.significant else f"; the time changes by {percent(-share.median)}"
         change = (
             "changes nothing"
             if found.change == 0

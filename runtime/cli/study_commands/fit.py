@@ -164,7 +164,7 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
         wanted=wanted,
         as_json=as_json,
     )
-    in_doubt = found.untold or found.explained is False or (ranking is not None and ranking.alike)
+    in_doubt = found.unidentified or found.explained is False or (ranking is not None and ranking.alike)
     return OTHER_OUTCOME if in_doubt else code
 
 

@@ -65,7 +65,7 @@ def study(
 
     if resume is not None:
         beside = {"NAME": name, "--quick": quick, "--out": out, "--measured": measured}
-        name, quick, measured = _asked(resume, [option for option, value in beside.items() if value])
+        name, quick, measured = _resumed_request(resume, [option for option, value in beside.items() if value])
     if name is None:
         for known in NAMES:
             line(known, study_of(known).question)
@@ -102,14 +102,14 @@ def study(
     return code if page.holds and not page.missing else OTHER_OUTCOME
 
 
-def _asked(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
+def _resumed_request(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
     """Return name, extent and measurement of the study that was stopped in a folder; raises InputError."""
-    from hertzwerk.runtime.cli.page_folder import asked_of
+    from hertzwerk.runtime.cli.page_folder import read_study_request
 
     if given:
         expected = "the same options as there; beside them --json"
         raise InputError("study", [Fault("--resume", f"{', '.join(given)} beside it", expected)])
-    asked = asked_of(folder)
+    asked = read_study_request(folder)
     return asked["study"], asked["quick"], None if asked["measured"] is None else Path(asked["measured"])
 
 

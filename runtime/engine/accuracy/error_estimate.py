@@ -166,11 +166,11 @@ class End(Enum):
     STOPPED = "stopped"
 
 
-Kept = TypeVar("Kept")
+Data = TypeVar("Data")
 
 
 @dataclass(frozen=True)
-class Rung(Generic[Kept]):
+class Rung(Generic[Data]):
     """One run of the ladder: tolerance, end, states (n, ny) at times (n,) [s], cost, kept data.
 
     The times are its own, as far as it got, or the first of those of the run that it checks.
@@ -183,7 +183,7 @@ class Rung(Generic[Kept]):
     steps: int
     evaluations: int
     wall_s: float
-    kept: Kept
+    data: Data
 
 
 class Verdict(Enum):
@@ -197,17 +197,17 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True)
-class LadderResult(Generic[Kept]):
+class LadderResult(Generic[Data]):
     """Result of a ladder: the run to return, its error, the verdict.
 
     incomplete: another run that was stopped, or failed, during the search.
     foreseen: no run was made at the least tolerance, whose error is the floor of the estimate.
     """
 
-    run: Rung[Kept]
+    run: Rung[Data]
     error: ErrorEstimate | None
     verdict: Verdict
-    incomplete: Rung[Kept] | None = None
+    incomplete: Rung[Data] | None = None
     foreseen: bool = False
 
 
@@ -222,26 +222,26 @@ def first_tolerance(asked: float, seconds: float, length: float, speed: float) -
 
 
 @dataclass(frozen=True)
-class _Checked(Generic[Kept]):
+class _Checked(Generic[Data]):
     """A run and its differences (n, m) along its times, as far as the comparison runs got.
 
     The first column is its error. last: tighter runs fail.
     """
 
-    run: Rung[Kept]
-    found: np.ndarray
+    run: Rung[Data]
+    differences: np.ndarray
     whole: bool
     last: bool
 
     @property
     def values(self) -> np.ndarray:
         """Error along the run (n,)."""
-        return self.found[:, 0]
+        return self.differences[:, 0]
 
     @property
     def times(self) -> np.ndarray:
         """Times [s] of the values (n,)."""
-        return self.run.times[: len(self.found)]
+        return self.run.times[: len(self.differences)]
 
     def error(self, *, at_end: bool) -> float:
         """Return the error that a request is for; nan where it is not known."""
@@ -250,7 +250,7 @@ class _Checked(Generic[Kept]):
         return max(size, LEAST) if self.whole else math.nan
 
 
-class Ladder(Generic[Kept]):
+class Ladder(Generic[Data]):
     """Search by runs at falling tolerance until one meets a requested error.
 
     run       makes a run, given its tolerance, None or the run that it checks and how many check that already, and the number of steps
@@ -265,8 +265,8 @@ class Ladder(Generic[Kept]):
 
     def __init__(
         self,
-        run: Callable[[float, tuple[Rung[Kept], int] | None, float], Rung[Kept]],
-        differ: Callable[[Rung[Kept], Rung[Kept], int], np.ndarray],
+        run: Callable[[float, tuple[Rung[Data], int] | None, float], Rung[Data]],
+        differ: Callable[[Rung[Data], Rung[Data], int], np.ndarray],
         rounding: Callable[[np.ndarray], float],
         end: float,
         asked: float,
@@ -274,17 +274,17 @@ class Ladder(Generic[Kept]):
         at_end: bool = False,
         names: Sequence[str] = (),
     ) -> None:
-        self._run, self._differ, self._rounding, self._end, self._asked = run, differ, rounding, end, asked
+        self._run, self._differ, self._rounding, self._end, self._requested = run, differ, rounding, end, asked
         self._at_end, self._names = at_end, names
         self._costs: list[tuple[float, int]] = []  # tolerances and evaluations of the runs that reached the end
         self._runs, self._wall_s = 0, 0.0
-        self._found: list[tuple[float, float]] = []  # tolerances and errors
+        self._errors: list[tuple[float, float]] = []  # tolerances and errors
         self._foreseen = math.inf  # error expected of the least tolerance, where it is not tried
         self._least = LEAST  # tolerance that is worth a run: by so much the start is off already, as it is rounded
 
-    def search(self, tolerance: float) -> LadderResult[Kept]:
+    def search(self, tolerance: float) -> LadderResult[Data]:
         """Search from an initial tolerance."""
-        best: _Checked[Kept] | None = None
+        best: _Checked[Data] | None = None
         while True:
             run = self._make(tolerance)
             if run.end is End.FAILED:
@@ -312,7 +312,7 @@ class Ladder(Generic[Kept]):
             if not math.isfinite(error):
                 verdict = Verdict.STOPPED if comparisons[-1].end is End.STOPPED else Verdict.UNKNOWN
                 return self._result(best or checked, verdict, comparisons[-1])
-            self._found.append((run.tolerance, error))
+            self._errors.append((run.tolerance, error))
             if best is None or error < self._error(best) or self._error(best) > VALID:  # above VALID its size is chance
                 best = checked
             found = self._verdict(checked)
@@ -320,12 +320,12 @@ class Ladder(Generic[Kept]):
                 found = Verdict.UNREACHABLE
             if found is not None:
                 return self._result(best, found)
-            tolerance = max(run.tolerance * self._asked / (MARGIN * error), self._least)
+            tolerance = max(run.tolerance * self._requested / (MARGIN * error), self._least)
 
-    def _error(self, checked: _Checked[Kept]) -> float:
+    def _error(self, checked: _Checked[Data]) -> float:
         return checked.error(at_end=self._at_end)
 
-    def _comparison_runs(self, run: Rung[Kept]) -> list[Rung[Kept]]:
+    def _comparison_runs(self, run: Rung[Data]) -> list[Rung[Data]]:
         """Make the runs that estimate the error of one: a tighter one, or one of nearly the same tolerance.
 
         The latter where a tighter run fails, or where rounding dominates: there two runs may agree by chance, and
@@ -345,15 +345,15 @@ class Ladder(Generic[Kept]):
         return [check, near] if check.end is End.REACHED else [near]
 
     def _make(
-        self, tolerance: float, checks: tuple[Rung[Kept], int] | None = None, most: float = math.inf
-    ) -> Rung[Kept]:
+        self, tolerance: float, checks: tuple[Rung[Data], int] | None = None, most: float = math.inf
+    ) -> Rung[Data]:
         run = self._run(tolerance, checks, most)
         self._runs, self._wall_s = self._runs + 1, self._wall_s + run.wall_s
         if run.end is End.REACHED and run.evaluations:  # SUNDIALS' are not counted
             self._costs.append((tolerance, run.evaluations))
         return run
 
-    def _checked(self, run: Rung[Kept], *others: Rung[Kept]) -> _Checked[Kept]:
+    def _checked(self, run: Rung[Data], *others: Rung[Data]) -> _Checked[Data]:
         n = min(len(each.states) for each in (run, *others))
         found = np.zeros((n, 1))
         for other in others:
@@ -363,7 +363,7 @@ class Ladder(Generic[Kept]):
         whole = all(each.end is End.REACHED for each in (run, *others))
         return _Checked(run, found, whole, whole and all(other.tolerance > run.tolerance for other in others))
 
-    def _third_run(self, error: float, run: Rung[Kept], comparisons: Sequence[Rung[Kept]]) -> Rung[Kept] | None:
+    def _third_run(self, error: float, run: Rung[Data], comparisons: Sequence[Rung[Data]]) -> Rung[Data] | None:
         """Make a third run where it may change the verdict; None elsewhere.
 
         A tighter one or, where rounding dominates, one nearby. It doubts an error within the request that two runs may share, or one
@@ -373,15 +373,15 @@ class Ladder(Generic[Kept]):
         if check.end is not End.REACHED or check.tolerance > run.tolerance:
             return None
         if near:
-            beyond = self._asked < error <= self._asked * ROUNDED
+            beyond = self._requested < error <= self._requested * ROUNDED
             return self._make(run.tolerance * NEAR**2, (run, 2)) if beyond else None
-        if not self._asked / DOUBTED < error <= self._asked:
+        if not self._requested / DOUBTED < error <= self._requested:
             return None
         if self._rounding_factor(check) > ROUNDED:
             return self._make(run.tolerance * NEAR, (run, 1))
         return self._make(check.tolerance / CHECK, (run, 1), most=MORE * run.steps)
 
-    def _confirmed(self, run: Rung[Kept], *others: Rung[Kept]) -> _Checked[Kept]:
+    def _confirmed(self, run: Rung[Data], *others: Rung[Data]) -> _Checked[Data]:
         """Bound the error of a run by the third that compares with it.
 
         By its difference to a tighter third run and twice the error of that, taken from the comparison run's, as errors are
@@ -398,7 +398,7 @@ class Ladder(Generic[Kept]):
             found = (of_run + SCATTERED * of_check / (CHECK - 1)) * self._rounding_factor(run)
         return _Checked(run, found, third.end is End.REACHED, last=False)
 
-    def _rounding_factor(self, run: Rung[Kept]) -> float:
+    def _rounding_factor(self, run: Rung[Data]) -> float:
         """Return the factor by which rounding may hide error from a comparison with a tighter run.
 
         1 without rounding, up to 1 + HIDDEN where all is rounding.
@@ -406,10 +406,10 @@ class Ladder(Generic[Kept]):
         rounding = PER_STEP * self._rounding(run.states)
         return 1 + HIDDEN * rounding / (rounding + run.tolerance)
 
-    def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
+    def _verdict(self, checked: _Checked[Data]) -> Verdict | None:
         """Return the outcome of the request; None where a smaller tolerance may meet it."""
         tolerance, error, least = checked.run.tolerance, self._error(checked), self._least
-        if error <= self._asked:
+        if error <= self._requested:
             return Verdict.MET
         times = checked.times
         valid = horizon(times, checked.values)
@@ -418,32 +418,32 @@ class Ladder(Generic[Kept]):
         rounded = self._rounding_factor(checked.run) > ROUNDED
         stuck = rounded and any(
             before >= STUCK * tolerance and error > found * (tolerance / before) ** FALLS
-            for before, found in self._found
+            for before, found in self._errors
         )
         if stuck or tolerance <= least or (checked.last and rounded):
             return Verdict.BEYOND if lost else Verdict.UNREACHABLE
         if valid is None or not lost:
-            if foreseen <= IN_VAIN * self._asked:
+            if foreseen <= IN_VAIN * self._requested:
                 return None
             self._foreseen = foreseen
             return Verdict.UNREACHABLE
         rate = growth(times, checked.values, tolerance)
         farther = math.inf if rate is None or rate <= 0 else math.log(tolerance / least) / rate
-        in_vain = foreseen > self._asked or valid + SLACK * farther < self._end
+        in_vain = foreseen > self._requested or valid + SLACK * farther < self._end
         return Verdict.BEYOND if in_vain else None
 
     def _result(
-        self, checked: _Checked[Kept], verdict: Verdict, incomplete: Rung[Kept] | None = None
-    ) -> LadderResult[Kept]:
+        self, checked: _Checked[Data], verdict: Verdict, incomplete: Rung[Data] | None = None
+    ) -> LadderResult[Data]:
         times = checked.times
-        in_vain = verdict is Verdict.UNREACHABLE or (verdict is Verdict.UNKNOWN and self._found)
-        reached = min((found for _, found in self._found), default=math.inf)
+        in_vain = verdict is Verdict.UNREACHABLE or (verdict is Verdict.UNKNOWN and self._errors)
+        reached = min((found for _, found in self._errors), default=math.inf)
         error = ErrorEstimate(
             end=checked.error(at_end=True),
             at_end=self._at_end,
             times=times,
             values=checked.values,
-            parts=dict(zip(self._names, checked.found[:, 1:].max(axis=0).tolist(), strict=True)),
+            parts=dict(zip(self._names, checked.differences[:, 1:].max(axis=0).tolist(), strict=True)),
             horizon=horizon(times, checked.values),
             growth=growth(times, checked.values, checked.run.tolerance),
             decade_cost=decade_cost(self._costs),

@@ -156,7 +156,7 @@ class Numbers:
         self._file, self._text, self._layout = file, text, layout
         self._places, self._names = list(places), names
         self._missing = {mark.strip().lower() for mark in missing} | MISSING
-        self._found: list[tuple[int, Fault]] = []
+        self._by_row: list[tuple[int, Fault]] = []
         plain = self._plain(decimal)
         self.values: Array = self._by_cells(decimal) if plain is None else plain
         texts = [mark.replace(decimal or ".", ".") for mark in self._missing]
@@ -165,14 +165,14 @@ class Numbers:
     @property
     def faults(self) -> list[Fault]:
         """Faults in the order of the lines: of many the first, and the number of others."""
-        ordered = [fault for _, fault in sorted(self._found, key=lambda each: each[0])]
+        ordered = [fault for _, fault in sorted(self._by_row, key=lambda each: each[0])]
         more = len(ordered) - LISTED
         return [*ordered[:LISTED], *([Fault(self._file, f"{more} faults more", "none")] if more > 0 else [])]
 
     def add(self, row: int, found: str, expected: str, remedy: str = "", column: int | None = None) -> None:
         """Add a fault of a row."""
         where = f"{self._file}, line {self._rows[row][0]}" + ("" if column is None else f", {self._names[column]}")
-        self._found.append((row, Fault(where, found, expected, remedy)))
+        self._by_row.append((row, Fault(where, found, expected, remedy)))
 
     def _plain(self, decimal: str) -> Array | None:
         """Return the numbers as NumPy reads them; None where a cell is no plain number."""

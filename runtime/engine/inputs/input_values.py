@@ -74,7 +74,7 @@ def input_text(value: Input) -> str | None:
     return f"{value[0]!r} {value[1]}" if isinstance(value, tuple) and isinstance(value[-1], str) else None
 
 
-def given_inputs(
+def with_input_values(
     model: AnyModel, inputs: Mapping[str, Input] | None, duration: Duration, parameters: Mapping[str, Value]
 ) -> tuple[AnyModel, list[Fault]]:
     """Return a model with the values of its inputs for runs of a duration, and the faults of those.

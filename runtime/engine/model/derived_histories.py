@@ -166,7 +166,7 @@ def _of_motion(history: Rows, found: Readings, asked: Reading) -> np.ndarray:
         "a": history.part("dy")[:, nq : nq + nu],
         "touching": np.stack(touching, axis=1) if touching else np.zeros((rows, 0)),
         "multipliers": history.held() if model.nl else np.zeros((rows, 0)),
-        "reactions": history.supplied() if model.has("loads") else np.zeros((rows, supplied)),
+        "reactions": history.supplied() if model.has_function("loads") else np.zeros((rows, supplied)),
     }
     return _mapped(history, asked, given)
 

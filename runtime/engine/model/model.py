@@ -209,8 +209,8 @@ class Model:
 
         Inputs and outputs as the module documents them. Raises InputError for an unknown name.
         """
-        if not isinstance(name, str) or not self.has(name):
-            known = [*filter(self.has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
+        if not isinstance(name, str) or not self.has_function(name):
+            known = [*filter(self.has_function, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
             raise InputError(self.name, [unknown("function", name, known)])
         return self._build(name)
 
@@ -222,7 +222,7 @@ class Model:
     def _callers(self, name: str) -> Callers:
         return Callers(self.function(name))
 
-    def has(self, name: str) -> bool:
+    def has_function(self, name: str) -> bool:
         """Return whether the module has a builder of this name."""
         listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
         return listed and callable(getattr(self.module, name, None))

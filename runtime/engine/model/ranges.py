@@ -24,7 +24,7 @@ from hertzwerk.derive.common.faults import Fault, shown
 from hertzwerk.derive.common.units import UnitError, parse_unit
 
 Array = NDArray[np.float64]
-Given: TypeAlias = tuple[float, str]  # a number and its unit
+ValueWithUnit: TypeAlias = tuple[float, str]  # a number and its unit
 
 MOST = 1_000_000  # values
 LARGEST = 300  # power of ten
@@ -55,7 +55,7 @@ class Range:
         )
         return f"{ends} {self.unit}{' log' if self.log else ''}"
 
-    def at(self, part: Fraction) -> Given:
+    def at(self, part: Fraction) -> ValueWithUnit:
         """Return the value at a part of the way, 0..1, rounded once."""
         low, high = Fraction(self.low), Fraction(self.high)
         if not self.log:
@@ -99,7 +99,7 @@ class RangeValues:
 
     range: Range
     count: int
-    _known: dict[int, Given] = field(default_factory=dict, compare=False, repr=False)
+    _known: dict[int, ValueWithUnit] = field(default_factory=dict, compare=False, repr=False)
 
     def __str__(self) -> str:
         ends, *log = str(self.range).rsplit(" log", 1)
@@ -108,7 +108,7 @@ class RangeValues:
     def __len__(self) -> int:
         return self.count
 
-    def __getitem__(self, i: int) -> Given:
+    def __getitem__(self, i: int) -> ValueWithUnit:
         found = self._known.get(i)
         if found is None:
             if not 0 <= i < self.count:
@@ -118,7 +118,7 @@ class RangeValues:
                 self._known[i] = found
         return found
 
-    def __iter__(self) -> Iterator[Given]:
+    def __iter__(self) -> Iterator[ValueWithUnit]:
         return map(self.__getitem__, range(self.count))
 
 

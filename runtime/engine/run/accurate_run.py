@@ -38,7 +38,7 @@ def run_to_accuracy(
     progress: Callable[[float], object] | None,
 ) -> LadderResult[Trace]:
     """Run at falling tolerance until the requested error is met."""
-    model, seconds, limits = run.model, run.given.seconds, run.limits
+    model, seconds, limits = run.model, run.request.seconds, run.limits
     made: list[Trace] = []
 
     def one(tolerance: float, checks: tuple[Rung[Trace], int] | None, most: float) -> Rung[Trace]:
@@ -56,13 +56,13 @@ def run_to_accuracy(
         given_up = given_up and status == TOO_MANY_STEPS
         end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
         stopped = checks is None and end is End.STOPPED  # it is not compared with another
-        history, counted = trace.kept.ends if stopped else trace.compared.history, trace.counted
+        history, counted = trace.recorded.ends if stopped else trace.compared.history, trace.counted
         y = history.part("y")
         return Rung(tolerance, end, history.t, y, counted["steps"], counted["evaluations"], trace.ending.wall_s, trace)
 
     def differ(one: Rung[Trace], other: Rung[Trace], n: int) -> np.ndarray:
         with np.errstate(all="ignore"):  # of a run that left all scales the error is not known
-            return differences(model, scales, one.kept, other.kept, n)
+            return differences(model, scales, one.data, other.data, n)
 
     ladder = Ladder(
         one,
@@ -86,7 +86,7 @@ def verdict_of(
 ) -> tuple[Outcome, tuple[str, ...]]:
     """Return outcome and warnings of a run for an accuracy; a missed or unknown one is not `finished`."""
     error, verdict = ladder_result.error, ladder_result.verdict
-    other = None if ladder_result.incomplete is None else run.outcome(ladder_result.incomplete.kept)
+    other = None if ladder_result.incomplete is None else run.outcome(ladder_result.incomplete.data)
     lost = error is not None and error.horizon is not None
     if result.finished and verdict is Verdict.STOPPED and other is not None:
         message = f"the run is complete, but the run with a smaller tolerance that would estimate its error is not: {other.message}"

@@ -75,7 +75,7 @@ def _axis(model: Model, drive: str) -> int | None:
 
 def _driven(model: Model, bound: Bound, t: float) -> np.ndarray:
     """Return the coordinates at a time [s] where nothing but the drive moves."""
-    if not model.has("placed"):
+    if not model.has_function("placed"):
         return _still(model)
     joints = model.joints
     return model.evaluate("placed", t, _still(joints), np.zeros(joints.nu), bound.c)[0]
@@ -88,7 +88,7 @@ def _speeds(model: Model) -> Callers:
     A column at the start, and at TIMES over the largest speed there.
     """
     t, c = ca.SX.sym("t"), ca.SX.sym("c", model.nc)
-    if model.has("placed"):
+    if model.has_function("placed"):
         joints = model.joints
         _, u = model.function("placed")(t, _still(joints), np.zeros(joints.nu), c)
         bodies: dict[str, list[int]] = {}

@@ -28,7 +28,7 @@ def times_of(grid: Grid, seconds: float, faults: list[Fault]) -> np.ndarray | No
             return None if math.isnan(seconds) else np.linspace(0.0, seconds, int(grid))
         faults.append(Fault("grid", f"{shown(grid)} points", f"2 to {MOST:,} points, start and end included"))
         return None
-    return _given(grid, seconds, faults)
+    return _explicit_times(grid, seconds, faults)
 
 
 def _spaced(text: str, seconds: float, faults: list[Fault]) -> np.ndarray | None:
@@ -47,7 +47,7 @@ def _spaced(text: str, seconds: float, faults: list[Fault]) -> np.ndarray | None
     return np.append(spacing * np.arange(count), seconds)
 
 
-def _given(grid: object, seconds: float, faults: list[Fault]) -> np.ndarray | None:
+def _explicit_times(grid: object, seconds: float, faults: list[Fault]) -> np.ndarray | None:
     """Return times as given, after checks."""
     expected = 'a number of points, increasing times [s], a spacing such as "0.1 ms", or None for every step'
     try:

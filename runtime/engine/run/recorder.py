@@ -100,7 +100,7 @@ class Grid:
 
     def __init__(self, times: np.ndarray) -> None:
         self._times, self._count = times, 0
-        self._kept: list[np.ndarray] = []
+        self._rows: list[np.ndarray] = []
         self._first: np.ndarray
         self._last: History  # of one row
 
@@ -111,14 +111,14 @@ class Grid:
         self._last = block.of(block.rows[-1:].copy())
         stop = int(np.searchsorted(self._times, block.t[-1]))  # the last row has to wait: an event may change it yet
         if stop > self._count:
-            self._kept.append(block.at(self._times[self._count : stop]).rows)
+            self._rows.append(block.at(self._times[self._count : stop]).rows)
             self._count = stop
 
     @cached_property
     def history(self) -> History:
         """Histories at the times that the run reached, once it has ended."""
         arrived = self._last.t[0] in self._times[self._count : self._count + 1]
-        return self._last.of(np.concatenate([*self._kept, self._last.rows[: int(arrived)]]))
+        return self._last.of(np.concatenate([*self._rows, self._last.rows[: int(arrived)]]))
 
     @property
     def ends(self) -> History:
@@ -151,7 +151,7 @@ class Sampled:
             end - begin
         )  # no event of a period meets them
         self._grid = Grid(np.concatenate([[begin], between, [end]]))
-        self._seen = self._turns = 0
+        self._steps = self._turns = 0
         self._even, self._turned, self._bent = _Within(self.EVEN), _Within(self.EVEN), _Within(self.BENT)
 
     def take(self, block: History, fresh: int) -> None:
@@ -171,11 +171,11 @@ class Sampled:
         (tolerance,), (length, speed) = controls[layout["tolerance"]], controls[layout["scales"]][:2]
         short = self.SHORT * tolerance * length / speed if block.model.ne else 0.0
         begins = first + np.flatnonzero(np.diff(block.t[first:]) > short)
-        self._even.take(block, begins, _evenly(self._seen, len(begins)), np.array([[self.LATE]]))
+        self._even.take(block, begins, _evenly(self._steps, len(begins)), np.array([[self.LATE]]))
         self._bent.take(block, begins, _bends(block, begins), np.array([self.THROUGHOUT]))
         turned, zeros = _turns(block, begins, speed / length)
         self._turned.take(block, begins[turned], _evenly(self._turns, len(zeros)), zeros)
-        self._seen, self._turns = self._seen + len(begins), self._turns + len(zeros)
+        self._steps, self._turns = self._steps + len(begins), self._turns + len(zeros)
 
     @cached_property
     def history(self) -> History:

@@ -82,11 +82,11 @@ class Settings:
     @property
     def limits(self) -> Limits:
         """Limits of steps and contacts of each run, of the wall time of all runs together."""
-        steps, events, wall_time = (math.inf if limit is None else limit for _, limit in self._given_limits)
+        steps, events, wall_time = (math.inf if limit is None else limit for _, limit in self._stated_limits)
         return Limits(steps, events, wall_time)
 
     @property
-    def _given_limits(self) -> list[tuple[str, float | None]]:
+    def _stated_limits(self) -> list[tuple[str, float | None]]:
         return [("max_steps", self.max_steps), ("max_events", self.max_events), ("wall_time", self.wall_time)]
 
     def check(self, model: Model) -> None:
@@ -135,7 +135,7 @@ class Settings:
             faults.append(Fault("method", shown(self.method), f"one of {', '.join(sorted(METHODS))}"))
         elif self.method not in METHODS:
             faults.append(unknown("method", self.method, sorted(METHODS)))
-        for name, limit in self._given_limits:
+        for name, limit in self._stated_limits:
             whole = name != "wall_time"
             if limit is not None and not (_real(limit) and limit > 0 and not (whole and limit % 1)):
                 faults.append(Fault(name, shown(limit), f"a positive {'whole ' * whole}number"))
@@ -174,7 +174,7 @@ def steps_faults(what: str, method: str, model: Model) -> list[Fault]:
 
 
 @dataclass(frozen=True)
-class Given:
+class RunRequest:
     """Start and extent of a run.
 
     Bound parameters, q (nq,) and u (nu,) with loops closed, latches of contacts in progress, duration [s], scales stated by the scene, redundant
@@ -202,7 +202,7 @@ def read(
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
     before: Sequence[Fault] = (),
-) -> tuple[Given, np.ndarray | None]:
+) -> tuple[RunRequest, np.ndarray | None]:
     """Read everything given; return it with the times [s] of a grid.
 
     Raises InputError with `before` and every fault. Text that was read before is not read again.
@@ -220,7 +220,7 @@ def read(
     inside, pressed = overlaps(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
-    given = Given(
+    given = RunRequest(
         bound,
         q,
         u,
@@ -280,7 +280,7 @@ def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> 
 
 
 @per_model
-def _remembered(_: Model) -> dict[Hashable, Given]:
+def _remembered(_: Model) -> dict[Hashable, RunRequest]:
     """Inputs read before, by `_key`."""
     return {}
 

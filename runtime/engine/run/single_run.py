@@ -22,7 +22,7 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.run.built_engine import Engine, engine_for
 from hertzwerk.runtime.engine.run.recorder import BLOCK, ENDS, Grid, Recorder, Sampled, Steps
-from hertzwerk.runtime.engine.run.run_request import Given, Limits, Settings
+from hertzwerk.runtime.engine.run.run_request import Limits, RunRequest, Settings
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.energy_balance import Balance
 from hertzwerk.runtime.engine.solution.error_scales import Scales
@@ -55,7 +55,7 @@ class SingleRun:
     model: Model
     method: str
     engine: Engine
-    given: Given
+    request: RunRequest
     limits: Limits
     provider: AutomaticCallers | None
     start: Resume | None = None  # what it goes on from; None: the start of the motion
@@ -66,7 +66,7 @@ class SingleRun:
     def begin(self) -> float:
         """Time [s] that the run begins at."""
         return (
-            self.given.begin
+            self.request.begin
             if self.start is None
             else float(self.start.state[self.engine.integrator.layouts.state["t"]][0])
         )
@@ -78,14 +78,14 @@ class SingleRun:
     @property
     def floor(self) -> float:
         """Least approach speed [m/s] that is latched."""
-        return self.given.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
+        return self.request.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
 
     def scales(self, tolerance: float | None) -> Scales:
         """Return the scene's scales, completed where they do not suffice by those of a rough run.
 
         The rough run is no tighter than `tolerance`.
         """
-        stated = self.given.scales
+        stated = self.request.scales
         if stated.sound:
             return stated
         rough = max(tolerance or 0.0, ROUGH)  # of no run for an accuracy is the tolerance larger
@@ -112,7 +112,7 @@ class SingleRun:
         compared: states are kept as well at which other runs are to be compared; checks: keep only those that such a run
         is compared at, and impacts.
         """
-        needs, given = self.needs, self.given
+        needs, given = self.needs, self.request
         if checks is not None:
             times, needs = checks.times, Needs.IMPACTS if self.model.k else Needs.ENDS
         elif compared and self.model.k:
@@ -149,7 +149,7 @@ class SingleRun:
             tolerance=tolerance,
             limits=self.limits,
             ending=ending,
-            kept=kept,
+            recorded=kept,
             compared=other,
             findings=findings,
             counted=counted,
@@ -162,13 +162,13 @@ class SingleRun:
 
     def outcome(self, trace: Trace) -> Outcome:
         """Return the outcome of a run."""
-        limits, ends, counted, status = trace.limits, trace.kept.ends, trace.counted, trace.ending.status
+        limits, ends, counted, status = trace.limits, trace.recorded.ends, trace.counted, trace.ending.status
         left = status == OUTSIDE_LAW_RANGE
         locked = _locked(self.model, ends) if status in (OUTSIDE_LAW_RANGE, NOT_FINITE, STEP_TOO_SMALL) else ""
         return outcome(
             FRICTION_LOCKS if locked else status,
             self.method,
-            trace.kept.history,
+            trace.recorded.history,
             steps=counted["steps"],
             rejected=counted["rejected"] + counted["retaken"],
             error=trace.ending.error,
@@ -196,20 +196,20 @@ class SingleRun:
         layout = integrator.layouts.controls
         controls = np.zeros(layout.size)
         numbers: dict[str, Any] = {
-            "c": self.given.bound.c,
+            "c": self.request.bound.c,
             "scale": scales.state,
             "scales": scales.scene,
-            "speed_limits": self.given.speed_limits,
+            "speed_limits": self.request.speed_limits,
             "tolerance": tolerance,
-            "t_end": self.given.seconds,
-            "h_max": shorter * self.given.seconds / LEAST_STEPS,
+            "t_end": self.request.seconds,
+            "h_max": shorter * self.request.seconds / LEAST_STEPS,
             "floor": self.floor,
             "max_events": self.limits.max_events + self.initial_count("events"),
             "max_steps": self.limits.max_steps + self.initial_count("steps"),
         }
         near, departures = integrator.model, Departures()
         if isinstance(near, NearModel):
-            numbers["c"] = constants_of(near, self.given.bound.c, self.given.begin, self.given.q)
+            numbers["c"] = constants_of(near, self.request.bound.c, self.request.begin, self.request.q)
             numbers["scale"] = scale_of(near, scales.state)
         for name, value in numbers.items():
             controls[layout[name]] = value
@@ -223,7 +223,7 @@ class SingleRun:
             loop = partial(loop, schedule=self.model.schedule())
         if isinstance(near, NearModel):
             loop = partial(loop, departures=departures)
-        p = self.given.bound.p
+        p = self.request.bound.p
         accepted = integrator.layouts.state["accepted"].start
 
         def view(rows: np.ndarray) -> History:
@@ -248,11 +248,11 @@ class SingleRun:
 
     def _initial_state(self, controls: np.ndarray) -> np.ndarray:
         """Return the state of the engine at the start of the motion."""
-        begin, latches, integrator = self.engine.begin.take(), self.given.latches, self.engine.integrator
+        begin, latches, integrator = self.engine.begin.take(), self.request.latches, self.engine.integrator
         if isinstance(integrator.model, NearModel):
             latches = latches_of(integrator.model, latches, controls[integrator.layouts.controls["c"]])
         for place, values in zip(
-            begin.inputs, (self.given.begin, self.given.q, self.given.u, latches, controls), strict=True
+            begin.inputs, (self.request.begin, self.request.q, self.request.u, latches, controls), strict=True
         ):
             place[:] = values
         state: np.ndarray = begin()[0][0].copy()
@@ -263,7 +263,7 @@ class SingleRun:
 def set_up(
     model: Model,
     settings: Settings,
-    given: Given,
+    given: RunRequest,
     start: Resume | None = None,
     needs: Needs = Needs.STEPS,
     began: float = math.inf,
@@ -292,7 +292,7 @@ class Trace:
     tolerance: float
     limits: Limits
     ending: Ending
-    kept: Steps | Grid
+    recorded: Steps | Grid
     compared: Steps | Grid | Sampled
     findings: Findings
     counted: Mapping[str, int]

@@ -40,7 +40,7 @@ class Followed:
     jumps, at_rows (rows,)  the events, and the one that each row follows, or -1
     times (j, P)            of the events [s], nan where sliding in two directions ends
     then (j, size, P)       of what is `watched`, at the events; both nan beyond `until`
-    told                    number of events before `until`
+    determined              number of events before `until`
     until, reason           time [s] up to which there are derivatives, and why not to the end of the run, else empty
     """
 
@@ -51,7 +51,7 @@ class Followed:
     at_rows: np.ndarray
     times: np.ndarray
     then: np.ndarray
-    told: int
+    determined: int
     until: float
     reason: str
 

@@ -66,13 +66,13 @@ class OutputDerivatives:
 
     def __getitem__(self, output: str) -> np.ndarray:
         """Derivatives of an output, shape (P,); raises NoDerivativeError."""
-        found: np.ndarray = np.asarray(self._found(output), dtype=float)
+        found: np.ndarray = np.asarray(self._derivatives(output), dtype=float)
         if not np.isfinite(found).all():
             reason = self.of.reason or "its derivative is not finite"
             raise NoDerivativeError(f"{reason}, at {self.of.until:.6g} s" if self.of.reason else reason)
         return found
 
-    def _found(self, output: str) -> np.ndarray:
+    def _derivatives(self, output: str) -> np.ndarray:
         run, model = self.run, self.run.model
         before, _, last = output.rpartition(".")
         if before == "final":

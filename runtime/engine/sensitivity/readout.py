@@ -110,7 +110,7 @@ class Expressions:
             **{"a": self.ends["dy"][model.nq : model.nq + model.nu], "touching": ca.vertcat(ca.SX(0, 1), *touching)},
             "multipliers": self._held() if model.nl else ca.SX(0, 1),
             "reactions": self._holding(1)
-            if model.has("loads")
+            if model.has_function("loads")
             else ca.SX.zeros(model.function("accelerations").size1_out(1)),
             "c": ca.vertcat(
                 ca.SX(constants)[: len(found.module.CONSTANTS) - model.npieces], self.c[model.nc - model.npieces :]

@@ -50,7 +50,7 @@ NEAR = 1e-3  # of a step: a margin this close to zero at its end is what ended i
 WITHIN = (1e-7, 1e-9, 1e-11)  # of the scene's length: penetrations from which the limit at the surface is taken
 LEVEL = 1e-6  # of margins of events: those below happened
 TOGETHER = 1e-6  # relative difference of the times' changes below which events at one instant are one
-KEPT, FLOORED = -1, -2  # of a latch at an event
+UNCHANGED, FLOORED = -1, -2  # of a latch at an event
 GRAZE = "a graze: surfaces that touch without approaching"
 
 
@@ -92,7 +92,7 @@ class Jumps:
         return self.at.rate(self.slopes[0])
 
     @cached_property
-    def told(self) -> np.ndarray:
+    def determined(self) -> np.ndarray:
         """Whether guards tell the time of each event (j,), and it changes smoothly."""
         found: np.ndarray = self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
         return found
@@ -100,7 +100,7 @@ class Jumps:
     @cached_property
     def change(self) -> np.ndarray:
         """Maps (j, size, n + P) to the changes of what is watched, at fixed time."""
-        return np.concatenate([self.at.to_state, self.at.to_memory, self.at.given], axis=2)
+        return np.concatenate([self.at.to_state, self.at.to_memory, self.at.by_constants], axis=2)
 
     @cached_property
     def time(self) -> np.ndarray:
@@ -108,7 +108,7 @@ class Jumps:
         if not self.guards.size:
             return np.zeros((len(self.rows), self.change.shape[2]))
         first = np.arange(len(self.rows)), self.guards.argmax(axis=1)
-        speed = np.where(self.told, self.speed[first], np.inf)
+        speed = np.where(self.determined, self.speed[first], np.inf)
         found: np.ndarray = -self.change[first] / speed[:, None]
         return found
 
@@ -142,7 +142,7 @@ class Jumps:
         # the margin tells that sliding ends along the slip; across it, friction has held it to a straight end
         held = self.rested[self.stops]
         stopped = np.concatenate([held.to_state, held.to_memory], axis=2) @ found[self.stops]
-        stopped[:, :, n:] += held.given
+        stopped[:, :, n:] += held.by_constants
         state[self.stops] = stopped
         return found
 
@@ -152,15 +152,15 @@ class Jumps:
         before (j, n, P): changes before the events; least (P,): changes of times [s] so small are rounding
         """
         parting = np.zeros(len(self.rows), dtype=bool)
-        for k in np.flatnonzero(self.told & (np.count_nonzero(self.guards, axis=1) > 1)):
+        for k in np.flatnonzero(self.determined & (np.count_nonzero(self.guards, axis=1) > 1)):
             guards = self.guards[k]
             times = -along(self.change[k, guards], before[k]) / self.speed[k, guards, None]
             parting[k] = np.any(np.abs(times - times[0]) > TOGETHER * (np.abs(times) + np.abs(times[0])) + least)
-        bad = np.flatnonzero(~self.told | parting)
+        bad = np.flatnonzero(~self.determined | parting)
         if not len(bad):
             return len(self.rows), ""
         first = int(bad[0])
-        if self.told[first]:
+        if self.determined[first]:
             return first, "events at one instant that would part"
         none = not self.graze[first] and not self.guards[first].any()
         return first, "an event whose time no margin determines" if none else GRAZE
@@ -233,7 +233,9 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
             _rates_inside(history, history.rows[index + 1], by_gap),
         ),
         guards=guards,
-        latched=np.where(onset, np.where(-rate[:, pairs] < floor, FLOORED, places["gap_rate"].start + pairs), KEPT),
+        latched=np.where(
+            onset, np.where(-rate[:, pairs] < floor, FLOORED, places["gap_rate"].start + pairs), UNCHANGED
+        ),
         booked=leaving,
         emptied=emptied,
         moved=moved,

@@ -171,8 +171,8 @@ class Sensitivities:
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
         self._directions = directions_of(model, bound.p, bound.c, dp.reshape(-1, len(names)))
         begin = start_changes(model, bound, initial, names)
-        self._found = follow(history, self._directions, begin, frozenset(initial), compiled=compiled)
-        self.until, self.reason = self._found.until, self._found.reason
+        self._followed = follow(history, self._directions, begin, frozenset(initial), compiled=compiled)
+        self.until, self.reason = self._followed.until, self._followed.reason
 
     def __repr__(self) -> str:
         return f"<Sensitivities {self.history.model.name}: by {', '.join(self.names)}, until {self.until:g} s>"
@@ -208,8 +208,8 @@ class Sensitivities:
 
         nan where sliding in two directions ends.
         """
-        told = slice(self._found.told)
-        return self._found.jumps.rows[told], self._found.times[told]
+        told = slice(self._followed.determined)
+        return self._followed.jumps.rows[told], self._followed.times[told]
 
     def after_event(self, row: int, name: str) -> np.ndarray:
         """Return the derivatives (P,) of a history just after the event before a row, whose time changes too."""
@@ -224,7 +224,7 @@ class Sensitivities:
         """
         history, layout = self.history, self.history.engine.layouts.controls
         n = history.model.nq + history.model.nu
-        changes = np.abs(self._found.after[:, :n]) / history.controls[layout["scale"]][:n, None]
+        changes = np.abs(self._followed.after[:, :n]) / history.controls[layout["scale"]][:n, None]
         sizes = changes.max(axis=1, initial=0.0)
         of_states = ~self._directions.dp.any(axis=0)
         sizes *= np.where(of_states, 1 / np.where(of_states & (sizes[0] > 0), sizes[0], 1), self._directions.sizes)
@@ -273,16 +273,16 @@ class Sensitivities:
     def _at(self, index: np.ndarray, h: np.ndarray, name: str) -> np.ndarray:
         """Return the changes (n, P) of a history a time h (n,) [s] after rows `index` (n,), under their modes."""
         history = self.history
-        found, ny = self._found.after[index], history.engine.layouts.state.sizes["y"]
+        found, ny = self._followed.after[index], history.engine.layouts.state.sizes["y"]
         moves = h > 0
-        apart = np.append(self._found.apart, False)[index] & moves
+        apart = np.append(self._followed.apart, False)[index] & moves
         found[apart] = along(
-            transitions(history, index[apart], h[apart], self._found.switched, self._directions), found[apart]
+            transitions(history, index[apart], h[apart], self._followed.switched, self._directions), found[apart]
         )
         moves &= ~apart
         if moves.any():
             found[moves] = later(
-                history, index[moves], h[moves], found[moves], self._directions.dc, self._found.switched
+                history, index[moves], h[moves], found[moves], self._directions.dc, self._followed.switched
             )
         rows = history.later(history.rows[index], h)
         at = tangent(Readout(name), history, rows, self._directions)
@@ -291,9 +291,9 @@ class Sensitivities:
 
     def _onset(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of times or approach speeds of onsets before rows of the run."""
-        event = self._found.at_rows[rows]
+        event = self._followed.at_rows[rows]
         speeds = watched_columns(self.history.model)["gap_rate"].start + pairs
-        changes = self._found.times[event] if what == "t" else -self._found.then[event, speeds]
+        changes = self._followed.times[event] if what == "t" else -self._followed.then[event, speeds]
         return np.where(event[:, None] >= 0, changes, np.nan)
 
     def _peaks(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
@@ -326,10 +326,10 @@ class Sensitivities:
 
     def _just_after(self, name: str, rows: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of a history just after the events before rows, whose times change too."""
-        event, ny = self._found.at_rows[rows], self.history.engine.layouts.state.sizes["y"]
+        event, ny = self._followed.at_rows[rows], self.history.engine.layouts.state.sizes["y"]
         found = tangent(Readout(name), self.history, self.history.rows[rows], self._directions)
-        rate, changes = found.rate(self.history.part("dy")[rows])[:, 0], self._found.after[rows]
-        there = found.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._found.times[event]
+        rate, changes = found.rate(self.history.part("dy")[rows])[:, 0], self._followed.after[rows]
+        there = found.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._followed.times[event]
         return np.where(event[:, None] >= 0, there, np.nan)
 
     def _column(self, to: str) -> int:

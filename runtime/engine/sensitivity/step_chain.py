@@ -123,7 +123,7 @@ class _Begin:
     h, even: as in `links_after`; start: parts of the row; run: numbers of the run; c: constants of the step; S, M, dc: changes
     """
 
-    given: Sequence[Any]
+    arguments: Sequence[Any]
     h: Any
     even: Any
     start: Mapping[str, Any]
@@ -183,7 +183,7 @@ def _explicit(integrator: Integrator, taken: RungeKutta, contacts: Contacts, col
     error = (
         first * first / (first + 0.01 * second[0] + 1e-300) if second else first
     )  # the square of that in `explicit_step`
-    step = ca.Function("step", at.given, [ca.vertcat(end[:, 1:], at.M), at.squares(error, end[:, 1:])])
+    step = ca.Function("step", at.arguments, [ca.vertcat(end[:, 1:], at.M), at.squares(error, end[:, 1:])])
     return step.expand() if len(table.b) * stage.n_instructions() <= SHORT else step
 
 
@@ -224,7 +224,7 @@ def _implicit(integrator: Integrator, contacts: Contacts, columns: Columns) -> A
     end = S + found
     error = ca.mtimes(at.weights, _combined(table.error.weights, changes) ** 2)
     results = [ca.vertcat(end, at.M), at.squares(ca.if_else(ca.logic_and(solved, last <= 1), error, np.inf), end)]
-    return ca.Function("implicit_step", at.given, results)
+    return ca.Function("implicit_step", at.arguments, results)
 
 
 @per_model

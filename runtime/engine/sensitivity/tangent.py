@@ -30,7 +30,7 @@ ARGUMENTS = "t y mode m c p"
 class Tangent:
     """A function's value (size), and its derivatives, at n rows.
 
-    value (n, size); to_time (n, size); to_state (n, size, ny); to_memory (n, size, nm); given (n, size, P): the change by
+    value (n, size); to_time (n, size); to_state (n, size, ny); to_memory (n, size, nm); by_constants (n, size, P): the change by
     the constants alone, of P directions.
     """
 
@@ -38,7 +38,7 @@ class Tangent:
     to_time: np.ndarray
     to_state: np.ndarray
     to_memory: np.ndarray
-    given: np.ndarray
+    by_constants: np.ndarray
 
     def __getitem__(self, rows: Any) -> Tangent:
         """The same of some rows."""
@@ -46,7 +46,7 @@ class Tangent:
 
     def along(self, state: np.ndarray, memory: np.ndarray) -> np.ndarray:
         """Return the change (n, size, P) where y and m change by these (n, ny, P), (n, nm, P), at fixed time."""
-        found: np.ndarray = self.to_state @ state + self.to_memory @ memory + self.given
+        found: np.ndarray = self.to_state @ state + self.to_memory @ memory + self.by_constants
         return found
 
     def rate(self, slope: np.ndarray) -> np.ndarray:

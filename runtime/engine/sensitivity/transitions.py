@@ -142,7 +142,7 @@ def _over(history: History, rows: np.ndarray, places: np.ndarray, directions: Di
 def _sources(history: History, rows: np.ndarray, directions: Directions) -> np.ndarray:
     """Return the rates of the changes (n, ny, ny + nm + P) by state, memory and directions."""
     found = tangent(rates, history, rows, directions)
-    return np.concatenate([found.to_state, found.to_memory, found.given], axis=2)
+    return np.concatenate([found.to_state, found.to_memory, found.by_constants], axis=2)
 
 
 def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> np.ndarray:

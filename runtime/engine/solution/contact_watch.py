@@ -165,7 +165,7 @@ class LastingContacts:
             self._ended.append((j, left))
 
     @property
-    def found(self) -> tuple[Lasting, ...]:
+    def contacts(self) -> tuple[Lasting, ...]:
         """Every contact that left its law, in the order in which they end, those that go on last."""
         last = [(j, [[*row[:3], self._now[j] - row[3]]]) for j, row in self._open.items() if row[2] > BEYOND]
         tables = [(j, rows.tolist()) for j, rows in self._ended] + last

@@ -131,7 +131,7 @@ def of_run(model: Model, stated: Scales, rough: Callable[[Scales, Sizes], object
     for _ in range(ROUNDS):
         seen = Sizes(units)
         rough(scales, seen)
-        scales = _completed(stated, units, GUESS | seen.found())
+        scales = _completed(stated, units, GUESS | seen.largest())
     return scales
 
 
@@ -155,7 +155,7 @@ class Sizes:
         self._depth = float(np.max(-block.part("gap"), where=touching, initial=self._depth))
         self._force = float(np.max(block.part("force"), initial=self._force))
 
-    def found(self) -> dict[str, float]:
+    def largest(self) -> dict[str, float]:
         """Return the largest size of each unit; for lengths the penetration, or the way without contact."""
         found: dict[str, float] = {}
         for unit, size in zip(self._units, self._largest, strict=True):

@@ -68,7 +68,7 @@ class History(Histories):
         self.p, self.beside = p, beside
         self.departures: Departures = {} if departures is None else departures
         self.rates: dict[str, np.ndarray] = {}  # of a saved run, by which it is known between its steps
-        self._found: dict[str, np.ndarray] = {}
+        self._values: dict[str, np.ndarray] = {}
 
     @classmethod
     def stored(
@@ -76,17 +76,17 @@ class History(Histories):
     ) -> History:
         """Restore saved histories, with rates where they are those of steps; there are no rows behind them."""
         history = cls(model, np.zeros((0, 0)), np.zeros(0), None)
-        history._found, history.rates = dict(histories), dict(rates)
+        history._values, history.rates = dict(histories), dict(rates)
         return history
 
     def with_model(self, model: Model) -> History:
         """Return saved histories with the model that they are of."""
-        return History.stored(model, self._found, self.rates)
+        return History.stored(model, self._values, self.rates)
 
     @cached_property
     def units(self) -> Units:
         """SI unit text of "t" and of every name, in their order; of readings when requested."""
-        units = units_of(self.model, tuple(self._found) if self.integrator is None else None)
+        units = units_of(self.model, tuple(self._values) if self.integrator is None else None)
         return Units({**units, **{name: units[name] for name in self.beside}}, self.model)
 
     def __iter__(self) -> Iterator[str]:
@@ -118,9 +118,9 @@ class History(Histories):
             near = get_close_matches(name, known, n=3) if isinstance(name, str) else []
             hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
             raise KeyError(f"no history {name!r}; {hint}{self.units.missing}")
-        if name not in self._found:
-            self._found |= self._evaluate(name)
-        return self._found[name]
+        if name not in self._values:
+            self._values |= self._evaluate(name)
+        return self._values[name]
 
     def part(self, name: str) -> np.ndarray:
         """Columns of a part of the rows, shape (rows, size); of pairs those of all."""

@@ -90,12 +90,12 @@ class Solution(Histories):
     checkpoint: Checkpoint | None = field(default=None, repr=False)  # state that a longer run continues from
 
     @cached_property
-    def kept(self) -> dict[type, object]:
+    def shared_results(self) -> dict[type, object]:
         """Results that pictures share, by their type; they are neither saved nor pickled."""
         return {}
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name != "kept"}
+        return {name: value for name, value in vars(self).items() if name != "shared_results"}
 
     @property
     def model(self) -> Model:

@@ -68,7 +68,7 @@ class Observer(Protocol):
         """
 
 
-Seen = TypeVar("Seen", bound=Observer)
+AnyObserver = TypeVar("AnyObserver", bound=Observer)
 
 
 @dataclass(frozen=True)
@@ -179,7 +179,7 @@ class Findings:
         if need not in self._needs:
             raise LookupError(f"{need.name} of a run that was made for {self._needs}; make it for {need.name} as well")
 
-    def _observed(self, observer: Seen) -> Seen:
+    def _observed(self, observer: AnyObserver) -> AnyObserver:
         for block in self._steps:
             observer.take(block, 0)
         return observer
@@ -193,7 +193,7 @@ class Findings:
     @cached_property
     def lasting(self) -> tuple[Lasting, ...]:
         """Every contact that left its law, none where nothing is needed of the steps."""
-        return () if self._lasting is None else self._observed(self._lasting).found
+        return () if self._lasting is None else self._observed(self._lasting).contacts
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:

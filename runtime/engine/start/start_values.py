@@ -17,10 +17,10 @@ from hertzwerk.runtime.engine.model.si_values import latch_units
 from hertzwerk.runtime.engine.start.pair_values import pair_values
 from hertzwerk.runtime.engine.start.stated_start import as_stated
 
-Given = TypeVar("Given", bound=Value)
+AnyValue = TypeVar("AnyValue", bound=Value)
 
 
-def split_values(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Given], dict[str, Given]]:
+def split_values(model: Model, values: Mapping[str, AnyValue]) -> tuple[dict[str, AnyValue], dict[str, AnyValue]]:
     """Split values by name into parameters and initial states of the joints.
 
     A name that is neither is left among the parameters.

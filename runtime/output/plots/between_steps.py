@@ -32,12 +32,12 @@ class BetweenSteps:
         self._part = np.clip(
             np.divide(times - t[self._row], self._h, out=np.zeros(len(times)), where=self._h > 0), 0, 1
         )
-        self._found: dict[str, np.ndarray] = {"t": times}
+        self._values: dict[str, np.ndarray] = {"t": times}
 
     def __getitem__(self, name: str) -> np.ndarray:
-        if name not in self._found:
-            self._found[name] = self._between(name)
-        return self._found[name]
+        if name not in self._values:
+            self._values[name] = self._between(name)
+        return self._values[name]
 
     def _between(self, name: str) -> np.ndarray:
         history, model = self._history, self._history.model

@@ -63,9 +63,9 @@ class Curves:
 
         A run that kept a grid is made again for them; a saved one, or a very long one, has only its rows.
         """
-        found = run.kept.get(cls)
+        found = run.shared_results.get(cls)
         if not isinstance(found, Curves):
-            found = run.kept[cls] = cls._sampled(run)
+            found = run.shared_results[cls] = cls._sampled(run)
         return found
 
     @classmethod
@@ -109,7 +109,7 @@ class Curves:
     def _evaluates(self) -> bool:
         """Whether the functions of the run's model, and its inputs, are known."""
         model = self.run.model
-        return model.has("outputs") and (self.run.history.integrator is not None or not model.inputs)
+        return model.has_function("outputs") and (self.run.history.integrator is not None or not model.inputs)
 
     @property
     def no_ideal(self) -> str:

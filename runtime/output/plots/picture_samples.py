@@ -22,7 +22,7 @@ EVEN = 2000  # samples equally spaced
 FEWEST, MOST = 500, 10_000  # rows to begin with, and at most
 PARTS = 40  # most between two of them
 NEAR_PEAK = 16  # between the samples beside the largest
-TOLD_APART = 1000  # parts of a run in which a picture shows one impact of each pair
+IMPACT_BINS = 1000  # parts of a run in which a picture shows one impact of each pair
 
 
 def has_steps(run: Solution) -> bool:
@@ -45,7 +45,7 @@ def dense(run: Solution) -> History | BetweenSteps:
 
 def hardest(run: Solution) -> list[Impact]:
     """Return the hardest impact of each pair in every part of a run that a picture can tell from the next."""
-    part = max(run.t_end - run.t_start, 1e-300) / TOLD_APART
+    part = max(run.t_end - run.t_start, 1e-300) / IMPACT_BINS
     found: dict[tuple[str, int], Impact] = {}
     for impact in run.impacts:
         key = impact.contact, int((impact.t - run.t_start) / part)
@@ -142,8 +142,8 @@ class Rows:
         self._run = run
         within = [impact for impact in hardest(run) if impact.t <= run.t[-1]]  # rows may end sooner than the run
         inside = [np.searchsorted(run.t, (impact.t, end_of(impact, run))) for impact in within]
-        self._seen = [(impact, *place) for impact, place in zip(within, inside, strict=True)]
-        unseen = [(i.t, _middle(i, run), end_of(i, run)) for i, begin, stop in self._seen if begin == stop]
+        self._impacts = [(impact, *place) for impact, place in zip(within, inside, strict=True)]
+        unseen = [(i.t, _middle(i, run), end_of(i, run)) for i, begin, stop in self._impacts if begin == stop]
         self.t: Array = np.unique(np.concatenate([run.t, np.ravel(unseen)]))
 
     def __getitem__(self, name: str) -> Array:
@@ -152,7 +152,7 @@ class Rows:
         pair, _, part = name.rpartition(".")
         if part not in ("normal_force", "penetration"):
             return values
-        for impact, begin, stop in self._seen:
+        for impact, begin, stop in self._impacts:
             if impact.contact != pair:
                 continue
             peak = impact.peak_force if part == "normal_force" else impact.peak_penetration

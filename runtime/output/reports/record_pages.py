@@ -43,7 +43,7 @@ def propagation_page(record: Record, folder: Path, origin: Origin) -> str:
         [name, unit_markup(one["unit"]), *(one[key] for key in SPREADS)] for name, one in outputs.items()
     ]
     reasons = [f"{name}: no derivatives, as {one['reason']}" for name, one in outputs.items() if one["reason"]]
-    owed = [_owed(name, one) for name, one in outputs.items()]
+    owed = [_contributions(name, one) for name, one in outputs.items()]
     sections = [
         *([Section("Warnings", bullets(list(map(str, warnings))))] if warnings else []),
         *_pictures(folder / "propagation.png", "Samples of each output, the spread of its derivatives, and its indices"),
@@ -58,7 +58,7 @@ def propagation_page(record: Record, folder: Path, origin: Origin) -> str:
     return page("propagation", str(record["scene"]), f"uncertain: {', '.join(names)}", top, sections, origin)
 
 
-def _owed(name: str, one: Record) -> Markup:
+def _contributions(name: str, one: Record) -> Markup:
     unit = str(one["unit"])
     there = list(dict.fromkeys([*one["derivatives"], *one["first"]]))
     rows: list[list[Cell]] = [
@@ -211,7 +211,7 @@ def fit_page(record: Record, folder: Path, origin: Origin) -> str:
 
     Raises KeyError, TypeError or ValueError for what is no such record.
     """
-    known, told = record["explained"], not record["untold"]
+    known, told = record["explained"], not record["unidentified"]
     words = {True: "explained", False: "rejected", None: "not judged"}
     counted = {"runs made": number_text(int(record["runs_made"]))}
     if "share" in record:
@@ -234,7 +234,7 @@ def fit_page(record: Record, folder: Path, origin: Origin) -> str:
         Section("Values", _values({**record["values"], **record.get("nuisance", {})})),
         *([Section("Warnings", bullets(warnings))] if warnings else []),
         Section("Residuals", joined([_embedded(folder / "fit.png", label), residuals])),
-        Section("What the data tell", _told(record)),
+        Section("What the data tell", _identifiability(record)),
         *([Section("Laws", _laws(read_sealed(laws)))] if laws.is_file() else []),
     ]
     lead = ", ".join(map(str, record["runs"])) if "runs" in record else "statistics of long runs"
@@ -281,24 +281,24 @@ def _moments(moments: Sequence[Record]) -> Markup:
     return table(heads, rows)
 
 
-def _told(record: Record) -> Markup:
+def _identifiability(record: Record) -> Markup:
     """Return correlations, singular values with their directions, and the combinations that are not told."""
     names = [str(name) for name in record.get("names", record["values"])]
-    untold = [str(text) for text in record["untold"]]
+    unidentified = [str(text) for text in record["unidentified"]]
     pairs: list[list[Cell]] = [
         [name, *(None if value is None else float(value) for value in row)]
         for name, row in zip(names, record["correlation"], strict=True)
     ]
     parts = [
         paragraphs(["Combinations that the data do not identify; do not use the values of their quantities."]),
-        bullets(untold),
+        bullets(unidentified),
     ]
     singular: list[list[Cell]] = [
         [float(value), *map(float, direction)]
         for value, direction in zip(record["singular_values"], record["directions"], strict=True)
     ]
     return joined([
-        *(parts if untold else [paragraphs(["The data tell every combination of the quantities."])]),
+        *(parts if unidentified else [paragraphs(["The data tell every combination of the quantities."])]),
         tag("h3", "Correlation of the estimates"),
         table(("", *names), pairs, digits=3),
         tag("h3", "Singular values of the scaled Jacobian"),

@@ -27,10 +27,10 @@ from hertzwerk.runtime.output.sweep_plots.swept_table import (
     coarse,
     coarse_edges,
     extremes,
-    given_number,
     labelled,
     shown_in,
     some,
+    stated_number,
     varied,
 )
 
@@ -64,7 +64,7 @@ def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
     with mpl.rc_context(STYLE):
         beside = [each for name in wanted[:MOST_PANELS] for each in (name, name + HALF_WIDTH)]
         outputs = [name for name in beside if name in table.columns and not diagram]
-        given = {name: given_number(name) for name in table.given_units if name in table.varied}
+        given = {name: stated_number(name) for name in table.stated_units if name in table.varied}
         plain_ones = [name for name in table.varied if name not in given]
         columns = table.read(*outputs, *plain_ones, **given, **{FAILED: lambda row: row.outcome not in REACHED_END})
         axes = [varied(table, name, columns[name]) for name in table.varied]
@@ -120,7 +120,7 @@ def _page(
 def _below(drawn: Drawn, told: str) -> str:
     """Return what is said below the title: what is the same for all rows, and how many of them failed."""
     table = drawn.table
-    fixed = {name: value for name, value in table.rows[0].given.items() if name not in table.varied}
+    fixed = {name: value for name, value in table.rows[0].stated.items() if name not in table.varied}
     values = [
         f"{name} = {value[0]:.6g} {value[1]}".removesuffix(" 1")
         for name, value in fixed.items()

@@ -80,7 +80,7 @@ class SweptTable(Protocol):
         """Where arrays were kept."""
 
     @property
-    def given_units(self) -> Mapping[str, str]:
+    def stated_units(self) -> Mapping[str, str]:
         """Unit that what was varied was given in, where it is one."""
 
     @property
@@ -124,9 +124,9 @@ class Varied:
         return f"{self.name} = {value:.6g} {self.unit}".rstrip()
 
 
-def given_number(name: str) -> Callable[[Any], float]:
+def stated_number(name: str) -> Callable[[Any], float]:
     """Return what reads the number that was given for a name."""
-    return lambda row: float(row.given[name][0])
+    return lambda row: float(row.stated[name][0])
 
 
 def varied(table: SweptTable, name: str, column: np.ndarray) -> Varied:
@@ -137,7 +137,7 @@ def varied(table: SweptTable, name: str, column: np.ndarray) -> Varied:
     if column.dtype.kind == "U":
         labels = tuple(dict.fromkeys(column.tolist()))
         return Varied(name, "", np.array([float(labels.index(label)) for label in column]), log=False, labels=labels)
-    unit, values = table.given_units.get(name), column
+    unit, values = table.stated_units.get(name), column
     if unit is None:
         scale = shown_in(table.columns[name], column)
         unit, values = scale.unit, scale(column)

@@ -22,7 +22,7 @@ from hertzwerk.runtime.studies.comparison.residuals import autocorrelations
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+    from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 
 Array = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ FINEST = 1e-4  # of the spacing of offsets that are tried: to which the best is 
 
 
 def standard_errors(
-    seen: SeenRun,
+    seen: FilteredRun,
     run_times: Callable[[Array], Array],
     times: Array,
     measured: Array,
@@ -121,7 +121,7 @@ class Alignment:
 
 
 def align(
-    seen: SeenRun, times: Array, measured: Array, offsets: Range, drifts: Range, *, horizon: float = math.inf
+    seen: FilteredRun, times: Array, measured: Array, offsets: Range, drifts: Range, *, horizon: float = math.inf
 ) -> Alignment:
     """Find the offset and drift within ranges at which measured (n, signals) correlates best with a run.
 
@@ -207,14 +207,14 @@ class _Search:
 
     def __init__(
         self,
-        seen: SeenRun,
+        seen: FilteredRun,
         elapsed: Array,
         measured: Array,
         signals: list[NDArray[np.intp]],
         offsets: Range,
         begin: float,
     ) -> None:
-        self._seen, self._begin, self._low = seen, begin, offsets[0] + begin
+        self._filtered, self._begin, self._low = seen, begin, offsets[0] + begin
         self._shifts = int((offsets[1] - offsets[0]) / seen.spacing + 1e-9)
         middle = seen.values.mean(axis=0)
         self._run = seen.values - middle
@@ -232,7 +232,9 @@ class _Search:
 
         curves = []
         for j, (elapsed, y) in enumerate(self._parts):
-            cells = np.rint((self._low + elapsed * (1 + drift) - self._seen.t[0]) / self._seen.spacing).astype(int)
+            cells = np.rint((self._low + elapsed * (1 + drift) - self._filtered.t[0]) / self._filtered.spacing).astype(
+                int
+            )
             cells = np.clip(cells, 0, len(self._run) - 1 - self._shifts)
             first = int(cells[0])
             run = self._run[first : int(cells[-1]) + self._shifts + 1, j]
@@ -246,8 +248,8 @@ class _Search:
 
     def value(self, offset: float, drift: float) -> float:
         """Return the correlation at one offset and drift, at the samples' own times."""
-        times = np.clip(offset + self._begin + self._elapsed * (1 + drift), self._seen.start, self._seen.end)
-        seen = self._seen.at(times)
+        times = np.clip(offset + self._begin + self._elapsed * (1 + drift), self._filtered.start, self._filtered.end)
+        seen = self._filtered.at(times)
         found = []
         for j, (among, (_, y)) in enumerate(zip(self._among, self._parts, strict=True)):
             x = seen[among, j] - np.mean(seen[among, j])
@@ -259,7 +261,7 @@ class _Search:
         """Return the best offset and drift near given ones, and their correlation."""
         from scipy.optimize import minimize  # slow to import
 
-        units = np.array([2 * self._seen.spacing, max((drifts[1] - drifts[0]) / 20, 1e-300)])
+        units = np.array([2 * self._filtered.spacing, max((drifts[1] - drifts[0]) / 20, 1e-300)])
         start = np.array([offset, drift])
         low, high = np.array([offsets, drifts]).T
         free = low < high

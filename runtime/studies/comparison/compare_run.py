@@ -14,7 +14,7 @@ from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.solution import Solution
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.simulation import simulate
-from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_asked
+from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_comparison_request
 from hertzwerk.runtime.studies.comparison.comparison_result import Compared
 from hertzwerk.runtime.studies.comparison.matching import match
 
@@ -74,7 +74,7 @@ def compare(
     if run is not None and given:
         raise InputError("compare", [Fault(", ".join(given), "values beside a run", "none: it has its own")])
     model = run.model if run is not None else load(cast("Target", target))
-    asked = read_asked(
+    asked = read_comparison_request(
         units_of(model, None) if run is None else run.units,
         data,
         map,

@@ -38,8 +38,8 @@ class Channel:
 
 
 @dataclass(frozen=True)
-class Asked:
-    """Comparison that was asked for; instrument: None where the run is compared as it is."""
+class ComparisonRequest:
+    """Request for a comparison; instrument: None where the run is compared as it is."""
 
     measurement: Measurement
     channels: tuple[Channel, ...]
@@ -55,7 +55,7 @@ class Asked:
         return self.offsets[1] + float(times[-1] + self.drifts[1] * (times[-1] - times[0])) + settling
 
 
-def read_asked(
+def read_comparison_request(
     units: Mapping[str, str],
     data: Measurement | MeasuredTable,
     map: Mapping[str, str] | None,
@@ -66,7 +66,7 @@ def read_asked(
     offset: Between,
     drift: Between,
     noise: Mapping[str, Value] | None,
-) -> Asked:
+) -> ComparisonRequest:
     """Read a comparison against the SI units of a run's histories; raises InputError with every fault."""
     faults: list[Fault] = []
     instrument = _instrument(bandwidth, order, zero_phase, faults)
@@ -88,7 +88,7 @@ def read_asked(
     channels = read_channels(units, measurement, map, noise, faults)
     if faults or measurement is None:
         raise InputError("comparison with measured data", faults)
-    return Asked(measurement, channels, instrument, offsets, drifts)
+    return ComparisonRequest(measurement, channels, instrument, offsets, drifts)
 
 
 def read_channels(

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.inputs.measurement_csv import Array
     from hertzwerk.runtime.engine.solution.solution import Solution
     from hertzwerk.runtime.studies.comparison.alignment import Alignment
-    from hertzwerk.runtime.studies.comparison.comparison_request import Asked, Channel
+    from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
     from hertzwerk.runtime.studies.comparison.residuals import Residual
     from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, Statistic
     from hertzwerk.runtime.studies.comparison.spectra import Spectrum
@@ -63,7 +63,7 @@ class Compared:
     """
 
     solution: Solution
-    asked: Asked
+    request: ComparisonRequest
     alignment: Alignment
     horizon: float
     signals: tuple[Signal, ...]
@@ -82,7 +82,7 @@ class Compared:
 
     def lines(self, *, statistics: bool = True) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences; each statistic too, if wanted."""
-        run, asked = self.solution, self.asked
+        run, asked = self.solution, self.request
         data = asked.measurement
         yield (
             run.model.name,
@@ -115,13 +115,13 @@ class Compared:
 
     def record(self) -> dict[str, Any]:
         """Return everything but the samples as plain numbers, in SI, null for missing ones."""
-        data, alignment = self.asked.measurement, self.alignment
+        data, alignment = self.request.measurement, self.alignment
         return {
             "scene": self.solution.model.name,
             "outcome": self.solution.outcome.name,
             "source": data.source,
-            "instrument": self.asked.instrument
-            and {**asdict(self.asked.instrument), "text": str(self.asked.instrument)},
+            "instrument": self.request.instrument
+            and {**asdict(self.request.instrument), "text": str(self.request.instrument)},
             "alignment": {**asdict(alignment), "searched": alignment.searched},
             "horizon": self.horizon,
             "outside": self.outside,

@@ -33,7 +33,7 @@ COEFFICIENTS = np.linalg.inv(
 SMOOTH = 1e-10  # of the largest value: last coefficients of a polynomial that is used
 
 
-class SeenRun:
+class FilteredRun:
     """Histories of a run behind an instrument (None: as they are), known from `start` to `end` [s].
 
     t, values    centres (m,) of cells `spacing` [s] long, and what is seen there, shape (m, names)

@@ -18,7 +18,7 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID, horizon
 from hertzwerk.runtime.studies.comparison.alignment import Alignment, align
 from hertzwerk.runtime.studies.comparison.comparison_result import Compared, Signal
-from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 from hertzwerk.runtime.studies.comparison.residuals import residual_of
 from hertzwerk.runtime.studies.comparison.signal_statistics import Statistic, statistics_of
 from hertzwerk.runtime.studies.comparison.spectra import series_of, spectrum_of
@@ -26,7 +26,7 @@ from hertzwerk.runtime.studies.comparison.spectra import series_of, spectrum_of
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.inputs.measurement_csv import Array
     from hertzwerk.runtime.engine.solution.solution import Solution
-    from hertzwerk.runtime.studies.comparison.comparison_request import Asked, Channel
+    from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
 
 INTERVALS = 240  # of the times beyond the horizon, where the run has no period
 OWN = VALID / 10  # of the scales: largest error of the run itself where a residual is judged
@@ -35,14 +35,14 @@ PER_SAMPLE = 4  # cells of an unfiltered run in a measured step
 SEED = 0  # of the noise added to the run before statistics
 
 
-def match(run: Solution, asked: Asked) -> Compared:
+def match(run: Solution, asked: ComparisonRequest) -> Compared:
     """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
     if not run.history.steps:
         found, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
         raise InputError("comparison with measured data", [Fault("run", found, expected)])
     times = asked.measurement.times
     spacing = float(np.median(np.diff(times))) / PER_SAMPLE
-    seen = SeenRun(run, [channel.history for channel in asked.channels], asked.instrument, spacing)
+    seen = FilteredRun(run, [channel.history for channel in asked.channels], asked.instrument, spacing)
     samples = np.column_stack([channel.samples for channel in asked.channels])
     known = horizon_of(run)
     alignment = align(seen, times, samples, asked.offsets, asked.drifts, horizon=known)
@@ -69,7 +69,13 @@ def horizon_of(run: Solution) -> float:
 
 
 def _signal(
-    channel: Channel, at: Array, samples: Array, run: Array, asked: Asked, horizon: float, period: float | None
+    channel: Channel,
+    at: Array,
+    samples: Array,
+    run: Array,
+    asked: ComparisonRequest,
+    horizon: float,
+    period: float | None,
 ) -> Signal:
     there = np.isfinite(samples)
     t, measured, run = at[there], samples[there], run[there]
@@ -98,7 +104,7 @@ def _signal(
     return Signal(channel, t, measured, run, int(np.sum(~there)), residual, spectrum, statistics, why)
 
 
-def _warnings(run: Solution, asked: Asked, alignment: Alignment, outside: int) -> Iterator[str]:
+def _warnings(run: Solution, asked: ComparisonRequest, alignment: Alignment, outside: int) -> Iterator[str]:
     """Yield what to heed before the numbers are believed."""
     step = float(np.median(np.diff(asked.measurement.times)))
     if not run.outcome.finished:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.engine.inputs.input_values import given_inputs
+from hertzwerk.runtime.engine.inputs.input_values import with_input_values
 from hertzwerk.runtime.engine.inputs.measurement_csv import (
     Columns,
     MeasuredImpacts,
@@ -239,7 +239,7 @@ def _observed(
     seconds = _duration(model, table, duration, latest, parameters, wrong)
     faults += [Fault(f"{where}, {f.where}" if where else f.where, f.found, f.expected, f.remedy) for f in wrong]
     faults += model.check({k: v for k, v in parameters.items() if k not in free})[1]
-    driven, bad = given_inputs(model, inputs, seconds if math.isfinite(seconds) else 1.0, parameters)
+    driven, bad = with_input_values(model, inputs, seconds if math.isfinite(seconds) else 1.0, parameters)
     faults += bad
     if table is None or len(faults) > before:
         return None

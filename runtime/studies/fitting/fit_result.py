@@ -92,14 +92,14 @@ class Estimates(ABC):
 
     values      what was fitted, by name
     known       singular values, combinations, correlation
-    untold      combinations of quantities that the data cannot tell, in words; their values are not to be used
+    unidentified      combinations of quantities that the data cannot tell, in words; their values are not to be used
     goodness    None where the deviations of the data are not stated, or nothing is left over
     """
 
     scene: str
     values: Mapping[str, FittedValue]
     known: Identified
-    untold: tuple[str, ...]
+    unidentified: tuple[str, ...]
     goodness: Goodness | None
     runs_made: int
     warnings: tuple[str, ...]
@@ -125,7 +125,7 @@ class Estimates(ABC):
         word = {True: "explained", False: "rejected", None: "not judged"}[self.explained]
         head = heading(self.scene, word, f": {self.verdict}", good=self.explained is not False)
         rows = ((name, str(value), value.interval.how) for name, value in self.values.items())
-        told = (tag("p", text) for text in (*self.untold, *self.warnings))
+        told = (tag("p", text) for text in (*self.unidentified, *self.warnings))
         return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *told])
 
     def distribution(self) -> Correlated:
@@ -202,7 +202,7 @@ class Fitted(Estimates):
         yield "fit", f"{self.scene} to {names}: {used:,} data, {self.runs_made:,} runs"
         for value in (*self.values.values(), *self.nuisance.values()):
             yield value.name, f"{value}; {value.interval.how}"
-        for text in self.untold:
+        for text in self.unidentified:
             yield "unidentified", text
         yield "identified", self._identified()
         if pairs := list(self._pairs()):
@@ -231,9 +231,9 @@ class Fitted(Estimates):
                 if self.explained
                 else f"the stated noise does not explain the residuals, the model is rejected at 5 %: {numbers}"
             )
-        if self.untold:
+        if self.unidentified:
             parts.append(
-                f"{len(self.untold)} combination{'s' if len(self.untold) > 1 else ''} of parameters cannot be identified from these data"
+                f"{len(self.unidentified)} combination{'s' if len(self.unidentified) > 1 else ''} of parameters cannot be identified from these data"
             )
         return "; ".join(parts)
 
@@ -288,11 +288,11 @@ class Fitted(Estimates):
             "correlation": self.known.correlation.tolist(),
             "singular_values": self.known.singular_values.tolist(),
             "directions": self.known.directions.T.tolist(),
-            "untold": list(self.untold),
+            "unidentified": list(self.unidentified),
             "goodness": self.goodness and asdict(self.goodness),
             "explained": self.explained,
             "criterion": self.criterion,
-            "distribution": None if self.untold else self.distribution().record(),
+            "distribution": None if self.unidentified else self.distribution().record(),
             "share": self.share,
             "signals": [_record(signal) for signal in self.signals],
             "runs_made": self.runs_made,

@@ -28,7 +28,7 @@ from hertzwerk.runtime.studies.fitting.experiment import Observed, read_experime
 from hertzwerk.runtime.studies.fitting.fit_result import CORRELATED, Fitted, FittedSignal, FittedValue, Goodness
 from hertzwerk.runtime.studies.fitting.identifiability import identified
 from hertzwerk.runtime.studies.fitting.intervals import intervals
-from hertzwerk.runtime.studies.fitting.least_squares import Found, Search
+from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
 from hertzwerk.runtime.studies.fitting.predictions import Forward
 
 if TYPE_CHECKING:
@@ -43,8 +43,8 @@ PROBES = 3  # places besides the model's own values at which a quantity must ent
 
 
 @dataclass(frozen=True)
-class Asked:
-    """Fit that was asked for; raises nothing: `read_fit` checks."""
+class FitRequest:
+    """Request for a fit; raises nothing: `read_fit` checks."""
 
     free: tuple[Free, ...]
     nuisance: tuple[Free, ...]
@@ -89,7 +89,7 @@ def read_fit(
     seed: object,
     profile: object,
     before: list[Fault] | None = None,
-) -> Asked:
+) -> FitRequest:
     """Read a fit; raises InputError with every fault."""
     faults = list(before or [])
     freed = read_free(model, free, faults)
@@ -137,7 +137,7 @@ def read_fit(
         )
     if faults:
         raise InputError(f"fit of {model.name}", faults)
-    return Asked(
+    return FitRequest(
         freed,
         tuple(nuisance),
         tuple(offsets),
@@ -151,12 +151,12 @@ def read_fit(
     )
 
 
-def fitted(asked: Asked, progress: Callable[[float], object] | None = None) -> Fitted:
+def fitted(asked: FitRequest, progress: Callable[[float], object] | None = None) -> Fitted:
     """Return the fit that was asked for; raises InputError for what enters nothing measured."""
     return concluded(asked, *searched(asked, progress))
 
 
-def searched(asked: Asked, progress: Callable[[float], object] | None = None) -> tuple[Search, Found]:
+def searched(asked: FitRequest, progress: Callable[[float], object] | None = None) -> tuple[Search, Estimate]:
     """Return the search and its least squares; raises InputError for what enters nothing measured."""
     forward = asked.forward()
     search = Search(forward, stated_noise(forward), progress)
@@ -171,7 +171,7 @@ def stated_noise(forward: Forward) -> Array:
     return found
 
 
-def _refuse_idle(search: Search, asked: Asked) -> None:
+def _refuse_idle(search: Search, asked: FitRequest) -> None:
     """Raise InputError for quantities that change nothing measured, wherever they are tried."""
     forward, seen = search.forward, np.zeros(len(asked.free))
     for x in search.starts(PROBES, asked.seed):
@@ -192,7 +192,7 @@ def _refuse_idle(search: Search, asked: Asked) -> None:
     )
 
 
-def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
+def concluded(asked: FitRequest, search: Search, found: Estimate) -> Fitted:
     """Return the fit with what the data tell of it, intervals, goodness and residuals."""
     share = float(np.mean(found.used))
     forward = search.forward
@@ -214,7 +214,7 @@ def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
         values={value.name: value for value in values[:count]},
         nuisance={value.name: value for value in values[count:]},
         known=known,
-        untold=tuple(known.untold([value.value for value in values], count)),
+        unidentified=tuple(known.unidentified([value.value for value in values], count)),
         goodness=_goodness(search, found),
         criterion=criterion_of(search, found),
         share=share,
@@ -227,7 +227,7 @@ def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
     )
 
 
-def _signals(search: Search, found: Found) -> list[FittedSignal]:
+def _signals(search: Search, found: Estimate) -> list[FittedSignal]:
     forward = search.forward
     point, made = forward.at(found.x), []
     for number, (i, k) in enumerate(forward.columns):
@@ -251,7 +251,7 @@ def _signals(search: Search, found: Found) -> list[FittedSignal]:
     return made
 
 
-def _goodness(search: Search, found: Found) -> Goodness | None:
+def _goodness(search: Search, found: Estimate) -> Goodness | None:
     """Return chi-squared and its chance, of the rows whose noise is stated."""
     from scipy.stats import chi2  # slow to import
 
@@ -265,7 +265,7 @@ def _goodness(search: Search, found: Found) -> Goodness | None:
     return Goodness(square, freedom, float(chi2.sf(square, freedom)))
 
 
-def criterion_of(search: Search, found: Found) -> float:
+def criterion_of(search: Search, found: Estimate) -> float:
     """Return Akaike's criterion with the correction for few data, but for a constant of the data.
 
     The noise of columns without a stated one is that which makes their residuals likeliest, and counts as fitted.
@@ -281,7 +281,7 @@ def criterion_of(search: Search, found: Found) -> float:
 
 
 def _warnings(
-    search: Search, found: Found, signals: tuple[FittedSignal, ...], values: list[FittedValue], share: float
+    search: Search, found: Estimate, signals: tuple[FittedSignal, ...], values: list[FittedValue], share: float
 ) -> list[str]:
     """Return what to heed before the numbers are believed."""
     warnings, forward = [], search.forward

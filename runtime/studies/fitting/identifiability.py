@@ -13,7 +13,9 @@ from hertzwerk.runtime.engine.model.free_quantities import Free
 
 Array = NDArray[np.float64]
 
-TOLD = 1.0  # singular value: below, one standard deviation of the combination is more than the scale of the search
+IDENTIFIED = (
+    1.0  # singular value: below, one standard deviation of the combination is more than the scale of the search
+)
 RANK = 1e-7  # of the largest singular value: below, derivatives are no more than rounding
 PART = 0.1  # of a combination: quantities that take a smaller part are not named
 
@@ -23,18 +25,18 @@ class Identified:
     """Directions on the scale of the search, half a range or a factor of e, the best told first.
 
     singular_values    (k,), each 1 over the standard deviation of its direction, a column of directions (k, k)
-    told               (k,) whether the data tell it
+    identified         (k,) whether the data identify it
     """
 
     free: tuple[Free, ...]
     singular_values: Array
     directions: Array
-    told: NDArray[np.bool_]
+    identified: NDArray[np.bool_]
 
     @property
     def covariance(self) -> Array:
         """Covariance of the places on the scale of the search, of what is told (k, k)."""
-        v, s = self.directions[:, self.told], self.singular_values[self.told]
+        v, s = self.directions[:, self.identified], self.singular_values[self.identified]
         found: Array = (v / s**2) @ v.T
         return found
 
@@ -48,16 +50,16 @@ class Identified:
 
     def concerned(self, j: int) -> bool:
         """Return whether a quantity takes part in a combination that is not told."""
-        return bool(np.any(np.abs(self.directions[j, ~self.told]) > PART))
+        return bool(np.any(np.abs(self.directions[j, ~self.identified]) > PART))
 
-    def untold(self, values: Sequence[float], quantities: int) -> list[str]:
+    def unidentified(self, values: Sequence[float], quantities: int) -> list[str]:
         """Return the combinations that the data cannot tell, in words.
 
         Those of nuisance alone, after the first `quantities` of what is free, are left out.
         """
         return [
             self._combination(int(k), values)
-            for k in np.flatnonzero(~self.told)
+            for k in np.flatnonzero(~self.identified)
             if np.max(np.abs(self.directions[:quantities, k])) > PART
         ]
 
@@ -86,5 +88,5 @@ def identified(jacobian: Array, free: Sequence[Free]) -> Identified:
     k = len(free)
     padded = np.vstack([jacobian, np.zeros((max(k - len(jacobian), 0), k))])
     _, s, turned = np.linalg.svd(padded, full_matrices=False)
-    told = (s >= TOLD) & (s > RANK * (s[0] if len(s) else 0.0))
+    told = (s >= IDENTIFIED) & (s > RANK * (s[0] if len(s) else 0.0))
     return Identified(tuple(free), s, turned.T, told)

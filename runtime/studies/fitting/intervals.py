@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.studies.fitting.identifiability import Identified
-from hertzwerk.runtime.studies.fitting.least_squares import Found, Search
+from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
 
 Array = NDArray[np.float64]
 
@@ -35,7 +35,9 @@ class Interval:
     open_high: bool = False
 
 
-def intervals(search: Search, found: Found, known: Identified, profile: bool | str) -> tuple[list[Interval], list[str]]:
+def intervals(
+    search: Search, found: Estimate, known: Identified, profile: bool | str
+) -> tuple[list[Interval], list[str]]:
     """Return the interval of everything free, in the order of x, and what to heed.
 
     profile    "auto": of what is badly told, at an end of its range, or in a combination that is not told; True: of all
@@ -73,7 +75,7 @@ def intervals(search: Search, found: Found, known: Identified, profile: bool | s
 
 
 def _profile(
-    search: Search, found: Found, j: int, half: float, rise: float, noise: str, warnings: list[str]
+    search: Search, found: Estimate, j: int, half: float, rise: float, noise: str, warnings: list[str]
 ) -> Interval:
     """Return where the least squares, all else fitted anew, rise by the quantile of chi-squared.
 
@@ -90,7 +92,7 @@ def _profile(
 
 
 def _end(
-    search: Search, found: Found, j: int, bound: float, half: float, rise: float, warnings: list[str]
+    search: Search, found: Estimate, j: int, bound: float, half: float, rise: float, warnings: list[str]
 ) -> tuple[float, bool]:
     from scipy.optimize import brentq  # slow to import
 

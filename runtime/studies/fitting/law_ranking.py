@@ -24,8 +24,15 @@ from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.studies.fitting.fit_result import Fitted
-from hertzwerk.runtime.studies.fitting.fitting import Asked, concluded, criterion_of, read_fit, searched, stated_noise
-from hertzwerk.runtime.studies.fitting.least_squares import Found, Search
+from hertzwerk.runtime.studies.fitting.fitting import (
+    FitRequest,
+    concluded,
+    criterion_of,
+    read_fit,
+    searched,
+    stated_noise,
+)
+from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
 
 Array = NDArray[np.float64]
 APART = 6.0  # difference of the criteria below which laws are not told apart: one is 20 times as likely as the other
@@ -73,7 +80,7 @@ def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[
 
 def read_laws(
     variants: Mapping[str, Model], data: object, free: object, how: Mapping[str, Any], faults: list[Fault]
-) -> dict[str, Asked]:
+) -> dict[str, FitRequest]:
     """Return the fit that is asked of every variant; raises InputError with every fault.
 
     Names that a variant does not have are left out of it, if another has them.
@@ -83,7 +90,7 @@ def read_laws(
     if isinstance(free, Sequence) and not isinstance(free, str):
         free = dict.fromkeys(free)
     known = {name for model in variants.values() for name in _names(model)}
-    asked: dict[str, Asked] = {}
+    asked: dict[str, FitRequest] = {}
     for law, model in variants.items():
         its = _names(model)
         elsewhere = known - its
@@ -216,11 +223,11 @@ class Ranking:
         }
 
 
-def ranked(asked: Mapping[str, Asked], progress: Callable[[float], object] | None = None) -> Ranking:
+def ranked(asked: Mapping[str, FitRequest], progress: Callable[[float], object] | None = None) -> Ranking:
     """Rank laws by their fits to the same data, as far as they lie before the horizon of each."""
-    fits: dict[str, tuple[Search, Found]] = {}
+    fits: dict[str, tuple[Search, Estimate]] = {}
     for k, (name, one) in enumerate(asked.items()):
-        fits[name] = searched(one, partial(_told, progress, k, len(asked)))
+        fits[name] = searched(one, partial(_report_progress, progress, k, len(asked)))
     common = np.logical_and.reduce([found.used for _, found in fits.values()])
     laws = []
     for name, (search, found) in fits.items():
@@ -243,7 +250,7 @@ def ranked(asked: Mapping[str, Asked], progress: Callable[[float], object] | Non
     return Ranking(tuple(found_laws), alike, float(np.mean(common)))
 
 
-def _told(progress: Callable[[float], object] | None, number: int, count: int, part: float) -> None:
+def _report_progress(progress: Callable[[float], object] | None, number: int, count: int, part: float) -> None:
     if progress is not None:
         progress((number + 0.8 * part) / count)
 
@@ -258,7 +265,7 @@ def _apart(best: RankedLaw, other: RankedLaw) -> bool:
     return bool(np.sum(prefer) > -DOUBT * math.sqrt(len(prefer)) * float(np.std(prefer, ddof=1)) and np.sum(prefer) > 0)
 
 
-def _held_out(search: Search, found: Found) -> tuple[float, ...]:
+def _held_out(search: Search, found: Estimate) -> tuple[float, ...]:
     """Return the log-density of every run, predicted by the fit of the others; empty with one run."""
     forward, made = search.forward, []
     if len(forward.observed) < 2:

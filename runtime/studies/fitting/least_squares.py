@@ -30,7 +30,7 @@ CONVERGED, ROUGH = 1e-10, 1e-4  # relative: of the last window, and of a start f
 
 
 @dataclass(frozen=True)
-class Found:
+class Estimate:
     """Least squares over the rows used (n,), at a place x, over the noise sigma of each row."""
 
     x: Array
@@ -56,7 +56,7 @@ class Search:
         self.spread = size[forward.column]
         self.low, self.high = np.array([free.bounds for free in forward.searched]).T
 
-    def best(self, count: int, seed: int) -> Found:
+    def best(self, count: int, seed: int) -> Estimate:
         """Return the least squares over the longest window before the horizon."""
         forward, sigma = self.forward, self._sigma0()
         windows = [w for w in WINDOWS if np.sum(forward.place <= w) >= FEW * len(self.low)] or [1.0]
@@ -71,7 +71,7 @@ class Search:
             self._progress(0.4 + 0.5 * number / len(masks))
         return self.settled(self.least(found[0].x, found[0].used, self._sigma0()))
 
-    def _followed(self, masks: Sequence[NDArray[np.bool_]], count: int, seed: int) -> list[Found]:
+    def _followed(self, masks: Sequence[NDArray[np.bool_]], count: int, seed: int) -> list[Estimate]:
         """Return the least squares over the first window from the best starts, the least first."""
         places, scores = self.starts(count, seed), []
         for k, x in enumerate(places):
@@ -81,11 +81,11 @@ class Search:
         kept = [places[k] for k in np.argsort(scores)[: max(FOLLOWED, count // OF_MANY)]]
         return self._leasts(kept, self.within(kept[0], masks[0], self._sigma0()))
 
-    def _leasts(self, places: Sequence[Array], used: NDArray[np.bool_]) -> list[Found]:
+    def _leasts(self, places: Sequence[Array], used: NDArray[np.bool_]) -> list[Estimate]:
         found = [self.least(x, used, self._sigma0(), within=ROUGH) for x in places]
         return sorted(found, key=lambda each: each.cost)
 
-    def settled(self, found: Found) -> Found:
+    def settled(self, found: Estimate) -> Estimate:
         """Return the least squares over the noise that the residuals have, where none is stated."""
         if np.any(np.isnan(self.stated[found.used])):
             for _ in range(3):  # noise follows residuals, and they the noise
@@ -100,7 +100,7 @@ class Search:
     def _sigma0(self) -> Array:
         return np.where(np.isnan(self.stated), GUESSED * self.spread, self.stated)
 
-    def _estimated(self, found: Found) -> Array:
+    def _estimated(self, found: Estimate) -> Array:
         """Return the noise of each row, that of columns without a stated one from their residuals."""
         sigma, group = self._sigma0(), self.forward.group
         for k in np.unique(group):
@@ -138,7 +138,7 @@ class Search:
 
     def least(
         self, x: Array, used: NDArray[np.bool_], sigma: Array, *, fixed: int | None = None, within: float = CONVERGED
-    ) -> Found:
+    ) -> Estimate:
         """Return the least squares from a place, one entry of x held where `fixed` says which."""
         from scipy.optimize import least_squares  # slow to import
 
@@ -165,9 +165,9 @@ class Search:
         )
         return replace(self._judged(whole(result.x), used, sigma), converged=result.status > 0)
 
-    def _judged(self, x: Array, used: NDArray[np.bool_], sigma: Array) -> Found:
+    def _judged(self, x: Array, used: NDArray[np.bool_], sigma: Array) -> Estimate:
         """Return residuals and their Jacobian at a place."""
-        return Found(x, used, sigma, self.residuals(x, used, sigma), self.jacobian(x, used, sigma), True)
+        return Estimate(x, used, sigma, self.residuals(x, used, sigma), self.jacobian(x, used, sigma), True)
 
 
 def _apart(places: list[Array]) -> list[Array]:

@@ -85,7 +85,7 @@ def fit(
     profile     intervals by profile likelihood: "auto" of what is badly told, True of all, False of none
 
     Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
-    combination of quantities that the data cannot tell is said by name in `untold`.
+    combination of quantities that the data cannot tell is said by name in `unidentified`.
     """
     model, faults = load(target), progress_faults(progress)
     own, states = given_values(model, parameters, initial, faults)

@@ -17,7 +17,7 @@ from hertzwerk.runtime.studies.fitting.experiment import Observed
 Array = NDArray[np.float64]
 
 STEP = 1e-4  # of the scale of the search, of differences in place of derivatives
-KEPT = 4  # points whose runs are remembered
+REMEMBERED = 4  # points whose runs are remembered
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Forward:
         """Return the runs at a place, remembered for the last few."""
         key = x.tobytes(), tolerance or self.tolerance
         if key not in self._known:
-            while len(self._known) >= KEPT:
+            while len(self._known) >= REMEMBERED:
                 self._known.pop(next(iter(self._known)))
             self._known[key] = self._made(x, key[1])
         return self._known[key]

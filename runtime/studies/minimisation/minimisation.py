@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 STEP = 1e-4  # of a range: differences, and the check of derivatives
 DOUBT = 0.01  # relative difference of derivatives from differences that is said
 NEAR = 1e-3  # of a constraint's size: nearer to its limit it is active
-KEPT = 1e-6  # of a constraint's size: how far it may be missed
+FEASIBLE = 1e-6  # of a constraint's size: how far it may be missed
 LARGEST = re.compile(r"\.(max|min|peak_to_peak|peak_force|max_penetration)$|^peak_force$")
 _BOUND = re.compile(r"\s*(<=|>=|=)\s*(.+)")
 
@@ -195,18 +195,20 @@ class _Problem:
     outputs: Mapping[str, Output]
     settings: Mapping[str, Any]
 
-    def given(self, x: np.ndarray) -> dict[str, float]:
+    def values_at(self, x: np.ndarray) -> dict[str, float]:
         """Return the values at a point, SI."""
         return {free.name: free.outer(place) for free, place in zip(self.ranges, x.tolist(), strict=True)}
 
     def slopes(self, x: np.ndarray) -> np.ndarray:
         """Return the changes of the values with their places, SI."""
-        return np.array([free.slope(value) for free, value in zip(self.ranges, self.given(x).values(), strict=True)])
+        return np.array(
+            [free.slope(value) for free, value in zip(self.ranges, self.values_at(x).values(), strict=True)]
+        )
 
     def run(self, x: np.ndarray) -> Solution:
         """Run the model at a point; raises InputError, _RunFailedError."""
         units = si_units(self.model)
-        given = {name: (value, units[name] or "1") for name, value in self.given(x).items()}
+        given = {name: (value, units[name] or "1") for name, value in self.values_at(x).items()}
         run = simulate(self.model, **{**self.settings, "parameters": {**(self.settings["parameters"] or {}), **given}})
         if run.outcome.name not in REACHED_END:
             raise _StoppedError(
@@ -297,8 +299,8 @@ class _Search:
             raise _StoppedError(
                 "no_value", "a run has no value of the objective or of a constraint", "look at its outputs"
             )
-        feasible = all(bound.missed(v) <= KEPT for bound, v in zip(problem.bounds, value[1:], strict=True))
-        self.trials.append(Trial(problem.given(x), float(value[0]), feasible))
+        feasible = all(bound.missed(v) <= FEASIBLE for bound, v in zip(problem.bounds, value[1:], strict=True))
+        self.trials.append(Trial(problem.values_at(x), float(value[0]), feasible))
         return run, value
 
     def _gradient(self, x: np.ndarray, run: Solution, value: np.ndarray) -> np.ndarray:
@@ -374,7 +376,7 @@ class _Search:
 
         def order(item: tuple[bytes, _Point]) -> tuple[float, float]:
             missed = max((b.missed(v) for b, v in zip(problem.bounds, item[1].value[1:], strict=True)), default=0.0)
-            return (0.0 if missed <= KEPT else missed, item[1].value[0])
+            return (0.0 if missed <= FEASIBLE else missed, item[1].value[0])
 
         key, best = min(self.known.items(), key=order)
         if order((key, best))[0] > 0:
@@ -382,11 +384,11 @@ class _Search:
                 "infeasible", "no run keeps the constraints", "widen ranges or bounds, or begin elsewhere (start)"
             )
         x, units = np.frombuffer(key), si_units(problem.model)
-        values = problem.given(x)
+        values = problem.values_at(x)
         gradient = dict(zip(values, (best.gradient[0] / problem.slopes(x)).tolist(), strict=True))
         held = [
             Held(bound.text, float(v), bound.formula.unit, bound.lower, bound.upper,
-                 active=bool(min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size), kept=bool(bound.missed(v) <= KEPT))
+                 active=bool(min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size), satisfied=bool(bound.missed(v) <= FEASIBLE))
             for bound, v in zip(problem.bounds, best.value[1:], strict=True)
         ]  # fmt: skip
         return Minimum(

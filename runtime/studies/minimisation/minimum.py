@@ -26,7 +26,7 @@ NEAR = 1e-2  # and whose places by less than this part of a range
 class Held:
     """Constraint at the minimum, in SI: lower <= value <= upper.
 
-    active: it holds the minimum back; kept: false where no run kept it.
+    active: it holds the minimum back; satisfied: false where no run satisfies it.
     """
 
     text: str
@@ -35,12 +35,12 @@ class Held:
     lower: float
     upper: float
     active: bool
-    kept: bool
+    satisfied: bool
 
     @property
     def state(self) -> str:
         """Say whether it is violated, kept, or holds the minimum back."""
-        return "is violated" if not self.kept else "holds it back" if self.active else "is kept"
+        return "is violated" if not self.satisfied else "holds it back" if self.active else "is kept"
 
 
 @dataclass(frozen=True)

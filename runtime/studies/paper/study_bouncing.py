@@ -91,14 +91,14 @@ FORMS = (
 
 @dataclass(frozen=True)
 class Bounce:
-    """First impact of a drop: restitution asked for, returned, and in closed form; the run's curves.
+    """First impact of a drop: restitution requested, returned, and in closed form; the run's curves.
 
     peak_force [N], depth [m], duration [s] of the contact; `lost`: energy dissipated over the energy before.
     """
 
     form: Form
     law: str
-    given: float
+    e_in: float
     out: float
     closed: float | None
     peak_force: float
@@ -125,8 +125,8 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     ]
     cases = [(form, law, restitutions) for form in FORMS for law, restitutions in given]
     done, missing = until_stopped(cases, lambda case: list(_bounces(*case)), progress)
-    elastic = [bounce for of_case in done for bounce in of_case if bounce.given == 1]
-    bounces = [bounce for of_case in done for bounce in of_case if bounce.given < 1]
+    elastic = [bounce for of_case in done for bounce in of_case if bounce.e_in == 1]
+    bounces = [bounce for of_case in done for bounce in of_case if bounce.e_in < 1]
     if not bounces:
         raise KeyboardInterrupt
     shown = [form for form in FORMS if any(bounce.form is form for bounce in bounces)]
@@ -193,7 +193,7 @@ def _table(bounces: Sequence[Bounce]) -> Table:
     )
     rows: list[tuple[Cell, ...]] = [
         (
-            b.form.name, b.law, b.given, b.out, b.closed, b.weight, b.out**2 * HEIGHT * 1e3, b.peak_force * 1e-3,
+            b.form.name, b.law, b.e_in, b.out, b.closed, b.weight, b.out**2 * HEIGHT * 1e3, b.peak_force * 1e-3,
             b.peak_force / b.form.force, b.depth * 1e6, b.duration * 1e6, b.duration / b.form.duration, b.lost, b.bounces, b.steps,
         )
         for b in bounces
@@ -202,13 +202,13 @@ def _table(bounces: Sequence[Bounce]) -> Table:
 
 
 def _chart(form: Form, bounces: Sequence[Bounce]) -> Chart:
-    shown = [b for b in bounces if b.given == DRAWN]
+    shown = [b for b in bounces if b.e_in == DRAWN]
     given = Axis("requested restitution, e")
     by_law = {law: [b for b in bounces if b.law == law] for law in dict.fromkeys(b.law for b in bounces)}
 
     def over_e(of: Any) -> tuple[Curve, ...]:
         return tuple(
-            Curve(law, np.array([b.given for b in of_law]), np.array([of(b) for b in of_law]), look="both")
+            Curve(law, np.array([b.e_in for b in of_law]), np.array([of(b) for b in of_law]), look="both")
             for law, of_law in by_law.items()
         )
 
@@ -221,7 +221,7 @@ def _chart(form: Form, bounces: Sequence[Bounce]) -> Chart:
                   tuple(Curve(b.law, b.t, b.height * 1e3) for b in shown)),
             Panel(f"Hysteresis loop of the first impact, e = {DRAWN:g}", Axis("penetration", "µm"), Axis("force", "kN"),
                   tuple(Curve(b.law, b.loop[2] * 1e6, b.loop[1] * 1e-3) for b in shown)),
-            Panel("Restitution returned less that requested", given, Axis("e out - e in"), over_e(lambda b: b.out - b.given), y_limits=(-0.4, 0.65)),
+            Panel("Restitution returned less that requested", given, Axis("e out - e in"), over_e(lambda b: b.out - b.e_in), y_limits=(-0.4, 0.65)),
             Panel("Energy lost in the first impact", given, Axis("share of the energy"), (
                 Curve("1 - e²", np.linspace(0.05, 1, 50), 1 - np.linspace(0.05, 1, 50) ** 2, look="reference"), *over_e(lambda b: b.lost))),
             Panel("Duration over that of the elastic impact", given, Axis("duration/elastic"), over_e(lambda b: b.duration / form.duration)),
@@ -254,7 +254,7 @@ def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
     worst = max(known, key=lambda b: abs(b.out - (b.closed or 0.0)) / b.weight)
     off = abs(worst.out - (worst.closed or 0.0))
     yield Verdict(
-        f"restitution of {len(known)} impacts is that of the closed form; the worst, {worst.law} of {worst.form.name} at e = {worst.given:g}, "
+        f"restitution of {len(known)} impacts is that of the closed form; the worst, {worst.law} of {worst.form.name} at e = {worst.e_in:g}, "
         f"is off by {off:.1e} (limit {2 * worst.weight:.1e}: twice the share of the weight)",
         "h (1 + e) = ln((1 + h)/(1 - h e)); exp(-pi zeta/sqrt(1 - zeta^2))",
         off <= 2 * worst.weight,
@@ -265,8 +265,8 @@ def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
         open_by <= 1e-6,
     )  # fmt: skip
     for form in shown:
-        for e in sorted({b.given for b in bounces} & {0.9, 0.5, 0.1}, reverse=True):
-            good = [b.law for b in bounces if b.form is form and b.given == e and abs(b.out - e) <= NEAR]
+        for e in sorted({b.e_in for b in bounces} & {0.9, 0.5, 0.1}, reverse=True):
+            good = [b.law for b in bounces if b.form is form and b.e_in == e and abs(b.out - e) <= NEAR]
             yield Verdict(
                 f"{form.name}, e = {e:g}: within {NEAR:g} of the requested restitution are {', '.join(good) or 'none'}",
                 "simulated, table",
@@ -275,8 +275,8 @@ def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
         least = min((b for b in bounces if b.form is form), key=lambda b: b.out)
         most = max((b for b in bounces if b.form is form), key=lambda b: b.peak_force / form.force)
         yield Verdict(
-            f"{form.name}: the least restitution returned is {least.out:.3g} ({least.law}, e = {least.given:g}); the largest peak force is "
-            f"{most.peak_force / form.force:.3g} times the elastic one ({most.law}, e = {most.given:g})",
+            f"{form.name}: the least restitution returned is {least.out:.3g} ({least.law}, e = {least.e_in:g}); the largest peak force is "
+            f"{most.peak_force / form.force:.3g} times the elastic one ({most.law}, e = {most.e_in:g})",
             "simulated, table",
         )
 

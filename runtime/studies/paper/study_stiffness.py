@@ -119,7 +119,7 @@ class Ride:
     """Law in the slider-crank: numbers with errors, or why there are none, and the steps of one run."""
 
     law: Law
-    found: Measurement | None
+    measurement: Measurement | None
     steps: int | None
     outcome: str
 
@@ -242,7 +242,7 @@ def _crank_table(rides: Sequence[Ride]) -> Table:
     columns = (("law", ""), ("units hold", ""), ("outcome", ""), *header(), ("steps", ""))
     rows: list[tuple[Cell, ...]] = []
     for ride in rides:
-        numbers = [None] * (len(columns) - 4) if ride.found is None else cells(ride.found)
+        numbers = [None] * (len(columns) - 4) if ride.measurement is None else cells(ride.measurement)
         rows.append((ride.law.name, "yes" if ride.law.consistent else "no", ride.outcome, *numbers, ride.steps))
     return Table("slider_crank", "One revolution of the slider-crank", columns, tuple(rows))
 
@@ -277,7 +277,7 @@ def _force_chart(laws: Sequence[Law]) -> Chart:
 
 def _crank_charts(rides: Sequence[Ride], drawn: Mapping[str, Solution]) -> tuple[Chart, ...]:
     """Draw peak force and penetration by law, and the force of some laws over time."""
-    done = [(ride.law, ride.found) for ride in rides if ride.found is not None and ride.found.numbers]
+    done = [(ride.law, ride.measurement) for ride in rides if ride.measurement is not None and ride.measurement.numbers]
     done.sort(key=lambda pair: pair[1].numbers["peak_force"].value)
     names = Axis("", labels=tuple(law.label for law, _ in done))
     panels = []
@@ -355,7 +355,11 @@ def _law_verdicts(laws: Sequence[Law]) -> tuple[Verdict, ...]:
 
 
 def _crank_verdicts(rides: Sequence[Ride]) -> tuple[Verdict, ...]:
-    sound = {r.law.name: r.found.numbers for r in rides if r.law.consistent and r.found is not None and r.found.numbers}
+    sound = {
+        r.law.name: r.measurement.numbers
+        for r in rides
+        if r.law.consistent and r.measurement is not None and r.measurement.numbers
+    }
     failed = [f"{ride.law.name} ({ride.outcome})" for ride in rides if ride.outcome != "finished"]
     steps = {ride.law.name: ride.steps for ride in rides if ride.steps and ride.outcome == "finished"}
     source = "simulated; each number with its error in the table"

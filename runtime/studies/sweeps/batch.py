@@ -30,7 +30,7 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs
+from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_rows, units_of_inputs
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import Model
@@ -48,8 +48,8 @@ from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.start.start_values import given_values
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
-from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import Kept
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
+from hertzwerk.runtime.studies.sweeps.rows.row_arrays import RowArrays
 from hertzwerk.runtime.studies.sweeps.rows.row_engine import EngineLostError, RowEngine, every_row
 from hertzwerk.runtime.studies.sweeps.rows.row_job import NO_NUMBER, Job, LocalFlag, Own, Task, Tasks
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Output, finals, of_every_run, own
@@ -259,7 +259,7 @@ def simulate_many(
     Settings(**settings, compiled=compiled).check(model)
     units = {**si_units(model), **units_of_inputs(model)}
     wrong += [unknown("parameter or state", name, units) for name in (*own_values, *states) if name not in units]
-    model, bad = given_inputs(model, inputs, duration, {})
+    model, bad = with_input_values(model, inputs, duration, {})
     _check(model, [*wrong, *bad, *worker_faults(workers, client)], functions or {})
     sets, choices = read_rows(model, sets, read_duration(model, {}, duration, []))
     wanted = [
@@ -348,7 +348,7 @@ class Batch:
         outputs: Sequence[Output],
         compiled: Compiled,
         engine: RowEngine,
-        kept: Kept | None = None,
+        kept: RowArrays | None = None,
         later: int = 0,
         choices: Choices = NO_CHOICES,
     ) -> None:

@@ -23,8 +23,8 @@ from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.si_values import latch_units, si_of
 from hertzwerk.runtime.studies.sweeps.batch import Batch
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
-from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import END
 from hertzwerk.runtime.studies.sweeps.rows.row import Packed, Row
+from hertzwerk.runtime.studies.sweeps.rows.row_arrays import END
 
 DIRECTIONS = ("up", "down")
 TOGETHER = 1000  # chains side by side
@@ -49,7 +49,7 @@ class InMemory:
     def __init__(self) -> None:
         self._ends: dict[str, Packed | None] = {}
 
-    def seen(self, made: Generator[list[Row], None, None]) -> Generator[list[Row], None, None]:
+    def noted(self, made: Generator[list[Row], None, None]) -> Generator[list[Row], None, None]:
         """Yield rows, and note their final states."""
         with closing(made):
             for rows in made:
@@ -121,17 +121,17 @@ class Chains:
                     following = {i: starts[here[i]] for i in waiting}
                     with closing(batch.rows(waiting, starts=following, count=len(waiting))) as done:
                         for some in done:
-                            yield [self._as_given(row) for row in some]
+                            yield [self._without_start(row) for row in some]
                 for i, number in here.items():
                     before[number] = keys[i]
                     end = ledger.end_of(keys[i])
                     if end is not None:
                         starts[number] = self._start(end.array)
 
-    def _as_given(self, row: Row) -> Row:
+    def _without_start(self, row: Row) -> Row:
         """Return a row with the values of its point, without the start that it continued from."""
         given = self.sets[row.index]
-        return replace(row, given=given, values=numbers_of(self.model, given))
+        return replace(row, stated=given, values=numbers_of(self.model, given))
 
     def _start(self, end: np.ndarray) -> dict[str, Value]:
         """Return the initial values that a final state is."""

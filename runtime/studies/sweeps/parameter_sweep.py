@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.engine.inputs.input_values import Input, given_inputs, input_text
+from hertzwerk.runtime.engine.inputs.input_values import Input, input_text, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value
@@ -48,14 +48,14 @@ from hertzwerk.runtime.studies.sweeps.points.design_points import Design, Varied
 from hertzwerk.runtime.studies.sweeps.points.own_functions import digest
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import (
     Keys,
-    as_given,
     as_text,
     axes_of,
+    number_and_unit,
     target_of,
     versions,
 )
-from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import Kept, place_of, read_kept
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Packed, Row
+from hertzwerk.runtime.studies.sweeps.rows.row_arrays import RowArrays, place_of, read_row_arrays
 from hertzwerk.runtime.studies.sweeps.rows.row_engine import EngineLostError
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Output, chosen, derived_by, finals, own, text_behind
 from hertzwerk.runtime.studies.sweeps.stored_rows import HELD, ROWS, DamagedError, StoredRows
@@ -112,7 +112,7 @@ class ToDo:
 
     def wanted(self, keys: Mapping[int, str]) -> list[int]:
         """Return the rows that are neither there nor under way, of rows by their keys."""
-        there, found = self._store.found(keys.values()), []
+        there, found = self._store.present(keys.values()), []
         known = {i: key for i, key in keys.items() if key in there and not self._done[i]}
         if known:
             self._store.add({}, known)
@@ -140,9 +140,9 @@ class ToDo:
         for i in points:
             self._there += not self._done[i]
             self._done[i] = 1
-        self.tell()
+        self.report()
 
-    def tell(self) -> None:
+    def report(self) -> None:
         """Report the progress."""
         if self._progress is not None:
             self._progress(self._there / max(len(self._done), 1))
@@ -238,8 +238,8 @@ def sweep(
     design = read_design(over, **spread, faults=faults)
     faults += memory_faults(len(design)) if into is None else []
     own, states = given_values(model, parameters, initial, faults)
-    fixed = {name: as_given(value) for name, value in {**own, **states}.items()}
-    model, wrong = given_inputs(model, inputs, duration, {})
+    fixed = {name: number_and_unit(value) for name, value in {**own, **states}.items()}
+    model, wrong = with_input_values(model, inputs, duration, {})
     faults += [*wrong, *progress_faults(progress)]
     varied = {**_varied(model, over, fixed, faults), **dict.fromkeys(choices.signals, "")}
     design = replace(design, fixed=fixed)
@@ -248,7 +248,7 @@ def sweep(
     wanted = outputs_of(model, outputs, functions, varied, faults)
     asked = {"section": section, "after": after, "grid": grid, "histories": histories}
     end = () if continued is None else tuple(state_units(model))
-    kept = read_kept(model, **asked, duration=duration, end=end, faults=faults)
+    kept = read_row_arrays(model, **asked, duration=duration, end=end, faults=faults)
     faults += worker_faults(workers, client)
     try:
         Settings(**settings, compiled=compiled, sensitivities=derived_by(wanted)).check(model)
@@ -280,7 +280,7 @@ def sweep(
 def _in_memory(plan: Plan, batch: Batch, table: Sweep, progress: Callable[[float], object] | None) -> Sweep:
     """Return the table with every row that could be computed."""
     count, ledger = len(plan.design), InMemory()
-    done = batch.rows(range(count)) if plan.chains is None else ledger.seen(plan.chains.computed(batch, ledger))
+    done = batch.rows(range(count)) if plan.chains is None else ledger.noted(plan.chains.computed(batch, ledger))
     rows, outcome = in_memory(done, count, progress)
     return replace(table, rows=rows, outcome=outcome)
 
@@ -293,7 +293,7 @@ def _definition(
     functions: Mapping[str, Callable[[Solution], float]],
 ) -> tuple[dict[str, Any], Keys]:
     """Return what is computed as plain data, and the keys of its rows; raises InputError."""
-    model, kept, text = plan.model, plan.kept, text_of(plan.model.module)
+    model, kept, text = plan.model, plan.row_arrays, text_of(plan.model.module)
     if not text:
         fault = Fault("into", "a model whose generated text is not known", "a model that `load` returned")
         raise InputError(model.name, [fault])
@@ -370,7 +370,7 @@ def _filled(plan: Plan, batch: Batch, store: Store, keys: Keys, progress: Callab
     """
     try:
         to_do, chains = ToDo(plan.design, keys, store, progress), plan.chains
-        to_do.tell()
+        to_do.report()
         if chains is None:
             rows = batch.rows(to_do.missing(), to_do.died(), count=to_do.left)
         elif to_do.left:
@@ -402,7 +402,7 @@ def _not_stored(error: Exception) -> Outcome:
 class Plan:
     """Everything a sweep computes: design, what is the same for all, outputs, settings of the runs.
 
-    kept, chains    arrays that each row keeps; points that follow each other
+    row_arrays, chains    arrays that each row keeps; points that follow each other
     choices    what rows choose their inputs among
     """
 
@@ -411,7 +411,7 @@ class Plan:
     varied: Mapping[str, str]
     outputs: Sequence[Output]
     settings: Mapping[str, Any]
-    kept: Kept | None
+    row_arrays: RowArrays | None
     chains: Chains | None
     choices: Choices
 
@@ -429,7 +429,7 @@ class Plan:
             varied=tuple(self.varied),
             outcome=COMPLETE,
             design=self.design,
-            arrays={} if self.kept is None else self.kept.columns,
+            arrays={} if self.row_arrays is None else self.row_arrays.columns,
             place=place,
             workers=workers,
         )
@@ -446,8 +446,8 @@ class Plan:
                 continue
             parameters, initial = split_values(model, rest)
             try:
-                if self.kept is not None:
-                    self.kept.times(model, parameters)
+                if self.row_arrays is not None:
+                    self.row_arrays.times(model, parameters)
             except InputError as error:
                 faults += error.faults
             try:

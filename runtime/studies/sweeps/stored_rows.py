@@ -25,8 +25,8 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import DEFINITION, design_of, read_definition
-from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import place_of
 from hertzwerk.runtime.studies.sweeps.rows.row import LOST, Packed, Row
+from hertzwerk.runtime.studies.sweeps.rows.row_arrays import place_of
 from hertzwerk.runtime.studies.sweeps.store_entries import POINT, ROW, SHORTEST, TABLES, Entry, digest_of, is_whole
 from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep
 
@@ -142,12 +142,12 @@ def asides(folder: Path) -> dict[int, Path]:
 class Damage:
     """Damage that was found.
 
-    kept    number of rows that are whole
+    whole    number of rows that are whole
     rows    those that are not, as far as that is known
     aside    the damaged file under its new name, None where it was not replaced
     """
 
-    kept: int
+    whole: int
     rows: tuple[int, ...]
     aside: Path | None = None
 
@@ -156,7 +156,7 @@ class Damage:
         numbers = ", ".join(map(str, self.rows[:20]))
         named = f"; row{'s' * (len(self.rows) > 1)} {numbers}{more} damaged" if self.rows else ""
         where = f"; the damaged file is kept as {self.aside.name}" if self.aside is not None else ""
-        return f"{ROWS} was damaged: {self.kept:,} rows of it are whole{named}{where}"
+        return f"{ROWS} was damaged: {self.whole:,} rows of it are whole{named}{where}"
 
 
 def mended(folder: Path, plan: str, file: Path) -> Damage:
@@ -315,7 +315,7 @@ def _row_of(number: int, design: Design, entry: Entry) -> Row:
     values, numbers = ({n: math.nan if value is None else value for n, value in part.items()} for part in parts)
     return Row(
         index=number,
-        given=design[number],
+        stated=design[number],
         outcome=outcome,
         message=message,
         values=values,

@@ -31,8 +31,8 @@ from typing import Any
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import DEFINITION, differences, read_definition
-from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import END
 from hertzwerk.runtime.studies.sweeps.rows.row import LOST, Packed, Row
+from hertzwerk.runtime.studies.sweeps.rows.row_arrays import END
 from hertzwerk.runtime.studies.sweeps.store_entries import point_entry
 from hertzwerk.runtime.studies.sweeps.stored_rows import (
     ASIDE,
@@ -152,7 +152,7 @@ class Store:
         among = f"SELECT number, key FROM points CROSS JOIN rows USING (key) WHERE number IN ({', '.join('?' * len(numbers))})"
         return dict(self._rows.execute(among, tuple(numbers)))
 
-    def found(self, keys: Collection[str]) -> set[str]:
+    def present(self, keys: Collection[str]) -> set[str]:
         """Return which of these keys have rows."""
         among = f"SELECT key, outcome FROM rows WHERE key IN ({', '.join('?' * len(keys))})"
         there = dict(self._rows.execute(among, tuple(keys)))

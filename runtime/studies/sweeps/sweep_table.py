@@ -21,7 +21,7 @@ from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.inputs.inputs_by_row import Labels
 from hertzwerk.runtime.engine.model.binding import Value
-from hertzwerk.runtime.engine.model.ranges import Given
+from hertzwerk.runtime.engine.model.ranges import ValueWithUnit
 from hertzwerk.runtime.engine.model.si_values import ratio
 from hertzwerk.runtime.engine.sensitivity.regression import Slope, slope_of
 from hertzwerk.runtime.engine.solution.outcome import Outcome
@@ -88,7 +88,7 @@ class Sweep:
         return f"<Sweep {self.scene}: {self._summary()}>"
 
     def _repr_html_(self) -> str:
-        columns, entries = self.as_given(SHOWN)
+        columns, entries = self.in_stated_units(SHOWN)
         header = [f"{name} [{unit}]" if unit else name for name, unit in columns.items()]
         rows = [[_cell(entry) for entry in row] for row in entries]
         more = tag("p", f"and {len(self) - SHOWN:,} more rows") if len(self) > SHOWN else None
@@ -161,24 +161,24 @@ class Sweep:
             for name, axis in grid.items()
         }
 
-    def as_given(self, most: int | None = None) -> tuple[dict[str, str], list[list[float | str]]]:
+    def in_stated_units(self, most: int | None = None) -> tuple[dict[str, str], list[list[float | str]]]:
         """Return units by column, and the first rows, for people.
 
         What was varied is in the unit that it was given in, where that is one in all rows.
         """
-        units = self.given_units
+        units = self.stated_units
         rows = [
-            [_given_with_unit(row.given.get(name))[0] if name in units else row[name] for name in self.names]
+            [_stated_value(row.stated.get(name))[0] if name in units else row[name] for name in self.names]
             for row in islice(self.rows, most)
         ]
         return {**self.columns, **units}, rows
 
     @property
-    def given_units(self) -> dict[str, str]:
+    def stated_units(self) -> dict[str, str]:
         """Unit that what was varied was given in, where that is one in all rows, and not 1."""
         if self.design is not None:
             return {name: unit for name, unit in self.design.units.items() if unit != "1"}
-        units = {name: {_given_with_unit(row.given.get(name))[1] for row in self.rows} for name in self.varied}
+        units = {name: {_stated_value(row.stated.get(name))[1] for row in self.rows} for name in self.varied}
         return {name: unit for name, (unit, *others) in units.items() if unit and not others}
 
     @property
@@ -289,8 +289,8 @@ class Sweep:
             )
             for name, values in self.read(*self.names).items()
         }
-        first = self.rows[0].given if self.rows else {}
-        same = {f"parameter.{name}": _given(value) for name, value in first.items() if name not in self.varied}
+        first = self.rows[0].stated if self.rows else {}
+        same = {f"parameter.{name}": _value_text(value) for name, value in first.items() if name not in self.varied}
         about = {"scene": self.scene, "outcome": self.outcome.name, "hertzwerk": versions()["hertzwerk"]}
         grid = {name: np.array(values) for name, values in self.axes.items()}
         points = {
@@ -333,21 +333,21 @@ def columns_of(varied: Mapping[str, str], results: Mapping[str, str]) -> dict[st
     return {**varied, "outcome": "", **results, "message": "", "warnings": ""}
 
 
-def _given_with_unit(value: Value | None) -> tuple[float, str]:
+def _stated_value(value: Value | None) -> tuple[float, str]:
     """Return a number and the unit that it was given with, empty where there is none."""
     if isinstance(value, tuple) and len(value) == 2 and isinstance(value[0], int | float) and value[1] != "1":
         return value[0], value[1]
     return math.nan, ""
 
 
-def _si(value: Given, declared: str) -> float:
+def _si(value: ValueWithUnit, declared: str) -> float:
     """Return a value in SI, nan where its unit is none of what is declared."""
     number, text = value
     unit, wanted = parse_unit(text), parse_unit(declared or "1")
     return unit.to_si(number) if unit.exponents == wanted.exponents or wanted.free_names else math.nan
 
 
-def _given(value: Value) -> str:
+def _value_text(value: Value) -> str:
     return " ".join(map(str, value)) if isinstance(value, tuple) else str(value)
 
 

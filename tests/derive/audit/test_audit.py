@@ -79,7 +79,7 @@ def test_a_hertz_stiffness_with_exponent_one_is_refused_with_the_lesson():
 def test_the_message_solves_for_the_exponent(unit, n, found, right):
     error = refusal(slider_crank.replace(slider_pin=Contact("slider_pin", power(Parameter("K", unit, 1e9), n))))
     force = error.findings[0]
-    assert (force.effect, force.what, force.law, force.verdict) == (
+    assert (force.effect, force.quantity, force.law, force.verdict) == (
         "slider_pin",
         "normal force",
         "power",
@@ -95,7 +95,7 @@ def test_a_symbolic_exponent_passes_if_the_unit_names_it_and_not_if_it_names_ano
     both = walls.replace(left_wall=Contact("left_wall", power(K, n)), right_wall=Contact("right_wall", power(K, other)))
     force = refusal(both).findings[0]
     assert force.effect == "right_wall"
-    assert force.what == "normal force"
+    assert force.quantity == "normal force"
     assert "bend" in force.found
     assert "other" in force.found
 
@@ -106,7 +106,7 @@ def test_all_inconsistent_laws_of_a_scene_are_listed():
         left_wall=Contact("left_wall", power(K, 1.5), hunt_crossley(0.9)), right_wall=Contact("right_wall", power(K, 2))
     )
     error = refusal(scene)
-    assert [(f.effect, f.what) for f in error.findings] == [
+    assert [(f.effect, f.quantity) for f in error.findings] == [
         (wall, "normal force") for wall in ("left_wall", "right_wall")
     ]
     assert len(error.faults) == 2
@@ -192,7 +192,7 @@ def test_a_wrong_step_of_the_derivation_is_refused_by_name(label, monkeypatch):
     owner, name, fault, named = SEEDED[label]
     seed(monkeypatch, owner, name, fault)
     error = refusal(slider_crank)
-    assert any(named in finding.what for finding in error.findings), str(error)
+    assert any(named in finding.quantity for finding in error.findings), str(error)
     assert "nothing written" in str(error)
 
 
@@ -223,7 +223,7 @@ def test_one_wrong_assignment_is_one_finding_not_a_flood():
     symbol = next(s for s in program.tape.assignments if s.name == "rod_arm_x")
     program.tape.assignments[symbol] = program.tape.assignments[symbol] + 1  # a number beside a length
     _, findings = audit_program(program)
-    assert [finding.what for finding in findings] == ["assignment rod_arm_x"]
+    assert [finding.quantity for finding in findings] == ["assignment rod_arm_x"]
 
 
 # -- the second test, without symbols: other units of mass, length and time ---------------------------------------------
@@ -371,4 +371,4 @@ def test_a_hidden_length_is_found_by_both_tests(monkeypatch):
     bad.derived = Derived(text=text)
     assert bad.disagreement(FACTORS["length"])[0] > 1e-3
     seed(monkeypatch, Face, "gap", lambda f, self: self.let(f(self) - sp.Float(0.001), "gap"))
-    assert any("floor_gap" in finding.what for finding in refusal(ball).findings)
+    assert any("floor_gap" in finding.quantity for finding in refusal(ball).findings)

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime import load, read_measurement, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 from hertzwerk.runtime.studies.comparison.instrument import Instrument
 
 HOW = ("--bandwidth", "2 kHz", "--offset", "-1..1 ms", "--noise", "force=20 N")
@@ -26,7 +26,7 @@ def text():
     """Force of a ball's impact behind an instrument, with noise and a hole, 0.4 ms early."""
     run = simulate(load("bouncing_ball"), duration="0.47 s", accuracy=1e-6)
     times = 0.44 + 1e-4 * np.arange(250)
-    force = SeenRun(run, ["floor.normal_force"], Instrument(2e3), 1.0).at(times)[:, 0]
+    force = FilteredRun(run, ["floor.normal_force"], Instrument(2e3), 1.0).at(times)[:, 0]
     force += np.random.default_rng(1).normal(0, 20, len(times))
     rows = [
         f"{1e3 * t - 0.4:.6f},{'' if i == 3 else f'{f / 1e3:.9f}'}"

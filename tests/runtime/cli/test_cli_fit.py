@@ -61,7 +61,7 @@ def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     text = (tmp_path / "fitted" / "report.html").read_text()
     for expected in ("explained", "p-value", "linear: curvature", "data:image/png", "Correlation"):
         assert expected in text
-    (tmp_path / "fitted" / "fit.json").write_text(json.dumps(sealed({"explained": True, "untold": []})))
+    (tmp_path / "fitted" / "fit.json").write_text(json.dumps(sealed({"explained": True, "unidentified": []})))
     broken = CliRunner().invoke(main, ("report", "fitted", "--overwrite"), catch_exceptions=False)
     assert broken.exit_code == 2 and "a record that `hertzwerk fit` wrote" in " ".join(broken.output.split())
     again = hertzwerk(*both, *HOW, "--free", "restitution", "--into", "fitted")
@@ -82,7 +82,7 @@ def test_json_alone_writes_nothing_and_what_is_not_told_is_another_outcome(hertz
         "--json",
     )
     content = json.loads(done.output)
-    assert done.exit_code == 1 and content["untold"] and content["explained"] is True
+    assert done.exit_code == 1 and content["unidentified"] and content["explained"] is True
     assert not (tmp_path / "runs").exists()
 
 

@@ -292,14 +292,14 @@ def test_a_stop_while_a_run_is_sampled_for_pictures_keeps_the_rest(tmp_path, mon
     from hertzwerk.runtime.output.plots import plot_run
 
     class Stop:
-        asked = False
+        requested = False
         stage = staticmethod(lambda name: None)
         at_once = staticmethod(contextlib.nullcontext)
 
     stop = Stop()
 
     def stopped(run):
-        stop.asked = True
+        stop.requested = True
         raise KeyboardInterrupt
 
     monkeypatch.setattr(plot_run, "pages", stopped)

@@ -37,7 +37,7 @@ from hertzwerk.derive.scenes.slider_crank import c, crank, l, mechanism, r, rod,
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.engine.solution.error_scales import error
 from hertzwerk.runtime.export import fmu
-from hertzwerk.runtime.export.export_request import Asked
+from hertzwerk.runtime.export.export_request import ExportRequest
 
 DURATION, TOLERANCE, STEPS = 6e-3, 1e-9, (30, 100, 300, 1000, 3000)
 STIFFNESS, DAMPING = 200.0, 0.05  # of the shaft [N m/rad, N m s/rad]
@@ -96,7 +96,7 @@ class Part:
     def __init__(self, scene, folder, **inputs):
         file = folder / f"{scene.name}.fmu"
         if not file.exists():
-            fmu.write(Asked(load(scene), {}, {}, Settings(DURATION, None, TOLERANCE, "dop853")), file)
+            fmu.write(ExportRequest(load(scene), {}, {}, Settings(DURATION, None, TOLERANCE, "dop853")), file)
             fmpy.extract(file, folder / scene.name)
         about = fmpy.read_model_description(file)
         self.references = {v.name: v.valueReference for v in about.modelVariables}

@@ -12,7 +12,7 @@ from hertzwerk import InputError, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import c_library
-from hertzwerk.runtime.export.export_request import Asked
+from hertzwerk.runtime.export.export_request import ExportRequest
 
 TOLERANCE, DURATION = 1e-7, 2.0
 
@@ -20,7 +20,7 @@ TOLERANCE, DURATION = 1e-7, 2.0
 def exported(folder, target, duration, *, method="dop853", tolerance=TOLERANCE, parameters=None, outputs=(), **rest):
     model = load(target) if isinstance(target, str) else target
     settings = Settings(duration, None, tolerance, method)
-    asked = Asked(model, parameters or {}, rest.pop("initial", {}), settings, outputs)
+    asked = ExportRequest(model, parameters or {}, rest.pop("initial", {}), settings, outputs)
     c_library.write(asked, folder)
     return Library(compile_c(folder, f"{model.name}.c", shared="library.so", **rest), model.name)
 

@@ -33,7 +33,7 @@ from hertzwerk.derive import (
 )
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import fmu
-from hertzwerk.runtime.export.export_request import Asked
+from hertzwerk.runtime.export.export_request import ExportRequest
 
 TOLERANCE, DURATION, MASS = 1e-8, 1.0, 0.5
 HEADERS = Path(fmpy.__file__).parent / "c-code"
@@ -59,7 +59,7 @@ UNKNOWNS = ("slide.travel", "slide.speed", "slide.acceleration")
 def made(folder, model, name, fmi=3, duration=DURATION):
     file = folder / f"{name}.fmu"
     model = model.with_signals({}) if isinstance(model, str) else model
-    asked = Asked(model, {}, {}, Settings(duration, None, TOLERANCE, "dop853"), (), fmi)
+    asked = ExportRequest(model, {}, {}, Settings(duration, None, TOLERANCE, "dop853"), (), fmi)
     fmu.write(asked, file)
     return file
 
@@ -248,7 +248,9 @@ def test_a_bad_name_and_an_existing_file_are_refused_at_once(tmp_path):
     assert [str(f) for f in fmu.faults(tmp_path / "while.fmu")] != []
     assert fmu.faults(tmp_path / "ball_1.fmu") == []
     with pytest.raises(InputError, match="SUNDIALS"):
-        fmu.write(Asked(load("bouncing_ball"), {}, {}, Settings(1.0, None, TOLERANCE, "idas")), tmp_path / "a.fmu")
+        fmu.write(
+            ExportRequest(load("bouncing_ball"), {}, {}, Settings(1.0, None, TOLERANCE, "idas")), tmp_path / "a.fmu"
+        )
 
 
 def test_two_exports_are_the_same_bytes(pushed):

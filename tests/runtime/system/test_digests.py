@@ -6,7 +6,7 @@ import pytest
 from click.testing import CliRunner
 
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.cli.page_folder import ASKED, ROWS
+from hertzwerk.runtime.cli.page_folder import REQUEST, ROWS
 from hertzwerk.runtime.cli.run_folder import record_text
 from hertzwerk.runtime.system import digests
 
@@ -50,7 +50,7 @@ def hertzwerk(*arguments):
             ("propagate", "bouncing_ball", "--output", "final.vertical.speed", "--duration", "0.1 s", "--fitted"),
         ),
         ("run.json", ("run", "--duration", "1 s", "--continue")),
-        (f"{ROWS}/{ASKED}", ("study", "--resume")),
+        (f"{ROWS}/{REQUEST}", ("study", "--resume")),
         ("study.json", ("report",)),
         ("propagation.json", ("report",)),
     ],

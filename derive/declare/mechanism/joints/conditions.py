@@ -107,7 +107,7 @@ class NoDisplacement:
 
 
 @dataclass(frozen=True)
-class KeptAngle:
+class ConstantAngle:
     """Condition: a direction of the child keeps its angle to one of the parent.
 
     Where all coordinates are zero, both are given in the same axes.
@@ -125,7 +125,7 @@ class OnTrack:
     curve: SolidCurve
 
 
-Condition = Coincident | NoDisplacement | KeptAngle | OnTrack
+Condition = Coincident | NoDisplacement | ConstantAngle | OnTrack
 
 
 def numbers(direction: Direction) -> tuple[float, float, float]:

@@ -23,8 +23,8 @@ from hertzwerk.derive.declare.mechanism.joints.conditions import (
     Carried,
     Coincident,
     Condition,
+    ConstantAngle,
     FixedIn,
-    KeptAngle,
     NoDisplacement,
     Product,
     Sum,
@@ -221,11 +221,11 @@ class Joint:
         axes = [axis for axis in self.turning if axis is not None]
         skew = not any(parallel(a, b) for a, b in pairwise(axes))
         if not self.turning:
-            yield from (KeptAngle(AXES[k], AXES[(k + 1) % 3], "xyz"[k] + "yzx"[k]) for k in range(3))
+            yield from (ConstantAngle(AXES[k], AXES[(k + 1) % 3], "xyz"[k] + "yzx"[k]) for k in range(3))
         elif len(axes) == len(self.turning) == 1:
-            yield from (KeptAngle(axes[0], direction, label) for direction, label in across(axes[0]))
+            yield from (ConstantAngle(axes[0], direction, label) for direction, label in across(axes[0]))
         elif len(axes) == len(self.turning) == 2 and skew:
-            yield KeptAngle(axes[1], axes[0], "axes")
+            yield ConstantAngle(axes[1], axes[0], "axes")
         elif self.turning != (None,) and not (len(axes) == len(self.turning) == 3 and skew):
             raise self._no_rule("these turns")
 

@@ -156,7 +156,7 @@ class BetweenBoxes(Touch):
         ]
 
     @cached_property
-    def _found(self) -> list[Any]:
+    def _entries(self) -> list[Any]:
         entries = self._features(0, "", *[METRE] * 2, *[PURE] * 3, *[METRE] * 3)
         rates = self._features(1, "_rate", *[PACE] * 2, *[PER_SECOND] * 3, *[PACE] * 3)
         for entry, rate in zip(entries, rates, strict=True):
@@ -168,14 +168,14 @@ class BetweenBoxes(Touch):
         flat = self.pair.whole.dimensions == 2
         out = transpose(self.kin.axes_of(self.second))[2]
         x, y, z = (
-            sp.S.Zero if flat and abs(k) == 1 else v for k, v in zip(out, self._found[begin : begin + 3], strict=True)
+            sp.S.Zero if flat and abs(k) == 1 else v for k, v in zip(out, self._entries[begin : begin + 3], strict=True)
         )
         return x, y, z
 
     @cached_property
     def gap(self) -> Any:
         """Event function [m]: of corners (distance^2 - reach^2)/(2 reach), of edges minus their penetration."""
-        return self._found[0]
+        return self._entries[0]
 
     @cached_property
     def gap_acceleration(self) -> Any:
@@ -185,7 +185,7 @@ class BetweenBoxes(Touch):
     @property
     def penetration(self) -> Any:
         """Exact penetration [m]; of edges no more than they reach beyond the crossing."""
-        return self._found[1]
+        return self._entries[1]
 
     @cached_property
     def normal(self) -> Vector:

@@ -40,7 +40,7 @@ class CustomPair(Pair):
     radius: Scalar | None = None
     length: Scalar | None = None
     kind: ClassVar[str] = "custom"
-    measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH, "length": Slot.of("m", POSITIVE, asked_as="L")}
+    measures: ClassVar[Mapping[str, Slot]] = {"radius": LENGTH, "length": Slot.of("m", POSITIVE, law_symbol="L")}
 
     @property
     def form(self) -> str:  # type: ignore[override]  # here it depends on what is given

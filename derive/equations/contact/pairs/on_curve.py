@@ -30,27 +30,27 @@ class OnSolidCurve(Pair):
 
     form: ClassVar[str] = "line"
     measures: ClassVar[Mapping[str, Slot]] = {
-        "curvature_radius": Slot.of("m", POSITIVE, asked_as="R_eff"),
-        "length": Slot.of("m", POSITIVE, asked_as="L"),
+        "curvature_radius": Slot.of("m", POSITIVE, law_symbol="R_eff"),
+        "length": Slot.of("m", POSITIVE, law_symbol="L"),
     }
 
     @property
     def geometry(self) -> dict[str, Any]:
         """Radius of relative curvature and length, where given."""
         given = {
-            "R_eff": self._given("curvature_radius"),
-            "R_min": self._given("curvature_radius"),
-            "L": self._given("length"),
+            "R_eff": self._field("curvature_radius"),
+            "R_min": self._field("curvature_radius"),
+            "L": self._field("length"),
         }
         return {name: value for name, value in given.items() if value is not None}
 
-    def _given(self, name: str) -> Any:
+    def _field(self, name: str) -> Any:
         return getattr(self, name, None)
 
     @property
     def curves(self) -> tuple[Any, ...]:
         """The curve."""
-        return (self._given("curve"),)
+        return (self._field("curve"),)
 
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of the pair, its curve's included."""
@@ -60,7 +60,7 @@ class OnSolidCurve(Pair):
 
     def faults(self) -> Iterator[Fault]:
         """Yield the fault of a curve with copies, which are searched between curves alone."""
-        yield from single_faults(f"pair {self.name}", self._given("curve"))
+        yield from single_faults(f"pair {self.name}", self._field("curve"))
 
 
 @dataclass(frozen=True)

@@ -152,7 +152,7 @@ class PinInBush(WithClearance):
     measures: ClassVar[Mapping[str, Slot]] = {
         "bush_radius": LENGTH,
         "clearance": LENGTH,
-        "length": Slot.of("m", POSITIVE, asked_as="L"),
+        "length": Slot.of("m", POSITIVE, law_symbol="L"),
     }
     holds_film: ClassVar[bool] = True
     labels: ClassVar[tuple[str, str]] = ("pin", "bush")

@@ -13,7 +13,7 @@ BLOCK, WIDTH, HEIGHT, TILT = 7.0, 0.1, 0.6, 0.08
 RADIUS, SLENDER = math.hypot(WIDTH, HEIGHT) / 2, math.atan2(WIDTH, HEIGHT)
 FALLEN = BLOCK * G * RADIUS * (math.cos(SLENDER - TILT) - math.cos(SLENDER))  # J
 TURNING = math.sqrt(2 * FALLEN / (4 / 3 * BLOCK * RADIUS**2))  # rad/s about the corner it stands on
-KEPT = 1 - 1.5 * math.sin(SLENDER) ** 2  # of that in a plastic impact
+HOUSNER_RATIO = 1 - 1.5 * math.sin(SLENDER) ** 2  # of that in a plastic impact
 
 CASES = (
     HardCase(
@@ -29,7 +29,7 @@ CASES = (
             Known(
                 "energy lost",
                 lambda run: float(run["energy"][0] - run["energy"][-1]),
-                FALLEN * (1 - KEPT**2),
+                FALLEN * (1 - HOUSNER_RATIO**2),
                 1e-4 * FALLEN,
                 "J",
                 "Housner 1963",

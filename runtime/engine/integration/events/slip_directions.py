@@ -72,7 +72,7 @@ def _limited(groups: Groups) -> Any:
 
     Forces within their limits. Pairs at one beyond their sliding force let go of it, and the forces are asked for `again`.
     """
-    starts, step, found = _start(groups), _newton(groups), _found(groups)
+    starts, step, found = _start(groups), _newton(groups), _limited_force(groups)
     arguments = step.mx_in()
     lazy = ca.Function.if_else("lazy", step, ca.Function("unchanged", arguments, arguments[3:]))
     n = sum(map(len, groups))
@@ -179,7 +179,7 @@ def _newton(groups: Groups) -> Any:
     return ca.Function("newton", given, ca.cse([after, push, room, 1 - done]))
 
 
-def _found(groups: Groups) -> Any:
+def _limited_force(groups: Groups) -> Any:
     """Build the function (open, sliding, limit, x, push, room, busy) -> (force, limit, again, busy)."""
     k = len(groups)
     still, sliding, limit, x = _symbols(groups, "open sliding limit x")

@@ -37,7 +37,7 @@ FINISH = "finish"  # name of the function that completes an attempt, by an event
 class Integrator:
     """CasADi functions of one model and method: initial state, attempt, dense output.
 
-    asked    tables that `integrator` was given
+    requested    tables that `integrator` was given
     tables   by the state's `method`; a run whose `attempt` uses only the first may continue with the integrator `with_choice`
     """
 
@@ -47,13 +47,13 @@ class Integrator:
     enter: Any  # (state, controls) -> state with other pieces of the inputs; None without inputs
     model: Model
     tables: tuple[Table, ...]
-    asked: tuple[Table, ...] = ()
+    requested: tuple[Table, ...] = ()
     with_choice: Callable[[], Integrator] | None = None
     _steps: dict[int, Any] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle and copy what it was made of; it is built anew."""
-        return integrator, (self.model, self.asked)
+        return integrator, (self.model, self.requested)
 
     def step(self, method: int = 0) -> Any:
         """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
@@ -75,11 +75,11 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     """
     alone, explicit = len(tables) == 1, isinstance(tables[0], RungeKutta)
     if alone and not (passes_by_implicit_steps(model, tables) if explicit else model.nl):
-        return replace(_integrator(model, tables, tables, Choosing.NONE), asked=tables)
+        return replace(_integrator(model, tables, tables, Choosing.NONE), requested=tables)
     asked, tables = tables, (*tables, esdirk54() if explicit else dopri5()) if alone else tables
     first, later = (Choosing.NONE,) * 2 if alone else (Choosing.ON_SUSPICION, Choosing.EVERY_STEP)
     with_choice = cache(lambda: _integrator(model, tables, tables, later))
-    return replace(_integrator(model, tables[:1], tables, first), asked=asked, with_choice=with_choice)
+    return replace(_integrator(model, tables[:1], tables, first), requested=asked, with_choice=with_choice)
 
 
 def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing) -> Integrator:

@@ -47,7 +47,7 @@ static inline double casadi_chosen(double condition, double x) {
   return ((casadi_two)(holds & (casadi_mask)(casadi_two){x, 0}))[0];
 }
 """
-_GIVEN = re.compile(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0")
+_ARGUMENT = re.compile(r"arg\[(\d+)\]\? arg\[\1\]\[(\d+)\] : 0")
 _RESULT = re.compile(r"if \(res\[(\d+)\]!=0\) res\[\1\]\[(\d+)\]=")
 _VARIABLE = re.compile(r"\ba\d+\b")
 _CALLED = re.compile(r"\bcasadi_f\d\w*\b")
@@ -140,7 +140,7 @@ def _straight(function: re.Match[str]) -> str:
     name, body = function.groups()
     if len(_CHOICE.findall(body)) > CHOICES:
         body = _CHOICE.sub(r"casadi_chosen(\1, \2)", body)
-    body = _RESULT.sub(r"y\1[\2]=", _GIVEN.sub(r"x\1[\2]", body))
+    body = _RESULT.sub(r"y\1[\2]=", _ARGUMENT.sub(r"x\1[\2]", body))
     head = f"static int {name}{_ARGUMENTS} {{\n"
     if len(body) <= LONG:
         return f"{head}{_declared(body)}{body}  return 0;\n}}\n"

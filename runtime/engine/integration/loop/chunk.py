@@ -205,7 +205,7 @@ class _March:
         departures: Departures | None = None,
     ) -> None:
         if pieces is not None:
-            start = Resume(pieces.given(start.state), start.with_choice)
+            start = Resume(pieces.with_pieces(start.state), start.with_choice)
         state, layouts, self._pieces = start.state, integrator.layouts, pieces
         self._provider, self._controls, self._at = provider, controls, layouts.state.places
         self._t_end, self._max_steps = (controls[layouts.controls.places[name]] for name in ("t_end", "max_steps"))
@@ -264,7 +264,7 @@ class _March:
             self.status = states[-1, status] = RUNNING
         if self._pieces is not None and self.status == FINISHED and self._pieces.ended(states[-1]):
             states[-1, status] = RUNNING
-            states = np.vstack([states, self._pieces.given(states[-1])])
+            states = np.vstack([states, self._pieces.with_pieces(states[-1])])
             self.status = int(states[-1, status])
         if self.status == RUNNING and self._automatic and self._fails(states):
             for name, value in (("method", IMPLICIT), ("pressure", PATIENCE), ("stiffness", 0.0)):

@@ -27,7 +27,7 @@ class Pieces:
         """Return whether the run goes on after a state that is where its pieces end."""
         return bool(state[self._t] < self._t_end)
 
-    def given(self, state: np.ndarray) -> np.ndarray:
+    def with_pieces(self, state: np.ndarray) -> np.ndarray:
         """Return a state with the pieces that hold from its time on, and when they end."""
         place = self._schedule.place(float(state[self._t]))
         state, before = state.copy(), state[self._pieces]

@@ -183,13 +183,13 @@ class NearModel(Model):
         _, made, skin = self.lists_of(run["c"])
         r, v, a = self.centres()(at["t"], at["y"], at["dy"], run["c"])
         way, speed, rate = self.lengths(r - made), self.lengths(v), self.lengths(a)
-        left = ca.fmax(KEPT * skin / 2 - way, 0)
+        left = ca.fmax(FORESEEN * skin / 2 - way, 0)
         # of s + 2/5 ... the larger share is what a step adds at its end
         time = 2 * left / (speed + ca.sqrt(speed * speed + 2 * rate * left) + 1 / APART)
         return ca.mmin(time), ca.mmax(way) > 0
 
 
-KEPT = 0.5  # of half the skin: the way to the end of a step foreseen; within it a curve may go further
+FORESEEN = 0.5  # of half the skin: the way to the end of a step foreseen; within it a curve may go further
 
 
 def _release(model: Model, pair: int) -> str:

@@ -120,7 +120,7 @@ def _motion_derivatives(model: Model) -> Any:
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
     dq, x = model.function("coordinate_rates")(t, q, u, c), ca.vertcat(y, t)
-    if model.has("balance"):  # nothing is driven: no reactions
+    if model.has_function("balance"):  # nothing is driven: no reactions
         by_x, by_f = _implicit_derivatives(model, t, q, u, c, x, f, a, *multipliers)
         by_x = ca.vertcat(ca.jacobian(dq, x), by_x, ca.jacobian(power, x))
         by_f = ca.vertcat(ca.SX(model.nq, f.numel()), by_f, ca.SX(model.nz, f.numel()))

@@ -101,7 +101,7 @@ class _Evaluation:
     _sparse = SPARSE
 
     def __init__(self, model: Model, found: Alike, rows: list[tuple[int, ...]]) -> None:
-        self._model, self._found, self._rows = model, found, rows
+        self._model, self._alike, self._rows = model, found, rows
         self._nf = model.function("applied").numel_out(0)
         self._places = [places for _, places, _ in self._kinds(found)]
         self._ladder = [rung for rung in LADDER if self._sparse * rung <= max(map(len, self._places))]
@@ -113,14 +113,14 @@ class _Evaluation:
         """Build all functions."""
         t, y, mode, m, c = self._model.symbols("t y mode m c", ca.MX)
         touching, dy = ca.MX.sym("touching", 1 + sum(self._most)), ca.MX.sym("dy", y.numel())
-        given, forces = [t, y, mode, m, c, touching], [self._forces(kind.items[0]) for kind in self._found.kinds]
-        pushes = self._found.with_results([[*range(n)] for n in forces])
-        rates = self._found.rates(forces, 1 + len(self._states()))
+        given, forces = [t, y, mode, m, c, touching], [self._forces(kind.items[0]) for kind in self._alike.kinds]
+        pushes = self._alike.with_results([[*range(n)] for n in forces])
+        rates = self._alike.rates(forces, 1 + len(self._states()))
         at, moving = self._inputs(t, y, m, c, dy)
         return ContactForces(
             touching=ca.Function("touching", [mode], [self._touching(mode)]),
             pushes=self._by_rung("pushes", given, pushes, at, []),
-            contacts=self._by_rung("contacts", given, self._found, at, [0, 1]),
+            contacts=self._by_rung("contacts", given, self._alike, at, [0, 1]),
             rates=self._by_rung("force_rates", [*given, dy], rates, moving, [0]),
             depends=self._depends(pushes),
             reads_memory=any(place >= self._model.nq + self._model.nu for place in pushes.taken[1]),
@@ -258,7 +258,7 @@ class _OfPlaces(_Evaluation):
     def _inputs(self, t: Any, y: Any, m: Any, c: Any, dy: Any) -> tuple[list[Any], list[Any]]:
         whole = self._model.whole
         (q, u, _), (dq, du, _) = map(self._model.parts, (y, dy))
-        at = [t, q, u, ca.DM.ones(self._found.shared.numel_in(LATCHES)), c[: whole.nc]]
+        at = [t, q, u, ca.DM.ones(self._alike.shared.numel_in(LATCHES)), c[: whole.nc]]
         return at, [*at, ca.MX(1), dq, du]
 
     def _kinds(self, found: Alike) -> list[_Placed]:

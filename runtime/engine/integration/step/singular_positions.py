@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import Model
 
 NEARBY = 0.05  # independent part of a constraint's square below which a singular position may be near
-KEPT = 0.25  # of the gap between two nodes: distance that the position keeps from both
+MARGIN = 0.25  # of the gap between two nodes: distance that the position keeps from both
 REACH = 2.0  # steps: distance below which none is implicit; with 1, esdirk still shrinks onto the position at a tolerance of 1e-13
 AT_ONCE = 0.25  # of the first node: a position this close to the start of a step counts as passed
 
@@ -80,5 +80,5 @@ def _gap(table: Table) -> tuple[float, float, float]:
     nodes = np.unique(np.clip([0.0, 1.0, *found], 0, 1))
     gaps = np.diff(nodes)
     widest = int(np.argmax(gaps))
-    margin = KEPT * gaps[widest]
+    margin = MARGIN * gaps[widest]
     return float(nodes[1]), float(nodes[widest] + margin), float(nodes[widest + 1] - margin)

@@ -21,8 +21,13 @@ from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.solution import Solution
 from hertzwerk.runtime.engine.solution.step_observers import INTERVALS
 from hertzwerk.runtime.engine.start.start_values import split_values
-from hertzwerk.runtime.studies.comparison.comparison_request import Asked, Channel, read_asked, read_channels
-from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+from hertzwerk.runtime.studies.comparison.comparison_request import (
+    Channel,
+    ComparisonRequest,
+    read_channels,
+    read_comparison_request,
+)
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 from hertzwerk.runtime.studies.comparison.series_moments import (
     FEWEST,
     KINDS,
@@ -90,8 +95,8 @@ class _OverTime:
 
     kinds = KINDS
 
-    def __init__(self, asked: Asked) -> None:
-        self._asked, self.times, self.channels = asked, asked.measurement.times, asked.channels
+    def __init__(self, asked: ComparisonRequest) -> None:
+        self._request, self.times, self.channels = asked, asked.measurement.times, asked.channels
         self._spacing = float(np.median(np.diff(self.times)))
         self.least = FEWEST * self._spacing
         settling = 0.0 if asked.instrument is None else 2 * asked.instrument.settling
@@ -105,7 +110,7 @@ class _OverTime:
     def of(
         self, run: Solution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
     ) -> SeriesStatistics:
-        seen = SeenRun(run, [c.history for c in self.channels], self._asked.instrument, self._spacing)
+        seen = FilteredRun(run, [c.history for c in self.channels], self._request.instrument, self._spacing)
         start = max(seen.start, run.t_start + _transient(skip, run.t_end - run.t_start))
         times: Array = start + self._spacing * np.arange(int((seen.end - start) / self._spacing), dtype=float)
         samples = _noisy(seen.at(times), self.channels)
@@ -243,7 +248,7 @@ def _sight(model: Model, series: MeasuredSeries, faults: list[Fault]) -> _Sight 
         return _impacts(read_channels(impact_units(model), table, mapped, noise, faults), faults)
     try:
         return _OverTime(
-            read_asked(
+            read_comparison_request(
                 units_of(model, None), table, mapped, bandwidth=series.bandwidth, order=series.order,
                 zero_phase=series.zero_phase, offset=0.0, drift=0.0, noise=noise,
             )

@@ -90,15 +90,17 @@ class FittedMoments(Estimates):
             g = self.goodness
             does = "explain" if self.explained else "do not explain"
             text = f"the stated deviations {does} what differs: chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
-        many = "a combination of parameters" if len(self.untold) == 1 else f"{len(self.untold)} combinations"
-        return f"{text}; {many} cannot be identified" if self.untold else text
+        many = (
+            "a combination of parameters" if len(self.unidentified) == 1 else f"{len(self.unidentified)} combinations"
+        )
+        return f"{text}; {many} cannot be identified" if self.unidentified else text
 
     def lines(self) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences."""
         yield "fit", f"{self.scene} to {len(self.moments)} statistics: {self.runs_made:,} runs"
         for value in self.values.values():
             yield value.name, f"{value}; {value.interval.how}"
-        for text in self.untold:
+        for text in self.unidentified:
             yield "unidentified", text
         for moment in self.moments:
             yield moment.name, str(moment)
@@ -116,8 +118,8 @@ class FittedMoments(Estimates):
             "singular_values": self.known.singular_values.tolist(),
             "directions": self.known.directions.T.tolist(),
             "correlation": self.known.correlation.tolist(),
-            "distribution": None if self.untold else self.distribution().record(),
-            "untold": list(self.untold),
+            "distribution": None if self.unidentified else self.distribution().record(),
+            "unidentified": list(self.unidentified),
             "goodness": self.goodness and asdict(self.goodness),
             "explained": self.explained,
             "verdict": self.verdict,
@@ -128,8 +130,8 @@ class FittedMoments(Estimates):
 
 
 @dataclass(frozen=True)
-class AskedMoments:
-    """Fit of moments that was asked for; raises nothing: `read_moment_fit` checks."""
+class MomentFitRequest:
+    """Request for a fit of moments; raises nothing: `read_moment_fit` checks."""
 
     model: Model
     free: tuple[Free, ...]
@@ -176,7 +178,7 @@ def read_moment_fit(
     seed: int,
     before: Sequence[Fault] = (),
     series: Sequence[MeasuredSeries] = (),
-) -> AskedMoments:
+) -> MomentFitRequest:
     """Read a fit of moments; raises InputError with every fault but those that a sweep finds.
 
     moments    by name of a sweep's output, each (value, standard deviation), or text "412 +- 5 1/s"; None for COLUMN.KIND
@@ -223,7 +225,7 @@ def read_moment_fit(
         raise InputError(f"fit of {model.name}", faults)
     if computed:
         how = {"duration": max(one.sight.lasts for one in computed), **how}
-    return AskedMoments(model, freed, tuple(found), tuple(half_widths), computed, how, seed)
+    return MomentFitRequest(model, freed, tuple(found), tuple(half_widths), computed, how, seed)
 
 
 def _pair(given: object) -> tuple[Value, Value] | None:
@@ -237,7 +239,7 @@ def _pair(given: object) -> tuple[Value, Value] | None:
     return given if isinstance(given, tuple) and len(given) == 2 else None
 
 
-def fitted_moments(asked: AskedMoments, progress: Callable[[float], object] | None = None) -> FittedMoments:
+def fitted_moments(asked: MomentFitRequest, progress: Callable[[float], object] | None = None) -> FittedMoments:
     """Return the fit of moments; raises InputError where too few runs finish."""
     free, count = asked.free, len(asked.free)
     full = np.array([each.bounds for each in free])
@@ -281,7 +283,7 @@ def _spread(free: Sequence[Free], box: Array) -> dict[str, str]:
 
 
 def _runs(
-    asked: AskedMoments, over: Mapping[str, Any], progress: Callable[[float], object] | None, **points: Any
+    asked: MomentFitRequest, over: Mapping[str, Any], progress: Callable[[float], object] | None, **points: Any
 ) -> tuple[Array, Array, Array, str]:
     """Return places (n, k) of finished runs, statistics (n, moments), their variances, why one is lost."""
     stated = [moment.name for moment in asked.moments[: len(asked.half_widths)]]
@@ -355,7 +357,7 @@ class _Surface:
         return np.column_stack(columns)
 
 
-def _least(asked: AskedMoments, surface: _Surface) -> tuple[Array, Array, Array]:
+def _least(asked: MomentFitRequest, surface: _Surface) -> tuple[Array, Array, Array]:
     """Return the best place, the covariance of what differs there, and the derivatives of the statistics."""
     from scipy.optimize import least_squares  # slow to import
 
@@ -380,7 +382,7 @@ def _least(asked: AskedMoments, surface: _Surface) -> tuple[Array, Array, Array]
 
 
 def _concluded(
-    asked: AskedMoments, surface: _Surface, best: Array, covariance: Array, jacobian: Array, made: int, full: Array
+    asked: MomentFitRequest, surface: _Surface, best: Array, covariance: Array, jacobian: Array, made: int, full: Array
 ) -> FittedMoments:
     from scipy.stats import chi2, norm  # slow to import
 
@@ -426,14 +428,14 @@ def _concluded(
         if m.fitted_deviation > m.deviation
     ]
     warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end(value.value)]
-    untold = known.untold([value.value for value in values.values()], len(values))
+    unidentified = known.unidentified([value.value for value in values.values()], len(values))
     return FittedMoments(
-        asked.model.name, values, known, tuple(untold), goodness, made, tuple(warnings), moments, profiles
+        asked.model.name, values, known, tuple(unidentified), goodness, made, tuple(warnings), moments, profiles
     )
 
 
 def _profile(
-    asked: AskedMoments, surface: _Surface, root: NDArray[np.floating[Any]], best: Array, j: int
+    asked: MomentFitRequest, surface: _Surface, root: NDArray[np.floating[Any]], best: Array, j: int
 ) -> tuple[Array, Array]:
     """Return places along a quantity within the box of the regression, and what the objective rises there."""
     from scipy.optimize import least_squares  # slow to import
@@ -473,7 +475,7 @@ def _ends(places: Array, rises: Array, best: float, quantile: float) -> tuple[fl
     return found[0], found[1]
 
 
-def _checked(asked: AskedMoments, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:
+def _checked(asked: MomentFitRequest, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:
     """Return in what a run at the best fit is not as the regression says."""
     over = {value.name: [(value.value, value.unit)] for value in values.values()}
     x, y, noise, _ = _runs(asked, over, None)

@@ -47,7 +47,7 @@ def figure(fit: FittedMoments) -> Figure:
             axis.set_visible(False)
         page.suptitle(plain(f"{fit.scene} fitted to statistics"), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
         notes = [f"{value.name} = {value}" for value in fit.values.values()]
-        notes += [fit.verdict, *fit.untold, *fit.warnings]
+        notes += [fit.verdict, *fit.unidentified, *fit.warnings]
         text = "\n".join(part for note in notes for part in textwrap.wrap(note, CHARACTERS))
         page.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color=GREY)
     return page

@@ -21,14 +21,14 @@ from hertzwerk.derive.common.faults import Fault, shown, unknown
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.inputs.inputs_by_row import Labels
 from hertzwerk.runtime.engine.model.binding import Value, read, whole_faults
-from hertzwerk.runtime.engine.model.ranges import EXPECTED, MOST, NUMBER, Given, Range, RangeValues, read_range
+from hertzwerk.runtime.engine.model.ranges import EXPECTED, MOST, NUMBER, Range, RangeValues, ValueWithUnit, read_range
 from hertzwerk.runtime.system.lazy import cached_property
 
 Varied: TypeAlias = str | Value | Sequence[Value]
 
 SAMPLERS = ("latin", "sobol")
 
-Listed: TypeAlias = tuple[Given, ...] | RangeValues | Labels
+Listed: TypeAlias = tuple[ValueWithUnit, ...] | RangeValues | Labels
 Axis: TypeAlias = Listed | Range
 """Values of one parameter, labels of an input's, or a range to be sampled."""
 
@@ -108,7 +108,7 @@ class Design:
         return found
 
 
-def _drawn(axis: Axis, part: float) -> Given | str:
+def _drawn(axis: Axis, part: float) -> ValueWithUnit | str:
     """Return the value of an axis at a part 0..1 of it."""
     return axis.at(Fraction(part)) if isinstance(axis, Range) else axis[min(int(part * len(axis)), len(axis) - 1)]
 
@@ -188,9 +188,9 @@ def _with_shared_unit(parts: list[str]) -> list[str]:
     return parts
 
 
-def _listed(where: str, values: Sequence[object], faults: list[Fault]) -> tuple[Given, ...] | None:
+def _listed(where: str, values: Sequence[object], faults: list[Fault]) -> tuple[ValueWithUnit, ...] | None:
     """Read values of a list."""
-    found: list[Given] = []
+    found: list[ValueWithUnit] = []
     wrong = []
     for value in values:
         try:

@@ -23,7 +23,7 @@ from hertzwerk.runtime.engine.inputs.inputs_by_row import Choices, Labels
 from hertzwerk.runtime.engine.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.engine.model.build import derive_digest, file_of, law_files, located_target
 from hertzwerk.runtime.engine.model.model import Model
-from hertzwerk.runtime.engine.model.ranges import Given, Range, RangeValues
+from hertzwerk.runtime.engine.model.ranges import Range, RangeValues, ValueWithUnit
 from hertzwerk.runtime.engine.model.signal import digest_of
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.start.start_values import split_values
@@ -114,7 +114,7 @@ def as_text(value: Any) -> str:
     return f"{number!r}" if unit == "1" else f"{number!r} {unit}"
 
 
-def as_given(value: Value) -> Value:
+def number_and_unit(value: Value) -> Value:
     """Return a number and its unit, or what cannot be read as it is: its rows will say so."""
     try:
         number, _, unit = read(value)
@@ -140,11 +140,11 @@ def design_of(definition: Mapping[str, Any]) -> Design:
     found = read_design(over, **how, faults=[])
     axes = {name: found.axes[name] if name in over else Labels(axis) for name, axis in definition["over"].items()}
     return replace(
-        found, axes=axes, fixed={name: as_given(text) for name, text in definition["parameters"].items()}, **how
+        found, axes=axes, fixed={name: number_and_unit(text) for name, text in definition["parameters"].items()}, **how
     )
 
 
-def _axis(axis: tuple[Given, ...] | RangeValues | Range) -> str:
+def _axis(axis: tuple[ValueWithUnit, ...] | RangeValues | Range) -> str:
     if not isinstance(axis, tuple):
         return str(axis)
     shared = len({unit for _, unit in axis}) == 1
@@ -159,7 +159,7 @@ def differences(before: Mapping[str, Any], now: Mapping[str, Any]) -> list[Fault
         {name: value for name, value in _flat(part) if name.partition(".")[0] not in FOLLOW} for part in (before, now)
     )
     return [
-        Fault(name, _told(has.get(name)), f"{_told(had.get(name))}, as of the sweep there", WIDEN)
+        Fault(name, _summary(has.get(name)), f"{_summary(had.get(name))}, as of the sweep there", WIDEN)
         for name in {**had, **has}
         if had.get(name) != has.get(name)
     ]
@@ -173,7 +173,7 @@ def _flat(part: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Any]
             yield f"{before}{name}", value
 
 
-def _told(value: Any) -> str:
+def _summary(value: Any) -> str:
     """Return a value as a message shows it; of many values their number and ends."""
     if isinstance(value, str) and value.count(", ") > 3:
         first, *_, last = values = value.split(", ")

@@ -62,7 +62,7 @@ class Cluster:
         if not isinstance(client, Client) or client.asynchronous:
             raise InputError("cluster", [Fault("client", shown(client), "a distributed.Client, not asynchronous")])
         self._client = client
-        self._seen = self._looked = time.monotonic()
+        self._answered = self._looked = time.monotonic()
         try:
             client.wait_for_workers(1, timeout=PATIENCE)
             self.workers = self._threads()
@@ -116,8 +116,8 @@ class Cluster:
             return
         self._looked, threads = now, self._threads()
         if threads:
-            self._seen, self.workers = now, threads
-        elif now - self._seen > PATIENCE:
+            self._answered, self.workers = now, threads
+        elif now - self._answered > PATIENCE:
             raise EngineLostError(f"no worker has been there for {PATIENCE:g} s")
 
     def _threads(self) -> int:

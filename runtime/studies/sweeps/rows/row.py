@@ -37,7 +37,7 @@ class Packed:
 
 @dataclass(frozen=True)
 class Row:
-    """One run: `given` values as given, `values` in SI, `outputs` by column; wall_s: integration [s].
+    """One run: `stated` values as given, `values` in SI, `outputs` by column; wall_s: integration [s].
 
     arrays    points as (points, names) by what they are of: "section", "histories"
 
@@ -46,7 +46,7 @@ class Row:
     """
 
     index: int
-    given: Mapping[str, Value]
+    stated: Mapping[str, Value]
     outcome: str
     message: str = ""
     values: Mapping[str, float] = field(default_factory=dict)
@@ -63,7 +63,7 @@ class Row:
             return self.wall_s
         found = self.outputs.get(name, self.values.get(name))
         if found is None:
-            label = self.given.get(name)
+            label = self.stated.get(name)
             return label if isinstance(label, str) else math.nan
         return found
 

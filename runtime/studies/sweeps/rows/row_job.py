@@ -21,8 +21,8 @@ from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivative
 from hertzwerk.runtime.engine.solution.step_observers import Findings, Needs
 from hertzwerk.runtime.engine.start.start_values import split_values
 from hertzwerk.runtime.simulation import Solution, solving
-from hertzwerk.runtime.studies.sweeps.rows.kept_arrays import Kept, Times
 from hertzwerk.runtime.studies.sweeps.rows.row import LOST, Packed, Row
+from hertzwerk.runtime.studies.sweeps.rows.row_arrays import RowArrays, Times
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured, NotANumberError, Output, derived_by, named
 from hertzwerk.runtime.system.lazy import cached_property
 from hertzwerk.runtime.system.stages import Stages, in_stages
@@ -44,11 +44,11 @@ class Tasks:
     """
 
     def __init__(self, made: Iterable[Task], count: int = 0) -> None:
-        self._made, self._seen, self._count = iter(made), deque[Task](), count
+        self._made, self._drawn, self._count = iter(made), deque[Task](), count
 
     def __bool__(self) -> bool:
-        self._seen.extend(islice(self._made, 0 if self._seen else 1))
-        return bool(self._seen)
+        self._drawn.extend(islice(self._made, 0 if self._drawn else 1))
+        return bool(self._drawn)
 
     def __len__(self) -> int:
         """Return how many are left, about: at least one where there is any."""
@@ -63,12 +63,12 @@ class Tasks:
         """The next one, which stays; raises IndexError where there is none."""
         if not self:
             raise IndexError("no task is left")
-        return self._seen[0]
+        return self._drawn[0]
 
     def take(self) -> Task:
         """Take the next one; raises IndexError where there is none."""
         task = self.first
-        self._seen.popleft()
+        self._drawn.popleft()
         self._count -= 1
         return task
 
@@ -92,7 +92,7 @@ class LocalFlag:
 class Job:
     """Runs of one model, each a task for the workers of an engine.
 
-    kept    arrays that every row keeps
+    row_arrays    arrays that every row keeps
     choices    what rows choose their inputs among
     foreseen    time [s] that all take uncompiled, on all workers
     compiled    whether they are, once prepared
@@ -101,7 +101,7 @@ class Job:
     model: Model
     settings: Settings
     outputs: list[Output]
-    kept: Kept | None = None
+    row_arrays: RowArrays | None = None
     foreseen: float = 0.0
     stop: Flag = field(default_factory=LocalFlag)
     compiled: bool = False
@@ -113,13 +113,13 @@ class Job:
     @cached_property
     def needs(self) -> Needs:
         """Parts of a run that outputs and arrays are computed from."""
-        first = Needs.ENDS if self.kept is None else self.kept.needs
+        first = Needs.ENDS if self.row_arrays is None else self.row_arrays.needs
         return reduce(or_, (output.needs for output in self.outputs), first)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle outputs by their names, for a process that shares nothing."""
         outputs = [(output.name, output.function) for output in self.outputs]
-        return _sent, (self.model, self.settings, outputs, self.kept, self.foreseen, self.stop, self.choices)
+        return _sent, (self.model, self.settings, outputs, self.row_arrays, self.foreseen, self.stop, self.choices)
 
     def prepare(self) -> None:
         """Build what all rows need, compiled where that saves time; raises InputError without a compiler."""
@@ -193,7 +193,7 @@ class Job:
         """
         model, values = self.choices.of(self.model, task[1])
         parameters, initial = split_values(model, values)
-        times = None if self.kept is None else self.kept.times(model, parameters)
+        times = None if self.row_arrays is None else self.row_arrays.times(model, parameters)
         if times is not None and Needs.STEPS not in self.needs and len(times.all):
             settings = replace(settings, grid=times.all)
         solution = yield from solving(model, settings, parameters, initial, needs=self.needs, progress=progress)
@@ -236,7 +236,7 @@ class Job:
                 outcome, message = BAD_OUTPUT, f"section or histories raised {type(error).__name__}: {error}"
         return Row(
             index=i,
-            given=given,
+            stated=given,
             outcome=outcome,
             message=message,
             values=self._values(task),
@@ -255,7 +255,7 @@ def _sent(
     model: Model,
     settings: Settings,
     outputs: list[tuple[str, Own | None]],
-    kept: Kept | None,
+    kept: RowArrays | None,
     foreseen: float,
     stop: Flag,
     choices: Choices,

@@ -106,10 +106,10 @@ def own(name: str, function: Callable[[Solution], float]) -> Output:
 def named(model: Model, outputs: Sequence[tuple[str, Callable[[Solution], float] | None]]) -> list[Output]:
     """Return outputs by their names and, of the user's own, functions."""
     there = {output.name: output for output in (*of_every_run(model), *_known(model))}
-    return [_found(model, there, name) if function is None else own(name, function) for name, function in outputs]
+    return [_output_of(model, there, name) if function is None else own(name, function) for name, function in outputs]
 
 
-def _found(model: Model, there: Mapping[str, Output], name: str) -> Any:
+def _output_of(model: Model, there: Mapping[str, Output], name: str) -> Any:
     """Return the output of a name, of a reading too, which is derived then; None where there is none."""
     if DERIVATIVE.fullmatch(name):
         return _derivative(model, there, name)
@@ -122,7 +122,7 @@ def _found(model: Model, there: Mapping[str, Output], name: str) -> Any:
 def _derivative(model: Model, there: Mapping[str, Output], name: str) -> Output | None:
     """Return the output of a derivative, "d(OUTPUT)/d(NAME)"; None where there is none."""
     above, to = DERIVATIVE.fullmatch(name).groups()  # type: ignore[union-attr]
-    of, units = _found(model, there, above), quantities(model)
+    of, units = _output_of(model, there, above), quantities(model)
     if of is None or of.derived or to not in units:
         return None
 
@@ -138,7 +138,7 @@ def _derivative_faults(model: Model, there: Mapping[str, Output], name: str) -> 
     above, to = DERIVATIVE.fullmatch(name).groups()  # type: ignore[union-attr]
     units = quantities(model)
     faults = [] if to in units else [unknown("parameter or initial state", to, units)]
-    if _found(model, there, above) is None:
+    if _output_of(model, there, above) is None:
         faults.append(unknown("sweep output", above, there, _OTHERWISE))
     elif DERIVATIVE.fullmatch(above):
         faults.append(Fault(name, "a derivative of a derivative", "a first derivative: there are no others"))
@@ -162,7 +162,7 @@ def chosen(model: Model, names: object, faults: list[Fault]) -> list[Output]:
     there = known(model)
     faults += [unknown("sweep output", name, there, _OTHERWISE) for name in names if not isinstance(name, str)]
     texts = list(dict.fromkeys(name for name in names if isinstance(name, str)))
-    found = {name: _found(model, there, name) for name in texts}
+    found = {name: _output_of(model, there, name) for name in texts}
     derivatives = [name for name in texts if DERIVATIVE.fullmatch(name)]
     for name in derivatives:
         faults += _derivative_faults(model, there, name)

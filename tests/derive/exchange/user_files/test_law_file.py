@@ -171,7 +171,7 @@ def test_a_law_binds_like_a_built_in_one(file):
 def test_every_expression_is_audited_as_written(file):
     findings = audit_laws_as_written(file(FOAM + HERTZ + DAMPING + FRICTION))
     assert {f.verdict for f in findings} == {"consistent"}
-    assert [f.what for f in findings if f.law == "my_hertz"] == [
+    assert [f.quantity for f in findings if f.law == "my_hertz"] == [
         "definition of E_eff", "definition of K", "force", "stored", "reach", "exponent",
     ]  # fmt: skip
     assert [f.found for f in findings if f.law == "my_hertz"] == ["Pa", "N/m^1.5", "N", "J", "m", "1"]
@@ -197,7 +197,7 @@ MISTAKES = [  # law, change, expression at fault, sub-expression, found, expecte
 def test_a_mistake_is_found_in_the_text(file, text, change, what, part, found, expected):
     assert change[0] in text
     wrong = [f for f in audit_laws_as_written(file(text.replace(*change))) if f.verdict != "consistent"]
-    assert [(f.what, f.subexpression) for f in wrong][:1] == [(what, part)]
+    assert [(f.quantity, f.subexpression) for f in wrong][:1] == [(what, part)]
     assert (wrong[0].found, wrong[0].expected) == (found, expected) or {wrong[0].found, wrong[0].expected} == {
         found,
         expected,

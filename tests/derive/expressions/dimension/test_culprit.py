@@ -109,7 +109,7 @@ def test_a_wrong_stiffness_of_a_written_law_is_named(tmp_path, stored):
 
 def test_a_wrong_stored_energy_is_said_to_be_what_is_wrong(tmp_path):
     (finding,) = audited(tmp_path, stored='stored = "K1*d**2/2 + K3*d**3/4"')
-    assert finding.what == "stored"
+    assert finding.quantity == "stored"
     assert finding.repair.startswith(
         "every other expression of the law holds, so that it is the stored that is wrong; with d**4"
     )

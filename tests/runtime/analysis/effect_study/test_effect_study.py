@@ -147,7 +147,7 @@ def test_two_forces_that_cancel_go_together_and_two_small_ones_do_not():
     found = study.smallest
     assert set(found.left_out) in ({"pull", "push", "breath"}, {"pull", "push", "draught"})
     assert found.change == pytest.approx(7e-3 / shifted, rel=1e-4)
-    assert study.record()["smallest"] == list(found.kept)
+    assert study.record()["smallest"] == list(found.effects)
     assert found.complete
 
 
@@ -159,8 +159,8 @@ def searched(changes, within, following=None, most=80):
 
 
 def test_the_search_tries_all_together():
-    assert searched({"a": 1.0, "b": 1.0, "c": 1.0}, 2.0).kept == ("c",)
-    assert searched({"a": 5.0, "b": -5.0, "c": 9.0}, 2.0).kept == ("c",)
+    assert searched({"a": 1.0, "b": 1.0, "c": 1.0}, 2.0).effects == ("c",)
+    assert searched({"a": 5.0, "b": -5.0, "c": 9.0}, 2.0).effects == ("c",)
     assert searched({"a": 5.0, "b": 5.0}, 2.0).left_out == ()
 
 
@@ -168,7 +168,7 @@ def test_what_follows_goes_along_and_what_falls_apart_stays():
     following = {"contact": frozenset({"contact", "friction"}), "friction": frozenset({"friction"})}
     found = searched({"contact": 1.0, "friction": -1.0}, 0.5, following)
     assert found.left_out == ("contact", "friction")
-    assert searched({"a": math.inf, "b": 0.0}, 0.5).kept == ("a",)
+    assert searched({"a": math.inf, "b": 0.0}, 0.5).effects == ("a",)
 
 
 def test_the_search_is_bounded_and_says_so():
@@ -209,7 +209,7 @@ def test_an_effect_that_a_scene_cannot_do_without_says_why():
     assert motor.fault.startswith("cannot be left out: scales: found no arm")
     assert (motor.cost, dict(motor.changes)) == (None, {})
     assert spring_row.changes["amplitude.slide.travel"].relative == -1
-    assert study.smallest.kept == ("motor", "spring")
+    assert study.smallest.effects == ("motor", "spring")
     assert study.record()["rows"][0]["fault"] == motor.fault
 
 

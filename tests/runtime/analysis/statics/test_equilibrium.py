@@ -115,7 +115,7 @@ def test_rounding_taken_for_a_direction_would_keep_it_from_rest(name, value, tes
 def test_no_support_is_no_equilibrium_and_no_force_leaves_all_open():
     falling = equilibrium(point(push=lambda t, x, v: 1 + 0 * x))
     assert falling.outcome.name == "no_equilibrium" and "path.speed" in falling.outcome.message
-    assert not falling.found and not falling.stable and not falling.rows
+    assert not falling.converged and not falling.stable and not falling.rows
     with pytest.raises(InputError, match="no equilibrium"):
         modes(falling)
     floating = equilibrium(point())
@@ -158,7 +158,7 @@ def test_a_start_is_followed_to_the_time_at_which_drives_are_held():
     early, late = (equilibrium(model, at=t) for t in ("3.5 ms", "27.5 ms"))
     angle = 5000 * 2 * math.pi / 60 * 3.5e-3
     slider = 0.05 * math.cos(angle) + math.sqrt(0.12**2 - (0.05 * math.sin(angle)) ** 2)
-    assert early.found and early.q[1] == pytest.approx(slider, abs=1e-3)
+    assert early.converged and early.q[1] == pytest.approx(slider, abs=1e-3)
     assert late.q == pytest.approx(early.q, rel=1e-9)
     # the slider moves freely: the crank carries the rod's weight at half its length
     assert early.drives["crank_drive"] == pytest.approx(0.21 * G * 0.05 * math.cos(angle) / 2, rel=2e-2)
@@ -168,7 +168,7 @@ def test_redundant_loops_swing_as_one_pendulum_and_are_named():
     """Three cranks on one coupler, two of which would do: w^2 = g (3 m L/2 + m L) / (3 (J + m L^2/4) + m L^2)."""
     model = load(cranks())
     rest = equilibrium(model)
-    assert rest.found and rest.stable
+    assert rest.converged and rest.stable
     assert [math.cos(q) for q in rest.q[[0, 2]]] == pytest.approx([0, 0], abs=1e-9)
     assert {name.partition(".")[0] for name in rest.indeterminate} >= {"right", "middle"}
     wanted = math.sqrt(G * 2.5 / (3 * (0.1 + 0.25) + 1))
@@ -241,7 +241,7 @@ def test_a_drive_carries_what_friction_holds_on_it():
         Start(position={"aside": r}),
     )
     rest = equilibrium(load(scene))
-    assert rest.found
+    assert rest.converged
     assert abs(rest.sticking["side"]) == pytest.approx(2.1 * G, rel=1e-9)
     assert rest.drives["hoist"] == pytest.approx(5.1 * G, rel=1e-9)
 
@@ -264,7 +264,7 @@ def test_a_leaning_tower_that_just_touches_carries_the_weights_above():
     rest = equilibrium(
         load(Scene(Mechanism("tower", joints, pairs), effects, Scales(r, Parameter("pace", "m/s", 0.1), w), start))
     )
-    assert rest.found and not rest.indifferent
+    assert rest.converged and not rest.indifferent
     x = np.array([0, *(rest.q[3 * i] for i in range(3))])
     for i in range(3):
         weights = G * np.array(masses[i:])
@@ -303,7 +303,7 @@ def test_the_tangent_stiffness_is_the_difference_of_forces():
 def test_where_a_drive_of_given_speed_is_later_is_not_known():
     turned = Drive("crank_drive", "main_bearing", speed=Parameter("w", "rad/s", 500))
     model = load(slider_crank.replace(crank_drive=turned))
-    assert equilibrium(model).found
+    assert equilibrium(model).converged
     for ask in (equilibrium, modes):
         with pytest.raises(InputError, match=r"t = 0.001 s, for which main_bearing.angle would have to be integrated"):
             ask(model, at="1 ms")

@@ -51,7 +51,7 @@ def test_the_study_covers_every_damping_law(study):
 @pytest.mark.parametrize("name", [name for name in TRIALS if name not in ("ristow", "kuwabara_kono", "power_damping")])
 def test_the_engine_returns_the_closed_form(study, name):
     found = next(c for c in study.curves if c.law == name)
-    known = [expected(name, e) for e in found.given]
+    known = [expected(name, e) for e in found.prescribed]
     assert np.max(np.abs(found.simulated - known)) < 1e-9
     assert np.max(np.abs(found.closed - known)) < 1e-12
 
@@ -60,7 +60,7 @@ def test_power_damping_of_m_equal_n_is_hysteresis(study):
     """chi = h K/v0 returns what the exact relation has for h."""
     found = next(c for c in study.others if c.law == "power_damping")
     assert found.parameter == "chi*v0/K"
-    known = [restitution(float(h)) for h in found.given]
+    known = [restitution(float(h)) for h in found.prescribed]
     assert np.max(np.abs(found.simulated - known)) < 1e-9
 
 
@@ -76,7 +76,7 @@ def test_kuwabara_and_kono_s_expansion(study):
     Released where the force vanishes, before the gap opens, a little more comes out, of order x^(5/2): Schwager, Poeschel, PRE 78 (2008) 051304.
     """
     found = next(c for c in study.others if c.law == "kuwabara_kono")
-    x = 1.5 * found.given
+    x = 1.5 * found.prescribed
     C1 = math.sqrt(math.pi) * math.gamma(0.6) / (2**0.2 * 5**0.4 * math.gamma(2.1))
     assert pytest.approx(1.15345, abs=5e-6) == C1  # contact-laws.md
     small = x < 0.1
@@ -95,7 +95,7 @@ def test_kuwabara_and_kono_s_expansion(study):
 def test_laws_without_e_against_another_integrator(study, name, drag):
     """d'' = -(d^1.5 + drag), with m = K = v0 = 1, from d = 0 until the force vanishes, by SciPy."""
     found = next(c for c in study.others if c.law == name)
-    for x, out in list(zip(found.given, found.simulated, strict=True))[::5]:
+    for x, out in list(zip(found.prescribed, found.simulated, strict=True))[::5]:
 
         def force(d, v, x=x):
             return max(d, 0.0) ** 1.5 + drag(max(d, 0.0), v, x)
@@ -154,9 +154,9 @@ def test_records(study):
     content = json.loads(json.dumps(study.record()))
     assert len(content["laws"]) == 15
     first = content["laws"][-1]
-    assert {"law", "given", "simulated", "closed", "recommended", "out_at_one", "out_at_zero"} <= set(first)
+    assert {"law", "prescribed", "simulated", "closed", "recommended", "out_at_one", "out_at_zero"} <= set(first)
     rows = list(csv.DictReader(io.StringIO(study.csv())))
-    assert len(rows) == sum(len(c.given) for c in (*study.curves, *study.others))
+    assert len(rows) == sum(len(c.prescribed) for c in (*study.curves, *study.others))
     flores = [row for row in rows if row["law"] == "flores"]
     assert float(flores[0]["simulated"]) == study.curves[[c.law for c in study.curves].index("flores")].simulated[0]
     assert all(row["closed"] == "" for row in rows if row["law"] == "ristow")

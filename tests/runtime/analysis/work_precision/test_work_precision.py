@@ -151,7 +151,7 @@ def test_errors_are_measured_where_the_reference_is_known(model, quick):
     assert held.horizon - held.known == pytest.approx(math.log(1e4) / RATE, rel=0.1)
     found = study(Problem(model, "20 s"), methods=("dop853",), accuracies=(1e-3, 1e-4))
     assert found.shortened
-    assert found.asked == 20
+    assert found.requested == 20
     assert found.reference.t[-1] == pytest.approx(held.known)
     assert all(row.error is not None and row.error < row.accuracy for row in found.rows)
     assert any("run.averages()" in text for text in accuracy_report.warnings(found))

@@ -135,7 +135,7 @@ def test_a_request_that_is_met_at_once_takes_two_runs():
     ladder_result, log = search(1e-6, 1e-8)
     assert ladder_result.verdict is Verdict.MET
     assert log == [1e-8, 1e-8 / CHECK]
-    assert ladder_result.run.kept == (1e-8, True)
+    assert ladder_result.run.data == (1e-8, True)
     assert ladder_result.error.end == pytest.approx(1e-7)
     assert ladder_result.error.decade_cost == pytest.approx(10**0.125, rel=1e-3)
     assert (ladder_result.error.runs, ladder_result.error.pilot_s) == (2, 1.0)
@@ -164,16 +164,16 @@ def test_errors_of_one_sign_are_found_out_by_a_third_run_where_they_are_near_the
     log = []
     ladder_result = of_one_sign(size, log=log)
     assert ladder_result.verdict is Verdict.MET
-    assert ladder_result.run.kept <= 1e-6
+    assert ladder_result.run.data <= 1e-6
     assert (len(log), ladder_result.run.tolerance == 1e-8) == (runs, first)
-    assert ladder_result.error.end == pytest.approx(ladder_result.run.kept, rel=0.2 if runs > 2 else 0.4)
+    assert ladder_result.error.end == pytest.approx(ladder_result.run.data, rel=0.2 if runs > 2 else 0.4)
 
 
 def test_a_third_run_whose_own_error_is_larger_than_expected_confirms_nothing_false():
     """1.02e-6, 0.26e-6, and 0.08e-6 in place of 0.04e-6: by proportion 0.94e-6 + 0.17e-6/4 would meet 1e-6."""
     ladder_result = of_one_sign(1.02e-6, log=[], times=(1.25, 2))
     assert ladder_result.verdict is Verdict.MET
-    assert ladder_result.run.kept <= 1e-6
+    assert ladder_result.run.data <= 1e-6
 
 
 def test_a_third_run_that_fails_tells_nothing_and_one_that_is_stopped_ends_the_search():
@@ -262,7 +262,7 @@ def test_a_run_that_is_valid_to_its_end_is_not_beyond_its_horizon_where_tighter_
 def test_a_failed_run_is_replaced_by_a_tighter_one_and_a_failed_check_too():
     ladder_result, log = search(1e-6, 1e-8, fails=(1, 3))
     assert ladder_result.verdict is Verdict.MET
-    assert ladder_result.run.kept == (1e-8 / CHECK, True)
+    assert ladder_result.run.data == (1e-8 / CHECK, True)
     assert log == pytest.approx([1e-8 / CHECK**k for k in range(4)])
 
 
@@ -274,13 +274,13 @@ def test_what_fails_at_every_tolerance_is_returned_as_far_as_it_got():
     assert not ladder_result.error.known
     ladder_result, _ = search(1e-6, 1e-8, fails=(2, 3, 4))
     assert ladder_result.verdict is Verdict.UNKNOWN
-    assert ladder_result.run.kept == (1e-8, True)
+    assert ladder_result.run.data == (1e-8, True)
     assert len(ladder_result.error.values) == 103
 
 
 def test_where_tighter_runs_fail_one_of_nearly_the_same_tolerance_tells_the_error():
     ladder_result, log = search(1e-6, 1e-8, fails=(2, 3))
-    assert (ladder_result.verdict, ladder_result.run.kept) == (Verdict.MET, (1e-8, True))
+    assert (ladder_result.verdict, ladder_result.run.data) == (Verdict.MET, (1e-8, True))
     assert log == pytest.approx([1e-8, 1e-8 / CHECK, 1e-8 / CHECK**2, 1e-8 * NEAR])
     assert ladder_result.error.end == pytest.approx(1e-7)
     ladder_result, _ = search(1e-7, 1e-8, fails=(2, 3, 5, 6))  # missed, and no smaller tolerance runs through
@@ -295,7 +295,7 @@ def test_near_the_tolerance_of_rounding_the_estimate_counts_it():
     ladder = Ladder(made_up, differ, lambda y: first, 1.0, asked)
     ladder_result = ladder.search(first)
     least = first / HALVED
-    assert ladder_result.run.kept == (
+    assert ladder_result.run.data == (
         least,
         True,
     )  # at the first the half could be rounding: 3 times as much as is seen
@@ -365,10 +365,10 @@ def test_a_stop_returns_what_there_is():
     ladder_result, log = search(1e-6, 1e-8, stops=(1,))
     assert (ladder_result.verdict, ladder_result.error, log) == (Verdict.STOPPED, None, [1e-8])
     ladder_result, _ = search(1e-6, 1e-8, stops=(2,))
-    assert (ladder_result.verdict, ladder_result.run.kept) == (Verdict.STOPPED, (1e-8, True))
+    assert (ladder_result.verdict, ladder_result.run.data) == (Verdict.STOPPED, (1e-8, True))
     assert len(ladder_result.error.values) == 102
     ladder_result, _ = search(1e-6, 1e-8, factor=3e4, stops=(3,))
-    assert ladder_result.run.kept == (1e-8, True)
+    assert ladder_result.run.data == (1e-8, True)
     assert ladder_result.error.known
 
 

@@ -106,7 +106,7 @@ def test_statics_have_the_value_of_the_time():
     push = Samples(TIMES, LOADS, ("s", "N"))
     for at, force in ((0.0, 0.0), ("0.25 s", 1.5), ("1 s", -1.0)):
         rest = equilibrium(shaken(), inputs={"push": push}, at=at)
-        assert rest.found and rest["slide.travel"][0] == pytest.approx(force / STIFFNESS, abs=1e-9)
+        assert rest.converged and rest["slide.travel"][0] == pytest.approx(force / STIFFNESS, abs=1e-9)
     (mode,) = modes(shaken(), inputs={"push": "3 N"})
     assert abs(mode.eigenvalue) == pytest.approx(np.sqrt(STIFFNESS / MASS), rel=1e-9)
     with pytest.raises(InputError, match="no value"):

@@ -8,7 +8,7 @@ from shaken import shaken
 
 from hertzwerk.derive import InputError, Table
 from hertzwerk.runtime import Samples, simulate
-from hertzwerk.runtime.engine.inputs.input_values import given_inputs, signals_of
+from hertzwerk.runtime.engine.inputs.input_values import signals_of, with_input_values
 from hertzwerk.runtime.engine.inputs.sampled_functions import sampled
 from hertzwerk.runtime.engine.model.signal import Schedule
 
@@ -149,7 +149,7 @@ def test_pieces_of_several_inputs_change_at_the_breakpoints_of_all():
 
 
 def test_inputs_are_kept_by_the_model_that_has_them():
-    model, faults = given_inputs(shaken(), {"push": "3 N"}, "1 s", {})
+    model, faults = with_input_values(shaken(), {"push": "3 N"}, "1 s", {})
     assert not faults
     assert model.known is shaken().known  # what is built is shared
     assert simulate(model, duration="1 ms")["push"][-1] == 3

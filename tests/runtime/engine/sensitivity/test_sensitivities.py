@@ -240,7 +240,7 @@ def test_implicit_steps_whose_stages_newton_s_method_does_not_reach_are_solved_a
         monkeypatch.setattr(step_chain, "ITERATIONS", iterations)
         found = made(load("bouncing_ball"), method="esdirk", **how).sensitivities("drop_height")
         assert found["vertical.speed", "drop_height"][-1] == pytest.approx(exact, rel=2e-4)
-        shares.append(np.mean(found._found.apart))
+        shares.append(np.mean(found._followed.apart))
     assert shares[0] == 0 < 0.1 < shares[1]
 
 
@@ -270,7 +270,7 @@ def test_many_derivatives_are_those_of_each_alone(crank):
     [
         ("dashpot", lambda jump: replace(jump, slopes=(jump.slopes[0], jump.slopes[0]))),
         ("dashpot", lambda jump: replace(jump, booked=np.zeros_like(jump.booked))),
-        ("crank", lambda jump: replace(jump, latched=np.full_like(jump.latched, saltation.KEPT))),
+        ("crank", lambda jump: replace(jump, latched=np.full_like(jump.latched, saltation.UNCHANGED))),
         ("sliding", lambda jump: replace(jump, slopes=(jump.slopes[0], jump.slopes[0]))),
     ],
     ids=["field that jumps", "booked energy", "latched speed", "friction that stops"],

@@ -114,7 +114,7 @@ def test_nothing_is_computed_beside_the_steps(monkeypatch):
     monkeypatch.setattr(Caller, "__call__", None)  # a call of a model's function fails
     observer = LastingContacts(run.model)
     observer.take(run.history, 0)
-    assert observer.found == run.findings.lasting != ()
+    assert observer.contacts == run.findings.lasting != ()
 
 
 def test_it_is_the_same_of_steps_that_are_kept_and_of_those_that_are_not():

@@ -53,7 +53,7 @@ def test_a_run_is_sampled_once_for_all_of_its_pictures(output, monkeypatch):
     assert b"Curves" not in pickle.dumps(run)  # what pictures share is theirs
     run.continued("1.5 s").plot()
     assert len(calls) == 2
-    monkeypatch.setattr(Solution, "kept", property(lambda run: {}))  # seeded fault: nothing is kept
+    monkeypatch.setattr(Solution, "shared_results", property(lambda run: {}))  # seeded fault: nothing is kept
     run.plot(), run.plot("floor")
     assert len(calls) == 4
 

@@ -38,8 +38,8 @@ def coarse():
 @pytest.fixture(autouse=True)
 def _sampled_anew(crank, coarse):
     yield
-    crank.kept.clear()
-    coarse.kept.clear()
+    crank.shared_results.clear()
+    coarse.shared_results.clear()
 
 
 # ---- peaks -----------------------------------------------------------------------------------------------------------
@@ -47,7 +47,7 @@ def _sampled_anew(crank, coarse):
 
 def missed(run) -> float:
     """Largest part of an impact's peak that the curve of its force misses."""
-    run.kept.clear()  # sampled anew
+    run.shared_results.clear()  # sampled anew
     (axis,) = run.plot("slider_pin.normal_force").axes
     unit = {"kN": 1e3, "N": 1.0}[re.search(r"\[(k?N)\]", axis.get_title("left"))[1]]
     t, force = (np.asarray(values) for values in axis.get_lines()[0].get_data())

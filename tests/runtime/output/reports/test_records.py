@@ -109,7 +109,7 @@ def test_warnings_that_rows_share_are_stated_once_and_values_in_their_units(repo
     assert "3 rows: " in restitution
     worst = Sweep.load(tmp_path / "rows").rows[int(speeds.partition(", worst in row ")[2].partition(":")[0])]
     assert "6 rows" in speeds
-    assert worst.given["clearance"] == (0.5, "mm")
+    assert worst.stated["clearance"] == (0.5, "mm")
     assert any(warning in speeds for warning in worst.warnings)
     head, *rows = outline.tables["Rows"][-1]
     numbers = [row[head.index("warnings")].split(", ") for row in rows]

@@ -8,7 +8,7 @@ import pytest
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Measurement, compare, load, simulate
-from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 from hertzwerk.runtime.studies.comparison.instrument import Instrument
 
 NAMES = ("guide.acceleration", "guide.travel")
@@ -27,7 +27,7 @@ def data_of(run, *, seed=1, missing=0.03, spacing=2e-5):
     """Samples of a run behind an instrument, with noise, an offset, a drift of the clock, and holes."""
     rng = np.random.default_rng(seed)
     t = np.arange(0.0015, 0.0108, spacing)
-    seen = SeenRun(run, NAMES, Instrument(5e3), 1.0).at(OFFSET + t + DRIFT * (t - t[0]))
+    seen = FilteredRun(run, NAMES, Instrument(5e3), 1.0).at(OFFSET + t + DRIFT * (t - t[0]))
     columns = {
         "acceleration": seen[:, 0] + rng.normal(0, 150, len(t)),
         "travel": 1e3 * seen[:, 1] + rng.normal(0, 0.02, len(t)),

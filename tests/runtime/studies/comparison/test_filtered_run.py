@@ -6,7 +6,7 @@ from scipy import signal
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.studies.comparison.filtered_run import SeenRun
+from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 from hertzwerk.runtime.studies.comparison.instrument import Instrument
 
 NAME = "floor.normal_force"
@@ -33,7 +33,7 @@ def filtered(run, times, instrument):
 def test_an_impact_much_shorter_than_the_filter_comes_through_whole(ball):
     """Oracle: the analogue filter's closed response. A run sampled at points as far apart is off by much more."""
     instrument = Instrument(100.0, 4)
-    seen = SeenRun(ball, [NAME], instrument, 1.0)
+    seen = FilteredRun(ball, [NAME], instrument, 1.0)
     times = np.linspace(ball.impacts[0].t, 0.465, 300)
     expected = filtered(ball, times, instrument)
     found = seen.at(times)[:, 0]
@@ -45,7 +45,7 @@ def test_an_impact_much_shorter_than_the_filter_comes_through_whole(ball):
 
 def test_cells_hold_the_whole_impulse(ball):
     """Oracle: the momentum, of 1 kg. Samples at points as far apart as the cells miss the impact, or make too much of it."""
-    seen = SeenRun(ball, [NAME], None, 1e-3)
+    seen = FilteredRun(ball, [NAME], None, 1e-3)
     momentum = ball.final["vertical.speed"] + 9.81 * ball.t_end
     assert np.sum(seen.values) * seen.spacing == pytest.approx(momentum, rel=1e-6)
     assert np.sum(ball.at(seen.t)[NAME]) * seen.spacing != pytest.approx(momentum, rel=0.5)
@@ -55,7 +55,7 @@ def test_zero_phase_does_not_shift_and_causal_does(ball):
     middle = ball.impacts[0].t + ball.impacts[0].duration / 2
     times = np.linspace(middle - 2e-3, middle + 2e-3, 4001)
     peaks = [
-        times[np.argmax(SeenRun(ball, [NAME], Instrument(1e3, 4, zero_phase), 1.0).at(times)[:, 0])] - middle
+        times[np.argmax(FilteredRun(ball, [NAME], Instrument(1e3, 4, zero_phase), 1.0).at(times)[:, 0])] - middle
         for zero_phase in (True, False)
     ]
     assert abs(peaks[0]) < 5e-6
@@ -83,7 +83,7 @@ def test_a_start_is_forgotten_after_the_settling_time():
 
 def test_a_run_of_too_many_cells_is_refused(ball):
     with pytest.raises(InputError, match="shorter run"):
-        SeenRun(ball, [NAME], Instrument(1e6), 1.0)
+        FilteredRun(ball, [NAME], Instrument(1e6), 1.0)
 
 
 def test_a_causal_filter_has_seen_the_first_value_for_ever():
@@ -106,8 +106,8 @@ def test_many_times_within_steps_are_seen_by_a_few_points_of_each():
     names = ("guide.acceleration", "slider_pin.normal_force", "guide.travel")
     times = np.linspace(run.t[0], run.t[-1], 100_000)
     exact = np.column_stack([run.at(times)[name] for name in names])
-    seen = SeenRun(Counted(), names, None, 1e-6).at(times)
+    seen = FilteredRun(Counted(), names, None, 1e-6).at(times)
     assert sum(rows) < 25_000
     np.testing.assert_allclose(seen / np.max(np.abs(exact), axis=0), exact / np.max(np.abs(exact), axis=0), atol=1e-9)
     few = times[::1000]
-    assert np.array_equal(SeenRun(Counted(), names, None, 1e-6).at(few), exact[::1000])
+    assert np.array_equal(FilteredRun(Counted(), names, None, 1e-6).at(few), exact[::1000])

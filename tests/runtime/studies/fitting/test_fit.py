@@ -133,7 +133,7 @@ def test_what_the_data_cannot_tell_is_said_by_name(walls):
     data = MeasuredImpacts(range(1, 4), {"t": times}, {"t": "s"})
     free = {"mass": "1..2 kg log", "stiffness": "5e5..2e6 N/m log", "restitution": (0.5, 1)}
     found = fit(walls, data, free=free, noise={"t": "0.01 ms"}, duration="0.4 s", starts=2, profile=False)
-    (text,) = found.untold
+    (text,) = found.unidentified
     assert (
         "mass times 2 with stiffness times 2 changes" in text
         or "stiffness times 2 with mass times 2" in text.replace("mass times 2 with", "")

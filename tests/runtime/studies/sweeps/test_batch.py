@@ -40,7 +40,7 @@ def test_rows_are_the_single_runs_bitwise_in_order(ball, workers, compiled):
     sets = [{"drop_height": height} for height in HEIGHTS]
     seen = []
     sweep = simulate_many(ball, sets, workers=workers, compiled=compiled, progress=seen.append, **SETTINGS)
-    assert [row.given for row in sweep] == sets
+    assert [row.stated for row in sweep] == sets
     assert seen[-1] == 1
     for row, values in zip(sweep, sets, strict=True):
         run = simulate(ball, parameters=values, **SETTINGS)

@@ -60,7 +60,7 @@ def whole(ball, tmp_path_factory):
 def numbers(table):
     """Everything that a table says of its rows, by their indices."""
     return {
-        row.index: repr((row.given, row.outcome, row.message, row.values, row.outputs, row.warnings, row.arrays))
+        row.index: repr((row.stated, row.outcome, row.message, row.values, row.outputs, row.warnings, row.arrays))
         for row in table
     }
 
@@ -133,19 +133,19 @@ def survive(whole, tmp_path, seed):
                 opened.define(*how, widen=False)
         opened.define(*how, widen=refused)
         rest = dict(enumerate(keys))
-        opened.add({}, {i: key for i, key in rest.items() if key in opened.found(keys)})
+        opened.add({}, {i: key for i, key in rest.items() if key in opened.present(keys)})
         with suppress(stored_rows.DamagedError):
             list(stored_rows.StoredRows(folder / sweep_store.ROWS, opened.plan, table.design))
             rest = {}
         if rest:  # what SQLite takes for whole, and digests do not
             opened.mend()
-        kept, damage = opened.found(keys), opened.damage
+        kept, damage = opened.present(keys), opened.damage
         left = {i: key for i, key in enumerate(keys) if not opened.done(ROWS)[i]}
         opened.add({key: table.rows[i] for i, key in left.items() if key not in kept}, left)
     assert kept >= readable, (seed, name, "lost")
     assert numbers(Sweep.load(folder)) == truth, (seed, name, "went on")
     assert Sweep.load(folder).outcome.finished
-    assert damage is None or damage.kept == len(kept)
+    assert damage is None or damage.whole == len(kept)
     with sweep_store.opened(folder) as opened:
         assert opened.damage is None
     shutil.rmtree(folder)
@@ -234,7 +234,7 @@ def test_a_file_that_is_empty_now_is_damaged_and_one_of_a_process_killed_at_once
     (folder / sweep_store.ROWS).write_bytes(b"")
     assert "is damaged" in Sweep.load(folder).outcome.message
     with sweep_store.opened(folder) as opened:
-        assert opened.damage.kept == 0
+        assert opened.damage.whole == 0
     (tmp_path / "new").mkdir()
     (tmp_path / "new" / sweep_store.ROWS).write_bytes(b"")
     with sweep_store.opened(tmp_path / "new") as opened:
@@ -260,7 +260,7 @@ def test_points_of_an_earlier_definition_are_none_of_this_one(ball, tmp_path):
         file.write(bytes(100))
     read = Sweep.load(tmp_path / "a")
     assert numbers(read).items() <= numbers(other).items()
-    assert other.rows[0].given != first.rows[0].given
+    assert other.rows[0].stated != first.rows[0].stated
 
 
 def test_a_definition_with_faults_names_each(folder):

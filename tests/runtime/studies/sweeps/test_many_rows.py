@@ -84,7 +84,7 @@ def test_a_million_rows_begin_at_once_and_go_on(ball, tmp_path, made, how):
         over = {"restitution": "0.5..0.9:1000", "drop_height": "0.5..1.5 m:1000"}
         how = {"continued": "down", "workers": 1, "progress": stopped_after(1), **BALL}
         (row, *_) = sweep(ball, over, into=tmp_path / "a", **how)
-        assert row.given["restitution"] == (0.9, "1")
+        assert row.stated["restitution"] == (0.9, "1")
         assert max(made.values()) < 3 * 1000 + 3
     told = json.loads((tmp_path / "a" / "definition.json").read_text())
     assert told["points"] == 1_000_000
@@ -166,7 +166,7 @@ def test_rows_beyond_those_that_are_held_are_read_one_by_one(ball, tmp_path, few
     assert alive(held) >= before + 300
     del held
     assert [row.index for row in table.rows[-2:]] == [298, 299]
-    assert table.rows[-1].given == {"drop_height": (1.5, "m")}
+    assert table.rows[-1].stated == {"drop_height": (1.5, "m")}
     assert table["drop_height"][[0, -1]].tolist() == [0.5, 1.5]
     assert table.counts() == {"finished": 300}
 

@@ -31,9 +31,9 @@ def test_rows_are_the_single_runs_bitwise(ball, workers):
     assert [row.index for row in table] == list(range(6))
     assert list(table["drop_height"]) == [0.5, 0.5, 1, 1, 1.5, 1.5]
     for row in table:
-        run = simulate(ball, parameters={**row.given}, compiled=False, **BALL)
+        run = simulate(ball, parameters={**row.stated}, compiled=False, **BALL)
         assert row.final == run.final
-        assert row.given["radius"] == (25.0, "mm")
+        assert row.stated["radius"] == (25.0, "mm")
 
 
 def test_a_variation_may_be_named(ball):

@@ -60,7 +60,7 @@ def table(folder):
 
 def same(one, other):
     assert one.columns == other.columns
-    assert [(row.index, row.given) for row in one] == [(row.index, row.given) for row in other]
+    assert [(row.index, row.stated) for row in one] == [(row.index, row.stated) for row in other]
     for name in one.names:
         np.testing.assert_array_equal(one[name], other[name])
 
@@ -374,7 +374,7 @@ def survive(tmp_path, kills, fault="none"):
             os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
         known = len(stored[-1]) if stored else 0
-        stored.append({row.given["drop_height"][0] for row in rows_of(folder)})
+        stored.append({row.stated["drop_height"][0] for row in rows_of(folder)})
         assert len(stored[-1]) >= known + told, "a finished row was lost"
         session += 1
     for ended in (start(folder, log, session), start(tmp_path / "whole", tmp_path / "other", 0)):

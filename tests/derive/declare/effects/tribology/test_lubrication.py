@@ -333,7 +333,7 @@ def test_a_film_law_of_a_file(tmp_path):
     assert full.call("applied", t=0.0, q=q, u=u) == pytest.approx(halves, rel=1e-10)
     assert all(finding.verdict == "consistent" for finding in audit_path(file))
     file.write_text(WRITTEN.replace("R_2**3*L/(dR", "R_2**3*L/(dR**2"))
-    assert [finding.what for finding in audit_path(file) if finding.verdict != "consistent"] == ["couple"]
+    assert [finding.quantity for finding in audit_path(file) if finding.verdict != "consistent"] == ["couple"]
     file.write_text("\n".join(line for line in WRITTEN.splitlines() if not line.startswith("across")))
     with pytest.raises(InputError, match="across: found none"):
         laws_from(file)

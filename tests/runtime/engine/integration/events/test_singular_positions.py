@@ -127,7 +127,7 @@ def test_no_step_looks_at_a_singular_position(table):
         place = ahead / h
         away = np.min(np.abs(nodes - place))
         crosses, behind = (
-            away >= singular_positions.KEPT * widest * (1 - 1e-9),
+            away >= singular_positions.MARGIN * widest * (1 - 1e-9),
             place < singular_positions.AT_ONCE * first,
         )
         room = place >= 1 and ahead - h >= (low + high) / 2 * (1 - 1e-9)

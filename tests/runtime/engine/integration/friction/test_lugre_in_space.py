@@ -118,7 +118,7 @@ def test_bristles_are_springs_of_load_times_stiffness_in_every_direction():
 def test_held_on_a_slope_by_its_bristle():
     """Within mu_s, whatever the direction; the deflection is tan(slope)/s_0."""
     held = equilibrium(built(turns=False), parameters={"slope": 0.1})
-    assert held.found
+    assert held.converged
     assert held.sticking["rub"] == pytest.approx(math.tan(0.1) / S_0, rel=1e-9)
     assert (
         equilibrium(built(turns=False), parameters={"slope": math.atan(MU_S) * 1.01}).outcome.name == "no_equilibrium"

@@ -40,7 +40,7 @@ def fitted(seed, duration, **how):
 def test_the_truth_is_within_the_interval():
     found = fitted(0, 80)
     assert found["damping"].interval.low < DAMPING < found["damping"].interval.high
-    assert found.explained and found.untold == ()
+    assert found.explained and found.unidentified == ()
     assert found["damping"].interval.high - found["damping"].interval.low < 7
     assert all(moment.deviation > 0.02 * moment.value for moment in found.moments)  # independent samples: 0.01
 

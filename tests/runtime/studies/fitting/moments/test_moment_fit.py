@@ -34,7 +34,7 @@ def test_a_drop_follows_its_power_laws(ball):
         assert one.value == pytest.approx(value, rel=2e-3)
         assert math.log(one.interval.high / one.interval.low) == pytest.approx(2 * 1.96 * deviation, rel=0.05)
         assert "simulated moments" in one.interval.how
-    assert found.goodness is None and found.untold == () and found.explained is None
+    assert found.goodness is None and found.unidentified == () and found.explained is None
     for moment in found.moments:
         assert moment.fitted == pytest.approx(moment.value, rel=1e-3)
 
@@ -46,7 +46,9 @@ def test_statistics_that_do_not_tell_are_said_by_name(ball):
     moments = {"floor.impulse": f"{impulse} +- {impulse / 100} N s", "floor.impacts": "1 +- 0.1"}
     found = fit_moments(ball, moments, free=RANGES, **HOW)
     assert (
-        len(found.untold) == 1 and "stiffness times 2" in found.untold[0] and "none" in found["stiffness"].interval.how
+        len(found.unidentified) == 1
+        and "stiffness times 2" in found.unidentified[0]
+        and "none" in found["stiffness"].interval.how
     )
     wrong = {**moments, "floor.peak_force": "1000 +- 100 N"}
     assert fit_moments(ball, wrong, free=RANGES, **HOW).explained is False

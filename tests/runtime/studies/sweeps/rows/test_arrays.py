@@ -36,7 +36,7 @@ def test_returns_of_the_drive_are_whole_turns_with_the_states_of_the_run_bitwise
         first = 2.25 if speed > 0 else 2.75  # backwards 90 degrees come after three quarters of a turn
         found = table.section.of(row)
         assert found["t"] == pytest.approx((first + np.arange(4)) * 60 / abs(speed), rel=1e-15)
-        run = simulate(crank, parameters=row.given, duration="6 rev", tolerance=1e-7, compiled=False)
+        run = simulate(crank, parameters=row.stated, duration="6 rev", tolerance=1e-7, compiled=False)
         for name in ("crank_pin.angle", "guide.speed"):
             assert np.array_equal(found[name], run.at(found["t"])[name])
     assert table.section.units == {
@@ -101,7 +101,7 @@ def test_events_are_those_of_rigid_bounces(ball):
     for row, height in zip(table, (0.5, 1.0), strict=True):
         fall, speed = math.sqrt(2 * height / 9.81), math.sqrt(2 * 9.81 * height)
         found = table.section.of(row)
-        run = simulate(ball, parameters={"restitution": 1, **row.given}, duration="2 s", tolerance=1e-10)
+        run = simulate(ball, parameters={"restitution": 1, **row.stated}, duration="2 s", tolerance=1e-10)
         assert found["t"] == pytest.approx([impact.t for impact in run.impacts], rel=1e-13)
         assert len(found["t"]) == math.floor((2 / fall + 1) / 2)
         assert np.all(np.abs(found["floor.gap"]) < 1e-14)
@@ -136,7 +136,7 @@ def test_a_wrong_turn_or_end_shows(crank, monkeypatch, name, value):
 def test_histories_on_a_grid_are_those_of_the_run(crank):
     how = {"grid": "1 ms", "after": "4 ms", "histories": ["guide.acceleration", "slider_pin.normal_force"]}
     (row,) = table = sweep(crank, {"clearance": "0.2 mm"}, **how, **{**CRANK, "duration": "10 ms"})
-    run = simulate(crank, parameters=row.given, duration="10 ms", tolerance=1e-7, compiled=False)
+    run = simulate(crank, parameters=row.stated, duration="10 ms", tolerance=1e-7, compiled=False)
     found = table.histories.of(row)
     assert found["t"] == pytest.approx(np.arange(4, 11) * 1e-3, rel=1e-15)
     for name in how["histories"]:

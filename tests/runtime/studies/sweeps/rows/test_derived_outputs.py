@@ -75,7 +75,7 @@ def test_an_average_beyond_the_horizon_says_so():
     assert np.isnan(long[name])
     assert "horizon of its derivatives" in long.message
     assert "slope(OUTPUT, NAME)" in long.message
-    run = simulate(model, duration="20 s", tolerance=1e-8, initial=long.given, compiled=False, sensitivities=["shoulder.angle"])  # fmt: skip
+    run = simulate(model, duration="20 s", tolerance=1e-8, initial=long.stated, compiled=False, sensitivities=["shoulder.angle"])  # fmt: skip
     assert 4 < run.derivatives.horizon < 12
 
 

@@ -31,7 +31,7 @@ WHOLE = 1e-9  # relative: a number of periods this close to a whole one counts a
 class Times:
     """Times [s] of one row that are known before it: `section` is None where its points are crossings."""
 
-    kept: Kept
+    row_arrays: RowArrays
     begin: float
     section: np.ndarray | None
     grid: np.ndarray | None
@@ -44,11 +44,11 @@ class Times:
 
     def arrays(self, run: Solution) -> dict[str, Packed]:
         """Return the arrays of a run, of a shorter one as far as it got."""
-        return self.kept.of(run, self)
+        return self.row_arrays.of(run, self)
 
 
 @dataclass(frozen=True)
-class Kept:
+class RowArrays:
     """Arrays of a row: histories at the points of a section and on a grid, both after a transient.
 
     units    unit text of the histories by name
@@ -142,7 +142,7 @@ def _in_degrees(section: str) -> str:
     return re.sub(r"(\S+) rad\b", lambda angle: f"{math.degrees(float(angle[1])):.6g} deg", section)
 
 
-def read_kept(
+def read_row_arrays(
     model: Model,
     *,
     section: object,
@@ -152,19 +152,19 @@ def read_kept(
     duration: str | float | None,
     end: tuple[str, ...] = (),
     faults: list[Fault],
-) -> Kept | None:
+) -> RowArrays | None:
     """Read what each row keeps; bad input is appended to `faults`. None where nothing is asked for."""
     if section is None and grid is None:
         for name, value in (("histories", histories), ("after", after)):
             if value not in (None, (), []):
                 faults.append(Fault(name, shown(value), "none without a section or a grid", "say where they are kept"))
-        return Kept({}, None, None, None, duration, end) if end else None
+        return RowArrays({}, None, None, None, duration, end) if end else None
     place = None if section is None else read_section(model, section, faults)
     units = _units(model, histories, faults)
     if after is not None and (isinstance(after, bool) or not isinstance(after, str | int | float)):
         faults.append(Fault("after", shown(after), 'a time or revolutions, such as "100 rev"'))
         after = None
-    return Kept(units, place, grid, after, duration, end)  # type: ignore[arg-type]
+    return RowArrays(units, place, grid, after, duration, end)  # type: ignore[arg-type]
 
 
 def _units(model: Model, names: object, faults: list[Fault]) -> dict[str, str]:
