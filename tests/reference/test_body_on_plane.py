@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bodies_on_planes import body_of
 
 from reference.body_on_plane import HYSTERESIS_FACTORS, SOURCE, Body, motions, program
 
@@ -226,6 +227,21 @@ def test_quadruple_precision_agrees():
         for (t, kind, _), (u, other_kind, _) in zip(one.events, other.events, strict=True):
             assert kind == other_kind and abs(t - u) < 3e-16
         np.testing.assert_allclose(one.state, other.state, rtol=1e-13, atol=1e-14)
+
+
+MANY_AT_ONCE = {  # bodies of the generator: times at which their states are asked for
+    355: [],  # rest in space, which steps jumped over to and fro
+    647: np.linspace(0, 0.48855, 6)[1:].tolist(),  # a contact that begins at rest and without force
+}
+
+
+@pytest.mark.parametrize("i", MANY_AT_ONCE)
+def test_events_at_one_time_are_told_apart(i):
+    of = [motions([body_of(i)], by, at=MANY_AT_ONCE[i]) for by in (0.0, 1e-16)]
+    (one,), (other,) = of
+    assert not one.wrong and not other.wrong
+    assert [kind for _, kind, _ in one.events] == [kind for _, kind, _ in other.events]
+    np.testing.assert_allclose(one.state, other.state, atol=1e-11)
 
 
 def test_double_precision_is_off_by_what_its_rounding_leaves():

@@ -66,6 +66,9 @@ LEAST = 1e-12  # of the scales: what no estimate is judged below
 ROUNDING = 1e-16  # share of the start by which that of the second truth differs
 AMPLIFIED = 1e3  # roundings in a run, each amplified like one of the start, that a request may fail by
 IN_DOUBLES = 10.0  # times the error of the oracle in double precision, likewise
+DRAWS = (
+    8  # runs of it, each from a start of its own: one may hit the truth by chance, within a tenth of what others leave
+)
 
 
 @cache
@@ -320,7 +323,7 @@ class Finding:
     """What a request of a body came to: truth and estimate of its error, what rounding does to it, steps beside those with smooth friction.
 
     truth, rounding: largest over the run, impacts included; nan where there is none
-    doubles: error of the oracle in double precision where a request failed
+    doubles: largest error of the oracle in double precision, of several starts, where a request failed
     """
 
     body: Body
@@ -397,11 +400,21 @@ def judged(
         estimate = math.nan if found.error is None else found.error.worst
         doubles = math.nan
         if not outcome.finished:
-            (rounded,) = motions([body], at=found.t[rows].tolist(), by=program(False, "-DDOUBLE"))
-            rounded_off = apart - truth_of(rounded, found, rows)[0]
-            doubles = math.nan if rounded.wrong else float(distance(rounded_off, rates, pace).max())
+            doubles = max(_in_doubles(body, found, rows), default=math.nan)
         counts = found.statistics.steps, smoothed
         yield Finding(body, accuracy, outcome.name, worst, estimate, off, *counts, seconds, remark, doubles)
+
+
+def _in_doubles(body: Body, found: Solution, rows: np.ndarray) -> Iterator[float]:
+    """Yield the largest error of each run of the oracle in double precision that ends, at rows of a run of the engine."""
+    for k in range(DRAWS):
+        pair = [
+            motions([body], k * ROUNDING, at=found.t[rows].tolist(), by=program(False, *of))
+            for of in ((), ("-DDOUBLE",))
+        ]
+        if not any(motion.wrong for (motion,) in pair):
+            (exact, rates), (rounded, _) = (truth_of(motion, found, rows) for (motion,) in pair)
+            yield float(distance(rounded - exact, rates, found.scales.pace).max())
 
 
 def main() -> None:

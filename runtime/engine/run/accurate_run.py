@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -96,8 +97,8 @@ def verdict_of(
             return too_long(asked.error, error, ladder_result.run.tolerance), ()
         if error.floor is not None:
             end = None if asked.at_end else error.end
-            foreseen = ladder_result.foreseen
-            result = unreachable(asked.error, error.floor, run.method, other, foreseen=foreseen, end=end)
+            facts: dict[str, Any] = {"when": error.when, "foreseen": ladder_result.foreseen, "end": end}
+            result = unreachable(asked.error, error.floor, run.method, other, **facts)
         elif other is not None:
             result = unknown(asked.error, other)
     return result, (beyond_horizon(error),) if lost and error is not None else ()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.runtime.engine.accuracy.error_estimate import ErrorEstimate, beyond_horizon, brief, reach
+from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST, ErrorEstimate, beyond_horizon, brief, reach
 from hertzwerk.runtime.engine.integration.loop import method_choice
 from hertzwerk.runtime.engine.integration.loop.chunk import EXCEPTION, INTERRUPTED, STALLED, WALL_TIME_LIMIT
 from hertzwerk.runtime.engine.integration.step.layout import (
@@ -157,18 +157,21 @@ def unreachable(
     method: str,
     tighter: Outcome | None = None,
     *,
+    when: float,
     foreseen: bool = False,
     end: float | None = None,
 ) -> Outcome:
     """Return the outcome of a complete run whose requested error no tolerance meets.
 
-    tighter: outcome of a run with a smaller tolerance; foreseen: the floor is expected of a tolerance that was not tried;
+    tighter: outcome of a run with a smaller tolerance; when: time of the largest error [s]
+    foreseen: the floor is expected of a tolerance that was not tried
     end: the error at the end, where that of the whole run was requested.
     """
     better = _method_for_accuracy(method)
     gives = "is expected to give" if foreseen else "that was tried gives"
-    falls = "" if foreseen else "errors no longer fall, as "
-    by, why = (f" of {method}", "") if better else ("", f": {falls}the motion amplifies what rounding leaves")
+    rounding = f"errors no longer fall, as what rounding leaves is more, the most at t = {when:.4g} s"
+    many = f"errors are proportional to the tolerance, and below {brief(LEAST)} that is rounding"
+    by, why = (f" of {method}", "") if better else ("", f": {many if foreseen else rounding}")
     if tighter is not None:
         why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
     alone = f', or "{brief(asked, 3)} at the end", which this run meets' if end is not None and end <= asked else ""

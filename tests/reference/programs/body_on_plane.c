@@ -35,24 +35,25 @@ typedef __float128 real;
 #define powl powq
 #define EPS FLT128_EPSILON
 #define TOLERANCE 1e-27Q
-#define REST 1e-24Q
+#define REST 3e-24Q
 #define COLUMNS 13
 #elif defined(DOUBLE)
 typedef double real;
 #define EPS DBL_EPSILON
 #define TOLERANCE 3e-14
-#define REST 3e-13
+#define REST 1e-12
 #define COLUMNS 7
 #else
 typedef long double real;
 #define EPS LDBL_EPSILON
 #define TOLERANCE 3e-17L
-#define REST 3e-16L
+#define REST 1e-15L
 #define COLUMNS 9
 #endif
 
 enum { STATES = 13, STAGES = 7, FUNCTIONS = 3 };
 enum { FLIGHT, STICK, SLIP, PULL, RELEASED };
+enum { BEGINS, BREAKS, RESTS };
 enum { ELASTIC, HYSTERESIS, SECANT, SECANT_APPROACHING, TANGENT, POWER };
 static const char *KIND[] = {"opens", "sticks", "slips", "pulls", "released"};
 
@@ -487,23 +488,23 @@ static int functions(const Body *B, const real *y, real *g, int *to) {
     return n;
 }
 
-/* stick, slip or pull from the state; arrived: the pair has come to rest, or is at its onset */
-static void decide(Body *B, real *y, int breaks) {
+/* stick, slip or pull from the state, at an onset, where the pair breaks loose, or at rest in space */
+static void decide(Body *B, real *y, int why) {
     Place P;
     real b[3], f[3];
     place(B, y, &P);
     real N = normal_force(B, &P), speed = size(P.s);
     if (B->law == SECANT && N < 0 && B->mode != PULL) { B->mode = PULL; return; } /* what ceases to pull does, but for rounding */
-    N = most(N, 0);
+    N = most(N, 1e-9 * B->m); /* without force neither the direction of slip nor whether it sticks is known: as just behind the onset */
     int was = B->mode;
     B->mode = SLIP;
-    if (!breaks && speed > REST && !(was == SLIP && B->plane)) {
+    if (why == BEGINS && speed > REST && !(was == SLIP && B->plane)) {
         for (int i = 0; i < 3; i++) B->way[i] = P.s[i] / speed;
         return;
     }
     drift(B, y, &P, N, b);
     holding(B, &P, b, f);
-    if (!breaks && size(f) <= most(B->mu_s * N, 100 * EPS * B->m)) B->mode = STICK;
+    if (why != BREAKS && size(f) <= most(B->mu_s * N, 100 * EPS * B->m)) B->mode = STICK;
     else begins(B, &P, b, B->mu_k * N, B->way);
     holding(B, &P, P.s, f); /* the impulse that takes what is left of s */
     real turn[3];
@@ -519,7 +520,7 @@ static void onset(Body *B, real *y, int latch) {
     if (latch) B->speed = P.v, B->v0 = most(P.v, B->floor);
     B->approaching = P.v >= 0;
     if (B->mode != PULL) B->mode = FLIGHT;
-    decide(B, y, 0);
+    decide(B, y, BEGINS);
 }
 
 /* longest step: a share of the time in which anything of the contact changes */
@@ -603,13 +604,13 @@ static int simulate(Body *B, real *y) {
         }
         if (t >= B->t_end) return 0;
         real until = B->stop < B->stops ? least(B->at[B->stop], B->t_end) : B->t_end;
-        real g0[FUNCTIONS], g1[FUNCTIONS], out[STATES], cut = least(h, longest(B, y));
+        real g0[FUNCTIONS], g1[FUNCTIONS], out[STATES], slid = 0, cut = least(h, longest(B, y));
         int to[FUNCTIONS], n = functions(B, y, g0, to), stiff = 0, last = 0;
         if (cut >= until - t) cut = until - t, last = 1;
         if (B->mode == SLIP && !B->plane) {
             real b[3], f[3], rate, N;
             place(B, y, &P);
-            N = normal_force(B, &P), rate = size(P.s);
+            N = normal_force(B, &P), slid = rate = size(P.s);
             drift(B, y, &P, N, b);
             for (int i = 0; i < 3; i++) f[i] = -B->mu_k * N * (rate > REST ? P.s[i] / rate : B->way[i]);
             real a[3], along_s = 0;
@@ -650,7 +651,7 @@ static int simulate(Body *B, real *y) {
                 continue;
             }
             real x = zero(B, y, end, stiff, i, start, value_there);
-            if (x < when * (which < 0 ? 1 : 1 - 1e-12)) when = x, which = i;
+            if (x < when * (which < 0 ? 1 : 1 - 1e-9)) when = x, which = i; /* what sticks lets go as N vanishes: the contact ends */
         }
         if (which < 0) {
             memcpy(y, out, sizeof out);
@@ -668,8 +669,14 @@ static int simulate(Body *B, real *y) {
                 mobility(B, &P, f, f);
                 for (int i = 0; i < 3; i++) rate += P.s[i] * (b[i] + f[i]);
                 if (rate < 0) B->least = least(B->least, l);
-                if (l < REST && rate < 0) {
-                    decide(B, y, 0);
+                holding(B, &P, b, f);
+                int passed = l < 100 * REST && l > slid && size(f) < B->mu_k * N; /* what holds does not speed up: a step went over rest */
+                if (passed || (l < REST && rate < 0)) {
+                    real left = passed ? 0 : l * l / -rate, F[STATES]; /* no step resolves what is left: it is a straight line */
+                    rates(B, y, NULL, F);
+                    for (int i = 0; i < STATES; i++) y[i] += left * F[i];
+                    t += left;
+                    decide(B, y, RESTS);
                     h = 1e-9;
                     if (B->mode == STICK) printf("e %.21Lg sticks %.21Lg\n", (long double)t, (long double)B->speed);
                 }
@@ -690,7 +697,7 @@ static int simulate(Body *B, real *y) {
         else if (target == STICK && B->law == SECANT_APPROACHING && which == 1)
             B->approaching = !B->approaching; /* the kink */
         else
-            decide(B, y, from == STICK);
+            decide(B, y, from == STICK ? BREAKS : BEGINS);
         if (B->law == SECANT_APPROACHING && which == 1 && from != FLIGHT && from != RELEASED) continue;
         const char *kind = from == FLIGHT ? "touches" : from == RELEASED && target == SLIP ? "resumes" : KIND[B->mode];
         if (from == SLIP && B->mode == SLIP) kind = "reverses";

@@ -219,8 +219,13 @@ def test_what_the_least_tolerance_would_miss_by_far_is_not_tried():
 
 
 def test_a_floor_that_was_not_tried_is_said_to_be_expected():
-    assert "no tolerance of dopri5 that was tried gives" in unreachable(1e-9, 1e-8, "dopri5").message
-    assert "no tolerance of dopri5 is expected to give" in unreachable(1e-9, 1e-8, "dopri5", foreseen=True).message
+    assert "no tolerance of dopri5 that was tried gives" in unreachable(1e-9, 1e-8, "dopri5", when=1.0).message
+    assert (
+        "no tolerance of dopri5 is expected to give"
+        in unreachable(1e-9, 1e-8, "dopri5", when=1.0, foreseen=True).message
+    )
+    assert "the most at t = 0.25 s" in unreachable(1e-9, 1e-8, "dop853", when=0.25).message
+    assert "proportional to the tolerance" in unreachable(1e-9, 1e-8, "dop853", when=0.25, foreseen=True).message
 
 
 def test_beyond_the_horizon_nothing_is_tightened_in_vain():
