@@ -100,7 +100,8 @@ def builder_text(program: Program, drafted: Draft, like: Function | None = None)
     read = Counter(name for step in block.steps for name in step.operands if step.callee)
     read.update(2 * [name for step in block.steps if step.callee is None for name in step.operands])
     read.update(2 * [name for _, names in block.results for name in names])
-    names = {name: place for name, place in block.inputs.items() if read[name] == 1} | _short_names(block)
+    unread = {name: "_" for step in block.steps if len(step.targets) > 1 for name in step.targets if not read[name]}
+    names = {name: place for name, place in block.inputs.items() if read[name] == 1} | _short_names(block) | unread
     unpacked = [(name, place) for name, place in block.inputs.items() if read[name] > 1]
     lines = [f"def {function.name}({', '.join(map(own, function.arguments))}):", *_docstring(program, function, like)]
     lines += [*_unpacking(unpacked), *_step_lines(block.steps, names)]
