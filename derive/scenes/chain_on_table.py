@@ -35,7 +35,10 @@ def chain_on_table(n: int, name: str = "") -> Scene:
     joints = [Revolute(f"pin_{i}", end, link.at(-L / 2, 0, 0), axis=Z)
               for i, (end, link) in enumerate(zip(ends[1:], links[1:], strict=False), 1)]  # fmt: skip
     balls = [SphereOnPlane(f"ball_{i}", end, R, plane=GROUND.at(0, 0, 0), normal=Y) for i, end in enumerate(ends)]
-    law = (power(Parameter("stiffness", "N/m^1.5", 1e6), n=sp.Rational(3, 2)), tsuji(Parameter("restitution", "1", 0.3)))
+    law = (
+        power(Parameter("stiffness", "N/m^1.5", 1e6), n=sp.Rational(3, 2)),
+        tsuji(Parameter("restitution", "1", 0.3)),
+    )
     friction = smooth_coulomb(Parameter("friction_coefficient", "1", 0.2), Parameter("friction_speed", "m/s", 0.01))
     return Scene(
         Mechanism(
