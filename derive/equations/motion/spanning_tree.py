@@ -39,7 +39,7 @@ from hertzwerk.derive.expressions.algebra.vectors import (
     transpose,
 )
 from hertzwerk.derive.expressions.parameter import default_value
-from hertzwerk.derive.program.program import Tape
+from hertzwerk.derive.program.program import Tape, symbols_in
 
 UNIT: tuple[Vector, Vector, Vector] = IDENTITY
 """Coordinate axes."""
@@ -167,6 +167,7 @@ class Tree:
     def __init__(self, tape: Tape, mechanism: Mechanism, motion: Motion, held: Sequence[str] = ()) -> None:
         self.tape = tape
         self.held: dict[str, Held] = {}
+        self.defaults: dict[Any, Any] = {}
         still = Orientation(Run(None, IDENTITY, []), ZERO, sp.S.Zero, Change(), Change())
         still.run.members.append(still)
         self.ground = Link("ground", None, None, None, (), (), ZERO, ZERO, still)
@@ -276,8 +277,12 @@ class Tree:
         return transpose((first, cross(direction, first), direction))
 
     def _default(self, expression: Any) -> float:
-        """Value of a constant on the tape at the parameters' defaults."""
-        return default_value(self.tape.written_out(expression))
+        """Value of a constant on the tape at the parameters' defaults; each assignment is evaluated once."""
+        made = self.tape.assignments
+        for symbol in symbols_in(sp.sympify(expression)):
+            if symbol in made and symbol not in self.defaults:
+                self.defaults[symbol] = sp.Float(self._default(made[symbol]))
+        return default_value(sp.sympify(expression).xreplace(self.defaults))
 
     def _named(self, matrix: Matrix, name: str) -> Matrix:
         return self.tape.matrix(matrix, name)

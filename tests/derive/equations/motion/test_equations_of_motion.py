@@ -1,5 +1,7 @@
 """Derived equations against independent ones: sympy.physics.mechanics, textbooks, energy, virtual work, the hand-derived slider-crank."""
 
+import cProfile
+import pstats
 from dataclasses import replace
 from functools import cache
 
@@ -10,10 +12,22 @@ from hypothesis import HealthCheck, given, reject, settings
 from hypothesis import strategies as st
 from kane import TURNED, Tree, deviation_of_poses, driven, line, link, random_tree, rows
 
-from hertzwerk.derive import (  # fmt: skip
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Direction,
+    EnergyLedger,
     InputError,
+    Mechanism,
+    Parameter,
+    Revolute,
+    Scales,
+    Scene,
+    X,
 )
 from hertzwerk.derive.equations.motion import equations_of_motion
+from hertzwerk.derive.equations.motion.kinematics import Kinematics
+from hertzwerk.derive.program.program import Tape
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.derive.scenes.slider_crank_frictionless import scene as slider_crank_frictionless
 from reference.slider_crank import SliderCrank
@@ -311,3 +325,31 @@ def test_a_spatial_body_in_a_plane_mechanism_costs_nothing_more():
     full = Tree(tuple(replace(link, scalar=None) for link in flat.links), flat.gravity, flat.down)
     counts = [dict(Derived(tree.scene()).OPERATIONS) for tree in (flat, full)]
     assert counts[0]["accelerations"] == counts[1]["accelerations"]
+
+
+def test_a_chain_of_skew_axes_costs_as_much_for_each_link():
+    """Each axis once was written out in all angles before it: a third link cost 38 times the first two."""
+
+    def calls(count):
+        length, tilt = Parameter("length", "m", 0.3), Parameter("tilt", "rad", 0.4)
+        joints, parent = [], GROUND
+        for i in range(count):
+            child = Body(f"link_{i}", Parameter("mass", "kg", 1.0), (Parameter("inertia", "kg m^2", 0.1),) * 3)
+            joints.append(
+                Revolute(f"hinge_{i}", parent.at(length, 0, 0).turned(X, tilt), child, Direction((1, 2, i + 1)))
+            )
+            parent = child
+        scene = Scene(
+            Mechanism("chain", tuple(joints)),
+            (EnergyLedger(),),
+            Scales(length, length * Parameter("rate", "1/s", 1.0), arm=length),
+        )
+        tape = Tape()
+        for parameter, dimension in scene.dimensions.items():
+            tape.input(parameter.name, "p", dimension, symbol=parameter)
+        with cProfile.Profile() as profile:
+            Kinematics(tape, scene)
+        return pstats.Stats(profile).total_calls
+
+    calls(1)
+    assert calls(3) < 5 * calls(2)
