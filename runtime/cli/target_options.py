@@ -34,7 +34,8 @@ INPUT = click.option(
     metavar="NAME=VALUE",
     multiple=True,
     help='Set an input of the scene to a value, --input "torque=0.5 N m", or to a column of a file, --input torque=bench.csv:load. '
-    "Samples are joined by straight lines; bench.csv:load:held keeps each until the next, bench.csv:load:cubic takes a spline.",
+    "Samples are joined by straight lines; bench.csv:load:held keeps each until the next, bench.csv:load:cubic takes a spline; "
+    "a file is read with arguments by 'bench.csv?skip=3&decimal=,&units.load=N m:load'.",
 )
 WITHOUT = click.option(
     "--without", metavar="EFFECT", multiple=True, help="Leave out an effect; the equations are derived anew."
@@ -110,6 +111,35 @@ TABLE = click.option(
     type=click.Path(path_type=Path),
     help="Write a table with units to a new file: .csv, .parquet or .nc (netCDF); the last two need hertzwerk[data].",
 )
+READING = together(
+    click.option(
+        "--units",
+        metavar="COLUMN=UNIT",
+        multiple=True,
+        help="Unit of a column of --measured, in place of the file's: --units t=ms.",
+    ),
+    click.option(
+        "--columns",
+        "headings",
+        metavar="NAME=HEADING",
+        multiple=True,
+        help='Column of --measured by its heading or its number from 1 on: --columns "force=CH 2", --columns t=1 (default: equal names).',
+    ),
+    click.option(
+        "--skip-lines", type=int, default=0, help="Lines at the beginning of --measured to leave out (default: 0)."
+    ),
+    click.option(
+        "--decimal",
+        type=click.Choice([".", ","]),
+        help="Decimal mark of --measured (default: the one that its cells prove).",
+    ),
+    click.option(
+        "--missing",
+        metavar="TEXT",
+        multiple=True,
+        help="Cell of --measured without a sample, beside empty ones, nan, N/A and marks of overflow: --missing=-999.",
+    ),
+)
 JSON = click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON object; a folder is written only if it is named."
 )
@@ -177,6 +207,16 @@ class Variation:
         begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
         check(model, settings, parameters, begin, faults)
         return solve(model, settings, parameters, begin, progress=progress)
+
+
+def reading_of(options: dict[str, Any], faults: list[Fault]) -> dict[str, Any]:
+    """Return the values of `READING`, taken out of those of a command; faults are appended."""
+    columns = assignments("--columns", options.pop("headings"), faults)
+    numbered = {name: int(text) if text.isdecimal() else text for name, text in columns.items()}
+    units, skip = assignments("--units", options.pop("units"), faults), options.pop("skip_lines")
+    return {"columns": numbered or None, "units": units, "skip": skip} | {
+        name: options.pop(name) for name in ("decimal", "missing")
+    }
 
 
 def run_settings(

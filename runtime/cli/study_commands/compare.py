@@ -18,10 +18,12 @@ from hertzwerk.runtime.cli.target_options import (
     DURATION,
     JSON,
     MAX_STEPS,
+    READING,
     VARIATION,
     WALL_TIME,
     Variation,
     assignments,
+    reading_of,
     run_settings,
     unwritable_faults,
     with_inputs,
@@ -49,7 +51,7 @@ if TYPE_CHECKING:
     "--measured",
     metavar="FILE",
     required=True,
-    help="CSV file with headings `name [unit]` and a time column `t [s]`; a missing sample is empty or nan.",
+    help="Table with headings `name [unit]` and a time column `t [s]`, as instruments and spreadsheets write it.",
 )
 @click.option(
     "--map",
@@ -87,6 +89,7 @@ if TYPE_CHECKING:
     multiple=True,
     help='Standard deviation of the noise of a column, by which residuals are judged: acceleration="5 m/s^2" (default: not judged).',
 )
+@READING
 @VARIATION
 @DURATION
 @ACCURACY
@@ -108,14 +111,17 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     differ by more than the stated noise.
     """
     from hertzwerk.runtime.cli.run_folder import json_text
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
     from hertzwerk.runtime.system.result_folder import new_folder
 
     wanted = out is not None or not as_json
+    faults = unwritable_faults(out, wanted=wanted)
+    options["measured"] = Reading(options["measured"], **reading_of(options, faults))
     with (
         Progress(f"comparison of {target}", shown=not as_json and sys.stderr.isatty()) as progress,
         Stopping(progress) as stopping,
     ):
-        found = _compared(Variation.taken(target, options), unwritable_faults(out, wanted=wanted), stopping, **options)
+        found = _compared(Variation.taken(target, options), faults, stopping, **options)
     missing: list[str] = []
     folder = written_or_none(
         lambda: new_folder(
@@ -173,7 +179,7 @@ def _compared(
 
 
 def _request(
-    model: Model, faults: list[Fault], *, measured: str, columns: Sequence[str], noise: Sequence[str], **how: Any
+    model: Model, faults: list[Fault], *, measured: Any, columns: Sequence[str], noise: Sequence[str], **how: Any
 ) -> ComparisonRequest | None:
     """Return what is compared; None with its faults appended."""
     from hertzwerk.runtime.engine.solution.history import units_of

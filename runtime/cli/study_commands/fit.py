@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,10 +15,12 @@ from hertzwerk.runtime.cli.target_options import (
     BY_METHOD,
     DURATION,
     JSON,
+    READING,
     VARIATION,
     Variation,
     assignments,
     number,
+    reading_of,
     unwritable_faults,
 )
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input
@@ -39,7 +41,7 @@ OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics 
     "--measured",
     metavar="FILE",
     multiple=True,
-    help="CSV file with headings `name [unit]`: histories with a column `t [s]`, or impacts with a column `impact [1]`. "
+    help="Table with headings `name [unit]`: histories with a column `t [s]`, or impacts with a column `impact [1]`. "
     "Several files are fitted at once.",
 )
 @click.option(
@@ -113,6 +115,7 @@ OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics 
 @click.option(
     "--skip", metavar="TIME", help="Transient that --moment leaves out of data and runs (default: a tenth of each)."
 )
+@READING
 @VARIATION
 @DURATION
 @click.option("--tolerance", metavar="NUMBER", help="Local tolerance of the runs (default: 1e-9).")
@@ -146,6 +149,7 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
     faults = [replace(fault, where="--into", remedy="name another: --into FOLDER") if fault.where == "--out" else fault
               for fault in unwritable_faults(into, wanted=wanted)]  # fmt: skip
     moments, varied = options.pop("moments"), Variation.taken(target, options)
+    options["reading"] = reading_of(options, faults)
     found: Fitted | FittedMoments
     ranking: Ranking | None
     result: Fitted | FittedMoments | Ranking
@@ -215,9 +219,11 @@ def _of_moments(
     order: int | None,
     zero_phase: bool,
     skip: str | None,
+    reading: Mapping[str, Any],
     **others: Any,
 ) -> FittedMoments:
     """Return the fit of statistics; raises InputError with every fault."""
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
     from hertzwerk.runtime.studies.fitting.moments.measured_moments import MeasuredSeries
     from hertzwerk.runtime.studies.fitting.moments.moment_fit import fitted_moments, read_moment_fit
 
@@ -254,7 +260,14 @@ def _of_moments(
     )
     series = [
         MeasuredSeries(
-            file, mapped or None, noisy, bandwidth, 4 if order is None else order, zero_phase, skip=skip, parameters=own
+            Reading(file, **reading),
+            mapped or None,
+            noisy,
+            bandwidth,
+            4 if order is None else order,
+            zero_phase,
+            skip=skip,
+            parameters=own,
         )
         for file, own in _made_at(measured, made_at, faults).items()
         if computed
@@ -315,8 +328,10 @@ def _arguments(
     starts: int | None,
     seed: int | None,
     profile: str,
+    reading: Mapping[str, Any],
 ) -> dict[str, Any]:
     """Return the arguments of a fit; malformed options are appended to `faults`."""
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
     from hertzwerk.runtime.engine.run.run_request import METHOD
     from hertzwerk.runtime.engine.start.start_values import split_values
     from hertzwerk.runtime.studies.fitting.experiment import Experiment
@@ -324,7 +339,9 @@ def _arguments(
 
     parameters, initial = split_values(model, values)
     return {
-        "data": [Experiment(file, own) for file, own in _made_at(measured, made_at, faults).items()],
+        "data": [
+            Experiment(Reading(file, **reading), own) for file, own in _made_at(measured, made_at, faults).items()
+        ],
         "free": _ranges(free, faults),
         "map": assignments("--map", columns, faults) or None,
         "noise": assignments("--noise", noise, faults),

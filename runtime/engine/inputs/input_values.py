@@ -5,6 +5,7 @@
 Samples(times, values, units)  samples with units, joined, held or as a spline
 "FILE.csv:column"              a column of a file headed `name [unit]`, also "FILE.csv:column:held"
 "FILE.csv"                     the column that is called as the input
+"FILE.csv?skip=3&decimal=,&units.t=ms&columns.load=CH 2&missing=-999"    read as `read_measurement` does with these arguments
 Table(...)                     a table of the time as scenes have it
 function                       of the time [s], returning the value in the input's unit
 """
@@ -15,7 +16,8 @@ import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from urllib.parse import parse_qsl
 
 import numpy as np
 
@@ -28,12 +30,16 @@ from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.signal import DEGREE, Signal, constant
 from hertzwerk.runtime.engine.run.run_request import read_duration
 
+if TYPE_CHECKING:
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
+
 Input: TypeAlias = Any
 """Value of an input, as this module's docstring lists them."""
 Duration: TypeAlias = str | float | None
 AnyModel = TypeVar("AnyModel", bound=Model)
-COLUMN = re.compile(r"(?P<file>.+\.[A-Za-z]+):(?P<column>[^:]+)(?::(?P<between>\w+))?")
-FILE = re.compile(r".+\.csv", re.IGNORECASE)
+HOW = r"(?P<how>\?[^:]*)?"
+COLUMN = re.compile(rf"(?P<file>[^?]+\.[A-Za-z]+){HOW}:(?P<column>[^:]+?)(?::(?P<between>\w+))?")
+FILE = re.compile(rf"(?P<file>[^?]+\.csv){HOW}", re.IGNORECASE)
 INPUTS = 'values of inputs by name, such as torque = "bench.csv:load"'
 FORMS = 'a value such as "0.5 N m", "FILE.csv:column", Samples(times, values, units), a Table or a function of the time'
 
@@ -57,9 +63,11 @@ def signals_of(
 
 def located(text: str, folder: Path) -> str:
     """Return "NAME=FILE:column", or "FILE:column", with the file as seen from a folder; other text stays."""
-    name, equals, value = text.rpartition("=")
+    before, query, how = text.partition("?")
+    name, equals, value = before.rpartition("=")
+    value += query + how
     column, alone = COLUMN.fullmatch(value.strip()), FILE.fullmatch(value.strip())
-    file = column["file"] if column is not None else alone[0] if alone is not None else ""
+    file = column["file"] if column is not None else alone["file"] if alone is not None else ""
     if not file or Path(file).is_absolute():
         return text
     return f"{name}{equals}{folder / file}{value.strip()[len(file) :]}"
@@ -98,9 +106,10 @@ def signal_of(name: str, value: Input, unit: str, seconds: float, faults: list[F
     if isinstance(value, Signal):
         return value
     if isinstance(value, str) and (column := COLUMN.fullmatch(value.strip())):
-        return _of_file(where, column["file"], column["column"].strip(), column["between"] or "linear", unit, faults)
-    if isinstance(value, str) and FILE.fullmatch(value.strip()):
-        return _of_file(where, value.strip(), name, "linear", unit, faults)
+        text = column["column"].strip()
+        return _of_file(where, column["file"], column["how"], text, column["between"] or "linear", unit, faults)
+    if isinstance(value, str) and (file := FILE.fullmatch(value.strip())):
+        return _of_file(where, file["file"], file["how"], name, "linear", unit, faults)
     if isinstance(value, Samples):
         return _of_samples(where, value, unit, faults)
     if hasattr(value, "pieces") and hasattr(value, "units"):
@@ -156,11 +165,34 @@ def _of_function(where: str, function: Any, unit: str, seconds: float, faults: l
         return None
 
 
-def _of_file(where: str, file: str, name: str, between: str, unit: str, faults: list[Fault]) -> Signal | None:
+def _reading(file: str, how: str) -> Reading:
+    """Return how a file is read, of "?skip=3&units.t=ms"; raises InputError for other names."""
+    from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
+
+    given: dict[str, Any] = {"units": {}, "columns": {}, "missing": []}
+    for key, value in parse_qsl(how.removeprefix("?"), keep_blank_values=True):
+        name, _, column = key.partition(".")
+        number = int(value) if value.isdecimal() else value
+        if name in ("units", "columns") and column:
+            given[name][column] = value if name == "units" else number
+        elif key == "missing":
+            given[key].append(value)
+        elif key in ("skip", "decimal"):
+            given[key] = number
+        else:
+            raise InputError(
+                file, [Fault(f"?{key}", "no argument", "skip, decimal, missing, units.NAME or columns.NAME")]
+            )
+    return Reading(file, **{**given, "columns": given["columns"] or None})
+
+
+def _of_file(
+    where: str, file: str, how: str | None, name: str, between: str, unit: str, faults: list[Fault]
+) -> Signal | None:
     from hertzwerk.runtime.engine.inputs.measurement_csv import read_measurement
 
     try:
-        measured = read_measurement(file, [name])
+        measured = read_measurement(_reading(file, how or ""), [name])
     except InputError as error:
         faults += [
             Fault(f"{where}, {fault.where}", fault.found, fault.expected, fault.remedy) for fault in error.faults

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -26,15 +26,8 @@ HEADINGS = (  # name [unit], name (unit), name/unit
     re.compile(r"(?P<name>[^/]*[^/\s])\s*/\s*(?P<unit>[^/()\[\]]+|\([^()]*\))"),
 )
 WORDS = {
-    **{
-        "second": "s",
-        "sec": "s",
-        "millisecond": "ms",
-        "microsecond": "us",
-        "metre": "m",
-        "meter": "m",
-        "millimeter": "mm",
-    },
+    **{"second": "s", "sec": "s", "millisecond": "ms", "microsecond": "us"},
+    **{"metre": "m", "meter": "m", "millimetre": "mm", "millimeter": "mm"},
     **{"volt": "V", "millivolt": "mV", "ampere": "A", "amp": "A", "newton": "N", "degree": "deg", "-": "1"},
 }
 """Units that instruments write as words, in small letters, one of it."""
@@ -125,6 +118,36 @@ class MeasuredImpacts(Columns):
             raise InputError(self.source or "measured impacts", faults)
 
 
+@dataclass(frozen=True)
+class Reading:
+    """Table of measured data with what it does not state of itself, as `read_measurement` takes it."""
+
+    data: MeasuredTable
+    columns: Chosen | None = None
+    units: Mapping[str, str] = field(default_factory=dict)
+    skip: int = 0
+    decimal: str | None = None
+    missing: str | Iterable[str] = ()
+
+    @property
+    def source(self) -> str:
+        """Path of the file; empty for data of another origin."""
+        return str(self.data) if isinstance(self.data, str | Path) else ""
+
+    @property
+    def marks(self) -> list[str]:
+        """Further cells without a sample."""
+        return [str(mark) for mark in ([self.missing] if isinstance(self.missing, str | int | float) else self.missing)]
+
+    def of(self, columns: Chosen | None) -> Reading:
+        """Return the reading of columns, by their new names; that of the data, where these are a reading."""
+        whole = self.data if isinstance(self.data, Reading) else self
+        if columns is not None and isinstance(whole.columns, Mapping):
+            keys = {new: old for new, old in whole.columns.items() if new.lower() in (*TIMES, *NUMBERS)}
+            columns = {**keys, **{name: whole.columns.get(name, name) for name in columns}}
+        return whole if columns is None else replace(whole, columns=columns)
+
+
 def read_measurement(
     data: MeasuredTable,
     columns: Chosen | None = None,
@@ -148,7 +171,8 @@ def read_measurement(
     (1,234), times that are missing or fall. Two lines of one time are a jump, as where a run writes an event: the later is
     taken; three are refused.
     """
-    times, found, read, jumps, source = _read(data, columns, TIMES, units, skip, decimal, missing)
+    reading = Reading(data, None, units or {}, skip, decimal, missing).of(columns)
+    times, found, read, jumps, source = _read(reading, TIMES)
     return Measurement(times, found, read, source, jumps)
 
 
@@ -165,81 +189,80 @@ def read_impacts(
 
     As `read_measurement` otherwise: `impact [1], t [ms], speed [m/s]`. Raises InputError with every fault and its line.
     """
-    numbers, found, read, _, source = _read(data, columns, NUMBERS, units, skip, decimal, missing)
+    reading = Reading(data, None, units or {}, skip, decimal, missing).of(columns)
+    numbers, found, read, _, source = _read(reading, NUMBERS)
     return MeasuredImpacts(numbers, found, read, source)
 
 
-def counts_impacts(data: MeasuredTable, skip: int = 0) -> bool:
+def counts_impacts(data: MeasuredTable) -> bool:
     """Return whether a table has a column that counts impacts; False for a file that cannot be read."""
+    reading = Reading(data).of(None)
+    data = reading.data
     if not isinstance(data, str | Path):
         names: Any = getattr(data, "columns", data)
         return any(_heading(str(name))[0].lower() in NUMBERS for name in names)
     try:
-        found = layout_of(text_of(Path(data)), lambda _, cell: _heading(cell)[0].lower() in NUMBERS, skip)
+        is_key = _key_test(reading.columns, NUMBERS)
+        found = layout_of(text_of(Path(data)), is_key, reading.skip)
     except InputError:
         return False
-    return found is not None and any(_heading(cell)[0].lower() in NUMBERS for cell in found.headings)
+    return found is not None and any(is_key(k, cell) for k, cell in enumerate(found.headings))
 
 
-def _read(
-    data: Any,
-    columns: Chosen | None,
-    keys: tuple[str, ...],
-    units: Mapping[str, str] | None,
-    skip: int,
-    decimal: str | None,
-    missing: str | Iterable[str],
-) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:
+def _read(reading: Reading, keys: tuple[str, ...]) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:
     """Return times in SI or numbers of impacts, columns and units by name, jumps, and the source."""
-    faults = _option_faults(skip, decimal)
-    marks = [str(mark) for mark in ([missing] if isinstance(missing, str | int | float) else missing)]
-    chosen: list[Column] = []
-    table: Numbers | Arrays
-    source = str(data) if isinstance(data, str | Path) else ""
+    faults = _option_faults(reading.skip, reading.decimal)
     if faults:
-        raise InputError(source or "measurement", faults)
-    if source:
-        path, text = Path(data), text_of(Path(data))
-        places = [old - 1 for old in columns.values() if isinstance(old, int)] if isinstance(columns, Mapping) else []
-        bare = isinstance(columns, Mapping) and len(places) == len(columns)
-        layout = layout_of(text, _key_test(columns, keys), skip, places if bare else ())
-        if layout is None:
-            expected = "a line of headings, name [unit], and lines of numbers"
-            raise InputError(source, [Fault(source, "no lines", expected)])
-        where, headings = f"{path.name}, line {layout.line}", layout.headings[: layout.width]
-        chosen = _chosen(where, headings, layout.below, columns, keys, units or {}, faults)
-        at, names = [column[0] for column in chosen], [column[1] for column in chosen]
-        table = Numbers(path.name, text, layout, at, names, decimal or "", marks)
-    elif not (isinstance(data, Mapping) or hasattr(data, "columns")):
-        raise InputError("measurement", [Fault("data", shown(data), "a file, a data frame, or a dictionary of arrays")])
-    else:
-        data = data.reset_index() if getattr(getattr(data, "index", None), "name", None) else data
-        given = list(getattr(data, "columns", data))
-        known = {**getattr(data, "attrs", {}).get("units", {}), **(units or {})}
-        chosen = _chosen("columns", list(map(str, given)), [], columns, keys, known, faults)
-        table = Arrays([data[given[column[0]]] for column in chosen], [column[1] for column in chosen], marks)
+        raise InputError(reading.source or "measurement", faults)
+    chosen, table = (_of_text if reading.source else _of_arrays)(reading, keys, faults)
     values = table.values
     if chosen and chosen[0][1].lower() in keys:
-        repeated = _repeated(table, keys)
-        values = values[~repeated]
+        values = values[~_repeated(table, keys)]
     faults += table.faults
     fewest = 2 if keys == TIMES else 1
     if not faults and len(values) < fewest:
-        faults.append(
-            Fault(source or "data", f"{len(values)} lines of numbers", "two or more" if fewest == 2 else "one or more")
-        )
+        expected = "two or more" if fewest == 2 else "one or more"
+        faults.append(Fault(reading.source or "data", f"{len(values)} lines of numbers", expected))
+    if not faults:
+        where = f"{Path(reading.source).name}, " if reading.source else ""
+        empty = [name for (_, name, _), each in zip(chosen, values.T, strict=True) if not np.any(np.isfinite(each))]
+        faults += [Fault(f"{where}{name}", "no sample", "a column of numbers") for name in empty]
     if faults:
-        raise InputError(source or "measurement", faults)
+        raise InputError(reading.source or "measurement", faults)
     (_, _, unit), *others = chosen
     along, *measured = values.T
-    empty = [name for (_, name, _), each in zip(others, measured, strict=True) if not np.any(np.isfinite(each))]
-    if empty:
-        where = f"{Path(source).name}, " if source else ""
-        faults = [Fault(f"{where}{name}", "no sample", "a column of numbers") for name in empty]
-        raise InputError(source or "measurement", faults)
     found = {name: each.copy() for (_, name, _), each in zip(others, measured, strict=True)}
-    read = {name: text for _, name, text in others}
-    return along * parse_unit(unit).factor, found, read, len(table.values) - len(values), source
+    jumps = len(table.values) - len(values)
+    return along * parse_unit(unit).factor, found, {name: text for _, name, text in others}, jumps, reading.source
+
+
+def _of_text(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> tuple[list[Column], Numbers]:
+    path, columns = Path(reading.source), reading.columns
+    text = text_of(path)
+    olds = list(columns.values()) if isinstance(columns, Mapping) else []
+    places = [old - 1 for old in olds if isinstance(old, int)]
+    bare = bool(olds) and len(places) == len(olds)  # no headings are needed
+    layout = layout_of(text, _key_test(columns, keys), reading.skip, places if bare else ())
+    if layout is None:
+        expected = "a line of headings, name [unit], and lines of numbers"
+        raise InputError(reading.source, [Fault(reading.source, "no lines", expected)])
+    where, headings = f"{path.name}, line {layout.line}", layout.headings[: layout.width]
+    chosen = _chosen(where, headings, layout.below, columns, keys, reading.units, faults)
+    at, names = [column[0] for column in chosen], [column[1] for column in chosen]
+    return chosen, Numbers(path.name, text, layout, at, names, reading.decimal or "", reading.marks)
+
+
+def _of_arrays(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> tuple[list[Column], Arrays]:
+    data = reading.data
+    if not (isinstance(data, Mapping) or hasattr(data, "columns")):
+        raise InputError("measurement", [Fault("data", shown(data), "a file, a data frame, or a dictionary of arrays")])
+    data = data.reset_index() if getattr(getattr(data, "index", None), "name", None) else data
+    names: Any = getattr(data, "columns", data)
+    given = list(names)
+    units = {**getattr(data, "attrs", {}).get("units", {}), **reading.units}
+    chosen = _chosen("columns", list(map(str, given)), [], reading.columns, keys, units, faults)
+    columns = [data[given[column[0]]] for column in chosen]
+    return chosen, Arrays(columns, [column[1] for column in chosen], reading.marks)
 
 
 def _option_faults(skip: object, decimal: object) -> list[Fault]:
@@ -266,7 +289,8 @@ def _heading(cell: str) -> tuple[str, str]:
     for pattern in HEADINGS:
         if match := pattern.fullmatch(cell):
             unit = _unit(match["unit"])
-            if pattern is HEADINGS[0] or (match["unit"] != "1" and _is_unit(unit)) or cell.endswith("/1"):
+            one = pattern is HEADINGS[1] and match["unit"].strip() == "1"
+            if pattern is HEADINGS[0] or (_is_unit(unit) and not one):
                 return match["name"].strip(), unit
     return cell, ""
 

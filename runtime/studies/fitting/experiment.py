@@ -18,6 +18,7 @@ from hertzwerk.runtime.engine.inputs.measurement_csv import (
     MeasuredImpacts,
     MeasuredTable,
     Measurement,
+    Reading,
     counts_impacts,
     read_impacts,
     read_measurement,
@@ -268,7 +269,9 @@ def read_table(
     """Return measured data, read where a file of them is named; None with bad input appended to `faults`."""
     if isinstance(data, Measurement | MeasuredImpacts):
         return data
-    if isinstance(data, Histories) or not (isinstance(data, str | Path | Mapping) or hasattr(data, "columns")):
+    if isinstance(data, Histories) or not (
+        isinstance(data, str | Path | Mapping | Reading) or hasattr(data, "columns")
+    ):
         faults.append(
             Fault("data", shown(data), "a file, a data frame, a Measurement, MeasuredImpacts, or an Experiment")
         )

@@ -60,6 +60,19 @@ def test_the_report_and_its_files(hertzwerk, data, tmp_path):
     assert record["run"]["scene"] == "bouncing_ball" and record["run"]["duration"] < 0.47
 
 
+def test_a_file_that_states_neither_units_nor_names_is_read_by_options(hertzwerk, text, tmp_path):
+    """The numbers of the other file, as a German spreadsheet has them below three lines without a unit."""
+    _, *rows = text.split("\n")
+    german = "\n".join(rows).replace(",", ";").replace(".", ",").replace(";\n", ";-999\n")
+    (tmp_path / "data.csv").write_text(f"Prüfstand;3\nZeit;0\n\nZeit;CH 2\n{german}", encoding="utf-16")
+    how = ("--units", "t=ms", "--units", "force=kN", "--columns", "force=CH 2", "--columns", "t=1")
+    how = (*how, "--skip-lines", "2", "--decimal", ",", "--missing=-999", "--map", "force=floor.normal_force", *HOW)
+    done = hertzwerk("bouncing_ball", "--measured", "data.csv", "--json", *how)
+    assert done.exit_code == 0, done.output
+    signal = json.loads(done.output)["signals"][0]
+    assert (signal["samples"], signal["missing"]) == (249, 1)
+
+
 def test_another_start_is_a_difference_and_json_says_so(hertzwerk, data, tmp_path):
     how = ("--map", "force=floor.normal_force", "--set", "mass=1.2 kg", "--json", *HOW)
     done = hertzwerk("bouncing_ball", "--measured", "data.csv", *how)

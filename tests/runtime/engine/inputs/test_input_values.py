@@ -8,7 +8,7 @@ from shaken import shaken
 
 from hertzwerk.derive import InputError, Table
 from hertzwerk.runtime import Samples, simulate
-from hertzwerk.runtime.engine.inputs.input_values import signals_of, with_input_values
+from hertzwerk.runtime.engine.inputs.input_values import located, signals_of, with_input_values
 from hertzwerk.runtime.engine.inputs.sampled_functions import sampled
 from hertzwerk.runtime.engine.model.signal import Schedule
 
@@ -92,6 +92,22 @@ def test_a_column_of_a_file(tmp_path):
     assert signal(f"{path}:load:held")(np.array([0.29])) == pytest.approx([1000])
     assert "no column of this name" in refused(f"{path}:force") and "values in N" in refused(f"{path}:other")
     assert "one of linear, held, cubic" in refused(f"{path}:load:bent") and "no such file" in refused("none.csv:load")
+
+
+def test_a_file_is_read_with_the_arguments_behind_its_name(tmp_path, monkeypatch):
+    path = tmp_path / "bench.csv"
+    path.write_text("made by hand\nZeit;1.5;CH 2\n0;15;1,234\n300;25;-999\n2000;35;2,345\n")
+    text = (
+        f"{path}?skip=1&decimal=,&units.time=ms&columns.time=1&units.load=kN&columns.load=CH 2&missing=-999:load:held"
+    )
+    found = signal(text)
+    np.testing.assert_allclose(found(np.array([0.0, 0.4, 2.0])), [1234, 1234, 2345])
+    monkeypatch.chdir(tmp_path)
+    assert located(f"torque={text}".replace(f"{path}", "bench.csv"), tmp_path) == f"torque={text}"
+    assert "?mark: found no argument; expected skip, decimal" in refused(f"{path}?mark=,:load")
+    assert "two numbers" in refused(
+        f"{path}?skip=1&units.time=ms&columns.time=1&units.load=kN&columns.load=CH 2&missing=-999:load"
+    )
 
 
 @pytest.mark.parametrize(
