@@ -13,7 +13,7 @@ from typing import Any, Self, TypeVar
 
 import click
 
-from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.cli import line_wrapping
 
 Written = TypeVar("Written")
@@ -42,7 +42,7 @@ INTERRUPTED = 130  # exit code of a process ended by SIGINT, as in a shell
 
 
 def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
-    """Wrap a command to report InputError and OSError with exit code 2, Ctrl-C with exit code 130."""
+    """Wrap a command to report bad input and missing packages with exit code 2, Ctrl-C with exit code 130."""
 
     def guarded(*args: Any, **options: Any) -> None:
         try:
@@ -54,6 +54,13 @@ def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
             if isinstance(error, BrokenPipeError):
                 raise
             _report_error(error)
+            code = BAD_INPUT
+        except ModuleNotFoundError as error:
+            package = str(error.name).partition(".")[0]
+            if package == "hertzwerk":
+                raise
+            fault = Fault(package, "not installed", "a package that this command needs", f"pip install {package}")
+            _report_error(InputError(command.__name__, [fault]))
             code = BAD_INPUT
         except KeyboardInterrupt:
             code = INTERRUPTED

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import signal
+import sys
 
 COLLECTED = 50_000  # new objects between two collections: a tenth of the time of imports is saved
 
@@ -18,6 +19,10 @@ def start() -> None:
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
     gc.set_threshold(COLLECTED)
-    from hertzwerk.runtime.cli import main
-
+    try:
+        from hertzwerk.runtime.cli import main
+    except ModuleNotFoundError as error:
+        if error.name != "click":
+            raise
+        sys.exit("error  the command hertzwerk needs click, which is not installed: pip install click")
     main()
