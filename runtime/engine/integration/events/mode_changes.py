@@ -29,6 +29,8 @@ from hertzwerk.runtime.engine.integration.step.layout import (
 )
 from hertzwerk.runtime.engine.integration.step.many_contacts import stored_energies
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
+    LANDING,
+    directed,
     margin_tolerances,
     slip_tolerances,
     undecided_and_breaking,
@@ -45,6 +47,7 @@ Parts = dict[str, Any]  # of a vector, by name
 HERTZ = 2.94  # duration of a Hertz impact in depth/speed
 # first step of the first contact: ONSET_STEP length/speed tolerance^ONSET_POWER
 ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7
+UNTURNED = 10.0  # times the bound of its rounding: slip in two directions, a thousandth of it, that rounding does not turn step by step
 FINITE = 1e300  # larger sums of magnitudes, and nan, are not finite
 
 
@@ -243,8 +246,17 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tolerance: list[Any]) -> Sequence[Any]:
-    """Return the tolerances of speeds and forces of the pairs with set-valued friction."""
-    return slip_tolerances(model, run, m, at, *tolerance) if model.ns else [ca.DM(0, 1)] * 2
+    """Return the tolerances of speeds and forces of the pairs with set-valued friction.
+
+    Of speeds in two directions they give the slip its size, beside which rounding turns friction: where they are rounding, they are larger.
+    """
+    if not model.ns:
+        return [ca.DM(0, 1)] * 2
+    rate, force = slip_tolerances(model, run, m, at, *tolerance)
+    for group in directed(model):
+        rounded = rate[group] > LANDING * run["tolerance"] * run["scales"][1]
+        rate[group] = ca.if_else(rounded, UNTURNED * rate[group], rate[group])
+    return rate, force
 
 
 def is_finite(end: Parts) -> Any:
