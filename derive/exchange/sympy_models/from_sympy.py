@@ -16,6 +16,7 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
+from mpmath import mp
 from sympy.physics.mechanics import ReferenceFrame
 from sympy.physics.vector import Point as SymPyPoint
 
@@ -23,7 +24,8 @@ from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.identifiers import name_faults
 from hertzwerk.derive.declare.effects.effect import Effect
-from hertzwerk.derive.declare.effects.state_expression import Varying
+from hertzwerk.derive.declare.effects.state_expression import INPUT, Varying, states_in
+from hertzwerk.derive.declare.effects.state_expression import TIME as TIME_ITSELF
 from hertzwerk.derive.declare.mechanism.bodies import Body, Point
 from hertzwerk.derive.declare.mechanism.pair import Pair
 from hertzwerk.derive.declare.scene.scales import Scales
@@ -41,7 +43,7 @@ from hertzwerk.derive.exchange.sympy_models.model_equations import (
 from hertzwerk.derive.exchange.sympy_models.model_loads import Loads, ledger_faults
 from hertzwerk.derive.exchange.sympy_models.motion_description import Condition, Description, Equations, Linear, Placed
 from hertzwerk.derive.exchange.sympy_models.to_sympy import TIME
-from hertzwerk.derive.exchange.sympy_models.translation import Naming, atoms_of, name_of
+from hertzwerk.derive.exchange.sympy_models.translation import Naming, name_of
 from hertzwerk.derive.exchange.sympy_models.unit_audit import unit_faults
 from hertzwerk.derive.expressions.algebra.vectors import IDENTITY, ZERO
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
@@ -298,21 +300,8 @@ class Model:
         linear = [self._linear(rate) for rate in reading.rates.values()]
         for _, place in self._bodies.values():
             linear += [*place.velocity, *place.angular_velocity]
-        given = () if reading.lagrangian is None else (reading.lagrangian,)
-        functions = any(atom in self._names.moving for atom in atoms_of(given))
-        return functions or any(map(_bare, given)) or any(rest != 0 for _, rest in linear)
-
-
-def _bare(expression: Any) -> bool:
-    """Whether time stands in an expression by itself, not as the argument of a function or a derivative."""
-    pending = [expression]
-    while pending:
-        node = pending.pop()
-        if node == TIME:
-            return True
-        if not isinstance(node, sp.core.function.AppliedUndef | sp.Derivative):
-            pending.extend(node.args)
-    return False
+        drives = states_in(self._names.of(sp.sympify(reading.lagrangian or 0)))
+        return any(symbol.what in (TIME_ITSELF, INPUT) for symbol in drives) or any(rest != 0 for _, rest in linear)
 
 
 def _expressions(reading: Reading) -> list[Any]:
@@ -363,22 +352,10 @@ def _depends(columns: list[Mapping[str, Any]], column: Mapping[str, Any], rows: 
     source = random.Random(seed)
     symbols = {s for c in (*columns, column) for e in c.values() for s in e.free_symbols}
     state = {s: s.si if isinstance(s, Parameter) else source.uniform(0.1, 1) for s in sorted(symbols, key=str)}
-
-    def numbers(entries: Mapping[str, Any]) -> list[float]:
-        return [float(evaluate(entries[row], state)) if row in entries else 0.0 for row in rows]
-
-    basis: list[list[float]] = []
-    small = False
-    for entries in (*columns, column):
-        rest = given = numbers(entries)
-        for other in basis:
-            share = sum(a * b for a, b in zip(rest, other, strict=True))
-            rest = [a - share * b for a, b in zip(rest, other, strict=True)]
-        size, whole = (sum(x * x for x in part) ** 0.5 for part in (rest, given))
-        small = size <= 1e-9 * whole
-        if not small:
-            basis.append([x / size for x in rest])
-    return small
+    numbers = [[evaluate(each.get(row, sp.S.Zero), state) for row in rows] for each in (*columns, column)]
+    unit = mp.matrix([[value / (mp.norm(row) or 1) for value in row] for row in numbers])
+    ranks = [sum(size > 1e-9 for size in mp.svd_r(part, compute_uv=False)) for part in (unit, unit[:-1, :])]
+    return ranks[0] == ranks[1]
 
 
 __all__ = ["Model", "from_sympy"]

@@ -13,7 +13,7 @@ from typing import Any
 from sympy.physics.mechanics import Particle, ReferenceFrame
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.derive.exchange.sympy_models.model_equations import Reading, frames_of, mass_centre, points_of
+from hertzwerk.derive.exchange.sympy_models.model_equations import Reading, connected, frames_of, mass_centre, points_of
 from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, DimensionError
 from hertzwerk.derive.expressions.dimension.walker import check, dimension_of
 
@@ -61,13 +61,11 @@ def _components(where: str, vector: Any, expected: Dimension) -> Iterator[Row]:
 
 def _written(reading: Reading, table: Mapping[Any, Dimension]) -> Iterator[Row]:
     """Positions, axes, bodies, loads, constraints, kinematical equations, and the Lagrangian."""
-    seen: set[frozenset[Any]] = set()
-    for point in points_of(reading).values():
-        for other in point._pos_dict:
-            if frozenset((point, other)) not in seen:
-                seen.add(frozenset((point, other)))
-                end, begin = (point, other) if _is_nearer(other, point, reading) else (other, point)
-                yield from _components(f"position of {end.name} from {begin.name}", end.pos_from(begin), METRE)
+    near = connected([] if reading.origin is None else [reading.origin], "_pos_dict")
+    points = [*dict.fromkeys((*near, *points_of(reading).values()))]
+    for i, point in enumerate(points):
+        for other, vector in ((other, other.pos_from(point)) for other in point._pos_dict if other not in points[:i]):
+            yield from _components(f"position of {other.name} from {point.name}", vector, METRE)
     for frame in frames_of(reading).values():
         for other, matrix in frame._dcm_dict.items():
             yield from ((f"axes of {frame.name} in {other.name}", entry, ONE) for entry in matrix)
@@ -88,16 +86,6 @@ def _written(reading: Reading, table: Mapping[Any, Dimension]) -> Iterator[Row]:
         yield "Lagrangian", reading.lagrangian, ENERGY
     for q, rate in reading.rates.items():
         yield f"kinematical equation of {q}", rate, table[q] / Dimension.from_unit("s")
-
-
-def _is_nearer(one: Any, other: Any, reading: Reading) -> bool:
-    """Whether the first of two points is the one the other was located from."""
-    if reading.origin is None:
-        return True
-    try:
-        return len(one._pdict_list(reading.origin, 0)) <= len(other._pdict_list(reading.origin, 0))
-    except ValueError:
-        return True
 
 
 def _moving(reading: Reading) -> Iterator[Row]:
