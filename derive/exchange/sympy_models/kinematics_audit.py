@@ -1,8 +1,8 @@
 """Kinematics of a SymPy model: velocities as set, against those that follow from positions and axes.
 
 SymPy forms equations with any velocity of a point and any angular velocity of a frame, whatever its position and its
-orientation say. Both are compared at random states, in extended precision, positions and axes a little before and after
-along the motion. What differs is named where it begins, not at the frames and points that inherit it.
+orientation say. Both are compared at random states, in extended precision, with positions and axes a little later along
+the motion. What differs is named where it begins, not at the frames and points that inherit it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from hertzwerk.derive.exchange.sympy_models.to_sympy import TIME
 from hertzwerk.derive.exchange.sympy_models.translation import Names
 from hertzwerk.derive.expressions.parameter import Parameter
 
-DIGITS, STEP = 50, mpf(10) ** -16  # central differences are exact to 32 digits
+DIGITS, STEP = 50, mpf(10) ** -25  # a difference is exact to about 25 digits
 TOLERANCE = 1e-9  # of the largest velocity: constants of a model may be floating-point numbers
 STATES, TRIES, ROUNDS = 2, 12, 60
 LONGEST = 300  # of a velocity in a message, in characters
@@ -64,9 +64,10 @@ class _Kinematics:
         for point, other in connected([*self.places], "_pos_dict").items():
             if other in self.places and self._is_oriented(point._pos_dict[other]):
                 self.places[point] = other
+        rank = {frame: i for i, frame in enumerate(self.axes)}
         self.turns = {
             (frame, other): vector for frame in self.axes for other, vector in frame._ang_vel_dict.items()
-            if other in self.axes and self._is_oriented(vector)
+            if rank.get(other, len(rank)) < rank[frame] and self._is_oriented(vector)
         }  # fmt: skip
         given = {point: point._vel_dict.get(reading.frame) for point in self.places}
         self.speeds = {point: vector for point, vector in given.items() if self._is_oriented(vector)}
@@ -77,7 +78,7 @@ class _Kinematics:
     def faults(self) -> list[Fault]:
         """The faults: what differs at random states, and where constraints hold."""
         wrong = self._wrong()
-        if wrong != [] and (self.reading.holonomic or self.reading.nonholonomic):
+        if wrong != []:
             held = self._wrong(held=True)
             wrong = wrong if held is None else held
         if wrong is None:
@@ -99,8 +100,10 @@ class _Kinematics:
     def _held(self, state: Numbers) -> Numbers:
         """Numbers near a given one that fulfils the constraints; raises ArithmeticError."""
         reading = self.reading
+        turns = [other._dcm_dict[frame] for frame, other in self.axes.items() if other is not None]
+        unit = [entry for matrix in turns for entry in matrix.T * matrix - sp.eye(3)]  # of Euler parameters
         on_speeds = (*(expression.diff(TIME) for expression in reading.holonomic), *reading.nonholonomic)
-        for expressions, unknowns in ((reading.holonomic, reading.q), (on_speeds, reading.u)):
+        for expressions, unknowns in (((*reading.holonomic, *unit), reading.q), (on_speeds, reading.u)):
             state = self._solved(expressions, unknowns, state) if expressions else state
         return state
 
@@ -173,22 +176,21 @@ class _Kinematics:
         known = {**state}
         rates = {q: self._value(rate, known) for q, rate in self.reading.rates.items()}
         rates |= {f: state.get(f.diff(TIME), mpf(0)) for f in self.names.moving} | {TIME: mpf(1)}
-        steps = ({**state, **{s: state[s] + h * rate for s, rate in rates.items()}} for h in (-STEP, STEP))
-        (axes, places), (first, back), (last, on) = map(self._poses, (state, *steps))
+        later = {**state, **{symbol: state[symbol] + STEP * rate for symbol, rate in rates.items()}}
+        (axes, places), (turned_axes, moved) = self._poses(state), self._poses(later)
         turned = {pair: _across(self._column(vector, known, axes)) for pair, vector in self.turns.items()}
         speeds = {point: self._column(vector, known, axes) for point, vector in self.speeds.items()}
-        turning = {frame: (last[frame] - first[frame]) / (2 * STEP) * axes[frame].T for frame in axes}
-        differ, order = _differing(turned, turning), [*axes]
-        wrong = [
-            (frame, other) for (frame, other), turn in turned.items()
-            if order.index(other) < order.index(frame) and differ(turn, turning[frame] - turning[other])
-        ]  # fmt: skip
-        spins = dict(turning)  # as they were set, by the shortest way, which is SymPy's
-        for frame, other in self.turned.items():
-            spins[frame] = spins[other] + turned[frame, other] if (frame, other) in turned else turning.get(frame)
-        moving = {point: (on[point] - back[point]) / (2 * STEP) for point in on}
-        _, beside = self._poses(state, {frame: (spins[frame] - turning[frame]) * axes[frame] for frame in axes})
-        carried = {point: moving[point] + beside[point] for point in moving}  # by frames that turn as they were set
+        turning = {frame: (turned_axes[frame] - axes[frame]) / STEP * axes[frame].T for frame in axes}
+        differ = _differing(turned, turning)
+        wrong = [(one, other) for (one, other), turn in turned.items() if differ(turn, turning[one] - turning[other])]
+        spins = dict(turning)
+        moving = carried = {point: (moved[point] - places[point]) / STEP for point in moved}
+        if wrong:  # points follow frames that turn as they were set, by the shortest way, which is SymPy's
+            for frame, other in self.turned.items():
+                if frame in axes and other in axes:
+                    spins[frame] = spins[other] + turned.get((frame, other), -turned.get((other, frame), 0))
+            _, beside = self._poses(state, {frame: (spins[frame] - turning[frame]) * axes[frame] for frame in axes})
+            carried = {point: moving[point] + beside[point] for point in moving}
         return [*wrong, *self._wrong_points(speeds, (moving, carried), places, spins)]
 
     def _wrong_points(self, speeds: Numbers, ways: Sequence[Numbers], places: Numbers, spins: Numbers) -> Sequence[Any]:
@@ -202,10 +204,10 @@ class _Kinematics:
                 other = self.places[other]
             own, *follow = (way[point] if other is None else way[point] - way[other] for way in (speeds, *ways))
             if all(differ(own, each) for each in follow):
-                carriers = self._carriers(point, spins, speeds)
                 rides = any(
                     not differ(speeds[point] - speeds[at], spins[frame] * (places[point] - places[at]))
-                    for at, frame in carriers
+                    and (at in wrong or any(not differ(speeds[at], way[at]) for way in ways))
+                    for at, frame in self._carriers(point, spins, speeds)
                 )
                 (riders if rides else wrong).append(point)
         return wrong
@@ -243,5 +245,5 @@ def _across(w: Any) -> Any:
 
 def _differing(*groups: Numbers) -> Callable[[Any, Any], bool]:
     """Function of two vectors: whether they differ, beside the largest of some; what has no value does."""
-    least = TOLERANCE * max((mp.norm(vector) for group in groups for vector in group.values()), default=mpf(0)) + 1e-25
+    least = TOLERANCE * max((mp.norm(vector) for group in groups for vector in group.values()), default=mpf(0)) + 1e-18
     return lambda one, other: not mp.norm(one - other) <= least
