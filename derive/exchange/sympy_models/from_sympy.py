@@ -355,7 +355,7 @@ def _depends(columns: list[Mapping[str, Any]], column: Mapping[str, Any], rows: 
     numbers = [[evaluate(each.get(row, sp.S.Zero), state) for row in rows] for each in (*columns, column)]
     unit = mp.matrix([[value / (mp.norm(row) or 1) for value in row] for row in numbers])
     ranks = [sum(size > 1e-9 for size in mp.svd_r(part, compute_uv=False)) for part in (unit, unit[:-1, :])]
-    return ranks[0] == ranks[1]
+    return bool(ranks[0] == ranks[1])
 
 
 __all__ = ["Model", "from_sympy"]
