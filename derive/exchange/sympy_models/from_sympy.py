@@ -24,8 +24,7 @@ from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.identifiers import name_faults
 from hertzwerk.derive.declare.effects.effect import Effect
-from hertzwerk.derive.declare.effects.state_expression import INPUT, Varying, states_in
-from hertzwerk.derive.declare.effects.state_expression import TIME as TIME_ITSELF
+from hertzwerk.derive.declare.effects.state_expression import Input, T, Varying, states_in
 from hertzwerk.derive.declare.mechanism.bodies import Body, Point
 from hertzwerk.derive.declare.mechanism.pair import Pair
 from hertzwerk.derive.declare.scene.scales import Scales
@@ -301,7 +300,9 @@ class Model:
         for _, place in self._bodies.values():
             linear += [*place.velocity, *place.angular_velocity]
         drives = states_in(self._names.of(sp.sympify(reading.lagrangian or 0)))
-        return any(symbol.what in (TIME_ITSELF, INPUT) for symbol in drives) or any(rest != 0 for _, rest in linear)
+        return any(symbol == T or isinstance(symbol, Input) for symbol in drives) or any(
+            rest != 0 for _, rest in linear
+        )
 
 
 def _expressions(reading: Reading) -> list[Any]:
