@@ -139,6 +139,24 @@ def test_welded_bodies_cost_what_one_body_costs():
     assert ours == pytest.approx(theirs, rel=1e-12)
 
 
+def test_a_rigid_whole_has_the_inertia_that_its_axis_needs():
+    """Of one body or another, or by a mass beside the axis; within a chain what follows may have it."""
+    off, J, right = Parameter("off", "m", 0.3), Parameter("J", "kg m^2", 0.2), Parameter("right", "rad", np.pi / 2)
+    hub, disc = Body("hub", MASS), Body("disc", MASS, (0, 0, J))
+    pin = Revolute("pin", GROUND, hub, Z)
+    swung = Derived(scene(pin, Weld("glue", hub.at(off, 0, 0), Body("tip", MASS))))
+    assert swung.call("accelerations", q=[0.4], u=[0.0], f=[2.0])[0] == pytest.approx(2 / (0.9 * 0.3**2), rel=1e-14)
+    flat = Derived(scene(pin, Weld("glue", hub, disc)))
+    assert flat.call("accelerations", q=[0.4], u=[0.0], f=[2.0])[0] == pytest.approx(2 / 0.2, rel=1e-14)
+    with pytest.raises(InputError, match="body hub: found inertia 0"):
+        scene(pin, Weld("glue", hub.at(0, 0, off).turned(X, right), disc))
+    carried = Derived(scene(pin, Revolute("elbow", hub.at(0, 0, off), BODY, X)))
+    alone = Derived(scene(Universal("cross", GROUND, BODY, Z, X)))
+    q, u, f = [0.4, 0.7], [1.0, -2.0], [0.3, 0.1]
+    found, expected = (each.call("accelerations", q=q, u=u, f=f)[0] for each in (carried, alone))
+    assert found == pytest.approx(expected, rel=1e-12)
+
+
 POINT = Body("point", MASS, 0, (0, 0, Parameter("l", "m", 1.0)))
 BAD = {
     "universal with parallel axes": (lambda: scene(Universal("cross", GROUND, BODY, X, -X)), "joint cross", "parallel", "Revolute"),

@@ -1,8 +1,9 @@
 """Compare the robots of a folder of URDF files with Pinocchio: python compare_robots.py FOLDER [--only TEXT]
 
-`pip install pin` first. Of each file, fixed and floating: mass matrix and accelerations at random states, and the
-accelerations of joints that mimic others by projection. Joints that move nothing are locked, impossible inertias are
-the nearest possible ones, in both programs; the table says where. Nothing is written.
+`pip install pin` first. Of each file, fixed and floating, at random states: the mass matrix, the forces that the
+difference of accelerations takes (relative to all), the accelerations, and with joints that mimic others the forces
+again, theirs by projection. Joints that move nothing are locked and impossible inertias are the nearest possible ones,
+in both programs, where a file is refused without: the table says so. Nothing is written.
 """
 
 import argparse
@@ -17,17 +18,25 @@ import numpy as np
 import pinocchio as pin
 from scipy.spatial.transform import Rotation
 
-from hertzwerk.derive import Direction, EnergyLedger, Gravity, InputError, Parameter, Scales, from_urdf
+from hertzwerk.derive import Coupling, Direction, EnergyLedger, Gravity, InputError, Parameter, Scales, from_urdf
 from hertzwerk.runtime import load
 
-SCALES = Scales(*(Parameter(f"scale_of_{name}", unit, 1) for name, unit in (("length", "m"), ("speed", "m/s"))),
-                arm=Parameter("scale_of_arms", "m", 1))  # fmt: skip
+SCALES = Scales(
+    Parameter("scale_of_lengths", "m", 1),
+    Parameter("scale_of_speeds", "m/s", 1),
+    arm=Parameter("scale_of_arms", "m", 1),
+)
 DOWN = (1, 2, -2)  # robots may lie on their side
-GRAVITY = Gravity("gravity_of_the_world", Parameter("gravity_of_the_world_g", "m/s^2", 9.81), direction=Direction(DOWN))
+GRAVITY = Gravity("weight", Parameter("gravity_of_the_world", "m/s^2", 9.81), direction=Direction(DOWN))
 STATES = 3
 
 
-def massless_joints(model):
+def model_of(path, base):
+    """Pinocchio's model of a file."""
+    return pin.buildModelFromUrdf(str(path), *([pin.JointModelFreeFlyer()] if base == "floating" else []))
+
+
+def massless(model):
     """Names of joints beyond which Pinocchio finds no inertia."""
     heavy = {0}
     for i in reversed(range(1, model.njoints)):
@@ -36,130 +45,155 @@ def massless_joints(model):
     return [model.names[i] for i in range(1, model.njoints) if i not in heavy]
 
 
-def with_inertias(path, robot, base):
-    """Text of a file, with the inertias that hertzwerk took for the nearest possible ones."""
-    root = ElementTree.parse(path).getroot()
-    for repair in robot.repairs:
-        if repair.startswith("inertia of "):
-            name = repair.removeprefix("inertia of ").split(",")[0]
-            link = next(link for link in root.iter("link") if link.get("name") == name)
-            inertial = link.find("inertial")
-            if (origin := inertial.find("origin")) is not None:
-                origin.set("rpy", "0 0 0")
-            rows = robot.bodies[name].tensor
-            for i, k in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
-                value = rows[i][k]
-                inertial.find("inertia").set(f"i{'xyz'[i]}{'xyz'[k]}", repr(float(getattr(value, "si", value))))
-    for mimic in list(root.iter("joint")):  # Pinocchio would take none of a joint that is fixed
-        for element in mimic.findall("mimic"):
-            mimic.remove(element)
-    return ElementTree.tostring(root, encoding="unicode")
-
-
 def read(path, base):
-    """Robot of a file, and what it took to read it."""
-    model = pin.buildModelFromUrdf(str(path), *([pin.JointModelFreeFlyer()] if base == "floating" else []))
-    locked = dict.fromkeys((name for name in massless_joints(model) if name != "root_joint"), 0)
-    for how in ({}, {"locked": locked}, {"inertia": "nearest"}, {"locked": locked, "inertia": "nearest"}):
+    """Robot of a file, and the options that it takes."""
+    locked = dict.fromkeys(massless(model_of(path, base)), 0)
+    for options in ({}, {"locked": locked}, {"inertia": "nearest"}, {"locked": locked, "inertia": "nearest"}):
         try:
-            robot = from_urdf(path, base, **how)
+            robot = from_urdf(path, base, **options)
             robot.scene(GRAVITY, scales=SCALES)
-            return robot, how
+            return robot, options
         except InputError as error:
-            last = error
-    raise last
+            refused = error
+    raise refused
 
 
-def theirs(path, robot, base, locked):
-    """Pinocchio's model, and its joint for each moving child link."""
-    with tempfile.NamedTemporaryFile("w", suffix=".urdf") as file:
-        file.write(with_inertias(path, robot, base))
-        file.flush()
-        model = pin.buildModelFromUrdf(file.name, *([pin.JointModelFreeFlyer()] if base == "floating" else []))
-    if locked:
-        ids = [model.getJointId(name) for name in locked]
-        model = pin.buildReducedModel(model, ids, pin.neutral(model))
-    return model
+class Theirs:
+    """A robot in Pinocchio: its state and equations in hertzwerk's coordinates and speeds."""
+
+    def __init__(self, path, robot, base, options):
+        root = ElementTree.parse(path).getroot()
+        for repair in robot.repairs:
+            if repair.startswith("inertia of "):
+                self._replace_inertia(root, robot, repair.removeprefix("inertia of ").split(",")[0])
+        with tempfile.NamedTemporaryFile("w", suffix=".urdf") as file:
+            file.write(ElementTree.tostring(root, encoding="unicode"))
+            file.flush()
+            self.model = model_of(file.name, base)
+        if locked := [self.model.getJointId(name) for name in options.get("locked", ())]:
+            self.model = pin.buildReducedModel(self.model, locked, pin.neutral(self.model))
+        self.model.gravity.linear = 9.81 / 3 * np.array(DOWN)
+        self.data, self.floating, self.places = self.model.createData(), base == "floating", {}
+        place = row = 0
+        for freedom in robot.mechanism.freedoms:
+            self.places[freedom.key] = (place, row)
+            place, row = place + len(freedom.coordinates), row + len(freedom.speeds)
+        self.sizes = place, row
+        links = {joint.get("name"): joint.find("child").get("link") for joint in root.findall("joint")}
+        self.keys = [
+            robot.mechanism.joint_of(robot.bodies[links[name]]).name if name in links else ""
+            for name in self.model.names
+        ]
+
+    @staticmethod
+    def _replace_inertia(root, robot, name):
+        inertial = next(link for link in root.findall("link") if link.get("name") == name).find("inertial")
+        if (origin := inertial.find("origin")) is not None:
+            origin.set("rpy", "0 0 0")
+        for i, k in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
+            value = robot.bodies[name].tensor[i][k]
+            inertial.find("inertia").set(f"i{'xyz'[i]}{'xyz'[k]}", repr(float(getattr(value, "si", value))))
+
+    def at(self, q, u):
+        """Mass matrix and force of all but accelerations, in hertzwerk's speeds, and its accelerations."""
+        model, data = self.model, self.data
+        qs, S = np.zeros(model.nq), np.zeros((model.nv, len(u)))
+        for joint, key in list(zip(model.joints, self.keys, strict=True))[1:]:
+            if not key:  # the free base: a quaternion with its scalar last, speeds in its own axes
+                turn = Rotation.from_quat(np.roll(q[3:7], -1)).as_matrix()
+                qs[:7] = *q[:3], *np.roll(q[3:7], -1)
+                S[:3, :3], S[3:6, 3:6] = turn.T, np.eye(3)
+                continue
+            place, row = self.places[key]
+            qs[joint.idx_q : joint.idx_q + joint.nq] = (
+                q[place] if joint.nq == 1 else (np.cos(q[place]), np.sin(q[place]))
+            )
+            S[joint.idx_v, row] = 1
+        us, still = S @ u, np.zeros(model.nv)
+        if self.floating:  # d(R^T v)/dt = R^T v' - w x R^T v
+            still[:3] = -np.cross(us[3:6], us[:3])
+        M = pin.crba(model, data, qs)
+        M = S.T @ (np.triu(M) + np.triu(M, 1).T) @ S
+        forces = S.T @ pin.rnea(model, data, qs, us, still)
+        return M, forces, np.linalg.solve(S, pin.aba(model, data, qs, us, np.zeros(model.nv)) - still)
 
 
-def state_of(model, robot, path, base, q, u):
-    """Their coordinates and speeds of ours, and the matrix between the speeds."""
-    links = {
-        j.get("name"): j.find("child").get("link")
-        for j in ElementTree.parse(path).getroot().iter("joint")
-        if j.find("child") is not None
-    }
-    keys, places, rows = {}, 0, 0
-    for freedom in robot.mechanism.freedoms:
-        keys[freedom.key] = (places, rows)
-        places, rows = places + len(freedom.coordinates), rows + len(freedom.speeds)
-    qs, S = np.zeros(model.nq), np.zeros((model.nv, rows))
-    for i in range(1, model.njoints):
-        joint, name = model.joints[i], model.names[i]
-        if name == "root_joint":
-            turn = Rotation.from_quat(np.roll(q[3:7], -1)).as_matrix()
-            qs[:7] = *q[:3], *np.roll(q[3:7], -1)
-            S[:3, :3], S[3:6, 3:6] = turn.T, np.eye(3)
-            continue
-        place, row = keys[robot.mechanism.joint_of(robot.bodies[links[name]]).name]
-        qs[joint.idx_q : joint.idx_q + joint.nq] = q[place] if joint.nq == 1 else (np.cos(q[place]), np.sin(q[place]))
-        S[joint.idx_v, row] = 1
-    return qs, S @ u, S
+def followed(couplings, places, q, size):
+    """Coordinates with those of followers, and the matrix that gives all speeds by those that follow none."""
+    q, G = q.copy(), np.eye(size)
+    for _ in couplings:  # a follower may follow a follower
+        for each in couplings:
+            (place, row), (leader, other) = places[each.first], places[each.second]
+            ratio, offset = (float(getattr(value, "si", value)) for value in (each.ratio, each.offset))
+            q[place], G[row] = ratio * q[leader] + offset, ratio * G[other]
+    followers = {places[each.first][1] for each in couplings}
+    return q, G[:, [row for row in range(size) if row not in followers]]
 
 
 def compare(path, base):
-    """How a file is read, and the largest relative differences of mass matrix and forces of inertia."""
-    robot, how = read(path, base)
-    model = theirs(path, robot, base, how.get("locked", ()))
-    model.gravity.linear = 9.81 / 3 * np.array(DOWN)
-    data = model.createData()
-    ours = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES).without(*(effect.name for effect in robot.effects)))
-    energy, accelerations, applied, c = (*map(ours.function, ("energy", "accelerations", "applied")), ours.bind().c)
-    n = sum(len(freedom.speeds) for freedom in robot.mechanism.freedoms)
-    speeds, q_ = (
-        ca.SX.sym("u", n),
-        ca.SX.sym("q", sum(len(freedom.coordinates) for freedom in robot.mechanism.freedoms)),
-    )
-    matrix = ca.Function("M", [q_, speeds], [ca.hessian(energy(0, q_, speeds, c)[0], speeds)[0]])
-    assert model.nv == n, (model.nv, n)
-    rng, worst = np.random.default_rng(1), [0.0, 0.0, 0.0]
+    """Options of a file, number of its speeds, largest relative differences, and number of repairs."""
+    robot, options = read(path, base)
+    theirs = Theirs(path, robot, base, options)
+    couplings = [effect for effect in robot.effects if isinstance(effect, Coupling)]
+    names, kept = [effect.name for effect in robot.effects], [effect.name for effect in couplings]
+    scene = robot.scene(GRAVITY, EnergyLedger(), scales=SCALES)
+    model = load(scene.without(*names))
+    coupled = load(scene.without(*(name for name in names if name not in kept))) if couplings else None
+    place, size = theirs.sizes
+    assert theirs.model.nv == size, f"{theirs.model.nv} speeds there, {size} here"
+    q, u = ca.SX.sym("q", place), ca.SX.sym("u", size)
+    energy = model.function("energy")(0, q, u, model.bind().c)[0]
+    matrix = ca.Function("M", [q, u], [ca.hessian(energy, u)[0]])
+    rng, worst = np.random.default_rng(1), np.zeros(4)
     for _ in range(STATES):
-        q, u = rng.uniform(-1, 1, q_.numel()), rng.normal(size=n)
+        q, u = rng.uniform(-1, 1, place), rng.normal(size=size)
         if base == "floating":
             q[3:7] /= np.linalg.norm(q[3:7])
-        qs, us, S = state_of(model, robot, path, base, q, u)
-        M = pin.crba(model, data, qs)
-        M = S.T @ (np.triu(M) + np.triu(M, 1).T) @ S
-        worst[0] = max(worst[0], np.abs(np.array(matrix(q, u)) - M).max() / np.abs(M).max())
-        a = np.array(accelerations(0, q, u, applied(0, q, u, c), c)[0]).ravel()
-        expected = pin.aba(model, data, qs, us, np.zeros(model.nv))
-        if base == "floating":  # d(R^T v)/dt = R^T v' - w x R^T v
-            expected[:3] += np.cross(us[3:6], us[:3])
-        expected = np.linalg.solve(S, expected)
-        worst[1] = max(worst[1], np.abs(M @ (a - expected)).max() / np.abs(M @ a).max())
-        worst[2] = max(worst[2], np.abs(a - expected).max() / np.abs(a).max())
-    return robot, how, n, worst
+        M, forces, expected = theirs.at(q, u)
+        a = accelerations(model, q, u)
+        found = [np.abs(np.array(matrix(q, u)) - M).max() / np.abs(M).max(), share(M, a, expected),
+                 np.abs(a - expected).max() / np.abs(a).max(), 0]  # fmt: skip
+        if coupled is not None:
+            q, G = followed(couplings, theirs.places, q, size)
+            u = G @ np.linalg.lstsq(G, u, rcond=None)[0]
+            M, forces, _ = theirs.at(q, u)
+            found[3] = share(M, accelerations(coupled, q, u), G @ np.linalg.solve(G.T @ M @ G, -G.T @ forces))
+        worst = np.maximum(worst, found)
+    return options, size, worst, len(robot.repairs)
+
+
+def accelerations(model, q, u):
+    """Accelerations by a model, under its own forces."""
+    c = model.bind().c
+    return np.array(model.function("accelerations")(0, q, u, model.function("applied")(0, q, u, c), c)[0]).ravel()
+
+
+def share(M, a, expected):
+    """Largest force of a difference of accelerations, relative to the largest of them."""
+    return np.abs(M @ (a - expected)).max() / np.abs(M @ a).max()
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("folder", type=Path)
-    arguments.add_argument("--only", default="")
-    arguments.add_argument("--base", default="")
+    arguments.add_argument("--only", default="", help="files whose path contains this text")
     given = arguments.parse_args()
-    for path in sorted(given.folder.rglob("*.urdf")):
-        if given.only not in str(path):
-            continue
+    for path in sorted(path for path in given.folder.rglob("*.urdf") if given.only in str(path)):
         for base in ("fixed", "floating"):
-            if given.base not in base:
-                continue
             begun = time.process_time()
             try:
-                robot, how, n, worst = compare(path, base)
-                print(f"{path.name:40} {base:9} {n:4} freedoms  " + "  ".join(f"{value:.1e}" for value in worst),
-                      f"{time.process_time() - begun:5.0f} s", how, len(robot.repairs), "repairs", flush=True)  # fmt: skip
-            except (InputError, ValueError, RuntimeError, AssertionError) as error:
-                print(f"{path.name:40} {base:9} {type(error).__name__}: {str(error)[:600]}", flush=True)
+                options, size, worst, repairs = compare(path, base)
+            except (InputError, ValueError, AssertionError) as error:
+                print(f"{path.name:36} {base:9} {type(error).__name__}: {error}", flush=True)
+                continue
+            taken = ", ".join(
+                f"{name} {list(value) if isinstance(value, dict) else value}" for name, value in options.items()
+            )
+            numbers = "  ".join(f"{value:.1e}" for value in worst)
+            seconds = time.process_time() - begun
+            print(
+                f"{path.name:36} {base:9} {size:4}  {numbers}  {repairs} repairs  {seconds:.0f} s  {taken}", flush=True
+            )
 
 
 if __name__ == "__main__":
