@@ -11,7 +11,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
@@ -64,6 +64,7 @@ from hertzwerk.runtime.output.tables.data_frame import data_frame
 from hertzwerk.runtime.output.tables.dataset import dataset
 from hertzwerk.runtime.output.tables.history_table import history_table
 from hertzwerk.runtime.output.tables.table_file import write_table
+from hertzwerk.runtime.system.result_folder import as_path
 from hertzwerk.runtime.system.stages import Stages, in_stages
 
 if TYPE_CHECKING:
@@ -282,7 +283,7 @@ class Solution(plain_solution.Solution):
         self,
         duration: str | float | None = None,
         *,
-        model: plain.Model | None = None,
+        target: Target | None = None,
         grid: Grid = None,
         compiled: Compiled = "auto",
         max_steps: int | None = None,
@@ -295,7 +296,7 @@ class Solution(plain_solution.Solution):
         With its model, parameters, start, method and tolerance.
 
         duration    of the whole motion from its start, longer than the run reached; by default the duration requested before
-        model    the model of a saved run, which has no functions: load("slider_crank")
+        target    the scene or the Model of a saved run, which has no functions: "slider_crank"
         grid    as of `simulate`: of one over the whole motion the part that is left
         max_steps, max_events, wall_time    of this run alone
 
@@ -310,8 +311,8 @@ class Solution(plain_solution.Solution):
         Raises InputError, with every fault.
         """
         began = time.perf_counter()
-        live = model if model is not None else self.model
-        kept = resumable(self, live, saved=model is None and self.history.integrator is None)
+        live = self.model if target is None else load(target)
+        kept = resumable(self, live, saved=target is None and self.history.integrator is None)
         whole = self.duration if duration is None else duration
         settings = Settings(whole, None, self.tolerance, self.method, compiled, grid, max_steps, max_events, wall_time)
         given, times = read(live, settings, parameters_of(self, live), kept.initial)
@@ -364,6 +365,8 @@ class Solution(plain_solution.Solution):
         Names that the run was asked for (`sensitivities=`) cost no more; others are found now. Raises KeyError for an
         unknown history, InputError as `sensitivities` does.
         """
+        if not isinstance(history, str) or history not in self:
+            self[history]
         found = self.derivatives
         if found is None or name not in found.names:
             found = self.sensitivities(name)
@@ -421,17 +424,20 @@ class Solution(plain_solution.Solution):
 
     def to_file(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write every history as .csv, .parquet or .nc, by the ending; raises InputError."""
-        return write_table(Path(path), partial(history_table, self), self.csv, overwrite=overwrite)
+        return write_table(path, partial(history_table, self), self.csv, overwrite=overwrite)
 
     def plot(self, *names: str | Sequence[str]) -> Figure:
         """Draw the overview, one contact pair, or the named histories, also a list of them.
 
         Raises KeyError for an unknown name.
         """
+        wanted = list(chain.from_iterable(x if isinstance(x, list | tuple) else [x] for x in names))
+        for name in wanted:
+            if not isinstance(name, str) or name not in (*self.model.pairs, *self):
+                self[name]
         from hertzwerk.runtime.output.plots import plot_run as plot
 
-        listed = [[each] if isinstance(each, str) or not isinstance(each, Iterable) else each for each in names]
-        return plot.plot(self, *chain.from_iterable(listed))
+        return plot.plot(self, *wanted)
 
     def animate(
         self,
@@ -451,7 +457,7 @@ class Solution(plain_solution.Solution):
         """
         from hertzwerk.runtime.output.films.film import animate
 
-        film = animate(self, Path(path), fps=fps, slow=slow, overwrite=overwrite, progress=progress)
+        film = animate(self, as_path("path", path), fps=fps, slow=slow, overwrite=overwrite, progress=progress)
         if film.frames < film.of:
             raise KeyboardInterrupt
         return film.path
@@ -462,11 +468,13 @@ class Solution(plain_solution.Solution):
 
         return picture.of_run(self)
 
-    def report(self, path: str | Path, *, model: plain.Model | None = None, overwrite: bool = False) -> Path:
+    def report(self, path: str | Path, *, target: Target | None = None, overwrite: bool = False) -> Path:
         """Write one HTML page of the run that holds all it shows; raises FileExistsError.
 
-        model    of a saved run, for its equations: load("slider_crank")
+        target    the scene or the Model of a saved run, for its equations: "slider_crank"
         """
+        path = as_path("path", path)
         from hertzwerk.runtime.output.reports.run_report import run_page
 
-        return plain_solution.write(Path(path), run_page(self, model=model).encode(), overwrite=overwrite)
+        page = run_page(self, model=None if target is None else load(target))
+        return plain_solution.write(path, page.encode(), overwrite=overwrite)

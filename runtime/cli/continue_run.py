@@ -60,7 +60,7 @@ def continue_run(
         faults.append(Fault("--grid", found, "points or a spacing for the longer motion", 'such as --grid "0.1 ms"'))
     if faults:
         raise InputError(f"--continue {folder}", faults)
-    solution = before.continued(duration, model=model, grid=grid_of(spacing), progress=stopping, **limits)
+    solution = before.continued(duration, target=model, grid=grid_of(spacing), progress=stopping, **limits)
     return solution, {**request, "grid": spacing, "continues": str(folder)}
 
 

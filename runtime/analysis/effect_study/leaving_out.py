@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import (
     PAST_HORIZON,
     Output,
@@ -29,7 +29,7 @@ from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_value
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.per_model import per_model
-from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, progress_faults
+from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, is_real, progress_faults
 from hertzwerk.runtime.engine.solution.solution import Solution
 from hertzwerk.runtime.engine.start.start_values import given_values
 from hertzwerk.runtime.loading import Target, load
@@ -132,8 +132,10 @@ def study_effects(
     without, laws    of the whole scene, as `load` takes them
     compiled    whether the timed runs are compiled: "auto" where `simulate` compiles the whole scene
     """
-    if within is not None and not 0 < within < 1:
-        raise InputError("effects", [Fault("--within", f"{within:g}", "a change above 0 and below 100 %")])
+    if within is not None and not (is_real(within) and 0 < within < 1):
+        raise InputError("effects", [Fault("within", shown(within), "a change above 0 and below 100 %, such as 0.02")])
+    if not isinstance(outputs, list | tuple) or not all(isinstance(name, str) for name in outputs):
+        raise InputError("effects", [Fault("outputs", shown(outputs), 'a list of names, such as ["peak_force"]')])
     whole, faults = load(target, without=without, laws=laws), progress_faults(progress)
     whole.declared_for("effects")
     own, states = given_values(whole, parameters, initial, faults)

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import Output
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
@@ -25,7 +25,7 @@ from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import WIDTH
-from hertzwerk.runtime.engine.run.run_request import TOLERANCES, Compiled, Settings, check
+from hertzwerk.runtime.engine.run.run_request import TOLERANCES, Compiled, Settings, check, is_real
 from hertzwerk.runtime.engine.solution import error_scales
 from hertzwerk.runtime.engine.solution.dense_output import Samples
 from hertzwerk.runtime.engine.solution.outcome import Outcome
@@ -89,10 +89,10 @@ class Bench:
 
     def __post_init__(self) -> None:
         low, high = FINEST, TOLERANCES[1]
-        if not low <= self.tolerance <= high:
+        if not (is_real(self.tolerance) and low <= self.tolerance <= high):
             expected = f"a number in {low:g}..{high:g}"
             remedy = f"runs at tolerances down to a {FINER:g}th of it show the error"
-            raise InputError("effects", [Fault("--tolerance", f"{self.tolerance:g}", expected, remedy)])
+            raise InputError("effects", [Fault("tolerance", shown(self.tolerance), expected, remedy)])
 
     @property
     def finest(self) -> float:

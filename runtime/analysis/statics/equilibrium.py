@@ -289,7 +289,7 @@ def equilibrium(
 
 def inputs_at(model: Model, inputs: Mapping[str, Input] | None, t: float) -> Model:
     """Return a model whose inputs keep the values that they have at a time [s]; raises InputError."""
-    if not (model.inputs or inputs):
+    if not model.inputs and inputs is None:
         return model
     model, faults = with_input_values(model, inputs, t or 1.0, {})
     faults += input_faults(model, t, faults)

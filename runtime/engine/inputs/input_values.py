@@ -90,7 +90,7 @@ def with_input_values(
     What a model was given before, it keeps. Faults of the duration and of inputs without a value are for `run.request` to find.
     """
     faults: list[Fault] = []
-    if not inputs:
+    if inputs is None or (isinstance(inputs, Mapping) and not inputs):
         return model, faults
     seconds = read_duration(model, parameters, duration, [])
     signals = signals_of(model, inputs, seconds, faults)

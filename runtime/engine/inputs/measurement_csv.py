@@ -36,6 +36,14 @@ Chosen = Sequence[str] | Mapping[str, str | int]  # names of columns, or names b
 Column = tuple[int, str, str]  # place in a line, name and unit text of a column that is read
 
 
+def _numbers(values: Any) -> Array:
+    """Return values as an array of floats; an empty one of other shape than any column where they are no numbers."""
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        return np.zeros((0, 0))
+
+
 class Columns:
     """Columns with units; what a table of measured data is but for its rows."""
 
@@ -53,7 +61,10 @@ class Columns:
 
     def _column_faults(self, rows: int, what: str) -> list[Fault]:
         """Return the faults of the columns, which become arrays."""
-        columns = {name: np.asarray(values, dtype=float) for name, values in self.columns.items()}
+        if not isinstance(self.columns, Mapping) or not isinstance(self.units, Mapping):
+            found = f"{shown(self.columns)} and {shown(self.units)}"
+            return [Fault("columns, units", found, "arrays and unit texts by the names of columns")]
+        columns = {str(name): _numbers(values) for name, values in self.columns.items()}
         object.__setattr__(self, "columns", columns)
         faults = [
             Fault(name, f"values of shape {values.shape}", f"one for each of the {rows} {what}")
@@ -86,7 +97,7 @@ class Measurement(Columns):
     jumps: int = 0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "times", np.asarray(self.times, dtype=float))
+        object.__setattr__(self, "times", _numbers(self.times))
         faults = self._column_faults(self.times.size, "times")
         times = self.times
         if times.ndim != 1 or times.size < 2 or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
@@ -109,7 +120,7 @@ class MeasuredImpacts(Columns):
     source: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "numbers", np.asarray(self.numbers, dtype=float))
+        object.__setattr__(self, "numbers", _numbers(self.numbers))
         faults = self._column_faults(self.numbers.size, "impacts")
         counted = self.numbers.ndim == 1 and self.numbers.size > 0 and bool(np.all(np.isfinite(self.numbers)))
         if not counted or np.any(np.diff(self.numbers, prepend=0) <= 0) or np.any(self.numbers % 1):
@@ -211,7 +222,7 @@ def counts_impacts(data: MeasuredTable) -> bool:
 
 def _read(reading: Reading, keys: tuple[str, ...]) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:
     """Return times in SI or numbers of impacts, columns and units by name, jumps, and the source."""
-    faults = _option_faults(reading.skip, reading.decimal)
+    faults = _option_faults(reading)
     if faults:
         raise InputError(reading.source or "measurement", faults)
     chosen, table = (_of_text if reading.source else _of_arrays)(reading, keys, faults)
@@ -265,8 +276,17 @@ def _of_arrays(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> 
     return chosen, Arrays(columns, [column[1] for column in chosen], reading.marks)
 
 
-def _option_faults(skip: object, decimal: object) -> list[Fault]:
+def _option_faults(reading: Reading) -> list[Fault]:
+    columns, units, skip, decimal, missing = list(vars(reading).values())[1:]
     faults = [] if decimal in (None, ".", ",") else [Fault("decimal", shown(decimal), '"." or ","')]
+    if columns is not None and not (
+        isinstance(columns, list | tuple | Mapping) and all(isinstance(name, str) for name in columns)
+    ):
+        faults.append(Fault("columns", shown(columns), 'names, ["force"], or names beside headings, {"force": "CH 2"}'))
+    if not isinstance(units, Mapping | None):
+        faults.append(Fault("units", shown(units), 'unit texts by column, {"force": "N"}'))
+    if not isinstance(missing, str | int | float | list | tuple | set):
+        faults.append(Fault("missing", shown(missing), "texts of cells without a sample"))
     whole = isinstance(skip, int) and not isinstance(skip, bool) and skip >= 0
     return faults if whole else [*faults, Fault("skip", shown(skip), "a number of lines")]
 

@@ -40,7 +40,7 @@ def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
     """Return the checkpoint of a run; raises InputError where it cannot be continued."""
     faults, kept = [], run.checkpoint
     if saved:
-        remedy = f'name it: model=load("{run.model.name}")'
+        remedy = f'name it: target="{run.model.name}"'
         faults.append(Fault("model", "a saved run, which has no functions", "the model that was run", remedy))
     if run.outcome.name not in CONTINUABLE:
         expected = f"one of {', '.join(CONTINUABLE)}"

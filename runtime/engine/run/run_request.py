@@ -123,7 +123,7 @@ class Settings:
             expected = f'a number in {low:g}..{high:g}, or "1e-6{AT_END}"'
             faults.append(Fault("accuracy", shown(self.accuracy), expected, "it is measured in the scene's scales"))
         low, high = TOLERANCES
-        if self.tolerance is not None and not (_real(self.tolerance) and low <= self.tolerance <= high):
+        if self.tolerance is not None and not (is_real(self.tolerance) and low <= self.tolerance <= high):
             way_out = "it is measured in the scene's scales"
             faults.append(Fault("tolerance", shown(self.tolerance), f"a number in {low:g}..{high:g}", way_out))
         if self.accuracy is not None and self.tolerance is not None:
@@ -137,7 +137,7 @@ class Settings:
             faults.append(unknown("method", self.method, sorted(METHODS)))
         for name, limit in self._stated_limits:
             whole = name != "wall_time"
-            if limit is not None and not (_real(limit) and limit > 0 and not (whole and limit % 1)):
+            if limit is not None and not (is_real(limit) and limit > 0 and not (whole and limit % 1)):
                 faults.append(Fault(name, shown(limit), f"a positive {'whole ' * whole}number"))
         if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
             faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))
@@ -159,7 +159,7 @@ def read_accuracy(value: object) -> Request | None:
             return Request(float(text.removesuffix(AT_END)), text.endswith(AT_END))
         except ValueError:
             return None
-    return Request(float(value)) if _real(value) else None  # type: ignore[arg-type]  # a real number
+    return Request(float(value)) if is_real(value) else None  # type: ignore[arg-type]  # a real number
 
 
 def steps_faults(what: str, method: str, model: Model) -> list[Fault]:
@@ -311,7 +311,7 @@ def read_duration(
         if turned is None:
             return read_time("duration", duration, expected, faults)
         return _time_to_turn(model, parameters, turned, duration, faults)
-    if duration is not None and _real(duration) and 0 < duration < math.inf:
+    if duration is not None and is_real(duration) and 0 < duration < math.inf:
         return float(duration)
     faults.append(Fault("duration", "none" if duration is None else shown(duration), expected))
     return math.nan
@@ -352,7 +352,7 @@ def _time_to_turn(model: Model, parameters: Mapping[str, Value], angle: float, t
     return math.nan
 
 
-def _real(value: object) -> bool:
+def is_real(value: object) -> bool:
     """Return whether a value is a number that a double can hold."""
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         return False

@@ -163,7 +163,11 @@ class Sensitivities:
         self.history, self.names = history, names
         model = history.model
         known = quantities(model)
-        faults = [unknown("parameter or initial state", name, known) for name in names if name not in known]
+        faults = [
+            unknown("parameter or initial state", name, known)
+            for name in names
+            if not isinstance(name, str) or name not in known
+        ]
         if not names:
             faults.append(Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}"))
         if faults:

@@ -407,9 +407,10 @@ class History(Histories):
 
     def with_names(self, names: Iterable[str]) -> History:
         """Return the same histories with readings listed among them; raises KeyError for an unknown name."""
-        asked = [name for name in dict.fromkeys(names) if not self.units.lists(name)]
+        asked = [name for name in names if not isinstance(name, str) or not self.units.lists(name)]
         for name in asked:
             self[name]
+        asked = list(dict.fromkeys(asked))
         if not asked:
             return self
         return self._with(self.rows, (*self.beside, *asked), steps=self.steps)

@@ -29,6 +29,7 @@ from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.solution.step_observers import Choice, Findings
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.lazy import cached_property
+from hertzwerk.runtime.system.result_folder import as_path
 
 CHECKPOINT = "checkpoint"  # name in a file, beside the histories
 RATES = "rates"  # likewise, of a run with its steps
@@ -213,7 +214,7 @@ class Solution(Histories):
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
-        return write(Path(path), self.csv(), overwrite=overwrite)
+        return write(path, self.csv(), overwrite=overwrite)
 
     def csv_size(self) -> float:
         """Estimate the size [bytes] of the file that `to_csv` would write."""
@@ -257,7 +258,7 @@ class Solution(Histories):
         if self.history.steps:
             with suppress(MemoryError):  # then without them: they serve pictures alone
                 content = saved_run.packed(about, {**histories, RATES: saved_run.rates(self.history)})
-        return write(Path(path), content or saved_run.packed(about, histories), overwrite=overwrite)
+        return write(path, content or saved_run.packed(about, histories), overwrite=overwrite)
 
     def _beside(self) -> list[tuple[str, str, str]]:
         """Return the table of the readings that are saved with a run: name, unit, meaning."""
@@ -272,7 +273,7 @@ class Solution(Histories):
 
         Raises InputError for a file that is not as `save` wrote it.
         """
-        return saved_run.unpacked(Path(path), cls._of)
+        return saved_run.unpacked(as_path("path", path), cls._of)
 
     @classmethod
     def _of(cls, about: dict[str, Any], histories: dict[str, np.ndarray]) -> Self:
@@ -314,8 +315,9 @@ def _tuples(value: Any) -> Any:
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
-def write(path: Path, content: bytes | Iterable[bytes], *, overwrite: bool) -> Path:
+def write(path: str | Path, content: bytes | Iterable[bytes], *, overwrite: bool) -> Path:
     """Write a file whole; raises FileExistsError if it exists and `overwrite` is not set."""
+    path = as_path("path", path)
     if path.exists() and not overwrite:
         raise FileExistsError(f"{path} exists; name another file, or say overwrite=True")
     write_atomically(path, content)

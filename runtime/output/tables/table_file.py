@@ -11,7 +11,7 @@ from hertzwerk.runtime.output.tables.dataset import netcdf
 from hertzwerk.runtime.output.tables.labelled_table import EXTRA, LabelledTable
 from hertzwerk.runtime.system.atomic_files import write_atomically
 from hertzwerk.runtime.system.optional_packages import missing_of
-from hertzwerk.runtime.system.result_folder import new_file_faults
+from hertzwerk.runtime.system.result_folder import as_path, new_file_faults
 
 CSV = ".csv"
 PACKAGES = {CSV: (), ".parquet": ("pandas", "pyarrow"), ".nc": ("xarray", "h5netcdf", "h5py")}  # by ending
@@ -27,7 +27,7 @@ def table_file_faults(path: Path, *, overwrite: bool = False) -> list[Fault]:
 
 
 def write_table(
-    path: Path,
+    path: str | Path,
     table: Callable[[], LabelledTable],
     csv: Callable[[], bytes | Iterable[bytes]],
     parts: Callable[[], Iterable[LabelledTable]] | None = None,
@@ -40,6 +40,7 @@ def write_table(
 
     Raises InputError with every fault, OSError.
     """
+    path = as_path("path", path)
     faults = table_file_faults(path, overwrite=overwrite)
     if faults:
         raise InputError("table", faults)

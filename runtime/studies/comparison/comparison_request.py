@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import UnitError, parse_unit, rate_remedy
 from hertzwerk.runtime.engine.inputs.measurement_csv import Array, Columns, MeasuredTable, Measurement, read_measurement
-from hertzwerk.runtime.engine.model.binding import Value, read, read_state
+from hertzwerk.runtime.engine.model.binding import Value, named_values, read, read_state
 from hertzwerk.runtime.engine.solution.history import Histories
 from hertzwerk.runtime.studies.comparison.alignment import Range
 from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
@@ -102,16 +102,17 @@ def read_channels(
 
     measurement: None where it could not be read, so that names alone are checked.
     """
+    noise = named_values("noise", {} if noise is None else noise, faults)
     channels: list[Channel] = []
     pairs = dict(map) if map is not None else {name: name for name in (measurement.columns if measurement else ())}
     for column, history in pairs.items():
-        if history not in units or history == "t":
+        if not isinstance(history, str) or history not in units or history == "t":
             faults.append(_no_history(column, history, units, mapped=map is not None))
         elif measurement is not None and column not in measurement.columns:
             faults.append(unknown("column", column, measurement.columns))
         elif measurement is not None:
-            channels += _channel(measurement, column, history, units[history], noise or {}, faults)
-    faults += [unknown("column", name, pairs) for name in (noise or {}) if name not in pairs]
+            channels += _channel(measurement, column, history, units[history], noise, faults)
+    faults += [unknown("column", name, pairs) for name in noise if name not in pairs]
     return tuple(channels)
 
 

@@ -23,7 +23,7 @@ from hertzwerk.runtime.engine.inputs.measurement_csv import (
     read_impacts,
     read_measurement,
 )
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, named_values
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.history import Histories, units_of
 from hertzwerk.runtime.engine.start.start_values import split_values
@@ -182,6 +182,7 @@ def read_experiments(
     if map is not None and not (isinstance(map, Mapping) and map):
         faults.append(Fault("map", shown(map), "histories by column, such as {'height': 'vertical.travel'}"))
         map = None
+    noise = named_values("noise", {} if noise is None else noise, faults)
     found, seen = [], set[str]()
     for number, each in enumerate(given, 1):
         experiment = each if isinstance(each, Experiment) else Experiment(each)
@@ -191,7 +192,7 @@ def read_experiments(
             experiment,
             f"run {number}" if many else "",
             map,
-            noise or {},
+            noise,
             {"parameters": parameters, "initial": initial},
             inputs if experiment.inputs is None else experiment.inputs,
             duration if experiment.duration is None else experiment.duration,
@@ -204,7 +205,7 @@ def read_experiments(
             seen |= {channel.column for channel in one.channels}
     if len(found) == len(given):
         columns = seen | set(map or ())
-        faults += [unknown("column", name, sorted(columns)) for name in (noise or {}) if name not in columns]
+        faults += [unknown("column", name, sorted(columns)) for name in noise if name not in columns]
     return tuple(found)
 
 
@@ -222,7 +223,7 @@ def _observed(
     faults: list[Fault],
 ) -> Observed | None:
     before = len(faults)
-    parameters, initial = split_values(model, experiment.parameters)
+    parameters, initial = split_values(model, named_values("parameters", experiment.parameters, faults))
     parameters, initial = {**common["parameters"], **parameters}, {**common["initial"], **initial}
     twice = [name for name in free if name in parameters or name in initial]
     faults += [Fault(name, "a value, and it is free", "one of the two") for name in twice]

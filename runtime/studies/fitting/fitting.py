@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.engine.model.binding import whole_faults
+from hertzwerk.runtime.engine.model.binding import named_values, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
 from hertzwerk.runtime.engine.model.si_values import unit_at
 from hertzwerk.runtime.engine.run.run_request import Settings
@@ -104,7 +104,7 @@ def read_fit(
         inputs=inputs,
         duration=duration,
         latest=max(high, 0.0),
-        free=list(free) if isinstance(free, Mapping | list | tuple) else [],
+        free=[one.name for one in freed],
         faults=faults,
     )
     faults += whole_faults(starts=starts, seed=seed)
@@ -119,7 +119,8 @@ def read_fit(
             nuisance.append(Free(low, high, "s", False, where, min(max(0.0, low), high)))
     gains: dict[str, int] = {}
     columns = {channel.column for each in observed for channel in each.channels}
-    for column, between in (gain or {}).items():
+    given: Mapping[str, Any] = named_values("gain", {} if gain is None else gain, faults)
+    for column, between in given.items():
         if observed and column not in columns:
             faults.append(unknown("column", column, sorted(columns)))
             continue
@@ -130,6 +131,8 @@ def read_fit(
             continue
         nuisance.append(Free(*ends, "1", False, f"gain of {column}", min(max(1.0, ends[0]), ends[1])))
     faults += Settings(1.0, None, tolerance, method).faults()
+    if tolerance is None:
+        faults.append(Fault("tolerance", "none", "the local tolerance of the runs"))
     count = sum(len(each.at) for each in observed)
     if observed and count < len(freed) + len(nuisance):
         faults.append(

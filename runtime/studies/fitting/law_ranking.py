@@ -54,7 +54,8 @@ def split_laws(text: str) -> list[str]:
 def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[str, Model], list[Fault]]:
     """Return a model with every combination of laws, by what says which, and what is wrong with them."""
     faults: list[Fault] = []
-    if not isinstance(laws, Mapping) or not laws or any(isinstance(each, str) for each in laws.values()):
+    given = laws.values() if isinstance(laws, Mapping) else ()
+    if not given or not all(isinstance(each, list | tuple) and all(isinstance(x, str) for x in each) for each in given):
         expected = 'laws by effect, such as {"floor": ["flores", "hunt_crossley"]}'
         return {}, [Fault("laws", shown(laws), expected)]
     if model.declaration is None:
@@ -87,7 +88,7 @@ def read_laws(
     """
     if not variants:
         raise InputError("laws", faults)
-    if isinstance(free, Sequence) and not isinstance(free, str):
+    if isinstance(free, list | tuple) and all(isinstance(name, str) for name in free):
         free = dict.fromkeys(free)
     known = {name for model in variants.values() for name in _names(model)}
     asked: dict[str, FitRequest] = {}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.free_quantities import Freed
 from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, progress_faults
@@ -197,6 +198,8 @@ def fit_moments(
     }
     how = {name: value for name, value in how.items() if value is not None}
     several = (series,) if isinstance(series, MeasuredSeries) else series
+    if not isinstance(several, list | tuple) or not all(isinstance(one, MeasuredSeries) for one in several):
+        raise InputError("fit_moments", [Fault("series", shown(series), "a MeasuredSeries, or a list of them")])
     return MomentFit(
         **vars(fitted_moments(read_moment_fit(model, moments, free, how, seed, faults, several), progress))
     )

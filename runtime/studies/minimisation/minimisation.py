@@ -99,8 +99,8 @@ def minimise(
     goal = read_formula("objective", objective, named, faults)
     bounds = _bounds(constraints, named, faults)
     for where, number, least in (("precision", precision, 0.0), ("max_runs", max_runs, 1)):
-        if isinstance(number, bool) or not isinstance(number, int | float) or not number > least:
-            faults.append(Fault(where, shown(number), f"a number above {least:g}"))
+        if isinstance(number, bool) or not isinstance(number, int | float) or not least < number < math.inf:
+            faults.append(Fault(where, shown(number), f"a finite number above {least:g}"))
     faults += whole_faults(starts=starts, seed=seed)
     fixed = {name for values in (parameters, initial) if isinstance(values, Mapping) for name in values}
     faults += [Fault(x.name, "among parameters and over", "one of the two") for x in ranges if x.name in fixed]

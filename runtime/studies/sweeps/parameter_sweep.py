@@ -61,6 +61,7 @@ from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Output, chosen, de
 from hertzwerk.runtime.studies.sweeps.stored_rows import HELD, ROWS, DamagedError, StoredRows
 from hertzwerk.runtime.studies.sweeps.sweep_store import TABLE, Store, opened
 from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep, columns_of, memory_faults
+from hertzwerk.runtime.system.result_folder import as_path
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -271,7 +272,7 @@ def sweep(
         asked["continued"] = continued
         spread["inputs"] = {name: input_text(value) for name, value in (inputs or {}).items()}
         definition, keys = _definition(plan, target, spread, asked, functions or {})
-        with opened(Path(into)) as store:
+        with opened(as_path("into", into)) as store:
             store.define(definition, text_of(model.module), widen=widen)
             table = _stored(table, plan, store, lambda: _filled(plan, batch, store, keys, progress))
     return replace(table, compiled=batch.compiled, wall_s=time.perf_counter() - began)
@@ -480,7 +481,8 @@ def outputs_of(
     if functions is not None and not isinstance(functions, Mapping):
         faults.append(Fault("functions", shown(functions), "a dictionary of functions of the Solution"))
         functions = None
-    found = finals(model) if not names and not functions else chosen(model, names, faults)
+    none = isinstance(names, Sequence) and not names and not functions
+    found = finals(model) if none else chosen(model, names, faults)
     taken = {*varied, *TEXTS, *(name for output in found for name in output.columns)}
     for name, function in (functions or {}).items():
         if not (isinstance(name, str) and name and callable(function)):

@@ -243,7 +243,7 @@ class Sweep:
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a line per row, headed `name [unit]`, SI; raises FileExistsError."""
-        return write(Path(path), self._csv(), overwrite=overwrite)
+        return write(path, self._csv(), overwrite=overwrite)
 
     def to_pandas(self) -> DataFrame:
         """Return a pandas data frame, a line per row; units are in `attrs`.
@@ -267,7 +267,7 @@ class Sweep:
         Sections and histories are in the last two; `section.to_csv` writes them to a file of their own. A netCDF file has
         at most 100,000 rows.
         """
-        return write_table(Path(path), self._labelled, self._csv, self._parts, overwrite=overwrite)
+        return write_table(path, self._labelled, self._csv, self._parts, overwrite=overwrite)
 
     def _parts(self) -> Iterator[LabelledTable]:
         rows = iter(self.rows)

@@ -19,7 +19,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.model import model as plain
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
@@ -104,7 +104,7 @@ def propagate(
             Fault("indices", found_tied, "independent quantities", "indices=False: the samples tell the spread")
         )
     indices = not tied if indices is None else indices
-    faults += _sample_faults(sample, indices)
+    faults += [*_sample_faults(sample, indices), *whole_faults(seed=seed)]
     settings: dict[str, Any] = {
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},

@@ -188,7 +188,7 @@ class Propagated:
             cells = [getattr(one, number) for number in numbers]
             cells += [getattr(one, kind)[name].value if getattr(one, kind) else math.nan for kind, name in indices]
             lines.append([one.name, one.unit, *(repr(float(cell)) for cell in cells)])
-        return write(Path(path), "".join(",".join(line) + "\n" for line in lines).encode(), overwrite=overwrite)
+        return write(path, "".join(",".join(line) + "\n" for line in lines).encode(), overwrite=overwrite)
 
 
 def _rounded(value: float, error: float) -> str:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredImpacts, MeasuredTable, Measurement
-from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.binding import Value, named_values
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.solution.averages import TRANSIENT, seconds
 from hertzwerk.runtime.engine.solution.history import units_of
@@ -212,6 +212,7 @@ def read_series(
         faults.append(Fault("measured", "beside moments that all have values", "a moment without a value"))
     wrong = len(faults)
     sights = [_sight(model, one, faults) for one in series]
+    given = [named_values("parameters", one.parameters, faults) for one in series]
     skips = [0.0 if one.skip == 0 else seconds("skip", one.skip, faults) for one in series]
     if len(faults) > wrong or not names:
         return ()
@@ -221,12 +222,12 @@ def read_series(
     there = sorted(set().union(*own))
     faults += [unknown(f"{name}, column", column[name], there) for name in names if column[name] not in there]
     found = []
-    for number, (one, sight, has, skip) in enumerate(zip(series, read, own, skips, strict=True), 1):
+    for number, (one, sight, has, skip, its) in enumerate(zip(series, read, own, skips, given, strict=True), 1):
         source = one.data if isinstance(one.data, str | Path) else getattr(one.data, "source", "")
         of = f" of {Path(source).stem or f'series {number}'}"
         among = [name for name in names if column[name] in has]
         labels = [name + of * (sum(column[name] in other for other in own) > 1) for name in among]
-        made_at = {**(values if isinstance(values, Mapping) else {}), **one.parameters}
+        made_at = {**(values if isinstance(values, Mapping) else {}), **its}
         made = _moments(model, among, labels, sight, skip, made_at, faults) if among else None
         if made is not None:
             found.append(made)
@@ -235,13 +236,17 @@ def read_series(
 
 def _sight(model: Model, series: MeasuredSeries, faults: list[Fault]) -> _Sight | None:
     """Return a measured table beside what it is of; bad input is appended to `faults`."""
+    if not isinstance(series.map, Mapping | None):
+        faults.append(Fault("map", shown(series.map), 'histories by column, such as {"force": "floor.normal_force"}'))
+        return None
     table = read_table(series.data, series.map, faults)
+    sizes = named_values("noise", {} if series.noise is None else series.noise, faults)
     if table is None:
         return None
     by_impacts = isinstance(table, MeasuredImpacts)
     mapped = mapped_columns(table, series.map, by_impacts)
     others = set(series.map or {}) - set(mapped or {})  # of the other kind: noise may be that of several tables
-    noise = {name: size for name, size in (series.noise or {}).items() if name not in others}
+    noise = {name: size for name, size in sizes.items() if name not in others}
     if isinstance(table, MeasuredImpacts):
         if series.bandwidth is not None:
             faults.append(Fault("bandwidth", "beside a list of impacts", "none: a run's impacts are not filtered"))

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown
-from hertzwerk.runtime.engine.model.binding import Value, read_state
+from hertzwerk.runtime.engine.model.binding import Value, read_state, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
 from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.ranges import Range, hypercube
@@ -185,7 +185,7 @@ def read_moment_fit(
                of the measured series, each with values of its own that it was made at
     how        further arguments of `sweep`
     """
-    faults = list(before)
+    faults = [*before, *whole_faults(seed=seed)]
     freed = read_free(model, free, faults)
     found: list[Moment] = []
     half_widths: list[str] = []

@@ -63,7 +63,7 @@ class Arrays:
 
         Raises FileExistsError.
         """
-        return write(Path(path), self._csv(), overwrite=overwrite)
+        return write(path, self._csv(), overwrite=overwrite)
 
     def _csv(self) -> Iterator[bytes]:
         """Yield the lines, those of a row at a time."""
@@ -86,7 +86,7 @@ class Arrays:
 
     def to_json(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write scene, units, and the values and arrays of every row as JSON; raises FileExistsError."""
-        return write(Path(path), (json.dumps(self.record()) + "\n").encode(), overwrite=overwrite)
+        return write(path, (json.dumps(self.record()) + "\n").encode(), overwrite=overwrite)
 
     def record(self) -> dict[str, Any]:
         """Return everything as plain data, null for what is no number."""

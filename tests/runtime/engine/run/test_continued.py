@@ -141,7 +141,7 @@ def test_what_cannot_go_on_says_why():
         with pytest.raises(InputError, match=r"more than the 0\.001 s that the run reached"):
             short.continued(duration)
     with pytest.raises(InputError, match="other equations"):
-        short.continued("2 ms", model=built("bouncing_ball"))
+        short.continued("2 ms", target=built("bouncing_ball"))
     with pytest.raises(InputError, match="it would end so again"):
         replace(short, outcome=replace(short.outcome, name="not_finite")).continued("2 ms")
 
