@@ -37,7 +37,7 @@ Column = tuple[int, str, str]  # place in a line, name and unit text of a column
 
 
 def _numbers(values: Any) -> Array:
-    """Return values as an array of floats; an empty one of other shape than any column where they are no numbers."""
+    """Return values as an array of floats; of what are no numbers one of a shape that is a fault."""
     try:
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError):
