@@ -83,7 +83,7 @@ def audit_expression(
         faults.append(Fault("expected unit", repr(expect), "a unit", str(error)))
     if faults or expression is None or declared is None or isinstance(expected, Unit):
         raise InputError(f"expression {text!r}" if len(str(text)) <= 60 else "expression", faults)
-    said = finding(expression, declared, expected, effect="", what="expression", kind="expression")
+    said = finding(expression, declared, expected, effect="", quantity="expression", kind="expression")
     return with_culprit([said], [("expression", expression, expected)], declared, expression.names)[0]
 
 
