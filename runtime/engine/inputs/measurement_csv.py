@@ -355,7 +355,8 @@ def _chosen(
     for new, old in pairs.items():
         places = [k for k, heading in enumerate(headings) if old in (k + 1, names[k], heading)]
         if not places:
-            faults.append(unknown("column", old, free))
+            numbered = Fault(f"{where}, {new}", f"no column {old}", f"a number from 1 to {len(headings)}")
+            faults.append(numbered if isinstance(old, int) else unknown("column", old, free))
             continue
         place, heading = places[0], headings[places[0]]
         if len(places) > 1:

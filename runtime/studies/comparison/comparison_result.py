@@ -159,7 +159,8 @@ def _alignment(found: Alignment) -> str:
     if not found.searched:
         return f"the measured time plus {time_text(found.offset)}, a drift of {found.drift:.3g}: as given, nothing searched"
     ends = [
-        f"{name} {show(value)}" + (f" +- {show(error)} (of {show(low)} to {show(high)})" if low < high else " (given)")
+        f"{name} {show(value)}"
+        + (f" +- {show(float(f'{error:.2g}'))} (of {show(low)} to {show(high)})" if low < high else " (given)")
         for name, value, error, (low, high), show in (
             ("offset", found.offset, found.offset_error, found.offsets, time_text),
             ("drift", found.drift, found.drift_error, found.drifts, lambda value: f"{value:.3g}"),

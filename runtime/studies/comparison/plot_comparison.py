@@ -123,6 +123,7 @@ def _spectra(axis: Axes, signal: Signal, comparison: Compared) -> None:
     noisy = "" if signal.channel.noise is None else ", stated noise added"
     axis.semilogy(*_thinned(spectrum.frequencies / 1e3, spectrum.run), color=ORANGE, linewidth=2.4, label=f"run{noisy}")
     axis.semilogy(*_thinned(spectrum.frequencies / 1e3, spectrum.measured), color=BLUE, linewidth=0.9, label="measured")
-    unit = f"{name}²" if (name := signal.channel.unit).isidentifier() else f"({name})²"
+    name = signal.channel.unit.replace("^2", "²")
+    unit = f"{name}²" if name.isidentifier() else f"({name})²"
     axis.set_title(plain(f"power spectral density [{unit} s]"))
     axis.set_xlabel("frequency [kHz]")

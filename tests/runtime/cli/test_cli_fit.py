@@ -40,6 +40,28 @@ def data(tmp_path, texts):
         (tmp_path / name).write_text(text)
 
 
+def test_options_say_how_files_are_read(hertzwerk, data):
+    how = (
+        "--units",
+        "height=furlong",
+        "--units",
+        "time=h",
+        "--decimal",
+        ",",
+        "--columns",
+        "height=7",
+        "--missing",
+        "x",
+    )
+    done = hertzwerk("--measured", "one.csv", *how, *HOW, "--free", "restitution=0.3..1")
+    assert done.exit_code == 2 and "found no column 7; expected a number from 1 to 2" in done.output
+    for others in (how[:-4], (*how[:-4], "--moment", "height.rms", "--duration", "1 s")):
+        done = hertzwerk(
+            "--measured", "one.csv", *others, "--map", "height=vertical.travel", "--free", "restitution=0.3..1"
+        )
+        assert done.exit_code == 2 and "'furlong'" in done.output, done.output
+
+
 def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     both = ("--measured", "one.csv", "--measured", "two.csv", "--at", "two.csv:drop_height=0.6 m")
     done = hertzwerk(*both, *HOW, "--free", "restitution=0.3..1", "--into", "fitted")
