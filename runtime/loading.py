@@ -108,7 +108,7 @@ def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list
 
 
 Target: TypeAlias = "str | Path | Scene | ModuleType | plain.Model"
-"""What every function runs: a built-in scene by name, FILE.py, FILE.py:NAME, package.module:NAME, or the object itself.
+"""Target of every function: a built-in scene by name, FILE.py, FILE.py:NAME, package.module:NAME, or the object itself.
 
 A file holds a scene or is a generated module.
 """

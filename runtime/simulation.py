@@ -1,7 +1,7 @@
 """Pipeline of a run: model and numbers -> bound -> start -> run -> solution.
 
 1. model     a generated module, loaded; its functions are built once                         loading, model/
-2. bound     parameters in SI, and everything else asked for, read and checked                engine/run/run_request
+2. bound     parameters in SI, and everything else requested, read and checked                engine/run/run_request
 3. start     positions and speeds with loops closed, journals seated                          start/
 4. run       the engine of model and method, its accepted steps                               engine/run/single_run, integrate/
              for an accuracy as many runs as it takes to know the error of one                engine/run/accurate_run, accuracy/
@@ -57,7 +57,7 @@ from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.engine.solution.outcome import not_closed
 from hertzwerk.runtime.engine.solution.solution import Statistics
 from hertzwerk.runtime.engine.solution.step_observers import Needs
-from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Model, Target, load
 from hertzwerk.runtime.output.tables import notebook
 from hertzwerk.runtime.output.tables.data_frame import data_frame
@@ -138,7 +138,7 @@ def simulate(
         sensitivities=sensitivities,
     )
     model, faults = load(target), progress_faults(progress)
-    given = given_values(model, parameters, initial, faults)
+    given = stated_values(model, parameters, initial, faults)
     return solve(model, settings, *given, inputs, before=faults, progress=progress)
 
 
@@ -155,7 +155,7 @@ def solve(
 ) -> Solution:
     """Run a model as `simulate` does, finding no more than is needed.
 
-    The solution raises LookupError where more is asked for.
+    The solution raises LookupError where more is requested.
     """
     stages = solving(model, settings, parameters, initial, inputs, before=before, needs=needs, progress=progress)
     return in_stages([stages])[0]
@@ -362,7 +362,7 @@ class Solution(plain_solution.Solution):
     def sensitivity(self, history: str, name: str) -> Derivative:
         """Return the derivative of a history by a parameter or initial state, as a history with a unit.
 
-        Names that the run was asked for (`sensitivities=`) cost no more; others are found now. Raises KeyError for an
+        Names that were requested of the run (`sensitivities=`) cost no more; others are found now. Raises KeyError for an
         unknown history, InputError as `sensitivities` does.
         """
         if not isinstance(history, str) or history not in self:

@@ -1,16 +1,25 @@
-"""Public names: one list for Python and for type checkers, which see what each of them is."""
+"""Public names: one list for Python and for type checkers, which see what each of them is; names say what things are."""
 
+import ast
 import importlib
 import os
+import re
 import subprocess
 import sys
 import types
 from pathlib import Path
 
 import pytest
+from statements import statements
 
 from hertzwerk.names import handed_on
 
+ROOT = Path(__file__).parents[1]
+RIDDLES = {"told", "tell", "tells", "asked", "ask", "asks", "given", "found", "what", "has", "kept", "seen"}
+ALLOWED = {
+    "found": "errors state what was found and what was expected",
+    "tell": "a method of Python's files",
+}
 FRONTS = ("hertzwerk", "hertzwerk.derive", "hertzwerk.runtime")
 
 
@@ -67,3 +76,56 @@ def test_a_type_checker_sees_what_the_names_are(tmp_path):
         "Found 2 errors",
     ):
         assert expected in printed, printed
+
+
+def riddles(text):
+    """Names of classes, functions, fields and constants that do not say what the thing is, as 'line: name'."""
+    names = set()
+    for node in statements(ast.parse(text)):
+        body = node.body if isinstance(node, ast.Module | ast.ClassDef) else []
+        names |= {(each.lineno, each.name) for each in body if isinstance(each, ast.ClassDef | ast.FunctionDef)}
+        names |= {(part.lineno, part.id) for each in body for part in stored(each) if isinstance(part, ast.Name)}
+        names |= {(part.lineno, part.attr) for part in stored(node) if isinstance(part, ast.Attribute)}  # self.x = ...
+    return [f"{line}: {name}" for line, name in sorted(names) if riddle(name)]
+
+
+def stored(statement):
+    """Names and attributes that an assignment sets."""
+    if not isinstance(statement, ast.Assign | ast.AnnAssign):
+        return []
+    targets = statement.targets if isinstance(statement, ast.Assign) else [statement.target]
+    parts = (part for target in targets for part in ast.walk(target))
+    return [part for part in parts if isinstance(getattr(part, "ctx", None), ast.Store)]
+
+
+def riddle(name):
+    """Whether a word of a name is a riddle; `has_modes` is a question, and what is allowed is allowed alone."""
+    words = re.findall(r"[A-Z]?[a-z]+|[A-Z]+", name)
+    words = words[1:] if len(words) > 1 and words[0] == "has" else words
+    return name not in ALLOWED and bool(RIDDLES & {word.lower() for word in words})
+
+
+@pytest.mark.parametrize("side", ["derive", "runtime"])
+def test_names_say_what_things_are(side):
+    files = sorted((ROOT / side).rglob("*.py"))
+    assert files
+    assert [str(file.relative_to(ROOT)) for file in files if riddle(file.stem)] == []
+    assert [f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in riddles(file.read_text("utf-8"))] == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "class Asked: pass",
+        "class A:\n    kept: int",
+        "def read_given(): pass",
+        "KEPT, B = 1, 2",
+        "def f(x):\n    x._found = 1",
+    ],
+)
+def test_a_name_that_is_a_riddle_is_found(text):
+    assert len(riddles(text)) == 1
+    assert (
+        riddles("class A:\n    found: str\n    has_modes = True\n    def f(self):\n        found = self.has_modes")
+        == []
+    )

@@ -1,4 +1,4 @@
-"""Docstring summaries are short and begin with a verb or a noun phrase."""
+"""Docstring summaries are short and begin with a verb or a noun phrase; text avoids words that stand for plainer ones."""
 
 import ast
 import re
@@ -10,6 +10,8 @@ from statements import statements
 ROOT = Path(__file__).parent.parent
 LONGEST = 100
 RIDDLE = re.compile(r"(What|Of|Whose|Who)\b")
+AVOIDED = re.compile(r"(?i:\b(told|tells?|in vain|owe[sd]?|ask(s|ed)? for)\b)|^(#+ )?What (?![^\n]*\?)")
+PAGES = ("README.md", "CHANGELOG.md", "derive/README.md", "runtime/README.md")
 
 
 def faults(text):
@@ -35,3 +37,42 @@ def test_summaries_are_short_and_no_riddles(side):
 def test_a_riddle_or_a_long_summary_is_found(head, summary):
     assert faults(f'{head}"""{summary}"""\n') != []
     assert faults(f'{head}"""Gap of a pair.\n\n{summary}"""\n') == []
+
+
+def avoided(text):
+    """Texts of a module (docstrings, messages, headings) with words to avoid, as 'line: text'; told -> reported, shown."""
+    texts = (
+        node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    )
+    found = ((node.lineno, match, node.value) for node in texts if (match := AVOIDED.search(node.value)))
+    return [f"{line}: ...{text[max(match.start() - 40, 0) : match.end() + 20]}" for line, match, text in found]
+
+
+@pytest.mark.parametrize("side", ["derive", "runtime"])
+def test_texts_use_plain_words(side):
+    """Except in `emit`: text of generated modules, which keep their bytes."""
+    files = [file for file in sorted((ROOT / side).rglob("*.py")) if file.parent.name != "emit"]
+    assert files
+    assert [f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in avoided(file.read_text("utf-8"))] == []
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_pages_use_plain_words(page):
+    lines = (ROOT / page).read_text("utf-8").splitlines()
+    assert len(lines) > 20
+    assert [
+        f"{page}:{k}: {line}"
+        for k, line in enumerate(lines, 1)
+        if AVOIDED.search(line) and not line.startswith("What ")
+    ] == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["Steps tried in vain.", "The data cannot tell.", "An accuracy asked for.", "What it is owed to", "Told at once."],
+)
+def test_an_avoided_word_is_found(text):
+    """In a docstring, a message and a part of a formatted one."""
+    for module in (f'"""{text}"""\n', f'f(1, "{text}")\n', f'x = f"{{y}}: 1" f"{text}"\n'.replace('{y}: 1" f"', "")):
+        assert avoided(module) != []
+    assert avoided('"""What do the laws return?"""\n') == []

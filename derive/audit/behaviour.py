@@ -82,7 +82,7 @@ def refuse_misbehaving(scene: Scene) -> None:
 
 @lru_cache(maxsize=256)
 def _trial_faults(trial: Trial) -> tuple[Fault, ...]:
-    """Faults of a law with values; pairs that are alike, and scenes, ask for the same ones."""
+    """Faults of a law with values; pairs that are alike, and scenes, need the same ones."""
     return tuple(faults_of(trial))
 
 

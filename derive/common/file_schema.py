@@ -1,4 +1,4 @@
-"""Faults of a file's form: errors of pydantic's models, told by the descriptions of their fields.
+"""Faults of a file's form: errors of pydantic's models, in terms of the descriptions of their fields.
 
 Imported only where such a file is read: importing pydantic takes a good part of a second.
 """

@@ -31,7 +31,7 @@ def tag(name: str, /, *content: Content, **attributes: str | float | None) -> Ma
 
 
 def embedded(png: bytes, label: str) -> Markup:
-    """Return a picture that the page itself holds, no wider than its place; `label` tells what it shows."""
+    """Return a picture that the page itself holds, no wider than its place; `label` describes it."""
     source = f"data:image/png;base64,{b64encode(png).decode()}"
     return tag("img", src=source, alt=label, style="max-width:100%")
 

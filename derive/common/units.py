@@ -2,7 +2,7 @@
 
 A dimension is five exponents over mass, length, time, temperature and electric current (M, L, T, Theta, I); each is a
 linear form `rational + sum of rational * name`, so that `N/m^n` with a named exponent is a value like any other. Angles are
-dimensionless: the power of an angle in a unit (rad/s and rpm have one, 1/s has none) is its `angle`, which tells
+dimensionless: the power of an angle in a unit (rad/s and rpm have one, 1/s has none) is its `angle`, which separates
 angular speeds from frequencies and does not affect the dimension.
 
 This module imports nothing but the standard library and evaluates no text: input is bounded in size, read by a

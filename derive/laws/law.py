@@ -310,7 +310,7 @@ class FrictionLaw(Law):
 
     @property
     def needs_contact(self) -> bool:
-        """Whether it has meaning only between surfaces: it sticks, remembers, or asks for their geometry."""
+        """Whether it has meaning only between surfaces: it sticks, remembers, or depends on their geometry."""
         return bool(self.modes or self.memory or self.geometry or self.pairs)
 
     @property

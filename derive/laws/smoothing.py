@@ -61,7 +61,7 @@ def _written_out(expression: sp.Expr, law: Law, bound: BoundLaw) -> sp.Expr:
 
 
 def _growth(expression: sp.Expr, law: Law, bound: BoundLaw, known: dict[sp.Symbol, Any] | None = None) -> float:
-    """Return dlnf/dlnd of a force at a small penetration; nan where it cannot be told.
+    """Return dlnf/dlnd of a force at a small penetration; nan where it is unknown.
 
     Quantities that are no parameters are 0.01: the exponent does not depend on them.
     """

@@ -24,7 +24,7 @@ TARGET = "TARGET is a built-in scene (`hertzwerk list`), or a Python file that d
 
 
 class _Commands(click.Group):
-    """Commands by name, each imported once it is asked for: a run has no use for the others."""
+    """Commands by name, each imported when it is needed: a run has no use for the others."""
 
     def list_commands(self, _: click.Context) -> list[str]:
         return sorted({*FILES, *self.commands})

@@ -41,7 +41,7 @@ class StudyFolder:
     def write(self, page: Page, about: Mapping[str, Any], missing: list[str]) -> tuple[Path, list[str]]:
         """Write the page, all of it at once; return folder and files.
 
-        about: what made it, beside the versions. A figure that fails is left out, and told in `missing`.
+        about: what made it, beside the versions. A figure that fails is left out, and reported in `missing`.
         """
 
         def fill(folder: Path) -> list[str]:

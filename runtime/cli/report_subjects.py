@@ -100,7 +100,7 @@ def _of_sweep(folder: Path, _: str | None) -> str:
 
 
 def _origin(told: Mapping[str, Any], command: str) -> Origin:
-    """Return the origin that a record tells."""
+    """Return the origin that a record states."""
     from hertzwerk.runtime.output.reports.html_page import Origin
 
     versions = {str(name): str(version) for name, version in (told.get("versions") or {}).items()}

@@ -67,7 +67,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
 
 
 def _derivatives(solution: Solution) -> Sensitivities | None:
-    """Return the derivatives that a run was asked for."""
+    """Return the derivatives that were requested of a run."""
     found: Sensitivities | None = getattr(solution, "derivatives", None)
     return found
 

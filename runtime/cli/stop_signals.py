@@ -23,7 +23,7 @@ AGAIN = 1.0  # s after which a signal counts as a second one, not as a repeated 
 class Stopping:
     """Context in which a signal only requests a stop once steps have been accepted.
 
-    The first call tells that steps have been accepted. Calls pass the fraction done on to `progress`, and raise
+    The first call reports that steps have been accepted. Calls pass the fraction done on to `progress`, and raise
     KeyboardInterrupt once a stop was requested. A later signal raises where it strikes.
     """
 

@@ -148,7 +148,7 @@ _SPARSITY = re.compile(r"^static const casadi_int (casadi_s\d+)\[\d+\] = .*\n", 
 
 
 def _alone(text: str) -> str:
-    """Return what CasADi generated as static functions, without those that tell of sizes."""
+    """Return what CasADi generated as static functions, without those that describe sizes."""
     text = re.sub(rf"\({re.escape(_ARGUMENTS)}\) ?\{{", f"({_ARGUMENTS}) {{\n  {_UNUSED}", text)
 
     def kept(found: re.Match[str]) -> str:

@@ -46,8 +46,8 @@ class Format:
     option    of the command line
     place     word for where it is written to: "DIR", "FILE"; empty where it is a text that is printed
     meaning   for --help
-    write     writes it, or returns the text; returns what to tell. Raises InputError
-    faults    of the place and of what is asked for, found before anything is computed
+    write     writes it, or returns the text; returns what to report. Raises InputError
+    faults    of the place and of the request, found before anything is computed
     """
 
     option: str

@@ -11,7 +11,10 @@ import math
 import sys
 from pathlib import Path
 
-BLOCK, KEPT = 2**25, 2**26  # bytes: largest block that is not given back, as large as may be; most that is kept unused
+BLOCK, UNUSED = (
+    2**25,
+    2**26,
+)  # bytes: largest block that is not given back, as large as may be; most that is kept unused
 _TRIM, _MMAP = -1, -3  # M_TRIM_THRESHOLD, M_MMAP_THRESHOLD of malloc.h
 
 
@@ -26,8 +29,8 @@ def available() -> float:
 
 
 def keep_freed() -> None:
-    """Have this process keep the memory that it frees, up to KEPT bytes, where the C library is GNU's."""
+    """Have this process keep the memory that it frees, up to UNUSED bytes, where the C library is GNU's."""
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None) if sys.platform == "linux" else None
     if mallopt is not None:
-        mallopt(_TRIM, KEPT)
+        mallopt(_TRIM, UNUSED)
         mallopt(_MMAP, BLOCK)

@@ -171,7 +171,7 @@ class Coupling(Effect):
         kinks = [node for node in sp.preorder_traversal(sp.sympify(self.equation)) if isinstance(node, _KINKED)]
         if kinks:
             yield Fault(where, f"{shown(kinks[0])}, whose slope jumps or is none", "an equation that is twice differentiable",
-                        "What jumps is a contact, a spring or a force; a Table is smooth.")  # fmt: skip
+                        "A Table is smooth; jumps belong to a contact, a spring or a force.")  # fmt: skip
             return
         states = states_in(self.equation)
         try:
@@ -186,7 +186,7 @@ class Coupling(Effect):
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield pitch circles: of wheels that mesh from outside, of a wheel on a rack or with a rope.
 
-        Their shafts and guides are in the same part. A belt, and wheels of other shafts, tell no radii.
+        Their shafts and guides are in the same part. A belt, and wheels of other shafts, determine no radii.
         """
         joints = [joint for key in self.joints for joint in scene.mechanism.tree if joint.name == key]
         if self.equation is not None or len(joints) < 2 or joints[0].parent.body != joints[1].parent.body:

@@ -510,7 +510,7 @@ def joint_faults(
 ) -> Iterator[Fault]:
     """Yield faults of a joint that is missing, or has not just one coordinate.
 
-    counted    whether its angle is asked for, not its speed alone; carried    whether it must carry its body
+    counted    whether its angle is needed, not its speed alone; carried    whether it must carry its body
     """
     told = scene.mechanism.dependent_freedoms if carried else ()
     if key in scene.scalars and key not in [freedom.key for freedom in told]:

@@ -34,7 +34,7 @@ TIME, COORDINATE, SPEED, STATE, REACH, REACH_RATE = "time", "coordinate", "speed
 REACTION, NORMAL_FORCE = "reaction", "normal force"
 INPUT = "input"
 LOADS = (TIME, COORDINATE, SPEED, STATE, INPUT, REACTION, NORMAL_FORCE)
-"""What a force may vary with; what else varies, varies with the first five at most."""
+"""Quantities that a force may vary with; anything else that varies, varies with the first five at most."""
 HISTORIES = ("t", "energy")
 """Names of histories that no input can have."""
 
@@ -283,7 +283,7 @@ _NAMED = {
         ("joint {!r}", "scalars", "a joint with one coordinate, of which the mechanism has none"),
     ),
 }
-"""What a symbol names: how it is shown, those that a scene has, and what else is expected."""
+"""Meaning of a symbol: how it is shown, those that a scene has, and what else is expected."""
 
 
 def _unmet(where: str, symbol: StateSymbol, scene: Scope) -> Iterator[Fault]:

@@ -67,11 +67,11 @@ class Junctions(Effect):
 class CountedAngle(JointEffect):
     """Count of the whole turns of an angle whose joint closes a loop in space.
 
-    The bodies tell such an angle up to whole turns. The state `<name>.near` integrates the angle's rate. Of the angles
+    Such an angle follows from the bodies up to whole turns. The state `<name>.near` integrates the angle's rate. Of the angles
     that the bodies allow, the one nearest to it counts, so that no error of the state enters. An event sets the state
     anew where it is a quarter turn off, as it may be at the start. The start is near 0, or `Start(near={joint: angle})`.
 
-    A scene counts by itself the angles that its effects ask for. Declared, it makes the angle a history in
+    A scene counts by itself the angles that its effects need. Declared, it makes the angle a history in
     absolute coordinates too, where every joint closes a loop.
     """
 
@@ -101,7 +101,7 @@ class CountedAngle(JointEffect):
             yield Fault(self.where, found, "an angle in space", "Leave it out: the coordinate is a history as it is.")
 
     def counts(self, scene: Declared) -> bool:
-        """Whether the bodies alone do not tell the whole turns, in the coordinates of the scene."""
+        """Whether the bodies alone do not determine the whole turns, in the coordinates of the scene."""
         return self.joint in scene.mechanism.wrapped
 
     def states(self, scene: Declared) -> Iterator[State]:
@@ -123,7 +123,7 @@ class AddedCount(CountedAngle):
 
 
 def uncounted_angles(mechanism: Mechanism, effects: Iterable[Effect], scene: Declared) -> Iterator[AddedCount]:
-    """Yield a count for each angle that effects of a sound scene, or its start, ask for and none counts."""
+    """Yield a count for each angle that effects of a sound scene, or its start, need and none counts."""
     asked = list(scene.start.near)
     for effect in effects:
         slots = (slot for slot in effect.slots(scene))

@@ -199,7 +199,7 @@ def curve_faults(curves: Iterable[tuple[str, Any]], taken: Collection[str]) -> I
 
 
 def single_faults(where: str, curve: Any) -> Iterator[Fault]:
-    """Yield the fault of a curve with copies where one is asked for."""
+    """Yield the fault of a curve with copies where one is required."""
     if getattr(curve, "repeats", 1) != 1:
         yield Fault(f"{where}, curve {curve.name}", f"{curve.repeats!r} copies", "one curve, repeats=1",
                     "A curve that repeats is touched by another, CurveOnCurve; one that runs all round needs no copies.")  # fmt: skip

@@ -116,7 +116,7 @@ class Mechanism:
 
     @cached_property
     def wrapped(self) -> tuple[str, ...]:
-        """Keys of angles of closing joints in space, which the bodies tell up to whole turns."""
+        """Keys of angles of closing joints in space, which follow from the bodies up to whole turns."""
         joints = (joint for joint in self.closures if self.plane is None and not joint.unruled())
         turns = (
             freedom

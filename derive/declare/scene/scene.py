@@ -234,7 +234,7 @@ class Scene:
 
     @cached_property
     def scalars(self) -> dict[str, Freedom]:
-        """Freedoms with one coordinate, by their keys: of the tree, and those that closing joints tell."""
+        """Freedoms with one coordinate, by their keys: of the tree, and those of closing joints."""
         return {
             freedom.key: freedom
             for freedom in (*self.mechanism.freedoms, *self.mechanism.dependent_freedoms)

@@ -1,4 +1,4 @@
-"""Readings of a run beyond its states: a module of their own, derived when first asked for.
+"""Readings of a run beyond its states: a module of their own, derived when first needed.
 
 Motions of bodies and named points, momenta, energies, contact forces as vectors, drives, and joint reactions. These
 follow by Newton and Euler from the motion that a run has: a joint carries what its subtree needs beyond the forces on
@@ -139,7 +139,7 @@ class _Readings:
             yield Reading(port.name, port.unit, value, f"driven {_of(port.name)}")
 
     def _measured(self, joint: Joint) -> Iterator[Reading]:
-        """Coordinates, speeds and accelerations of a closing joint, where its bodies tell them."""
+        """Coordinates, speeds and accelerations of a closing joint, where its bodies determine them."""
         for freedom in joint.freedoms:
             if not joint.measures(freedom):
                 continue

@@ -103,7 +103,7 @@ def absolute(scene: Scene) -> Absolute:
         if guides and mechanism.plane is not None:
             unruled.append(
                 Fault(f"joint {joint.name}", "a guide on a moving body, whose reaction is read, in plane motion",
-                      "a guide on the ground: what presses it across the plane, coordinates in the plane do not tell",
+                      "a guide on the ground: what presses it across the plane, coordinates in the plane do not determine",
                       "Keep the joints' coordinates: coordinates='tree'.")
             )  # fmt: skip
         unruled += joint.unruled()

@@ -1,4 +1,4 @@
-"""Numerical evaluation of a tape at random states, to test a user's pair where symbols cannot tell."""
+"""Numerical evaluation of a tape at random states, to test a user's pair where symbols do not decide."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@ N = |R| that they read, and R is linear in the loads, so that N = |R0 + B N|, wi
 and B their response to each: alone a quadratic equation, several by Newton's method. Where I - P, with P of the magnitudes of the entries of B, has
 positive pivots, it is an M-matrix: P has a spectral radius below 1, and N exists and is unique (the map contracts).
 With one load this bound is sharp: beyond it there is none, or there are two (Painleve 1895), and a guide locks itself.
-A run that gets there is told so.
+A run that gets there reports it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Derive the equations of a scene for readers.
 
 They are the equations of the program from which the generated module is made, before they are solved for the
-accelerations. Every effect's parameters carry a mark through the derivation, which tells the effects that an equation
+accelerations. Every effect's parameters carry a mark through the derivation, which shows the effects that an equation
 depends on.
 """
 

@@ -52,7 +52,7 @@ class SymPyEquations:
     program: Straight = field(repr=False)
 
     def kindiffdict(self) -> dict[Any, Any]:
-        """Derivatives of the coordinates, as a KanesMethod tells them."""
+        """Derivatives of the coordinates, as a KanesMethod states them."""
         return dict(self.kinematics)
 
 

@@ -238,11 +238,11 @@ class Naming:
         return tuple(alone), tuple(whole), tuple(keys[s] for s in self.reading.u)
 
     def _unknown_derivatives(self, known: set[Any]) -> None:
-        """Note derivatives that nothing tells."""
+        """Note derivatives that nothing determines."""
         found = (part for part in parts_of(self.expressions) if isinstance(part, sp.Derivative) and part not in known)
         for derivative in sorted(found, key=str):
             self.faults.append(Fault(f"derivative {derivative}", "no value", "derivatives of coordinates, and of functions of time alone",
-                                     "What is specified may be an Input or vary with the motion where it is a load; a motion is an "
+                                     "A specified load may be an Input or vary with the motion; a specified motion is an "
                                      "expression of T, or a coordinate with a Drive."))  # fmt: skip
 
     def _unknown_entries(self, atoms: list[Any]) -> None:

@@ -424,7 +424,7 @@ _INSTEAD = {
     "norm": "write sqrt(x**2 + y**2)",
     "hypot": "write sqrt(x**2 + y**2)",
 }
-"""What to write for functions of other systems, in whatever case."""
+"""Spellings of functions of other systems, in whatever case."""
 
 
 def _offer(name: str) -> str:

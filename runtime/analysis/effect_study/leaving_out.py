@@ -31,7 +31,7 @@ from hertzwerk.runtime.engine.model.model import Model
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, is_real, progress_faults
 from hertzwerk.runtime.engine.solution.solution import Solution
-from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, load
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ def study_effects(
         raise InputError("effects", [Fault("outputs", shown(outputs), 'a list of names, such as ["peak_force"]')])
     whole, faults = load(target, without=without, laws=laws), progress_faults(progress)
     whole.declared_for("effects")
-    own, states = given_values(whole, parameters, initial, faults)
+    own, states = stated_values(whole, parameters, initial, faults)
     bench, tell = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
     whole, wrong = with_input_values(whole, inputs, duration, bench.parameters(whole))
     wanted, first = _outputs(whole, bench, outputs, [*faults, *wrong], compiled)

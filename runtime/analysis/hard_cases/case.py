@@ -59,7 +59,7 @@ class HardCase:
     methods    those that claim the case
     theory     bound on steps tried by method, where theory gives one; elsewhere it is MARGIN times what was measured, and EXTRA (`measured`)
     failures   known failures of a method, by (method, invariant), with the reason
-    long       runs only when all cases are asked for, or this one
+    long       runs only when all cases are requested, or this one
     """
 
     name: str

@@ -35,7 +35,7 @@ from hertzwerk.runtime.engine.model.signal import constant
 from hertzwerk.runtime.engine.run.run_request import input_faults, read_duration
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.start.assembly import closed_near, journals
-from hertzwerk.runtime.engine.start.start_values import given_values, start_of
+from hertzwerk.runtime.engine.start.start_values import start_of, stated_values
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -267,7 +267,7 @@ def equilibrium(
         raise InputError("equilibrium", [Fault(names, why, "friction of contacts, or by a smooth law",
                                                "simulate: a run ends where they rest.")])  # fmt: skip
     faults: list[Fault] = []
-    values, wanted = given_values(model, parameters, initial, faults)
+    values, wanted = stated_values(model, parameters, initial, faults)
     if not isinstance(nearest, bool):
         faults.append(Fault("nearest", shown(nearest), "True or False"))
     if faults:

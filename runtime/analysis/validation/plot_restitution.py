@@ -1,6 +1,6 @@
 """Picture of the restitution study: a panel per damping law, and all laws in one.
 
-A panel shows the restitution returned less the one asked for.
+A panel shows the restitution returned less the one requested.
 """
 
 from __future__ import annotations

@@ -39,7 +39,7 @@ class Row:
     error       true error of the whole run, in the scene's scales; None where the run did not get there
     estimate    the run's own estimate of it
     time        [s] the whole call takes its user, median of several; None where it was not tried
-    floor       least error that the run found to be possible, where that is more than was asked for
+    floor       least error that the run found to be possible, where that is more than was requested
     horizon     time [s] up to which the trajectory stays within 1 %, extrapolated beyond the end of the run by the growth of errors; infinite where
                 they do not grow; None where that is unknown
     """

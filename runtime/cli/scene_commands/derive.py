@@ -42,7 +42,7 @@ def list_scenes(target: str | None, **options: Any) -> int:
 
 
 def _list_histories(varied: Variation) -> int:
-    """Print every history of a target: those always there, then those derived when asked for."""
+    """Print every history of a target: those always there, then those derived on request."""
     from hertzwerk.runtime.output.tables.history_meanings import SECTIONS, entries
 
     faults: list[Fault] = []

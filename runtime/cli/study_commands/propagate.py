@@ -1,4 +1,4 @@
-"""`hertzwerk propagate`: how uncertain the numbers of a run are, and what they owe it to."""
+"""`hertzwerk propagate`: propagate parameter uncertainty to the outputs of a run."""
 
 from __future__ import annotations
 
@@ -128,6 +128,6 @@ def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:
         found = read_sealed(folder / "fit.json")["distribution"]
         return Correlated(**found)
     except (OSError, ValueError, KeyError, TypeError) as error:
-        expected = "a folder that `hertzwerk fit` wrote, of a fit whose data tell all its quantities"
+        expected = "a folder that `hertzwerk fit` wrote, of a fit whose data identify all its quantities"
         faults.append(Fault("--fitted", f"{folder}: {type(error).__name__}: {error}", expected))
     return {}

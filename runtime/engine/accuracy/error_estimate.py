@@ -8,7 +8,7 @@ of 10 in 87 % of cases. Measured over the built-in scenes, a looser run's error 
 92 %, the difference to a tighter run in 99 % (CHECK = 10 or 5) or 97 % (3). See tests/benchmarks/honesty.py.
 
 That difference is too small where both errors have one sign, by a factor of 1.5 often enough that of 11,791 requests
-met, of all built-in scenes by four methods, 92 were missed, by up to 1.38. A third run tells: it is made where the
+met, of all built-in scenes by four methods, 92 were missed, by up to 1.38. A third run decides: it is made where the
 error is within DOUBTED of the request, one request in seven. Two of these misses are left, by 2 %, for 7 % of all
 steps. Where all three runs err alike, nothing shows it. Two runs that take the same steps err alike: where no error holds
 steps down but the limit on their growth, any two would. So each run that checks another begins with a shorter step.

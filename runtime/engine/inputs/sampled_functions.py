@@ -58,7 +58,7 @@ def sampled(function: Callable[[float], float], seconds: float, text: str) -> Si
 
 
 def _smooth(begins: np.ndarray, rows: np.ndarray, seconds: float) -> int:
-    """Return how many derivatives are continuous, 2 at most, as far as pieces tell.
+    """Return how many derivatives are continuous, 2 at most, as far as pieces show.
 
     Pieces shrink to a kink that lies within one; at one that lies between two the derivatives differ by more than what
     an interpolation to ACCURACY leaves open.

@@ -181,7 +181,7 @@ class _Run:
             self.stop = self.schedule.stop(place, self.t_end)
 
     def rows(self) -> Iterator[np.ndarray]:
-        """Yield the rows of the run after its first; `status` tells how it ended."""
+        """Yield the rows of the run after its first; `status` says how it ended."""
         window = self.first_window
         while self.status == RUNNING:
             h = min(window, self.stop - self.t)

@@ -1,4 +1,4 @@
-"""Readings of a run: histories by a module that is derived when the first of them is asked for.
+"""Readings of a run: histories by a module that is derived when the first of them is needed.
 
 Motions of bodies and named points, joint reactions, drives, contact forces as vectors, energies by body. A model
 derives them from the scene that it was loaded from, in under a second for most; text of built-in scenes is cached.
@@ -86,7 +86,7 @@ def readings_of(model: Model) -> Readings:
 
 
 class Units(dict[str, str]):
-    """SI unit text of histories by name: those of every run are listed, readings found when asked for."""
+    """SI unit text of histories by name: those of every run are listed, readings found on request."""
 
     def __init__(self, listed: Mapping[str, str], model: Model) -> None:
         super().__init__(listed)

@@ -98,7 +98,7 @@ class Settings:
             raise InputError(model.name, faults)
 
     def sensitivity_faults(self, model: Model) -> list[Fault]:
-        """Return the faults of what derivatives are asked for by."""
+        """Return the faults of the names of derivatives."""
         asked = self.sensitivities
         if isinstance(asked, str) or not isinstance(asked, Sequence):
             expected = 'names of parameters and initial states, such as ("restitution",)'

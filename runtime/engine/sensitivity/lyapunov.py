@@ -159,7 +159,7 @@ def _is_constrained(model: Model) -> bool:
 
 
 class _Renewal:
-    """Columns made orthonormal again, or, where one exponent is asked for, small again; and their growth.
+    """Columns made orthonormal again, or, where one exponent is requested, small again; and their growth.
 
     growth (rows,): logarithm of the columns' mean growth; at, logs: rows and logarithms (P,) of each column's own at renewals
     """

@@ -145,7 +145,7 @@ class OutputDerivatives:
         return limit(rows - 1, steps[rows - 1], -by[rows - 1]), limit(rows, 0 * steps[rows], by[rows])
 
     def _within_horizon(self) -> None:
-        """Raise NoDerivativeError for an average over more than derivatives along one trajectory tell."""
+        """Raise NoDerivativeError for an average beyond the range of derivatives along one trajectory."""
         horizon = self.of.horizon
         if self.run.t_end > horizon:
             raise NoDerivativeError(

@@ -93,7 +93,7 @@ class Jumps:
 
     @cached_property
     def determined(self) -> np.ndarray:
-        """Whether guards tell the time of each event (j,), and it changes smoothly."""
+        """Whether guards determine the time of each event (j,), and it changes smoothly."""
         found: np.ndarray = self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
         return found
 
@@ -104,7 +104,7 @@ class Jumps:
 
     @cached_property
     def time(self) -> np.ndarray:
-        """Maps (j, n + P) to the changes of the events' times [s]; 0 where none is told."""
+        """Maps (j, n + P) to the changes of the events' times [s]; 0 where none is determined."""
         if not self.guards.size:
             return np.zeros((len(self.rows), self.change.shape[2]))
         first = np.arange(len(self.rows)), self.guards.argmax(axis=1)

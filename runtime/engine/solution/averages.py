@@ -140,7 +140,7 @@ def averages(run: Run, *, interval: str | float | None = None, skip: str | float
     <effect>.dissipated_power, <effect>.input_power    [W]
 
     interval    shortest interval, "12 ms" or seconds: by default the period of all drives and forces, or 1/240 of the run where
-                there is none. A run that kept a grid, or was saved, has sums over the default interval: only multiples of it can be asked for
+                there is none. A run that kept a grid, or was saved, has sums over the default interval: only multiples of it can be requested
     skip        the transient at the start, that is left out: by default a tenth of the run, in whole intervals
 
     Raises InputError.
@@ -173,7 +173,7 @@ def averages_by_name(
 
 
 def seconds(name: str, value: str | float | None, faults: list[Fault]) -> float | None:
-    """Return a time [s] that was asked for; None where none was, or it is bad, and appended to `faults`."""
+    """Return a requested time [s]; None where there is none, or it is bad, and appended to `faults`."""
     expected = 'a positive time, such as "12 ms" or a number of seconds'
     if value is None or (name == "skip" and value == 0):
         return None

@@ -175,7 +175,7 @@ class Findings:
                 run.impacts = found
 
     def _needed(self, need: Needs) -> None:
-        """Raise LookupError if something is asked for that was not found."""
+        """Raise LookupError if something is requested that was not found."""
         if need not in self._needs:
             raise LookupError(f"{need.name} of a run that was made for {self._needs}; make it for {need.name} as well")
 

@@ -30,7 +30,7 @@ def split_values(model: Model, values: Mapping[str, AnyValue]) -> tuple[dict[str
     return parameters, {name: value for name, value in values.items() if name in states}
 
 
-def given_values(
+def stated_values(
     model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None, faults: list[Fault]
 ) -> tuple[dict[str, Value], dict[str, Value]]:
     """Return parameters and initial states, which may stand among the parameters too; faults are appended."""

@@ -82,7 +82,7 @@ int @n@_set_start(@n@ *s, int index, double value);
 /* Local tolerance, in the scene's scales (default @tolerance@); at any time. */
 int @n@_set_tolerance(@n@ *s, double tolerance);
 
-/* Most steps, tried in vain or not, and most contacts and events of one call of @n@_advance. */
+/* Most steps, accepted or rejected, and most contacts and events of one call of @n@_advance. */
 int @n@_set_limits(@n@ *s, double steps, double events);
 
 /* At any time: an input is value + rate (t - now) from now on. */
@@ -103,7 +103,7 @@ int @n@_states(const @n@ *s, double *states);
 int @n@_outputs(@n@ *s, double *outputs);
 int @n@_latest(const @n@ *s, int pair, @n@_contact *contact);
 
-/* So far: accepted steps, attempts in vain, evaluations of the equations. */
+/* So far: accepted steps, rejected steps, evaluations of the equations. */
 int @n@_counts(const @n@ *s, double *counts);
 
 /* Largest error of the energy balance, energy moved, largest energy [J]; zeros for a scene without a ledger. */

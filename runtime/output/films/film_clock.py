@@ -53,7 +53,7 @@ class Clock:
         return f"{self.slow:.4g} times slower" if self.slow > 1 else f"{1 / self.slow:.4g} times faster"
 
     def shown(self, k: int) -> str:
-        """Return the time of a frame, with as many digits as tell it from the next."""
+        """Return the time of a frame, with as many digits as distinguish it from the next."""
         scale = scale_of("s", self.times[-1])
         spacing = float(self.times[1] - self.times[0]) / scale.factor
         return f"t = {self.times[k] / scale.factor:.{max(0, math.ceil(-math.log10(spacing)) + 1)}f} {scale.unit}"

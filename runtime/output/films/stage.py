@@ -108,7 +108,7 @@ Contact = tuple[Array, Array]
 
 
 def contact_of(parts: Parts, kind: str, marks: Sequence[Landmark], i: int) -> Contact | None:
-    """Return point and direction of a pair's force at an instant; None where landmarks do not tell."""
+    """Return point and direction of a pair's force at an instant; None where landmarks lack it."""
     find = CONTACTS.get(kind)
     return None if find is None else find(parts, marks, i)
 

@@ -44,7 +44,7 @@ def dense(run: Solution) -> History | BetweenSteps:
 
 
 def hardest(run: Solution) -> list[Impact]:
-    """Return the hardest impact of each pair in every part of a run that a picture can tell from the next."""
+    """Return the hardest impact of each pair in every part of a run that a picture resolves."""
     part = max(run.t_end - run.t_start, 1e-300) / IMPACT_BINS
     found: dict[tuple[str, int], Impact] = {}
     for impact in run.impacts:

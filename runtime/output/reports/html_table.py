@@ -25,7 +25,7 @@ def table(
     """Return a table under heads, names or (name, unit); `marked` rows stand out, missing cells are empty.
 
     Columns whose cells are numbers are set to the right, with so many significant digits. Where there are more than fit
-    beside each other further tables have the others, beside the first ones that tell the rows apart, or their numbers.
+    beside each other further tables have the others, beside the first ones that distinguish the rows, or their numbers.
     """
     columns = [(head, "") if isinstance(head, str) else head for head in heads]
     if len(columns) > BESIDE:
@@ -42,7 +42,7 @@ def table(
 
 
 def _telling(rows: Sequence[Sequence[Cell]]) -> int:
-    """Return how many of the first columns tell the rows apart; more than KEYS where none of so many do."""
+    """Return how many of the first columns distinguish the rows; more than KEYS where none of so many do."""
     return next((k for k in range(1, KEYS + 1) if len({tuple(row[:k]) for row in rows}) == len(rows)), KEYS + 1)
 
 

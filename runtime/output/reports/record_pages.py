@@ -50,7 +50,7 @@ def propagation_page(record: Record, folder: Path, origin: Origin) -> str:
         Section("Spread", joined([
             table(("output", "unit", *SPREADS.values()), rows), bullets(reasons) if reasons else None,
         ])),
-        Section("What it is owed to", joined([paragraphs([
+        Section("Contributions", joined([paragraphs([
             "Standard deviation that each alone causes, by the derivatives; parts of the variance by Sobol's indices, with 95 % intervals.",
         ], "note"), *owed])),
     ]  # fmt: skip
@@ -167,9 +167,9 @@ def study_page(record: Record, folder: Path, origin: Origin) -> str:
         top = joined([top, verdict(said, all(compared), "All numbers are in the verdicts and tables below.")])
     lacking = [str(text) for text in record["lacking"]]
     sections = [
-        Section("What was done", paragraphs([str(text) for text in record["paragraphs"]])),
+        Section("Method", paragraphs([str(text) for text in record["paragraphs"]])),
         *([Section("Verdicts", _verdicts(verdicts))] if verdicts else []),
-        *([Section("What is lacking", bullets(lacking))] if lacking else []),
+        *([Section("Missing", bullets(lacking))] if lacking else []),
         *(Section(str(f["title"]), _figure(f, folder, i)) for i, f in enumerate(record["figures"])),
         *(Section(str(t["title"]), _table(t)) for t in record["tables"]),
     ]
@@ -234,7 +234,7 @@ def fit_page(record: Record, folder: Path, origin: Origin) -> str:
         Section("Values", _values({**record["values"], **record.get("nuisance", {})})),
         *([Section("Warnings", bullets(warnings))] if warnings else []),
         Section("Residuals", joined([_embedded(folder / "fit.png", label), residuals])),
-        Section("What the data tell", _identifiability(record)),
+        Section("Identifiability", _identifiability(record)),
         *([Section("Laws", _laws(read_sealed(laws)))] if laws.is_file() else []),
     ]
     lead = ", ".join(map(str, record["runs"])) if "runs" in record else "statistics of long runs"
@@ -282,7 +282,7 @@ def _moments(moments: Sequence[Record]) -> Markup:
 
 
 def _identifiability(record: Record) -> Markup:
-    """Return correlations, singular values with their directions, and the combinations that are not told."""
+    """Return correlations, singular values with their directions, and the unidentifiable combinations."""
     names = [str(name) for name in record.get("names", record["values"])]
     unidentified = [str(text) for text in record["unidentified"]]
     pairs: list[list[Cell]] = [
@@ -298,7 +298,7 @@ def _identifiability(record: Record) -> Markup:
         for value, direction in zip(record["singular_values"], record["directions"], strict=True)
     ]
     return joined([
-        *(parts if unidentified else [paragraphs(["The data tell every combination of the quantities."])]),
+        *(parts if unidentified else [paragraphs(["The data identify every combination of the quantities."])]),
         tag("h3", "Correlation of the estimates"),
         table(("", *names), pairs, digits=3),
         tag("h3", "Singular values of the scaled Jacobian"),

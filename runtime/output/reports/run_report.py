@@ -50,7 +50,7 @@ def run_page(
     model    with the declaration, for a saved run that has none: its equations, its picture at the start
     origin   what made it, by default the call that repeats it
     whole    where all impacts are, beyond those that are listed
-    sensitivities    as `run.json` has them, of a saved run that was asked for them
+    sensitivities    as `run.json` has them, of a saved run for which they were requested
     """
     derived = getattr(run, "derivatives", None)
     if derived is not None:

@@ -103,11 +103,11 @@ def _curves(axes: Sequence[Varied]) -> int:
 
 
 def _page(
-    drawn: Drawn, size: tuple[float, float], count: int, shape: tuple[int, int], told: str
+    drawn: Drawn, size: tuple[float, float], count: int, shape: tuple[int, int], subtitle: str
 ) -> tuple[Figure, list[Axes]]:
     """Return a figure with its title and panels."""
     rows, columns = shape
-    table, below = drawn.table, _below(drawn, told)
+    table, below = drawn.table, _below(drawn, subtitle)
     width = size[0] * columns
     head = title_height(width, table.scene, below)
     page = Figure(figsize=(width, size[1] * rows + head), layout="constrained")
@@ -117,7 +117,7 @@ def _page(
     return page, [page.add_subplot(rows, columns, i + 1) for i in range(count)]
 
 
-def _below(drawn: Drawn, told: str) -> str:
+def _below(drawn: Drawn, subtitle: str) -> str:
     """Return what is said below the title: what is the same for all rows, and how many of them failed."""
     table = drawn.table
     fixed = {name: value for name, value in table.rows[0].stated.items() if name not in table.varied}
@@ -128,7 +128,7 @@ def _below(drawn: Drawn, told: str) -> str:
     ]
     failed = int(drawn.failed.sum())
     ends = f"{failed:,} of {len(drawn.failed):,} rows failed: marked by x" if failed else ""
-    return "; ".join(filter(None, (told, ", ".join(values), ends)))
+    return "; ".join(filter(None, (subtitle, ", ".join(values), ends)))
 
 
 def _mark_failures(axis: Axes, positions: Array) -> None:
@@ -183,10 +183,10 @@ def _lines(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: in
     x, *others = axes
     table, columns, good = drawn.table, drawn.columns, ~drawn.failed
     groups = list(_groups(others, len(good)))
-    told = [_listed(names, count)]
+    subtitle = [_listed(names, count)]
     if any(mask.sum() > 2 * PLACES for _, mask in groups):
-        told.append(f"{len(good):,} rows, of which the least and the largest at {PLACES:,} places are drawn")
-    page, panels = _page(drawn, (WIDE, HIGH), len(names), _shape(len(names)), "; ".join(filter(None, told)))
+        subtitle.append(f"{len(good):,} rows, of which the least and the largest at {PLACES:,} places are drawn")
+    page, panels = _page(drawn, (WIDE, HIGH), len(names), _shape(len(names)), "; ".join(filter(None, subtitle)))
     for panel, name in zip(panels, names, strict=True):
         scale = shown_in(table.columns[name], columns[name])
         for (label, mask), colour in zip(groups, _colours(others), strict=True):
@@ -246,10 +246,10 @@ def _maps(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: int
     x, y, *others = axes
     table, good = drawn.table, ~drawn.failed
     gridded = table.gridded and not others
-    told = [_listed(names, count)]
-    told += [f"{', '.join(axis.name for axis in others)} varied too, from dot to dot"] if others else []
-    told += [_of_many(x, y, len(good), gridded=gridded)]
-    page, panels = _page(drawn, (WIDE, HIGH + 0.4), len(names), _shape(len(names)), "; ".join(filter(None, told)))
+    subtitle = [_listed(names, count)]
+    subtitle += [f"{', '.join(axis.name for axis in others)} varied too, from dot to dot"] if others else []
+    subtitle += [_of_many(x, y, len(good), gridded=gridded)]
+    page, panels = _page(drawn, (WIDE, HIGH + 0.4), len(names), _shape(len(names)), "; ".join(filter(None, subtitle)))
     for panel, name in zip(panels, names, strict=True):
         scale = shown_in(table.columns[name], drawn.columns[name])
         values = np.where(good, scale(drawn.columns[name]), np.nan)
@@ -332,8 +332,8 @@ def _diagram(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: 
     others = [axis for axis in axes if axis is not x]
     arrays, section, step = table.arrays[SECTION], _section(table, names), -(-len(table.rows) // PLACES)
     many = f"every {step}th of {len(table.rows):,} rows is drawn, and the extremes" if step > 1 else ""
-    told = "; ".join(filter(None, (table.place, _listed(names, count), many)))
-    page, panels = _page(drawn, DIAGRAM, len(names), (len(names), 1), told)
+    subtitle = "; ".join(filter(None, (table.place, _listed(names, count), many)))
+    page, panels = _page(drawn, DIAGRAM, len(names), (len(names), 1), subtitle)
     failed = drawn.failed
     for panel, name in zip(panels, names, strict=True):
         of_row = np.array([i for i, _ in section[name]], dtype=int)

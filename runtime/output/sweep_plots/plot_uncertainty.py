@@ -46,17 +46,17 @@ class Output(Protocol):
         """Total Sobol indices."""
 
 
-def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], told: str) -> Figure:
+def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], subtitle: str) -> Figure:
     """Draw each output in a row: its samples with the normal curve of its derivatives, and its indices.
 
-    samples    independent draws by output, SI; told    what is said below the title
+    samples    independent draws by output, SI; subtitle    text below the title
     """
     indices = any(output.first for output in outputs)
     width = WIDE * (2 if indices else 1)
     with mpl.rc_context(STYLE):
-        head = title_height(width, scene, told)
+        head = title_height(width, scene, subtitle)
         page = Figure(figsize=(width, HIGH * len(outputs) + head), layout="constrained")
-        used = write_title(page, f"{scene}: uncertainty", told)
+        used = write_title(page, f"{scene}: uncertainty", subtitle)
         layout: Any = page.get_layout_engine()
         layout.set(rect=(0, 0, 1, 1 - used / page.get_figheight()))
         grid = page.subplots(len(outputs), 2 if indices else 1, squeeze=False)
@@ -71,7 +71,7 @@ def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], 
 
 
 def _spread(axis: Axes, output: Output, values: Array) -> None:
-    """Draw the samples of an output, and the normal curve that its derivatives tell."""
+    """Draw the samples of an output, and the normal curve that its derivatives give."""
     values = values[np.isfinite(values)]
     unit = scale_of(output.unit, values)
     axis.hist(unit(values), bins=min(BINS, max(8, int(np.sqrt(len(values))))), density=True, color=SKY, label="samples")

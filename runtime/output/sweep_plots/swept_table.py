@@ -19,7 +19,7 @@ PLACES, CELLS, DOTS = (
     2000,
     350,
     20_000,
-)  # that are told apart along a curve, along a side of a map, and of scattered dots
+)  # that are distinguished along a curve, along a side of a map, and of scattered dots
 
 
 class ArraysByRow(Protocol):

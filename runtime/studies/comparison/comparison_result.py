@@ -74,7 +74,7 @@ class Compared:
     def differs(self) -> bool | None:
         """Return whether data and run differ by more than the stated noise, or by statistics beyond chance.
 
-        None where neither could be told: no noise was stated, and there are no statistics with intervals.
+        None where neither could be judged: no noise was stated, and there are no statistics with intervals.
         """
         verdicts = [not s.residual.explained for s in self.signals if s.residual and s.residual.explained is not None]
         verdicts += [by_chance(n, k) < RARE for k, n in (signal.differing for signal in self.signals) if n]

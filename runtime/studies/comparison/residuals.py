@@ -71,7 +71,7 @@ def residual_of(times: Array, measured: Array, run: Array, noise: float | None) 
 
 
 def _independent(residual: Array) -> float:
-    """Return the number of independent samples that tell the variance as well, by Bartlett's formula.
+    """Return the number of independent samples that determine the variance as well, by Bartlett's formula.
 
     n / (1 + 2 sum of squared autocorrelations).
     """

@@ -1,1 +1,1 @@
-"""Parameters from measurements: least squares with exact Jacobians, intervals, what data cannot tell."""
+"""Parameters from measurements: least squares with exact Jacobians, intervals, identifiability."""

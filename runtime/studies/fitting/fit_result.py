@@ -92,7 +92,7 @@ class Estimates(ABC):
 
     values      what was fitted, by name
     known       singular values, combinations, correlation
-    unidentified      combinations of quantities that the data cannot tell, in words; their values are not to be used
+    unidentified      combinations of quantities that the data do not identify, in words; their values are not to be used
     goodness    None where the deviations of the data are not stated, or nothing is left over
     """
 
@@ -112,7 +112,7 @@ class Estimates(ABC):
     @property
     @abstractmethod
     def verdict(self) -> str:
-        """Say whether the model explains the data, and whether they tell its parameters."""
+        """Say whether the model explains the data, and whether they identify its parameters."""
 
     @abstractmethod
     def lines(self) -> Iterator[tuple[str, str]]:
@@ -131,7 +131,7 @@ class Estimates(ABC):
     def distribution(self) -> Correlated:
         """Return how uncertain the quantities are, as `propagate` takes it.
 
-        Raises InputError where some are not told.
+        Raises InputError where some are not identified.
         Normal on the scale of the search, by the curvature of the least squares; cut at an end of the range that was searched.
         """
         names = [free.name for free in self.known.free]
@@ -217,7 +217,7 @@ class Fitted(Estimates):
 
     @property
     def verdict(self) -> str:
-        """Say whether the model explains the data, and whether they tell its parameters."""
+        """Say whether the model explains the data, and whether they identify its parameters."""
         parts = []
         if self.goodness is None and any(signal.stated for signal in self.signals):
             parts.append("as many quantities as data are fitted: nothing is left to judge the model by")

@@ -1,9 +1,9 @@
-"""Pipeline of a fit: request -> least squares -> what the data tell -> intervals -> goodness.
+"""Pipeline of a fit: request -> least squares -> identifiability -> intervals -> goodness.
 
 1. asked       what is free, measured runs, nuisance, options, with every fault        free_quantities, experiment
 2. forward     runs, what they predict, exact Jacobian                                 forward
 3. search      starts, windows, trust region                                           search
-4. identified  singular values, combinations that are not told                         identified
+4. identified  singular values, unidentifiable combinations                             identified
 5. fitted      intervals, goodness of fit, residuals                                   intervals, fitted
 """
 
@@ -155,7 +155,7 @@ def read_fit(
 
 
 def fitted(asked: FitRequest, progress: Callable[[float], object] | None = None) -> Fitted:
-    """Return the fit that was asked for; raises InputError for what enters nothing measured."""
+    """Return the fit of a request; raises InputError for what enters nothing measured."""
     return concluded(asked, *searched(asked, progress))
 
 
@@ -196,7 +196,7 @@ def _refuse_idle(search: Search, asked: FitRequest) -> None:
 
 
 def concluded(asked: FitRequest, search: Search, found: Estimate) -> Fitted:
-    """Return the fit with what the data tell of it, intervals, goodness and residuals."""
+    """Return the fit with its identifiability, intervals, goodness and residuals."""
     share = float(np.mean(found.used))
     forward = search.forward
     known = identified(found.jacobian, forward.searched)

@@ -1,4 +1,4 @@
-"""Identifiability: singular values of the scaled Jacobian, and combinations that are not told."""
+"""Identifiability: singular values of the scaled Jacobian, and unidentifiable combinations."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ PART = 0.1  # of a combination: quantities that take a smaller part are not name
 
 @dataclass(frozen=True)
 class Identified:
-    """Directions on the scale of the search, half a range or a factor of e, the best told first.
+    """Directions on the scale of the search, half a range or a factor of e, the best identified first.
 
     singular_values    (k,), each 1 over the standard deviation of its direction, a column of directions (k, k)
     identified         (k,) whether the data identify it
@@ -35,25 +35,25 @@ class Identified:
 
     @property
     def covariance(self) -> Array:
-        """Covariance of the places on the scale of the search, of what is told (k, k)."""
+        """Covariance of the places on the scale of the search, of what is identified (k, k)."""
         v, s = self.directions[:, self.identified], self.singular_values[self.identified]
         found: Array = (v / s**2) @ v.T
         return found
 
     @property
     def correlation(self) -> Array:
-        """Correlation of the estimates (k, k); nan beside one of a combination that is not told."""
+        """Correlation of the estimates (k, k); nan beside one of an unidentifiable combination."""
         covariance = self.covariance
         sizes = np.array([math.nan if self.concerned(j) else math.sqrt(v) for j, v in enumerate(np.diag(covariance))])
         found: Array = covariance / np.outer(sizes, sizes)
         return found
 
     def concerned(self, j: int) -> bool:
-        """Return whether a quantity takes part in a combination that is not told."""
+        """Return whether a quantity takes part in an unidentifiable combination."""
         return bool(np.any(np.abs(self.directions[j, ~self.identified]) > PART))
 
     def unidentified(self, values: Sequence[float], quantities: int) -> list[str]:
-        """Return the combinations that the data cannot tell, in words.
+        """Return the combinations that the data do not identify, in words.
 
         Those of nuisance alone, after the first `quantities` of what is free, are left out.
         """
@@ -84,7 +84,7 @@ class Identified:
 
 
 def identified(jacobian: Array, free: Sequence[Free]) -> Identified:
-    """Return what a Jacobian (n, k) of residuals over the noise, on the scale of the search, tells."""
+    """Return what a Jacobian (n, k) of residuals over the noise, on the scale of the search, identifies."""
     k = len(free)
     padded = np.vstack([jacobian, np.zeros((max(k - len(jacobian), 0), k))])
     _, s, turned = np.linalg.svd(padded, full_matrices=False)

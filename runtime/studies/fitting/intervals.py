@@ -40,7 +40,7 @@ def intervals(
 ) -> tuple[list[Interval], list[str]]:
     """Return the interval of everything free, in the order of x, and what to heed.
 
-    profile    "auto": of what is badly told, at an end of its range, or in a combination that is not told; True: of all
+    profile    "auto": of what is badly identified, at an end of its range, or in an unidentifiable combination; True: of all
     """
     from scipy.stats import norm, t  # slow to import
 
@@ -61,7 +61,7 @@ def intervals(
             continue
         how = f"linear: curvature of the least squares at the best fit, {noise}"
         if known.concerned(j) or not errors[j] > 0:
-            how, ends = "none: it is in a combination that the data do not tell", (low, high)
+            how, ends = "none: it is in a combination that the data do not identify", (low, high)
         made.append(
             Interval(
                 free.outer(max(ends[0], low)),

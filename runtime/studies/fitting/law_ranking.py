@@ -134,7 +134,7 @@ class RankedLaw:
 class Ranking:
     """Laws fitted to the same data, the best first.
 
-    alike    names of those that these data do not tell from the best; empty where it is told from all others
+    alike    names of those between which and the best the data do not discriminate
     """
 
     laws: tuple[RankedLaw, ...]
@@ -148,7 +148,7 @@ class Ranking:
 
     @property
     def verdict(self) -> str:
-        """Say which laws the data tell apart."""
+        """Say between which laws the data discriminate."""
         best = self.best
         alike = f"not distinguished by these data: {', '.join((best.name, *self.alike))}"
         text = alike if self.alike else f"{best.name} is distinguished from the others"
@@ -257,7 +257,7 @@ def _report_progress(progress: Callable[[float], object] | None, number: int, co
 
 
 def _apart(best: RankedLaw, other: RankedLaw) -> bool:
-    """Return whether data tell a law from the best: by the criterion, and not against the held-out runs."""
+    """Return whether data rank a law below the best: by the criterion, not against held-out runs."""
     if other.difference < APART:
         return False
     prefer = np.subtract(best.held_out, other.held_out)

@@ -1,7 +1,7 @@
 """Search for the least squares: a Latin hypercube of starts, and windows that lengthen.
 
 A start is judged by its residuals over all windows; the best few are followed on the shortest, where a trajectory is
-still told by its parameters, and from window to window, as long as the run's own error stays below the noise.
+still determined by its parameters, and from window to window, as long as the run's own error stays below the noise.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.free_quantities import Freed
 from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, progress_faults
-from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.comparison.comparison_request import Between
 from hertzwerk.runtime.studies.fitting.experiment import Data, Experiment
@@ -83,13 +83,13 @@ def fit(
     gain        ranges of a sensor's gain by column, {"height": "0.95..1.05"}: measured = gain times run
     tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are left out, and that is said
     starts, seed    Latin hypercube of starts beside the model's own values; the best are followed over windows that lengthen
-    profile     intervals by profile likelihood: "auto" of what is badly told, True of all, False of none
+    profile     intervals by profile likelihood: "auto" of what is badly identified, True of all, False of none
 
     Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
-    combination of quantities that the data cannot tell is said by name in `unidentified`.
+    combination of quantities that the data do not identify is listed in `unidentified`.
     """
     model, faults = load(target), progress_faults(progress)
-    own, states = given_values(model, parameters, initial, faults)
+    own, states = stated_values(model, parameters, initial, faults)
     asked = read_fit(
         model,
         data,
@@ -141,7 +141,7 @@ def fit_laws(
     The other arguments are those of `fit`. Raises InputError with every fault.
     """
     model, wrong = load(target), progress_faults(progress)
-    own, states = given_values(model, parameters, initial, wrong)
+    own, states = stated_values(model, parameters, initial, wrong)
     variants, faults = law_variants(model, laws)
     how = {
         **{"map": map, "noise": noise, "parameters": own, "initial": states, "inputs": inputs, "duration": duration},
@@ -190,7 +190,7 @@ def fit_moments(
     the box of the points closes in on the best, at most twice. Raises InputError with every fault.
     """
     model, faults = load(target), progress_faults(progress)
-    own, states = given_values(model, parameters, initial, faults)
+    own, states = stated_values(model, parameters, initial, faults)
     how = {
         **{"parameters": {**own, **states}, "inputs": inputs, "duration": duration},
         **{"tolerance": tolerance, "method": method, "compiled": compiled, "max_steps": max_steps},

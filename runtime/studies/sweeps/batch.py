@@ -45,7 +45,7 @@ from hertzwerk.runtime.engine.run.run_request import (
     read_duration,
 )
 from hertzwerk.runtime.engine.solution.outcome import Outcome
-from hertzwerk.runtime.engine.start.start_values import given_values
+from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
@@ -80,7 +80,7 @@ class Processes:
     def rows(self, job: Job, tasks: Tasks) -> Generator[list[Row], None, None]:
         """Yield rows as completed; tasks that may have killed a process are run again, each alone.
 
-        A single task has a process of its own too, unless one worker was asked for: it may be the one that dies.
+        A single task has a process of its own too, unless one worker was requested: it may be the one that dies.
         """
         job.prepare()
         if self.workers > 1:
@@ -130,7 +130,7 @@ def _side_by_side(job: Job, workers: int, waiting: Tasks, suspects: list[Task]) 
 def _executor(job: Job, workers: int) -> tuple[Executor, Callable[[list[Task]], tuple[list[Row], float]], Any]:
     """Return an executor of processes, or of threads where there are none, its function, its stop flag.
 
-    Processes are forked where that is safe, and share the model's functions; started as `multiprocessing` was told to,
+    Processes are forked where that is safe, and share the model's functions; started as `multiprocessing` is set to,
     they build their own. CasADi holds Python's lock, so threads gain little.
     """
     start = multiprocessing.get_start_method(allow_none=True) or ("fork" if sys.platform.startswith("linux") else None)
@@ -245,7 +245,7 @@ def simulate_many(
     """
     began = time.perf_counter()
     model, sets, wrong = load(target), _sets(parameter_sets), progress_faults(progress)
-    own_values, states = given_values(model, parameters, initial, wrong)
+    own_values, states = stated_values(model, parameters, initial, wrong)
     named = dict.fromkeys(name for values in sets for name in values)
     sets = [{**own_values, **states, **values} for values in sets]
     if not (functions is None or isinstance(functions, Mapping)):
@@ -334,7 +334,7 @@ class Batch:
 
     sets    values of every row, parameters, initial states and inputs alike
     settings    arguments of `simulate` for all of them
-    compiled    as asked for
+    compiled    as requested
     later    rows for which there will be further calls, foreseen where it is chosen whether to compile
     kept    arrays that every row keeps
     choices    what rows choose their inputs among

@@ -40,7 +40,7 @@ from hertzwerk.runtime.engine.run.run_request import (
 )
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.solution.solution import Solution
-from hertzwerk.runtime.engine.start.start_values import given_values, split_values
+from hertzwerk.runtime.engine.start.start_values import split_values, stated_values
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.studies.sweeps.continued_rows import Chains, InMemory, key_after, read_chains, state_units
@@ -238,7 +238,7 @@ def sweep(
         over, choices = read_choices(model, over, read_duration(model, {}, duration, []), faults)
     design = read_design(over, **spread, faults=faults)
     faults += memory_faults(len(design)) if into is None else []
-    own, states = given_values(model, parameters, initial, faults)
+    own, states = stated_values(model, parameters, initial, faults)
     fixed = {name: number_and_unit(value) for name, value in {**own, **states}.items()}
     model, wrong = with_input_values(model, inputs, duration, {})
     faults += [*wrong, *progress_faults(progress)]
@@ -477,7 +477,7 @@ def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults
 def outputs_of(
     model: plain.Model, names: Sequence[str], functions: object, varied: Mapping[str, str], faults: list[Fault]
 ) -> list[Output]:
-    """Return the outputs that are asked for; bad input is appended to `faults`."""
+    """Return the requested outputs; bad input is appended to `faults`."""
     if functions is not None and not isinstance(functions, Mapping):
         faults.append(Fault("functions", shown(functions), "a dictionary of functions of the Solution"))
         functions = None

@@ -204,7 +204,7 @@ class _Syncing(threading.Thread):
         self.start()
 
     def run(self) -> None:
-        """Check every SYNC seconds, until told to end."""
+        """Check every SYNC seconds, until the end is set."""
         try:
             with closing(connected(self._file)) as connection:
                 while not self._ending.wait(SYNC):

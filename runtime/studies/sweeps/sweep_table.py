@@ -183,16 +183,16 @@ class Sweep:
 
     @property
     def section(self) -> Arrays:
-        """Points of the section of every row; raises LookupError where none was asked for."""
+        """Points of the section of every row; raises LookupError where none was requested."""
         return self.arrays_of("section", 'sweep(..., section="main_bearing.angle = 0")')
 
     @property
     def histories(self) -> Arrays:
-        """Histories of every row on the grid; raises LookupError where none was asked for."""
+        """Histories of every row on the grid; raises LookupError where none was requested."""
         return self.arrays_of("histories", 'sweep(..., grid="0.1 ms")')
 
     def arrays_of(self, name: str, remedy: str = "a section or a grid") -> Arrays:
-        """Return "section" or "histories"; raises LookupError where it was not asked for."""
+        """Return "section" or "histories"; raises LookupError where it was not requested."""
         if name not in self.arrays:
             raise LookupError(f"no {name} in this sweep: {remedy} keeps them")
         varied = {each: self.unit(each) for each in self.varied}

@@ -71,7 +71,7 @@ def propagate(
     widen: bool = False,
     progress: Callable[[float], object] | None = None,
 ) -> Propagated:
-    """Return how uncertain a run's numbers are, by derivatives and by samples, and what they owe it to.
+    """Propagate parameter uncertainty to outputs: first order and Monte Carlo, with Sobol indices.
 
     target      a scene or a Model, as `simulate` takes it
     uncertain   parameters and initial states with their distributions, or those of a fit, `fit(...).distribution()`:
@@ -101,7 +101,7 @@ def propagate(
     if indices is True and tied:
         found_tied = f"indices of {', '.join(tied)}, which are correlated"
         faults.append(
-            Fault("indices", found_tied, "independent quantities", "indices=False: the samples tell the spread")
+            Fault("indices", found_tied, "independent quantities", "indices=False: the samples give the spread")
         )
     indices = not tied if indices is None else indices
     faults += [*_sample_faults(sample, indices), *whole_faults(seed=seed)]

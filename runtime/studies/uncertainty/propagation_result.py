@@ -90,7 +90,7 @@ class Propagated:
 
     names    what is uncertain; run    at its means; samples    the rows, a sweep, of which the first `draws` are
     independent of each other
-    notes    why something is missing: runs that did not finish, indices that could not be told
+    notes    why something is missing: runs that did not finish, indices that could not be estimated
     correlation    of normal scores, by the names of two that are correlated
     """
 
@@ -173,7 +173,7 @@ class Propagated:
         }
 
     def plot(self) -> Figure:
-        """Draw the samples of every output beside the spread that derivatives tell, and the Sobol indices."""
+        """Draw the samples of every output beside the spread that derivatives give, and the Sobol indices."""
         from hertzwerk.runtime.output.sweep_plots.plot_uncertainty import figure
 
         told = f"{self.draws} samples of {', '.join(self.names)}"

@@ -57,7 +57,7 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     assert spread[0] == "final.vertical.speed" and float(spread[head.index("std by derivatives")]) == pytest.approx(
         0.08, rel=1e-4
     )
-    assert {"Picture", "What it is owed to", "Origin"} <= set(outline.texts["h2"])
+    assert {"Picture", "Contributions", "Origin"} <= set(outline.texts["h2"])
     with closing(sqlite3.connect(kept / "rows.sqlite")) as rows, rows:  # a digit of one number
         here = "key = (SELECT key FROM points WHERE number = 2)"
         rows.execute(f"UPDATE rows SET outputs = replace(outputs, '9', '8') WHERE {here}")

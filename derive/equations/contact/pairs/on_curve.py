@@ -25,7 +25,7 @@ class OnSolidCurve(Pair):
     """Surface that may touch the solid beside a curve, in plane motion.
 
     A kind has the fields `curve`, `fixed`, its place, in whose plane of X and Y it lies, and `curvature_radius` [m], that of
-    relative curvature for laws that ask for one: a curve has many.
+    relative curvature for laws that need one: a curve has many.
     """
 
     form: ClassVar[str] = "line"

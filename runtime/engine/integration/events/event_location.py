@@ -112,7 +112,7 @@ def unresolved(run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end:
     """Return how badly the gaps of pairs in flight are resolved by a step; above 1 it has to be shorter.
 
     A surface that is driven, or turns in free flight, may come and go within a step in which every state moves along a
-    line: no error of a state is seen, and the quintic knows the ends of the step alone. What tells are the errors of the
+    line: no error of a state is seen, and the quintic knows the ends of the step alone. The evidence is the errors of the
     trapezoidal rule with its correction for the gap, and without it for the rate. Both vanish for no vibration, in any
     phase, that is not resolved; what they leave is small beside the gap, so that it cannot close it.
     """

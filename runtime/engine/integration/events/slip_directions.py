@@ -70,7 +70,7 @@ def settling(groups: Groups) -> Any:
 def _limited(groups: Groups) -> Any:
     """Build the function (W, b, open, sliding, force, limit, again, busy) -> (force, limit, again, busy).
 
-    Forces within their limits. Pairs at one beyond their sliding force let go of it, and the forces are asked for `again`.
+    Forces within their limits. Pairs at one beyond their sliding force let go of it, and the forces are computed `again`.
     """
     starts, step, found = _start(groups), _newton(groups), _limited_force(groups)
     arguments = step.mx_in()

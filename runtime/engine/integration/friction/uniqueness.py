@@ -66,7 +66,7 @@ def reach(solve: Callable[[Any, Any, Any], Any], W: Any, still: Any, columns: An
 
 
 def monotone(g: Any, s: Any, P: Any) -> Any:
-    """Return the margin 1 - g (I - P)^-1 s, for sizes g and s (K); not positive where it tells nothing."""
+    """Return the margin 1 - g (I - P)^-1 s, for sizes g and s (K); not positive where it proves nothing."""
     n = P.shape[0]
     found = pivots(ca.vertcat(ca.horzcat(P, s), ca.horzcat(g.T, ca.SX(1, 1))))
     positive = ca.SX(1)

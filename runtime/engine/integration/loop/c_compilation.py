@@ -2,7 +2,7 @@
 
 The cache's key is everything the machine code depends on: the C text, the compiler's version, the flags, the
 processor. Contraction of a*b + c to one rounding is off, so C and CasADi's virtual machine agree bitwise, but where
-that is not asked for.
+that is not requested.
 """
 
 from __future__ import annotations

@@ -279,7 +279,7 @@ class _March:
         """Return whether explicit steps fail: chunk after chunk many are rejected and time stands still.
 
         Where stability limits a contact's step, or it rests within the tolerance of its gap, a step too long ends in events that the motion does not
-        have; each is retaken up to there. Such steps are no plain ones, and too short for what tells of stiffness.
+        have; each is retaken up to there. Such steps are no plain ones, and too short for signs of stiffness.
         """
         last, t = states[-1], self._at["t"]
         rejected = self._rejected(last) - self._rejected(self._state) > FAILING * len(states)

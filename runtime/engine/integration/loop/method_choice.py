@@ -8,7 +8,7 @@ friction reverses is stiff too, though no Jacobian shows it: the layer is thinne
 A run begins with explicit steps alone, at their cost: no Jacobian, nothing implicit is built. The difference of the
 last two stages of a step estimates the fastest rates in a few operations. Where that stays stiff, step after step,
 the run continues with steps that choose, until explicit ones are no longer stiff. Where explicit steps are rejected again
-and again and time stands still, nothing tells of stiffness, and the loop (`chunk`) turns to implicit ones. Implicit steps cost more than
+and again and time stands still, nothing shows stiffness, and the loop (`chunk`) turns to implicit ones. Implicit steps cost more than
 explicit ones: where they do not save as many, the run goes back, and is the more wary the more often.
 """
 

@@ -46,7 +46,7 @@ def passes_by_implicit_steps(model: Model, tables: tuple[Table, ...]) -> bool:
 def implicit_near_rest(model: Model, tables: tuple[Table, ...], taken: tuple[Table, ...], *, alone: bool) -> Any:
     """Build the function (state, controls) -> state that goes on implicitly where directions turn fast.
 
-    If that table is not among `taken`, the status SUSPECT asks for it. A step that failed is tried again by its own method.
+    If that table is not among `taken`, the status SUSPECT requests it. A step that failed is tried again by its own method.
 
     alone: nothing else chooses, so that the run goes on with explicit steps where none turns fast
     """

@@ -68,7 +68,7 @@ class NearModel(Model):
         self.rows = [[*range(first, last)] for first, last in pairwise(ends)]
         """Rows of memory of each place."""
         self.summed = [[whole.memory[row].rpartition(".")[2] for row in rows[family.pairs[0]]] for family in places]
-        """What the rows of memory of each place sum."""
+        """Sums of the rows of memory of each place."""
         self.whole_latches = latch_rows(whole)
         names = [name for of in self.summed for name in of]
         self.departed = {ending: ends[-1] + i for i, ending in enumerate(dict.fromkeys(names))}

@@ -57,7 +57,7 @@ class Flow:
     holding: constraint forces of the loops (nl) [N or N m]; forces of drives, and reactions that loads read
     settling: margins of uniqueness of these reactions, and of set-valued friction that they press, and residuals of their solution;
             None without such loads
-    depends: sparsity of dy/dt by y where that of `rates` does not tell it
+    depends: sparsity of dy/dt by y where that of `rates` does not give it
     quadratures: last entries of y that nothing depends on
     touching, of_touching: (mode) -> pairs in contact, of many; rates and ends of these, of one argument more
     """

@@ -1,7 +1,7 @@
 """Running rounding error analysis of derived functions, such as gaps and gap rates.
 
 A gap is a difference of coordinates and lengths and so no more accurate than their last digits, however small it is:
-spheres that touch 1 m from the origin do so within 1e-16 m. No decision on a gap may ask for more. Every operation
+spheres that touch 1 m from the origin do so within 1e-16 m. No decision on a gap may require more. Every operation
 adds the rounding of its result to its arguments' propagated errors, to first order. Higham, Accuracy and Stability of
 Numerical Algorithms, 2nd ed. (2002), section 3.3.
 """

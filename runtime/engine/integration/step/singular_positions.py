@@ -62,7 +62,7 @@ def limited_by_singular(table: Table, h: Any, ahead: Any) -> Any:
 def explicit_near(state: Layout, tables: tuple[Table, ...], taken: tuple[Table, ...]) -> Any:
     """Build the CasADi function state -> state that selects the explicit method near a singular position.
 
-    If that table is not among `taken`, the status SUSPECT asks for it.
+    If that table is not among `taken`, the status SUSPECT requests it.
     """
     symbol = state.symbol("state")
     parts = state.split(symbol)

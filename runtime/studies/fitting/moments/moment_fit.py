@@ -83,7 +83,7 @@ class FittedMoments(Estimates):
 
     @property
     def verdict(self) -> str:
-        """Say whether the model explains the statistics, and whether they tell its parameters."""
+        """Say whether the model explains the statistics, and whether they identify its parameters."""
         if self.goodness is None:
             text = "as many quantities as statistics are fitted: nothing is left to judge the model by"
         else:
@@ -152,7 +152,7 @@ class MomentFitRequest:
 
     @property
     def sweeps(self) -> list[tuple[Mapping[str, Value], list[SeriesMoments]]]:
-        """Values that runs are made at, with the series that each tells; first the fit's own for stated ones."""
+        """Values that runs are made at, with the series of each; first the fit's own for stated ones."""
         plain = self.how.get("parameters") or {}
         made_at = [plain] if self.half_widths else []
         made_at += [
@@ -408,7 +408,7 @@ def _concluded(
         interval = Interval(
             each.outer(float(max(ends[0], low))),
             each.outer(float(min(ends[1], high))),
-            how if told else "none: it is in a combination that the statistics do not tell",
+            how if told else "none: it is in a combination that the statistics do not identify",
             bool(ends[0] <= low),
             bool(ends[1] >= high),
         )

@@ -18,7 +18,7 @@ PLAIN = (int, float, complex, str, bytes, bool, type(None), type(Ellipsis))
 def digest(name: str, function: Callable[..., Any]) -> str:
     """Return the digest of a function: its code, values, and what it uses of its own module.
 
-    Comments and layout do not matter. Raises InputError for enclosed values that cannot be told apart.
+    Comments and layout do not matter. Raises InputError for enclosed values that cannot be distinguished.
     """
     try:
         described = repr(_described(function, getattr(function, "__module__", None), ()))

@@ -153,7 +153,7 @@ def read_row_arrays(
     end: tuple[str, ...] = (),
     faults: list[Fault],
 ) -> RowArrays | None:
-    """Read what each row keeps; bad input is appended to `faults`. None where nothing is asked for."""
+    """Read what each row keeps; bad input is appended to `faults`. None where nothing is requested."""
     if section is None and grid is None:
         for name, value in (("histories", histories), ("after", after)):
             if value not in (None, (), []):

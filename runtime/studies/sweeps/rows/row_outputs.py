@@ -1,6 +1,6 @@
 """Outputs of a row by name: numbers of a run, with their units and what each needs of it.
 
-`known` lists the names that a model has. A row computes only what is asked for: `Output.needs` says what that is.
+`known` lists the names that a model has. A row computes only what is requested: `Output.needs` says what that is.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ class Output:
 
     @property
     def name(self) -> str:
-        """Name that is asked for: that of the first column."""
+        """Name that users give: that of the first column."""
         return next(iter(self.columns))
 
 
