@@ -94,6 +94,11 @@ def test_limits_are_what_is_approached(name):
         assert close <= far / 100 or far < 1e-12
 
 
+def test_published_exponents():
+    """Of Kelvin and Voigt a spring K d; of the rest Hertz."""
+    assert {t.law.name: t.exponent for t in trials() if t.exponent != 1.5} == {"kelvin_voigt": 1.0}
+
+
 @each("name", [n for n, law in LAWS.items() if law.kind != "damping" and law.verdict == "consistent"])
 def test_text_is_what_the_audit_of_expressions_reads(sheets, name):
     """`hertzwerk audit --expr` finds the unit that the sheet states for each formula it can read."""

@@ -212,6 +212,31 @@ def test_set_valued_friction_holds_up_to_its_limit_and_no_further():
     assert gone.outcome.name == "no_equilibrium" and "along.speed" in gone.outcome.message
 
 
+def test_friction_in_two_directions_holds_up_to_its_size():
+    """0.3 x 10 N hold a push along the diagonal of the tangents of 2.97 N, not of 3.03 N, of which each part is 2.14 N."""
+    ball, r = Body("ball", Parameter("m", "kg", 1)), Parameter("r", "mm", 10)
+    one, two = (Body(f"slide_{i}", Parameter(f"m_{i}", "kg", 1e-3)) for i in (1, 2))
+    joints = Prismatic("px", GROUND, one, axis=X), Prismatic("py", one, two, axis=Y), Prismatic("pz", two, ball, axis=Z)
+    push = Parameter("push", "N", 1)
+    scene = Scene(
+        Mechanism("pushed", joints, (SphereOnPlane("floor", ball.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Z),)),
+        (
+            Gravity("gravity", Parameter("g", "m/s^2", 10), direction=-Z),
+            Contact("floor", power(Parameter("K", "N/m", 1e5), 1)),
+            Friction("rub", "floor", coulomb(Parameter("mu", "1", 0.3), Parameter("mu_s", "1", 0.3))),
+            JointForce("along", "px", push / math.sqrt(2)),
+            JointForce("across", "py", push / math.sqrt(2)),
+        ),
+        Scales(r, Parameter("pace", "m/s", 1)),
+        Start(position={"pz": r}),
+    )
+    model = load(scene)
+    held = equilibrium(model, parameters={"push": "2.97 N"})
+    assert held.found
+    assert held.sticking["floor"] == pytest.approx(2.97, rel=1e-9)
+    assert equilibrium(model, parameters={"push": "3.03 N"}).outcome.name == "no_equilibrium"
+
+
 def test_a_drive_carries_what_friction_holds_on_it():
     """A block of 2 kg sticks to the side of a carriage of 3 kg, whose lift takes the weight of both."""
     carriage, block, r = (
