@@ -188,6 +188,17 @@ def test_gaps_and_their_rates_are_those_of_the_geometry(name):
             assert second == pytest.approx(rate_along(derived, "gaps", 1, t, there, u, a), rel=1e-10)
 
 
+def test_friction_vanishes_smoothly_where_a_spatial_contact_does_not_slide():
+    """At rest the tangent has no direction; the force must be zero there, not 0/0."""
+    case = PAIRS["sphere on plane, spatial"]
+    derived = case.derive(friction=True)
+    _, q, _ = next(case.states(derived, 1))
+    at_rest = derived.call("contact_touch", q=q, u=np.zeros(3), m=[V0])
+    frictionless = case.derive(friction=False).call("contact_touch", q=q, u=np.zeros(3), m=[V0])
+    assert np.all(np.isfinite(at_rest[0]))
+    assert at_rest[0] == pytest.approx(frictionless[0], rel=1e-14)
+
+
 def test_both_parts_of_a_bounded_face_are_among_the_states_above():
     case = PAIRS["bounded"]
     derived = case.derive(friction=False)
