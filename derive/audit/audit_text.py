@@ -151,7 +151,7 @@ def with_culprit(
 
 
 def finding(expression: Expression, declared: Declared, expected: Dimension | None, **place: Any) -> Finding:
-    """Finding on one expression; `place` has its effect, what, law, kind, title, source."""
+    """Finding on one expression; `place` has its effect, quantity, law, kind, title, source."""
     try:
         dimension, fault = examine(expression, declared, expected)
     except TextError as error:

@@ -136,7 +136,7 @@ def audit_laws_as_written(path: str | Path) -> tuple[Finding, ...]:
         for what, expression, unit in written.texts:
             place = {
                 "effect": law.name,
-                "what": what,
+                "quantity": what,
                 "law": law.name,
                 "kind": law.kind,
                 "title": law.title,
