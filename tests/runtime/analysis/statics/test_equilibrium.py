@@ -232,7 +232,7 @@ def test_friction_in_two_directions_holds_up_to_its_size():
     )
     model = load(scene)
     held = equilibrium(model, parameters={"push": "2.97 N"})
-    assert held.found
+    assert held.converged
     assert held.sticking["floor"] == pytest.approx(2.97, rel=1e-9)
     assert equilibrium(model, parameters={"push": "3.03 N"}).outcome.name == "no_equilibrium"
 
