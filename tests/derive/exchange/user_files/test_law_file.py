@@ -235,6 +235,7 @@ def test_a_scene_uses_a_law_of_a_file_like_a_built_in_one(file):
     assert {f.verdict for f in audit_scene(scene)} == {"consistent"}
     ours, theirs = (generate(made, "a test").splitlines() for made in (scene, two_spheres.scene))
     changed = [pair for pair in zip(ours, theirs, strict=True) if pair[0] != pair[1]]
+    changed = [pair for pair in changed if not pair[0].startswith("DIGEST = ")]  # of the text
     assert changed
     assert all("my_hertz" in one and one.replace("my_hertz", "hertz_point") == other for one, other in changed)
 
