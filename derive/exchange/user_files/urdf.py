@@ -193,7 +193,7 @@ class _Reader:
         mimics = {joint.name: joint.mimic for joint in self.joints.values() if joint.mimic is not None}
         if still := [name for name in mimics if name in self.held]:
             yield f"mimic of joints that are fixed, left out: {', '.join(still)}"
-        moving = [name for name in mimics if name not in self.held]
+        moving = [name for name in mimics if self.joints[name].type in _SCALAR]
         while follower := next(
             (name for name in moving if name not in self.held and mimics[name].joint in self.held), None
         ):

@@ -435,6 +435,17 @@ def test_likely_causes_and_ways_out_of_files_that_contradict_themselves(tmp_path
     assert 'from_urdf(..., locked={"j": 0}) welds it' in faults_of(tmp_path, gripper)
 
 
+def test_a_joint_of_several_coordinates_that_mimics_a_fixed_one_is_no_weld(tmp_path):
+    text = robot_with(
+        joint("glue", "fixed", "base", "a"),
+        joint("loose", "floating", "base", "b", '<mimic joint="glue"/>'),
+        links="ab",
+    )
+    assert "joint loose, mimic: found loose, a floating joint; expected a joint of one coordinate" in faults_of(
+        tmp_path, text
+    )
+
+
 def test_every_fault_of_options_is_reported_at_once(tmp_path):
     path = written(
         tmp_path, robot_with(joint("turn", "continuous", "base", "a"), joint("glue", "fixed", "a", "b"), links="ab")
