@@ -291,7 +291,7 @@ def test_derive_imports_pydantic_only_where_a_file_is_read():
 
 
 @pytest.mark.parametrize("file", sources("derive/common"), ids=lambda file: file.name)
-def test_what_both_sides_share_imports_the_standard_library_and_pydantic(file):
+def test_common_imports_the_standard_library_and_pydantic_alone(file):
     for module in modules(file):
         own = reaches(module, "hertzwerk.derive.common", "pydantic")
         own = own or (file.name, module) == ("execute_file.py", "")  # the module that a user names

@@ -66,6 +66,6 @@ def test_a_loose_tolerance_counts_only_with_all_tighter_ones():
     assert crossing(TOLERANCES, errors, 5e-5, reach=2) == pytest.approx(5e-5 / 300, rel=1e-12)
 
 
-def test_what_is_never_reached_has_no_tolerance():
+def test_an_accuracy_never_reached_has_no_tolerance():
     assert crossing(TOLERANCES, 300 * TOLERANCES, 1e-9, reach=2) is None
     assert crossing(TOLERANCES, np.where(TOLERANCES > 1e-5, np.inf, 300 * TOLERANCES), 1.0, reach=2) <= 1e-5

@@ -64,7 +64,7 @@ def test_the_table_fits_a_terminal_and_shows_every_invariant(without_a_compiler)
     assert lines[-2].split() == ["passed", "1", "of", "1", "cases"]
 
 
-def test_what_fails_is_marked_and_gives_exit_code_1(monkeypatch, without_a_compiler):
+def test_failing_cases_are_marked_and_give_exit_code_1(monkeypatch, without_a_compiler):
     monkeypatch.setitem(TRIES, "exponent_2", dict.fromkeys(TRIES["exponent_2"], 1))
     done = run("--case", "exponent_2", "--method", "dop853")
     assert done.exit_code == 1

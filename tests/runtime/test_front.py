@@ -69,7 +69,7 @@ def test_every_function_takes_every_target(function, target):
 
 @pytest.mark.parametrize("function", CALLS)
 @pytest.mark.parametrize("target", [5, None, ["bouncing_ball"], "bouncing_bal", Path("no_such_scene.py")])
-def test_what_is_no_target_is_refused(function, target):
+def test_a_value_that_is_no_target_is_refused(function, target):
     with pytest.raises(InputError):
         CALLS[function](target)
 

@@ -146,7 +146,7 @@ def test_a_wrong_name_gets_one_error_with_those_there_are(project, target, found
         lambda file: told("effects", file, "--duration", "10 ms", code=2),
     ],
 )
-def test_what_needs_the_scene_says_so_and_names_it(project, call):
+def test_functions_that_need_the_scene_name_it(project, call):
     try:
         text = call("my_ball_generated.py")
     except (InputError, KeyError) as error:

@@ -84,7 +84,7 @@ def test_its_force_is_the_laws_of_the_prescribed_penetration(free, coordinates):
     assert run["energy_ledger.input"] == pytest.approx(energy - energy[0], abs=1e-7 * np.max(energy))
 
 
-def test_what_is_dissipated_is_put_in_by_the_drives():
+def test_dissipated_energy_is_the_input_of_the_drives():
     """Over a period the drives' work is what damping takes: the loop of force over penetration."""
     law = laws.hunt_crossley(Parameter("e", "1", 0.5))
     run = simulate(load(press(EnergyLedger(), damping=law)), duration=f"{2 * np.pi / RATE!r} s", accuracy=1e-9)

@@ -131,7 +131,7 @@ def test_a_scene_is_tried_at_its_numbers():
         generate(drop(effects=(Contact("floor", softening(1e12)),)))
 
 
-def test_what_runs_unchecked_is_not_tried():
+def test_unchecked_laws_are_not_tried():
     assert not [*scene_faults(drop(effects=(Contact("floor", softening(1e12), unchecked=True),)))]
 
 

@@ -59,7 +59,7 @@ def follows(value, expected):
 
 
 @each(("text", "unit"), CONSISTENT)
-def test_what_the_symbols_pass_the_numbers_pass(text, unit):
+def test_laws_that_pass_by_symbols_pass_by_numbers(text, unit):
     first, *rest = [value if numeric(value) else sp.S.Zero for value in values_of(text)]
     assert follows(first, Dimension.from_unit(unit, SYMBOLS))
     assert all(follows(value, None) for value in rest)
@@ -75,7 +75,7 @@ BLIND = {
 
 
 @each("row", INCONSISTENT)
-def test_what_the_symbols_refuse_the_numbers_refuse(row):
+def test_laws_refused_by_symbols_are_refused_by_numbers(row):
     """Whatever unit such an expression is said to have, scaling finds that it has not; except where no number can show it."""
     text, unit, *_ = row
     first, *rest = [value if numeric(value) else sp.S.Zero for value in values_of(text)]

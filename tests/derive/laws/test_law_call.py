@@ -115,7 +115,7 @@ def test_several_laws_and_names_of_parameters_at_once():
     assert "friction_speed" not in friction.parameters  # no law has it any more
 
 
-def test_what_a_law_lacks_is_asked_for_in_one_error():
+def test_missing_quantities_of_a_law_are_listed_in_one_error():
     with pytest.raises(InputError) as raised:
         load("slider_crank", laws={"slider_pin_friction": "lugre(mu_s=0.2)", "slider_pin": "power(n=1.3)"})
     said = str(raised.value)

@@ -50,7 +50,7 @@ def test_words_say_what_the_expression_is(expression, words):
     [a / (b * c), a * (b + c), a**b, a ** sp.Rational(2, 3), 7 * a, 3 + a, a * b - c, sp.sqrt(a * b), long**2, sp.Max(a, b), sp.exp(-1)],
     ids=str,
 )  # fmt: skip
-def test_what_words_would_tell_badly_or_at_length_keeps_its_number(expression):
+def test_steps_without_a_short_clear_name_keep_their_number(expression):
     assert names_in_words([(k1, expression)], {}, set()) == {"k1": "k1"}
 
 

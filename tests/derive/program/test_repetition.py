@@ -216,7 +216,7 @@ def test_names_are_identifiers_whatever_parts_and_kinds_are_called(role):
     assert values([one], [found], GIVEN) == plain
 
 
-def test_what_does_not_pay_stays_written_out():
+def test_repetitions_that_save_nothing_stay_written_out():
     one = rows("a b c d", "b c d e")
     assert shared_and_same(one) == [] and len(one.steps) == 12
 

@@ -64,7 +64,7 @@ def test_statics_shows_no_negative_zero(scene):
     assert all(math.copysign(1, value) == 1 for value in values if abs(value) < 1e-30)
 
 
-def test_what_has_no_equilibrium_shows_no_empty_table():
+def test_a_target_without_equilibrium_shows_no_empty_table():
     code, text, _ = called("statics", "woodpecker")
     assert code == 1 and "nothing holds" in text and "value" not in text
 

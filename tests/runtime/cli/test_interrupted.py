@@ -201,7 +201,7 @@ def fails(*_, **__):
         ),
     ],
 )
-def test_what_fails_is_missing_alone_and_said_to_be(run, monkeypatch, place, name, lost):
+def test_a_picture_that_fails_is_reported_and_alone_missing(run, monkeypatch, place, name, lost):
     files = {"states.npz", "run.json", "states.csv"}
     files |= set() if place is Solution else {"mechanism.png", "overview.png", "spheres.png"}
     monkeypatch.setattr(

@@ -151,7 +151,7 @@ def test_slider_crank_closes_its_start_under_other_parameters(tmp_path):
     assert turned.vector("states") == pytest.approx([run[name][0] for name in library.names("state")], rel=1e-11)
 
 
-def test_what_cannot_be_exported_is_refused_by_name(tmp_path, capsys):
+def test_models_that_cannot_be_exported_are_refused_by_name(tmp_path, capsys):
     with pytest.raises(InputError, match="SUNDIALS"):
         exported(tmp_path / "c", "bouncing_ball", 1.0, method="cvodes")
     occupied = tmp_path / "occupied"

@@ -68,7 +68,7 @@ def test_leftovers_of_the_killed_are_removed_and_what_is_held_is_not(tmp_path):
     assert not folder.exists()
 
 
-def test_what_is_young_or_not_ours_stays(tmp_path):
+def test_young_or_foreign_files_stay(tmp_path):
     young = tmp_path / (atomic_files._PREFIX + 16 * "0")
     young.write_text("x")
     elsewhere = tmp_path / "elsewhere"

@@ -160,7 +160,7 @@ def test_the_units_of_an_effect_of_ones_own_are_proven(own, text, unit):
         (DRAG, 'kind: ClassVar[str] = "air_drag"', "", "an effect, such as Gravity"),
     ],
 )  # fmt: skip
-def test_what_does_not_fit_is_refused_as_for_every_effect(own, text, old, new, said):
+def test_own_effects_that_do_not_fit_are_refused(own, text, old, new, said):
     assert old in text
     with pytest.raises(InputError, match=said):
         load(own(text.replace(old, new), {DRAG: "kg/m", HARDENING: "N/m^3", CENTRING: "N/m"}[text]))

@@ -167,6 +167,6 @@ def test_each_such_motion_is_a_fault():
     assert set(refused(*joints)) == {"joints one and two", "joints one and three"}
 
 
-def test_what_has_a_mass_between_is_no_fault():
+def test_a_mass_in_between_is_no_fault():
     middle = Body("middle", MASS, TRIPLE)
     derive(scene(Revolute("one", GROUND, middle, Z), Revolute("two", middle, BODY, Z), effects=()))

@@ -145,7 +145,7 @@ def values(model, name, given, c):
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_what_is_alike_is_found(name):
+def test_equal_parts_are_found(name):
     assert [kind.name for kind in alike(SCENES[name]()).pairs] == KINDS[name]
 
 

@@ -74,7 +74,7 @@ def test_numbers_by_hand(derived):
         assert found[key] == pytest.approx(numbers, abs=1e-15), key
 
 
-def test_what_is_not_called_for_leaves_no_landmark():
+def test_effects_left_out_leave_no_landmark():
     everything = {row[0] for row in Derived(slider_crank).LANDMARKS}
     left = {row[0] for row in Derived(slider_crank.without("gravity", "slider_pin_friction", "slider_pin")).LANDMARKS}
     assert everything - left == {"gravity", "slider_pin"}

@@ -162,7 +162,7 @@ def test_a_redundant_loop_is_no_obstacle():
     assert forces == pytest.approx(np.tile(force / 2, 2), rel=1e-5)
 
 
-def test_what_cannot_be_closed_is_refused():
+def test_a_loop_that_cannot_be_closed_is_refused():
     case = closed("four-bar", "R")
     joint = case.scene.mechanism.joints[-1]
     off = Revolute(

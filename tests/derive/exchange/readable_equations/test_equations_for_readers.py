@@ -228,7 +228,7 @@ def cases():
     ("name", "pair"),
     [pytest.param(*case, marks=[] if case[0] in IN_CI else pytest.mark.exhaustive) for case in cases()],
 )
-def test_what_is_shown_is_what_the_module_computes(read, name, pair):
+def test_shown_equations_are_those_the_module_computes(read, name, pair):
     shown, derived = read(name)
     at = state(derived.scene, derived, name, pair)
     f = derived.call("applied", **at).copy()

@@ -86,7 +86,7 @@ def test_a_run_of_what_came_back_is_the_scenes_own():
     [(cam_follower.scene, "Nearest"), (slider_crank_dc_motor.scene, "a state that is no coordinate")],
     ids=["a curve", "a state"],
 )
-def test_what_sympy_has_no_word_for_is_told(scene, found):
+def test_effects_that_sympy_lacks_are_listed(scene, found):
     with pytest.raises(InputError, match=found):
         to_sympy(scene)
 

@@ -297,7 +297,7 @@ def test_a_moving_link_without_inertia_is_named(tmp_path):
         ('<robot name="r"><link name="__import__(\'os\').system(\'x\')"/></robot>', "found the name '__import__"),
     ],
 )  # fmt: skip
-def test_what_is_no_robot_is_refused(tmp_path, text, told):
+def test_a_file_that_is_no_robot_is_refused(tmp_path, text, told):
     assert told in faults_of(tmp_path, text)
 
 
@@ -342,7 +342,7 @@ STRUCTURES: dict[str, tuple[str, list[Row], dict, tuple[str, ...]]] = {
 
 
 @pytest.mark.parametrize("name", STRUCTURES)
-def test_what_is_repaired_is_listed_and_changes_nothing(tmp_path, name):
+def test_repairs_are_listed_and_change_nothing(tmp_path, name):
     title, rows, options, repairs = STRUCTURES[name]
     robot = from_urdf(written(tmp_path, urdf(title, rows)), **options)
     assert robot.repairs == repairs

@@ -32,7 +32,7 @@ FINE = ("cos(2*pi*f*t)", "cos(6.2832*f*t)", "cos(2*3.1416*f*t)", "J*(2*pi*f)**2"
 
 
 @pytest.mark.parametrize("text", DOUBTED)
-def test_what_may_lack_a_turn_is_doubted(text):
+def test_a_frequency_that_may_lack_two_pi_is_doubted(text):
     found = audit_expression(text, UNITS)
     (name,) = {"f", "h"} & set(text)
     assert found.sound
@@ -43,7 +43,7 @@ def test_what_may_lack_a_turn_is_doubted(text):
 
 
 @pytest.mark.parametrize("text", FINE)
-def test_what_has_it_or_turns_nothing_is_not(text):
+def test_a_frequency_with_two_pi_or_of_no_rotation_is_not_doubted(text):
     found = audit_expression(text, UNITS)
     assert (found.sound, found.advice) == (True, "")
 

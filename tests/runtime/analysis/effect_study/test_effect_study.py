@@ -97,7 +97,7 @@ def test_errors_hold_what_they_say(springs):
         assert abs(number.value - exact) <= number.error < 1e-4 * abs(exact), name
 
 
-def test_what_is_smaller_than_the_error_is_none_seen(springs):
+def test_changes_below_the_error_count_as_none(springs):
     """A spring of 1e-9 of the stiffness is in the equations, and below the error of the runs."""
     (row,) = (row for row in springs.rows if row.effect == "whisper")
     assert not row.notes

@@ -389,7 +389,7 @@ def test_a_motor_s_current_comes_to_rest_where_its_winding_takes_the_voltage():
     assert np.ptp(run["main.angle"]) < 1e-9
 
 
-def test_what_keeps_a_speed_has_no_rest():
+def test_a_mechanism_that_keeps_a_speed_has_no_equilibrium():
     control = SpeedController(
         "control",
         "main",

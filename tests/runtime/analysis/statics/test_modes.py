@@ -208,7 +208,7 @@ def test_the_inset_shows_where_the_pin_is_in_a_bush_that_has_turned():
     assert inset.path[0] == pytest.approx((pin - bush) * (inset.exaggerated or 1.0), rel=1e-9)
 
 
-def test_what_sticks_at_rest_is_held_in_place():
+def test_sticking_joints_are_held_in_modes():
     """A particle on a slope under Coulomb's friction: it vibrates along the normal alone, with sqrt(K/m), and is nowhere free."""
     (mode,) = modes(load(ball(dry(), turns=False)), parameters={"slope": "0.1 rad"})
     assert mode.natural_frequency == pytest.approx(math.sqrt(STIFFNESS / MASS) / (2 * math.pi), rel=1e-6)

@@ -150,7 +150,7 @@ def test_a_check_can_fail(tmp_path, spheres, check, passes):
     assert f"impacts.0.speed = {300 if unit == 'mm/s' else 0.3} {unit}, expected" in str(verdict)
 
 
-def test_what_does_not_exist_fails_and_is_not_invented(tmp_path, spheres):
+def test_missing_results_fail_their_checks(tmp_path, spheres):
     text = GOOD.replace("impacts.0.speed", "impacts.7.speed")
     (verdict,) = validate(load_scenario(written(tmp_path, text)), spheres)
     assert verdict.measured is None

@@ -91,7 +91,7 @@ def test_the_estimate_is_the_error_and_the_request_is_met(judged):
         lambda run: run.energy_residual,
     ],
 )
-def test_what_does_not_know_the_amplification_would_be_noticed(judged, wrong):
+def test_an_estimate_without_amplification_fails(judged, wrong):
     assert share_within_ten(judged, wrong) < 0.6
 
 
@@ -202,7 +202,7 @@ def test_below_the_floor_it_ends_with_the_floor():
     assert (ladder_result.verdict, ladder_result.run.tolerance) == (Verdict.UNREACHABLE, LEAST)
 
 
-def test_what_the_least_tolerance_would_miss_by_far_is_not_tried():
+def test_a_tolerance_that_would_miss_by_far_is_not_tried():
     """That is LEAST, or where the start is rounded more coarsely by what that is off by: neither can be had more accurate."""
     ladder_result, log = search(1e-11, 1e-12, factor=1e4)
     assert (ladder_result.verdict, len(log), ladder_result.foreseen) == (Verdict.UNREACHABLE, 2, True)
@@ -271,7 +271,7 @@ def test_a_failed_run_is_replaced_by_a_tighter_one_and_a_failed_check_too():
     assert log == pytest.approx([1e-8 / CHECK**k for k in range(4)])
 
 
-def test_what_fails_at_every_tolerance_is_returned_as_far_as_it_got():
+def test_a_run_that_fails_at_every_tolerance_is_returned_as_far_as_it_got():
     ladder_result, _ = search(1e-6, 1e-8, fails=(1, 2))
     assert ladder_result.verdict is Verdict.UNKNOWN
     assert len(ladder_result.run.states) == 102

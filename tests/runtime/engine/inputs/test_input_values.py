@@ -75,7 +75,7 @@ def test_a_jump_of_a_function_is_where_it_is():
     assert np.min(np.abs(found.begins - 1.2345)) < 1e-12 and len(found.begins) < 70
 
 
-def test_what_cannot_be_resolved_is_refused(monkeypatch):
+def test_a_function_that_cannot_be_resolved_is_refused(monkeypatch):
     rng = np.random.default_rng(0)
     assert "do not resolve" in refused(lambda t: rng.random())
     monkeypatch.setattr("hertzwerk.runtime.engine.inputs.sampled_functions.MOST", 1000)

@@ -145,7 +145,7 @@ def test_bad_choices_are_told_at_once(folder, over, told):
         sweep(shaken(), over, **HOW)
 
 
-def test_what_is_no_input_stays_a_value():
+def test_a_name_that_is_no_input_stays_a_value():
     model, values = NO_CHOICES.of(shaken(), {"damping": "1 N s/m"})
     assert model is shaken() and values == {"damping": "1 N s/m"}
 

@@ -136,7 +136,7 @@ def kinked(t):
         ("acceleration", Samples((0, 1, 6), (0, 50, 0), ("ms", "rad/s^2"), "held"), None),
     ],
 )  # fmt: skip
-def test_what_is_too_rough_is_refused_with_the_reason(motion, given, told):
+def test_a_motion_that_is_too_rough_is_refused_with_the_reason(motion, given, told):
     symbol = {"position": ANGLE, "speed": RATE, "acceleration": Input("crank_acceleration", "rad/s^2")}[motion]
     how = {"duration": "5 ms", "tolerance": 1e-6, "max_steps": 5, "inputs": {symbol.name: given}}
     if told is None:

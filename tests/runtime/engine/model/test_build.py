@@ -44,7 +44,7 @@ def test_the_cache_can_be_turned_off(monkeypatch):
     assert cache.folder() is None
 
 
-def test_what_was_written_is_read_and_leaves_no_pieces(folder):
+def test_a_written_module_is_read_and_leaves_no_temporary_files(folder):
     kept = cache.keep("a", ".py", b"x = 1\n")
     assert cache.read("a", ".py") == "x = 1\n"
     assert cache.read("b", ".py") is None

@@ -47,7 +47,7 @@ def test_inputs_that_differ_are_told_apart_and_equal_ones_are_not():
     assert _key([1]) != _key([1])  # never found again
 
 
-def test_what_was_read_before_is_not_taken_for_a_bad_input_like_it():
+def test_bad_input_equal_to_earlier_input_is_refused():
     model = load("bouncing_ball")
     simulate(model, duration="0.1 s", tolerance=1e-6, parameters={"restitution": 1.0})
     with pytest.raises(InputError):

@@ -47,7 +47,7 @@ def test_a_run_is_what_it_was(name, again):
     assert np.array_equal(*(part.history.rows[-1] for part in longer))
 
 
-def test_what_a_copy_is_given_is_its_own(crank):
+def test_a_copy_has_its_own_inputs(crank):
     other = copy.deepcopy(crank)
     other.module.NAME = "another"
     assert load("slider_crank").module.NAME == crank.module.NAME == "slider_crank"

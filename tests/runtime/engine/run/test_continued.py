@@ -134,7 +134,7 @@ def test_an_accuracy_gives_a_run_that_goes_on_at_its_tolerance_and_says_so():
     assert_bitwise(simulate(crank, duration="12 ms", tolerance=short.tolerance), short, rest)
 
 
-def test_what_cannot_go_on_says_why():
+def test_a_run_that_cannot_continue_says_why():
     crank = built("slider_crank")
     short = simulate(crank, duration="1 ms", tolerance=TOLERANCE)
     for duration in ("1 ms", "0.5 ms", None):

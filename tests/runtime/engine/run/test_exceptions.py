@@ -69,7 +69,7 @@ def test_an_exception_ends_a_run_of_the_reference_methods(ball):
     assert 0.5 <= run.t_end < 1
 
 
-def test_what_is_raised_before_the_first_step_is_raised(ball, monkeypatch):
+def test_exceptions_before_the_first_step_are_raised(ball, monkeypatch):
     failing(monkeypatch, 0, MemoryError())
     with pytest.raises(MemoryError):
         simulate(ball, **ASKED)

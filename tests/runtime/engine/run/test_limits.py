@@ -101,7 +101,7 @@ def test_nothing_is_found_of_a_run_that_the_limit_stops(crank, monkeypatch):
     assert read
 
 
-def test_what_is_built_on_the_way_ends_with_the_time(crank, monkeypatch):
+def test_builds_during_a_run_end_with_its_time_limit(crank, monkeypatch):
     """Steps that choose between methods take a second to build of a large model: as they begin the time runs out."""
     late, built, loaded = 0.0, [], load(crank.name)
     clock = SimpleNamespace(perf_counter=lambda: late, thread_time=lambda: late)

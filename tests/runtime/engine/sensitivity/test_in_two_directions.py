@@ -111,7 +111,7 @@ def dragged(mu_k, mu_s, rate, ahead, aside, t=0.5):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_what_breaks_loose_goes_as_pull_and_friction_say(method):
+def test_onset_of_slip_follows_pull_and_friction(method):
     names = ("mu_k", "mu_s", "rate", "ahead", "aside")
     run = simulate(pulled(), duration="0.5 s", method=method, tolerance=1e-9, compiled=False)
     found = run.sensitivities(*names)

@@ -110,7 +110,7 @@ def test_at_a_saddle_they_are_the_eigenvalues():
     assert settled == pytest.approx([math.sqrt(9.81), -math.sqrt(9.81)], rel=1e-6)
 
 
-def test_what_swings_has_none_that_is_positive():
+def test_an_oscillator_has_no_positive_exponent():
     """Neighbours of an integrable motion part like its time."""
     found = simulate(load("pendulum"), duration="60 s", tolerance=1e-10, compiled=False).lyapunov(2)
     assert found.law.kind == "power"

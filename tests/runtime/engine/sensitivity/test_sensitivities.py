@@ -313,7 +313,7 @@ def test_a_run_may_be_asked_for_them_at_once(crank):
         ({"sensitivities": ("restitution",), "method": "cvodes"}, 'a run by cvodes.*method="auto"'),
     ],
 )
-def test_what_cannot_be_followed_is_refused_before_the_run(crank, how, said):
+def test_derivatives_that_cannot_be_followed_are_refused_before_the_run(crank, how, said):
     with pytest.raises(InputError, match=f"(?s){said}"):
         simulate(crank, duration="1 ms", tolerance=1e-6, **how)
 

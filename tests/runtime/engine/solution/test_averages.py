@@ -72,7 +72,7 @@ def test_a_mean_over_impacts_is_one_of_sums():
     assert 0.95 - 1.5 * ERROR < np.mean(holds) < 0.96 + 1.5 * ERROR
 
 
-def test_what_drifts_or_is_too_short_has_no_interval():
+def test_drifting_or_short_series_have_no_interval():
     drifting = estimate(np.linspace(1, 2, 100))
     assert (drifting.mean, drifting.half_width) == (pytest.approx(1.5), None)
     assert "still correlated" in drifting.reason

@@ -58,7 +58,7 @@ def test_the_zero_of_the_potential_does_not_matter_and_the_error_does(pendulum):
         assert low == pytest.approx(max(abs(energy - energy[0])) / (2.0 * 9.81), rel=0.01)  # it falls by its length
 
 
-def test_what_a_drive_or_a_damper_moves_counts():
+def test_masses_moved_by_drives_or_dampers_count():
     """A body that is dragged along by a damper: kinetic 1 J and 1 J lost, put in 2 J."""
     cart = Body("cart", MASS)
     body, other = Prismatic("one", GROUND, cart, X), Prismatic("two", cart, Body("load", MASS), X)

@@ -174,7 +174,7 @@ def test_a_ramp_is_the_integral_of_its_speed_and_of_its_acceleration(smoothness)
     assert by_speed["energy_ledger.input"][-1] == pytest.approx(J * speed**2 / 2, rel=1e-8)
 
 
-def test_what_a_drive_integrates_can_be_started_elsewhere():
+def test_states_of_a_drive_can_start_elsewhere():
     model = load(ramped(speed=SPEED * Where(T < RISE, T / RISE, 1), start=Parameter("first", "deg", 90)))
     assert simulate(model, duration=0.1, tolerance=1e-6)["axle.angle"][0] == pytest.approx(np.pi / 2)
     run = simulate(model, duration=0.1, initial={"axle.angle": "10 deg"}, tolerance=1e-6)

@@ -41,7 +41,7 @@ def test_runs_compare_by_identity(run):
 
 
 @pytest.mark.parametrize("key", [0, None, slice(3), ["vertical.travel"], ("a", "b", "c"), ("vertical.travel", 3), 1.5])
-def test_what_is_no_name_is_answered_with_what_exists(run, key):
+def test_an_unknown_name_lists_those_that_exist(run, key):
     for ask in (
         lambda: run[key],
         lambda: run.history[key],

@@ -209,7 +209,7 @@ def test_a_closed_loop_counts_beside_the_clearances():
     assert ideal["near.speed"] == pytest.approx(np.full_like(wanted, -W), rel=1e-11)
 
 
-def test_what_has_none_says_why():
+def test_a_model_without_ideal_mechanism_says_why():
     """A slider in its guide is four corners on two faces; a ball in a socket by itself keeps all its turns."""
     assert "3 equations for 6 freedoms" in unknown_because(load("ball_in_socket"))
     assert "no joint with clearance" in unknown_because(load("soft_ball"))

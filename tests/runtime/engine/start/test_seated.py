@@ -104,7 +104,7 @@ def test_a_seated_start_has_the_joints_forces_and_a_centred_one_impacts(slider_c
     assert len(seated.impacts) == 2
 
 
-def test_what_cannot_be_seated_is_told():
+def test_bodies_that_cannot_be_seated_are_reported():
     for scene, found in (
         (ball, "floor (sphere_on_plane)"),
         (sliding, "rear_lower (corner_on_face)"),

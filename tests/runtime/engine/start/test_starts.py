@@ -175,7 +175,7 @@ def test_a_start_that_is_closed_as_it_stands_is_taken_as_it_is(name):
     assert all(np.array_equal(a, b) for a, b in zip(found, stated, strict=True))
 
 
-def test_what_is_given_is_kept_and_the_rest_follows_it(models):
+def test_stated_start_values_stay_and_the_rest_is_solved_for(models):
     model = models(LOWER)
     found = started(model, {"coupler_plane.x": "50.3 mm", "coupler_plane.x_speed": "0.1 m/s"})
     assert (found["coupler_plane.x"], found["coupler_plane.x_speed"]) == (0.0503, 0.1)

@@ -30,7 +30,7 @@ def test_pictures_keep_what_draws_and_nothing_else():
     assert svg.findall("text")[0].text == "c <d>"
 
 
-def test_what_is_no_picture_is_refused():
+def test_text_that_is_no_picture_is_refused():
     for text in ("<svg", "<html/>", ""):
         with pytest.raises(ValueError, match="no SVG picture"):
             picture(text, "p", "")

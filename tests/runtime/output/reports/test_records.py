@@ -68,7 +68,7 @@ def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
 
 
 @pytest.mark.parametrize("broken", [{}, {**STUDY, "tables": 3}, {**STUDY, "figures": [1]}, {**STUDY, "verdicts": None}])
-def test_what_is_no_study_is_refused(report, tmp_path, broken):
+def test_a_folder_that_is_no_study_is_refused(report, tmp_path, broken):
     (tmp_path / "study").mkdir()
     (tmp_path / "study" / "study.json").write_text(json.dumps(sealed(broken)))
     done = report("report", "study")

@@ -144,7 +144,7 @@ def test_no_text_lies_on_another(table):
             assert not any(box.overlaps(other) for other in boxes[i + 1 :])
 
 
-def test_what_cannot_be_drawn_is_said():
+def test_sweeps_that_cannot_be_drawn_are_refused():
     with pytest.raises(InputError, match=r"did you mean pin\.force"):
         figure(one(), ["pin.forse"])
     with pytest.raises(InputError, match="none with numbers"):

@@ -156,7 +156,7 @@ def test_errors_that_take_correlated_noise_for_white_would_be_seen(monkeypatch):
     assert np.mean(np.abs(z) < 1.96) < 0.88
 
 
-def test_what_was_not_searched_has_no_error():
+def test_an_offset_outside_the_search_has_no_error():
     t, values = measured(pulses, 0.001, 0.0, noise=0.1)
     found = align(Known(pulses), t, values, (0.0, 2e-3), (0.0, 0.0))
     assert found.offset_error > 0 and np.isnan(found.drift_error)

@@ -109,7 +109,7 @@ def test_a_file_is_compared_and_the_record_is_json(run, tmp_path):
     assert numbers[0] == numbers[1] and numbers[0]["signals"][0]["residual"]["explained"]
 
 
-def test_what_to_heed_is_warned_of(run):
+def test_doubtful_comparisons_are_warned_of(run):
     def warnings(spacing=2e-5, **how):
         return " ".join(compare(run, data_of(run, spacing=spacing), map=MAP, **(HOW | {"drift": 0.0} | how)).warnings)
 

@@ -126,7 +126,7 @@ def test_derivatives_are_those_of_the_predictions(ball):
         assert np.sum(~close) <= 1  # a sample that the difference carries over an impact
 
 
-def test_what_the_data_cannot_tell_is_said_by_name(walls):
+def test_unidentifiable_combinations_are_named(walls):
     """Of mass and stiffness flights and speeds tell the ratio alone, and that only by the time of contact."""
     run = simulate(walls, duration="0.3 s", tolerance=1e-11)
     times = [impact.t for impact in run.impacts]
@@ -181,7 +181,7 @@ def test_bad_input_is_one_error_with_all_faults(ball, tmp_path):
         fit(ball, file, free=["restitution"], map={"height": TRAVEL})
 
 
-def test_what_changes_nothing_measured_is_refused(walls):
+def test_a_quantity_without_effect_on_the_data_is_refused(walls):
     data = MeasuredImpacts([2, 3], {"speed": [9, 8]}, {"speed": "m/s"})
     with pytest.raises(InputError, match=r"gap: found a quantity that changes nothing of speed") as raised:
         fit(walls, data, free={"restitution": (0.3, 1), "gap": "0.2..0.6 m"}, duration="1 s")

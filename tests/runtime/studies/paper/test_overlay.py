@@ -45,7 +45,7 @@ def test_columns_are_drawn_in_the_units_of_the_axes():
         ("rod.acceleration", "m/s^2", "some of guide.acceleration"),
     ],
 )
-def test_what_does_not_fit_is_refused(name, unit, said):
+def test_an_overlay_that_does_not_fit_is_refused(name, unit, said):
     with pytest.raises(InputError) as refused:
         laid_over(page(), Measurement(TIMES, {name: TIMES}, {name: unit}, "rig.csv"))
     assert said in str(refused.value)

@@ -74,7 +74,7 @@ def test_failures_are_rows(ball, workers):
     assert all(row.message for row in stopped)
 
 
-def test_what_is_bad_for_every_run_is_bad_input(ball):
+def test_faults_of_every_run_are_bad_input(ball):
     with pytest.raises(InputError) as error:
         simulate_many(ball, [{}], duration="-1 s", accuracy=2, method="rk4", compiled="yes")
     assert {fault.where for fault in error.value.faults} == {"duration", "accuracy", "rk4", "compiled"}

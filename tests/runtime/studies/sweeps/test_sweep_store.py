@@ -102,7 +102,7 @@ def test_a_wider_sweep_computes_what_is_new_alone_once_it_is_allowed_to(ball, tm
     same(widened, sweep(ball, wider, **how))
 
 
-def test_what_would_change_the_numbers_is_computed_anew(ball, tmp_path, counted):
+def test_rows_whose_numbers_would_change_are_computed_anew(ball, tmp_path, counted):
     """Laws, settings, values, outputs, own functions; and the same numbers in other units are the same."""
     height, computed = counted
     over = {"drop_height": "0.5, 1 m"}

@@ -76,7 +76,7 @@ def test_sobol_indices_of_a_sum_are_its_parts(fallen):
     assert speed.total["vertical.travel"].value == pytest.approx(0, abs=1e-12)
 
 
-def test_what_does_not_vary_has_no_parts_of_a_variance(fallen):
+def test_constant_outputs_have_no_sobol_indices(fallen):
     impacts = fallen["impacts"]
     assert (impacts.mean, impacts.std, impacts.first, impacts.total) == (0, 0, {}, {})
     assert "impacts: no variance" in fallen.plot().axes[-1].texts[0].get_text()
@@ -99,7 +99,7 @@ def test_a_product_has_an_interaction(ball):
     assert "function of yours" in found.reason
 
 
-def test_what_bends_is_warned_of(ball):
+def test_a_nonlinear_output_is_warned_of(ball):
     """Some balls reach the floor within the run, others do not: a derivative tells one side alone."""
     wide = {"vertical.travel": Normal("0.9 m", "10 cm")}
     found = propagate(ball, wide, ["final.vertical.speed"], sample=64, indices=False, duration="0.43 s", **SHORT)

@@ -97,7 +97,7 @@ def test_a_band_brake(sense, coordinates):
     assert run.energy_residual < 1e-9
 
 
-def test_what_is_no_belt():
+def test_joints_that_make_no_belt_are_refused():
     with pytest.raises(InputError) as caught:
         Scene(
             Mechanism("m", (HANGS, TURNS)),

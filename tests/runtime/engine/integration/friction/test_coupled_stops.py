@@ -69,7 +69,7 @@ def test_a_disc_on_three_feet_stops_sliding_and_spinning_at_once(method):
     assert booked == pytest.approx(DISC / 2 + DISC * RING**2 / 4 * 100, rel=1e-7)
 
 
-def test_what_is_not_settled_is_told(monkeypatch):
+def test_an_unsettled_start_is_reported(monkeypatch):
     """The same disc, but for iterations that end too early."""
     monkeypatch.setattr(slip_directions, "ITERATIONS", 2)
     monkeypatch.setattr(stick_and_slip, "settling", slip_directions.settling.__wrapped__)

@@ -327,7 +327,7 @@ def test_small_vibrations_of_what_sticks_and_slides():
         equilibrium(load(pendulum()))
 
 
-def test_what_is_refused_by_name():
+def test_unsupported_friction_is_refused_by_name():
     bob = Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
     ball = Body("ball", p("mass", "kg", M), inertia=(p("J", "kg m^2", J),) * 3)
     with pytest.raises(InputError, match="law coulomb"):

@@ -196,7 +196,7 @@ def plain(a, b, c):
     ],
     ids=["operation", "constant", "the same leaf twice", "function"],
 )
-def test_what_differs_is_another_kind(other):
+def test_pairs_that_differ_are_of_another_kind(other):
     assert kinds(plain, plain, other, plain) == [[0, 1, 3], [2]]
 
 

@@ -157,7 +157,7 @@ def test_redundant_constraints_are_named():
     assert any("middle.force_x" in warning for warning in run.warnings)
 
 
-def test_what_drives_a_joint_is_the_force_that_holds_it():
+def test_the_force_of_a_drive_holds_its_joint():
     """Work of the drive between two bodies against what its multiplier does at its speed, summed over the steps of a fine grid."""
     absolute = simulate(load(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, grid=4001)
     power = absolute["pin_1.moment_angle"] * absolute["pin_1.speed"]

@@ -242,7 +242,7 @@ def test_axes_of_a_universal_joint_may_be_oblique():
 # -- what is refused ---------------------------------------------------------------------------------------------------
 
 
-def test_what_counts_by_itself_is_not_counted():
+def test_an_angle_that_is_a_coordinate_is_not_counted():
     slide = Prismatic("slide", GROUND, solid("block", 1, 0.1, 0.1, 0.1), axis=X)
     spatial = Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=X)
     flat = Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=Z)

@@ -152,7 +152,7 @@ def test_a_drive_of_a_closing_angle_in_space_is_refused_by_name():
         spatial(Drive("drive", "hinge", position=p("zero", "rad", 0)))
 
 
-def test_what_has_no_coordinate_is_refused_by_name():
+def test_a_joint_without_coordinate_is_refused_by_name():
     with pytest.raises(InputError, match="joint 'ball'"):
         spatial(JointSpring("spring", "ball", p("k", "N m/rad", 1)))
 

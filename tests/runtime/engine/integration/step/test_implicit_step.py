@@ -116,7 +116,7 @@ def test_more_order_than_there_is_cannot_be_claimed(make):
         dataclasses.replace(table, error=ErrorEstimate((0.0,) * len(table.error.weights), 4))
 
 
-def test_what_is_not_stable_is_refused():
+def test_an_unstable_tableau_is_refused():
     """The trapezoidal rule is A-stable with |R| = 1 at infinity; a method of gamma = 0.2 and order 2 is not A-stable."""
     trapezium = {"name": "trapezium", "order": 2, "c": (0.0, 1.0), "error": ErrorEstimate((0.5, -0.5), 1)}
     with pytest.raises(ValueError, match="not L-stable"):

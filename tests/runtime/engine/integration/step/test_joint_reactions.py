@@ -178,7 +178,7 @@ def test_rest_under_loads_by_reactions():
     assert found["hinge.angle"][0] == pytest.approx(np.arcsin(MU * R / L), rel=1e-8)
 
 
-def test_what_cannot_be_said_is_told_at_once():
+def test_undefined_reactions_are_refused_at_once():
     ball = Body("ball", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
     table = Mechanism("table", (Planar("table", GROUND, ball, normal=Z),))
     with pytest.raises(InputError, match="under its own reaction"):

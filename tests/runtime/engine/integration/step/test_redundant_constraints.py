@@ -83,7 +83,7 @@ def test_which_constraint_is_taken_out_changes_on_the_way():
         assert np.all(out[:, first] != out[:, last])
 
 
-def test_what_holds_a_redundant_loop_is_the_least_there_is():
+def test_redundant_loops_are_held_by_the_minimum_norm():
     """The feet of the governor's rods: nothing across the plane of its arms, though a constraint that bears a part of it is taken out."""
     run = simulate(model("flyball_governor"), duration=0.4, tolerance=1e-9)
     angle = run["spindle.angle"]

@@ -47,7 +47,7 @@ def test_layout_comments_and_what_is_not_used_do_not_matter(other):
         ("f = lambda run: run in {'a', 'b'}\n", "f = lambda run: run in {'a', 'c'}\n"),
     ],
 )
-def test_what_changes_the_result_changes_the_digest(one, other):
+def test_changes_of_the_result_change_the_digest(one, other):
     assert defined(one) == defined(one)
     assert defined(one) != defined(other)
 

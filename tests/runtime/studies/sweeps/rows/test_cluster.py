@@ -161,7 +161,7 @@ def test_versions_that_differ_are_refused_by_name(client, monkeypatch):
 
 
 @pytest.mark.slow
-def test_what_cannot_be_sent_is_one_clear_error(client):
+def test_an_object_that_cannot_be_sent_is_one_clear_error(client):
     lock = threading.Lock()
     with pytest.raises(InputError, match="functions that pickle"):
         simulate_many(

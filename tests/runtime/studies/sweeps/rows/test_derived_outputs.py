@@ -45,7 +45,7 @@ def test_a_derivative_is_a_column_with_its_unit_and_is_kept(crank, tmp_path):
         (f"d({BY})/d(restitution)", "a derivative of a derivative"),
     ],
 )
-def test_what_has_no_derivative_is_refused_before_a_run(crank, name, said):
+def test_outputs_without_derivative_are_refused_before_a_run(crank, name, said):
     with pytest.raises(InputError, match=said):
         sweep(crank, {"clearance": "0.2 mm"}, outputs=[name], **HOW)
 

@@ -101,7 +101,7 @@ def test_long_runs_are_followed_as_they_proceed_and_hold_no_block(job, monkeypat
     assert not any(waiting[1])
 
 
-def test_what_fails_for_all_rows_at_once_is_found_for_each_alone(job, monkeypatch):
+def test_rows_that_fail_together_are_computed_one_by_one(job, monkeypatch):
     alike, find = replace(job, outputs=job.outputs[: len(ASKED)]), Findings.find_impacts
     expected = [plain(row) for row in alike.do(*TASKS)]
 
