@@ -111,7 +111,9 @@ class Findings(tuple[Finding, ...]):
 
     def _repr_html_(self) -> str:
         wrong = [finding for finding in self if not finding.sound]
-        told = f"{len(self)} findings, {len(wrong)} inconsistent" if wrong else f"{len(self)} findings, all consistent"
+        summary = (
+            f"{len(self)} findings, {len(wrong)} inconsistent" if wrong else f"{len(self)} findings, all consistent"
+        )
         rows = [
             (
                 coloured(f.verdict, f.sound),
@@ -123,7 +125,7 @@ class Findings(tuple[Finding, ...]):
             for f in self
         ]
         header = ("verdict", "expression", "as written", "unit", "what to do")
-        return heading("audit", told, "", good=not wrong) + table(header, rows)
+        return heading("audit", summary, "", good=not wrong) + table(header, rows)
 
 
 class InconsistentUnits(InputError):

@@ -99,11 +99,11 @@ def _of_sweep(folder: Path, _: str | None) -> str:
     )
 
 
-def _origin(told: Mapping[str, Any], command: str) -> Origin:
+def _origin(content: Mapping[str, Any], command: str) -> Origin:
     """Return the origin that a record states."""
     from hertzwerk.runtime.output.reports.html_page import Origin
 
-    versions = {str(name): str(version) for name, version in (told.get("versions") or {}).items()}
+    versions = {str(name): str(version) for name, version in (content.get("versions") or {}).items()}
     return Origin(command, versions or None)
 
 
@@ -115,15 +115,15 @@ def _record(path: Path) -> dict[str, Any]:
         raise InputError("report", [Fault("RUN", f"{path}: {error}", "the record as the command wrote it")]) from error
 
 
-def _of_run(states: Path, told: Mapping[str, Any], scene: str | None) -> str:
+def _of_run(states: Path, content: Mapping[str, Any], scene: str | None) -> str:
     from hertzwerk.runtime.output.reports.run_report import call_of, run_page
     from hertzwerk.runtime.simulation import Solution
 
     run = Solution.load(states)
-    request = told.get("request") or {}
+    request = content.get("request") or {}
     model = _declared(run, request, scene)
-    origin = _origin(told, str(request.get("command") or call_of(run)))
-    return run_page(run, model=model, origin=origin, whole=str(states), sensitivities=told.get("sensitivities"))
+    origin = _origin(content, str(request.get("command") or call_of(run)))
+    return run_page(run, model=model, origin=origin, whole=str(states), sensitivities=content.get("sensitivities"))
 
 
 def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> Model | None:

@@ -59,9 +59,11 @@ class AnyDrive(JointEffect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield the fault of a joint that does not carry its body, beside those of any effect on a joint."""
-        told = [freedom.key for freedom in scene.mechanism.dependent_freedoms]
+        dependent = [freedom.key for freedom in scene.mechanism.dependent_freedoms]
         yield from (
-            joint_faults(self.where, self.joint, scene, carried=True) if self.joint in told else super().faults(scene)
+            joint_faults(self.where, self.joint, scene, carried=True)
+            if self.joint in dependent
+            else super().faults(scene)
         )
 
 

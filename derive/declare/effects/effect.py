@@ -512,13 +512,13 @@ def joint_faults(
 
     counted    whether its angle is needed, not its speed alone; carried    whether it must carry its body
     """
-    told = scene.mechanism.dependent_freedoms if carried else ()
-    if key in scene.scalars and key not in [freedom.key for freedom in told]:
+    dependent = scene.mechanism.dependent_freedoms if carried else ()
+    if key in scene.scalars and key not in [freedom.key for freedom in dependent]:
         if counted and key in scene.uncounted:
             yield uncounted_fault(where, key)
         return
     closing = key.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
-    if told and not closing and key in scene.scalars:
+    if dependent and not closing and key in scene.scalars:
         yield Fault(where, f"{key}, of which the speeds are no rates", "a coordinate whose rate is a speed of its own",
                     "Kinematical equations q' = u in SymPy make it one.")  # fmt: skip
         return

@@ -139,7 +139,7 @@ def study_effects(
     whole, faults = load(target, without=without, laws=laws), progress_faults(progress)
     whole.declared_for("effects")
     own, states = stated_values(whole, parameters, initial, faults)
-    bench, tell = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
+    bench, report = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
     whole, wrong = with_input_values(whole, inputs, duration, bench.parameters(whole))
     wanted, first = _outputs(whole, bench, outputs, [*faults, *wrong], compiled)
     study = Study(
@@ -162,12 +162,12 @@ def study_effects(
     rows = []
     for i, effect in enumerate(study.effects):
         rows.append(trials.row(effect))
-        tell(0.4 * (i + 1) / len(study.effects))
+        report(0.4 * (i + 1) / len(study.effects))
     going = {row.effect: frozenset((row.effect, *row.along_with)) for row in rows if not row.fault}
     found = None
     if within is not None:
         found = smallest(study.effects, within, going, lambda gone: trials.change(gone, within))
-    tell(0.7)
+    report(0.7)
     cases = {effect: trials.cases[gone] for effect, gone in going.items()}
     if found is not None and found.left_out:
         cases[_SMALLEST] = trials.cases[frozenset(found.left_out)]
@@ -177,7 +177,7 @@ def study_effects(
         bench,
         compiled=first.compiled,
         eighths=EIGHTHS if measured.past_horizon else LADDER[0],
-        progress=lambda part: tell(0.7 + 0.3 * part),
+        progress=lambda part: report(0.7 + 0.3 * part),
     )
     return replace(
         study,

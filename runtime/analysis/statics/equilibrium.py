@@ -208,16 +208,16 @@ class Equilibrium(Mapping[str, Value]):
     @property
     def notes(self) -> tuple[str, ...]:
         """Reservations: instability, choice among many, forces that balance alone leaves open."""
-        told = [] if self.stable or not self.converged else ["unstable: some displacement is pushed further away"]
+        remarks = [] if self.stable or not self.converged else ["unstable: some displacement is pushed further away"]
         if self.indifferent:
-            told.append(f"indifferent: {', '.join(self.indifferent)} may have other values; no force holds them")
+            remarks.append(f"indifferent: {', '.join(self.indifferent)} may have other values; no force holds them")
         if self.sticking and self.converged:
-            told.append(f"one of many: {', '.join(self.sticking)} sticks, and holds within a range of positions")
+            remarks.append(f"one of many: {', '.join(self.sticking)} sticks, and holds within a range of positions")
         if self.indeterminate:
-            told.append(
+            remarks.append(
                 f"statically indeterminate: balance alone leaves the forces of {', '.join(self.indeterminate)} open"
             )
-        return tuple(told)
+        return tuple(remarks)
 
     def __repr__(self) -> str:
         return f"<Equilibrium {self.model.name}: {self.outcome.name}>"
@@ -346,9 +346,9 @@ def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: M
         return Outcome("found", "at rest", "")
     if drifting:
         units = model.units
-        told = ", ".join(f"{name} by {rate:.3g} ({units[name]})/s" for name, rate in drifting.items())
+        remarks = ", ".join(f"{name} by {rate:.3g} ({units[name]})/s" for name, rate in drifting.items())
         remedy = "what keeps a speed has no position of rest: `modes(run, at=...)` is about its motion"
-        return Outcome("no_equilibrium", f"where nothing moves states go on changing: {told}", remedy)
+        return Outcome("no_equilibrium", f"where nothing moves states go on changing: {remarks}", remedy)
     loose = [
         f"{name} by {abs(part):.2g}"
         for name, part in zip(model.speeds, rest.unbalanced, strict=True)

@@ -222,10 +222,10 @@ def _lyapunov(study: Study) -> list[str]:
     if found is None:
         return []
     low, high = found.spread
-    tells = "chaos, or an unstable motion" if found.chaotic else "neighbouring motions do not part exponentially"
+    meaning = "chaos, or an unstable motion" if found.chaotic else "neighbouring motions do not part exponentially"
     return [
         f"The largest Lyapunov exponent of the motion, from its variational equations, is {plain(found.law.rate)} +- {plain(found.law.deviation)} /s "
-        f"over this time, from {plain(low)} to {plain(high)} /s in twelfths of it: {tells}."
+        f"over this time, from {plain(low)} to {plain(high)} /s in twelfths of it: {meaning}."
     ]
 
 

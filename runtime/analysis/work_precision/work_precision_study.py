@@ -145,8 +145,8 @@ class Study:
         """
         found = {}
         for method in self.methods:
-            told = self._measurable(method)
-            cost = decade_cost([error for error, _, _ in told], [time for _, time, _ in told])
+            measurable = self._measurable(method)
+            cost = decade_cost([error for error, _, _ in measurable], [time for _, time, _ in measurable])
             rows = [row for row in self.of(method) if row.time and row.error is not None and row.error <= row.accuracy]
             asked = decade_cost([row.accuracy for row in rows], [row.time or math.nan for row in rows])
             found[method] = asked if cost is None else cost
@@ -161,7 +161,9 @@ class Study:
     def orders(self) -> dict[str, float | None]:
         """Observed order of each method."""
         rows = {method: self._measurable(method) for method in self.methods}
-        return {m: order([e for e, _, _ in told], [n for _, _, n in told]) for m, told in rows.items()}
+        return {
+            m: order([e for e, _, _ in measurable], [n for _, _, n in measurable]) for m, measurable in rows.items()
+        }
 
     @cached_property
     def relative_times(self) -> dict[str, float | None]:

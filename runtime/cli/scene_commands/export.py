@@ -80,6 +80,6 @@ def export(
     check(model, asked, parameters, initial, faults)
     request = ExportRequest(model, parameters, initial, asked, tuple(outputs), int(fmi))
     for each, place in wanted:
-        told = each.write(request, place if isinstance(place, Path) else Path())
-        line("written", told) if each.place else click.echo(told)
+        report = each.write(request, place if isinstance(place, Path) else Path())
+        line("written", report) if each.place else click.echo(report)
     return GOOD

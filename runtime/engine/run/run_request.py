@@ -257,10 +257,10 @@ def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> 
     Inputs with a fault already, `input NAME`, are left out.
     """
     faults: list[Fault] = []
-    told = {fault.where.partition(",")[0] for fault in before}
+    reported = {fault.where.partition(",")[0] for fault in before}
     for name, (unit, meaning) in model.inputs.items():
         where = f"input {name}"
-        if where in told:
+        if where in reported:
             continue
         signal = model.signals.get(name)
         if signal is None:

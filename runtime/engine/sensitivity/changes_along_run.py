@@ -97,19 +97,19 @@ def follow(
         most=most,
     )
     length, speed, *_ = history.controls[history.engine.layouts.controls["scales"]]
-    told, reason = jumps.first_without(changes.before, NOISE * length / speed / directions.sizes)
-    last = jumps.rows[told] if reason else rows
+    determined, reason = jumps.first_without(changes.before, NOISE * length / speed / directions.sizes)
+    last = jumps.rows[determined] if reason else rows
     lost = np.flatnonzero(~np.isfinite(changes.after[:last]).all(axis=(1, 2)))
     if len(lost):
         last = int(lost[0])
-        told = int(np.searchsorted(jumps.rows, last))
+        determined = int(np.searchsorted(jumps.rows, last))
         reason = f"the equations have no finite derivatives in the step before {history.t[last]:.6g} s"
     changes.after[last:] = np.nan
     times, then = along(jumps.time[:, None], changes.before)[:, 0], along(jumps.then, changes.before)
-    times[told:], then[told:] = np.nan, np.nan
+    times[determined:], then[determined:] = np.nan, np.nan
     times[jumps.stops] = np.nan  # the direction of what stops in two is rounding at that instant, and so is its change
     until = float(history.t[last] if reason else history.t[-1])
-    return Followed(changes.after, changes.apart, after_event, jumps, at_rows, times, then, told, until, reason)
+    return Followed(changes.after, changes.apart, after_event, jumps, at_rows, times, then, determined, until, reason)
 
 
 def _floor_changes(history: History, directions: Directions) -> np.ndarray:

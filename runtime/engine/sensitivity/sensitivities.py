@@ -212,8 +212,8 @@ class Sensitivities:
 
         nan where sliding in two directions ends.
         """
-        told = slice(self._followed.determined)
-        return self._followed.jumps.rows[told], self._followed.times[told]
+        determined = slice(self._followed.determined)
+        return self._followed.jumps.rows[determined], self._followed.times[determined]
 
     def after_event(self, row: int, name: str) -> np.ndarray:
         """Return the derivatives (P,) of a history just after the event before a row, whose time changes too."""

@@ -35,9 +35,9 @@ def caption(figure: Figure, run: Solution, subtitle: str, notes: Sequence[str] =
     """Write title and differences from the scene; below the panels outcome, warnings and notes."""
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.model, subtitle), differences(run))
-    told = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
-    told += [*run.warnings, *notes]  # unchecked laws among them
-    rows = [line for note in told for line in textwrap.wrap(note, int(12 * width))]
+    remarks = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
+    remarks += [*run.warnings, *notes]  # unchecked laws among them
+    rows = [line for note in remarks for line in textwrap.wrap(note, int(12 * width))]
     if rows:
         look: Any = {"ha": "left", "va": "bottom", "fontsize": NOTE, "color": VERMILLION}
         figure.text(0.01, PAD / height, plain("\n".join(rows)), **look)

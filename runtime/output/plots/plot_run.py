@@ -258,18 +258,18 @@ def _energy(axis: Axes, curves: Curves) -> None:
         if label is not None:
             parts[label] = curves[name]
     residual = curves.run.energy_residual or 0.0
-    told, moved = f"ledger closed to {residual:.1g}", float(np.max(np.abs(list(parts.values()))))
+    closure, moved = f"ledger closed to {residual:.1g}", float(np.max(np.abs(list(parts.values()))))
     conserved = max((float(np.max(np.abs(values))) for values in list(parts.values())[1:]), default=0.0)
     if isinstance(curves.sampled, History):
         kinetic, potential = curves.sampled.energies
         moved = max(float(np.max(kinetic)), float(np.ptp(potential)), moved)
         if conserved <= NOTHING * moved:
             parts = {"kinetic": kinetic - kinetic[0], "potential": potential - potential[0], **parts}
-            told = f"constant to {max(residual, CONSTANT):.1g}"
+            closure = f"constant to {max(residual, CONSTANT):.1g}"
     drawn = {label: values for label, values in parts.items() if np.max(np.abs(values)) > NOTHING * moved}
     drawn["mechanical"] = parts["mechanical"]
     scale = lines(axis, curves, "J", drawn, size=moved)
-    over_time(axis, curves, f"Energy since the start [{scale.unit}], {told}")
+    over_time(axis, curves, f"Energy since the start [{scale.unit}], {closure}")
 
 
 def _gap(axis: Axes, curves: Curves, name: str) -> None:

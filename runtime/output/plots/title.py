@@ -35,14 +35,14 @@ def differences(run: Solution) -> str:
 
 def differences_of(model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value]) -> str:
     """Describe a variation of a scene, and parameters and initial states given in place of its own."""
-    told = [f"{name} = {_text(value)}" for name, value in (*parameters.items(), *initial.items())]
+    changes = [f"{name} = {_text(value)}" for name, value in (*parameters.items(), *initial.items())]
     variation = model.declaration
     if variation is not None:
-        told += [f"{effect} by {law}" for effect, law in variation.laws]
-        told += [f"without {', '.join(variation.without)}"] if variation.without else []
-        told += [f"{variation.coordinates} coordinates"] if variation.coordinates is not None else []
-    more = [f"and {len(told) - MOST} more"] if len(told) > MOST else []
-    return ", ".join([*told[:MOST], *more])
+        changes += [f"{effect} by {law}" for effect, law in variation.laws]
+        changes += [f"without {', '.join(variation.without)}"] if variation.without else []
+        changes += [f"{variation.coordinates} coordinates"] if variation.coordinates is not None else []
+    more = [f"and {len(changes) - MOST} more"] if len(changes) > MOST else []
+    return ", ".join([*changes[:MOST], *more])
 
 
 def _text(value: Value) -> str:

@@ -99,10 +99,12 @@ def guarded(what: str, make: Callable[[], Markup]) -> Markup:
 
 def _origin(origin: Origin) -> Markup:
     known = origin.versions
-    told = (
+    software = (
         "the file does not say" if known is None else ", ".join(f"{name} {version}" for name, version in known.items())
     )
-    return joined([tag("p", "Made by"), tag("pre", origin.command), tag("p", f"Computed by: {told}.", class_="note")])
+    return joined(
+        [tag("p", "Made by"), tag("pre", origin.command), tag("p", f"Computed by: {software}.", class_="note")]
+    )
 
 
 def _ids(titles: Sequence[str]) -> list[str]:

@@ -37,13 +37,13 @@ def propagation_page(record: Record, folder: Path, origin: Origin) -> str:
     """
     outputs, names, warnings = record["outputs"], [str(n) for n in record["uncertain"]], list(record["warnings"])
     word = "derivatives and samples agree" if not warnings else "to be heeded"
-    told = "" if not warnings else "Derivatives and samples differ, or something is missing: see the warnings."
+    remark = "" if not warnings else "Derivatives and samples differ, or something is missing: see the warnings."
     counted = {"runs": number_text(int(record["runs"])), "outputs": number_text(len(outputs))}
     rows: list[list[Cell]] = [
         [name, unit_markup(one["unit"]), *(one[key] for key in SPREADS)] for name, one in outputs.items()
     ]
     reasons = [f"{name}: no derivatives, as {one['reason']}" for name, one in outputs.items() if one["reason"]]
-    owed = [_contributions(name, one) for name, one in outputs.items()]
+    contributions = [_contributions(name, one) for name, one in outputs.items()]
     sections = [
         *([Section("Warnings", bullets(list(map(str, warnings))))] if warnings else []),
         *_pictures(folder / "propagation.png", "Samples of each output, the spread of its derivatives, and its indices"),
@@ -52,9 +52,9 @@ def propagation_page(record: Record, folder: Path, origin: Origin) -> str:
         ])),
         Section("Contributions", joined([paragraphs([
             "Standard deviation that each alone causes, by the derivatives; parts of the variance by Sobol's indices, with 95 % intervals.",
-        ], "note"), *owed])),
+        ], "note"), *contributions])),
     ]  # fmt: skip
-    top = joined([verdict(word, not warnings, told), facts(counted)])
+    top = joined([verdict(word, not warnings, remark), facts(counted)])
     return page("propagation", str(record["scene"]), f"uncertain: {', '.join(names)}", top, sections, origin)
 
 
@@ -130,13 +130,13 @@ def minimum_page(record: Record, folder: Path, origin: Origin) -> str:
 
 def _trials(trials: list[Record]) -> Markup:
     names = list(trials[0]["values"]) if trials else []
-    told = [f"The first {MOST} of {len(trials):,}; all are in minimum.json."] if len(trials) > MOST else []
+    remark = [f"The first {MOST} of {len(trials):,}; all are in minimum.json."] if len(trials) > MOST else []
     rows: list[list[Cell]] = [
         [n, *(one["values"][name] for name in names), one["objective"], "yes" if one["feasible"] else "no"]
         for n, one in enumerate(trials[:MOST], 1)
     ]
     heads = ("run", *(f"{name}, SI" for name in names), "objective", "constraints kept")
-    return joined([paragraphs(told, "note"), table(heads, rows, digits=7)])
+    return joined([paragraphs(remark, "note"), table(heads, rows, digits=7)])
 
 
 def _at(values: Record) -> str:
@@ -194,7 +194,7 @@ def _figure(figure: Record, folder: Path, number: int) -> Markup:
 
 def _table(content: Record) -> Markup:
     rows = content["rows"]
-    told = (
+    remark = (
         [f"The first {MOST} of {len(rows):,} rows; all of them are in {content['name']}.csv."]
         if len(rows) > MOST
         else []
@@ -203,7 +203,7 @@ def _table(content: Record) -> Markup:
     shown = [
         [cell if isinstance(cell, (int, float)) or cell is None else str(cell) for cell in row] for row in rows[:MOST]
     ]
-    return joined([paragraphs(told, "note"), table(heads, shown, digits=4)])
+    return joined([paragraphs(remark, "note"), table(heads, shown, digits=4)])
 
 
 def fit_page(record: Record, folder: Path, origin: Origin) -> str:
@@ -211,7 +211,7 @@ def fit_page(record: Record, folder: Path, origin: Origin) -> str:
 
     Raises KeyError, TypeError or ValueError for what is no such record.
     """
-    known, told = record["explained"], not record["unidentified"]
+    known, identified = record["explained"], not record["unidentified"]
     words = {True: "explained", False: "rejected", None: "not judged"}
     counted = {"runs made": number_text(int(record["runs_made"]))}
     if "share" in record:
@@ -223,7 +223,7 @@ def fit_page(record: Record, folder: Path, origin: Origin) -> str:
             "degrees of freedom": number_text(int(goodness["freedom"])),
             "p-value": number_text(float(goodness["p_value"]), 3),
         }
-    good = False if known is False or not told else known
+    good = False if known is False or not identified else known
     top = joined([verdict(words[known], good, str(record["verdict"])), facts(counted)])
     warnings = [str(text) for text in record["warnings"]]
     of_moments = "Fitted statistics beside measured ones, and the objective along each quantity"

@@ -61,9 +61,11 @@ def parameters(model: Model, values: Mapping[str, tuple[float, str]], readable: 
     rows: list[list[Cell]] = []
     for i, (name, (value, unit)) in enumerate(values.items()):
         before = own.get(name)
-        told = "" if i not in changed or before is None else joined([f"{before[0]:.6g} ", unit_markup(before[1])])
+        before_text = (
+            "" if i not in changed or before is None else joined([f"{before[0]:.6g} ", unit_markup(before[1])])
+        )
         meaning = model.parameters[name].meaning if name in model.parameters else ""
-        rows.append([name, float(value), unit_markup(unit), *([told] if changed else []), meaning])
+        rows.append([name, float(value), unit_markup(unit), *([before_text] if changed else []), meaning])
         rows[-1][1:1] = [symbols.get(name, "")] if symbols else []
     columns = ["parameter", *(["symbol"] if symbols else []), "value", "unit"]
     columns += [*(["the model's own"] if changed else []), "meaning"]

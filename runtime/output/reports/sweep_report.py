@@ -62,9 +62,9 @@ def _table(columns: Mapping[str, str], rows: Sequence[Sequence[str | float]], co
     """Return the rows, without columns that are empty throughout."""
     kept = [j for j in range(len(columns)) if any(row[j] not in ("", None) for row in rows)]
     heads = [(name, unit) for j, (name, unit) in enumerate(columns.items()) if j in kept]
-    told = [f"The first {len(rows):,} of {count:,} rows; all of them are in {whole}."] if count > len(rows) else []
+    remarks = [f"The first {len(rows):,} of {count:,} rows; all of them are in {whole}."] if count > len(rows) else []
     shown: list[list[Cell]] = [[row[j] for j in kept] for row in rows]
-    return joined([paragraphs(told, "note"), table(heads, shown)])
+    return joined([paragraphs(remarks, "note"), table(heads, shown)])
 
 
 def _definition(definition: Mapping[str, Any]) -> Markup:

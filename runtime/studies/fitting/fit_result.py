@@ -125,8 +125,8 @@ class Estimates(ABC):
         word = {True: "explained", False: "rejected", None: "not judged"}[self.explained]
         head = heading(self.scene, word, f": {self.verdict}", good=self.explained is not False)
         rows = ((name, str(value), value.interval.how) for name, value in self.values.items())
-        told = (tag("p", text) for text in (*self.unidentified, *self.warnings))
-        return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *told])
+        remarks = (tag("p", text) for text in (*self.unidentified, *self.warnings))
+        return joined([head, table(("quantity", "value and 95 % interval", "obtained by"), rows), *remarks])
 
     def distribution(self) -> Correlated:
         """Return how uncertain the quantities are, as `propagate` takes it.

@@ -88,5 +88,5 @@ def identified(jacobian: Array, free: Sequence[Free]) -> Identified:
     k = len(free)
     padded = np.vstack([jacobian, np.zeros((max(k - len(jacobian), 0), k))])
     _, s, turned = np.linalg.svd(padded, full_matrices=False)
-    told = (s >= IDENTIFIED) & (s > RANK * (s[0] if len(s) else 0.0))
-    return Identified(tuple(free), s, turned.T, told)
+    determined = (s >= IDENTIFIED) & (s > RANK * (s[0] if len(s) else 0.0))
+    return Identified(tuple(free), s, turned.T, determined)

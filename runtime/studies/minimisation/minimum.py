@@ -114,14 +114,14 @@ class Minimum:
 
     def _repr_html_(self) -> str:
         unit = f" {self.unit}" if self.unit else ""
-        told = f": {self.objective_text} = {self.objective:.6g}{unit}, from {self.begun:.6g}{unit}, {len(self.trials)} runs"
+        remark = f": {self.objective_text} = {self.objective:.6g}{unit}, from {self.begun:.6g}{unit}, {len(self.trials)} runs"
         rows = [
             (name, f"{value:.6g} {text}", "at the end of its range" if name in self.at_end else "")
             for name, (value, text) in self.values.items()
         ]
         rows += [(held.text, f"{held.value:.6g} {held.unit}", held.state) for held in self.constraints]
         notes = (tag("p", text) for text in (self.outcome.remedy, *self.notes) if text)
-        head = heading(self.scene, self.outcome.name, told, good=self.outcome.finished)
+        head = heading(self.scene, self.outcome.name, remark, good=self.outcome.finished)
         return joined([head, table(("quantity or constraint", "value", ""), rows), *notes])
 
     def plot(self) -> Figure:
@@ -180,12 +180,12 @@ def best_of(found: Sequence[Minimum], ranges: Sequence[Range], failed: int) -> M
         here = sum(search.here for search in searches)
         others = [search for search in searches if not search.here]
         unit = f" {best.unit}" if best.unit else ""
-        told = f"{here} of {count} starts ended in this minimum"
+        remark = f"{here} of {count} starts ended in this minimum"
         if others:
             worst = sorted(search.objective for search in others)
-            told += f", the others at {', '.join(f'{value:.6g}' for value in worst)}{unit}: there are several minima"
+            remark += f", the others at {', '.join(f'{value:.6g}' for value in worst)}{unit}: there are several minima"
             if any(search.outcome != "finished" for search in others):
-                told += ", or searches that did not end"
-        notes = (*notes, f"{told}; from {failed} no run reached its end" if failed else told)
+                remark += ", or searches that did not end"
+        notes = (*notes, f"{remark}; from {failed} no run reached its end" if failed else remark)
     trials = tuple(trial for one in found for trial in one.trials)
     return replace(best, begun=found[0].begun, trials=trials, searches=searches, notes=notes)

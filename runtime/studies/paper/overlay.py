@@ -31,8 +31,8 @@ def laid_over(page: Page, measured: Measurement) -> Page:
         faults.append(Fault("columns", ", ".join(measured.columns), expected))
     if faults:
         raise InputError(measured.source, faults)
-    told = f"Black dots: measured, from {Path(measured.source).name}, as they are, neither filtered nor shifted."
-    return replace(page, charts=charts, paragraphs=(*page.paragraphs, told))
+    caption = f"Black dots: measured, from {Path(measured.source).name}, as they are, neither filtered nor shifted."
+    return replace(page, charts=charts, paragraphs=(*page.paragraphs, caption))
 
 
 def _shows(panel: Panel) -> str:

@@ -248,13 +248,13 @@ class _Spread:
         if not np.isfinite(self.values).all() or np.ptp(self.values) == 0:
             return {}, {}
         rng, n = np.random.default_rng(seed), self.values.shape[1]
-        told = _indices(self.values)
+        estimated = _indices(self.values)
         again = np.array([_indices(self.values[:, rng.integers(n, size=n)]) for _ in range(RESAMPLED)])
         low, high = np.quantile(again, [0.025, 0.975], axis=0)
         first, total = (
             {
                 name: Index(*map(float, row))
-                for name, row in zip(names, np.transpose([told[k], low[k], high[k]]), strict=True)
+                for name, row in zip(names, np.transpose([estimated[k], low[k], high[k]]), strict=True)
             }
             for k in range(2)
         )

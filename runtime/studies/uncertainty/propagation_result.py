@@ -137,8 +137,8 @@ class Propagated:
 
     def _repr_html_(self) -> str:
         missing = bool(self.notes)
-        told = f": {len(self.samples):,} runs over {', '.join(self.names)}"
-        head = heading(self.scene, "runs or indices missing" if missing else "propagated", told, good=not missing)
+        remark = f": {len(self.samples):,} runs over {', '.join(self.names)}"
+        head = heading(self.scene, "runs or indices missing" if missing else "propagated", remark, good=not missing)
         rows = (
             (
                 f"{one.name} [{one.unit}]" if one.unit else one.name,
@@ -176,8 +176,8 @@ class Propagated:
         """Draw the samples of every output beside the spread that derivatives give, and the Sobol indices."""
         from hertzwerk.runtime.output.sweep_plots.plot_uncertainty import figure
 
-        told = f"{self.draws} samples of {', '.join(self.names)}"
-        return figure(self.scene, [*self], {name: self.samples[name][: self.draws] for name in self.outputs}, told)
+        heading = f"{self.draws} samples of {', '.join(self.names)}"
+        return figure(self.scene, [*self], {name: self.samples[name][: self.draws] for name in self.outputs}, heading)
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a line for each output, in SI; raises FileExistsError. `samples.to_csv` has the runs."""

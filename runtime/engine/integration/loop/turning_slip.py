@@ -59,9 +59,11 @@ def implicit_near_rest(model: Model, tables: tuple[Table, ...], taken: tuple[Tab
     implicit = next(i for i, table in enumerate(tables) if not isinstance(table, RungeKutta))
     if alone:
         parts["method"] = ca.if_else(parts["accepted"], 0, parts["method"])
-    has = tables[implicit] in taken
-    goes_on = ca.logic_or(parts["status"] == RUNNING, parts["status"] == CALM) if has else parts["status"] == RUNNING
+    taken_up = tables[implicit] in taken
+    goes_on = (
+        ca.logic_or(parts["status"] == RUNNING, parts["status"] == CALM) if taken_up else parts["status"] == RUNNING
+    )
     fast = ca.logic_and(fast, ca.logic_and(goes_on, parts["accepted"]))
-    new = {"method": implicit, "pressure": PASSING, "status": RUNNING if has else SUSPECT}
+    new = {"method": implicit, "pressure": PASSING, "status": RUNNING if taken_up else SUSPECT}
     parts |= {name: ca.if_else(fast, value, parts[name]) for name, value in new.items()}
     return ca.Function("implicit_near_rest", [state, controls], [vectors.state.join(parts)])

@@ -41,7 +41,7 @@ AROUND = 4.0  # standard errors of a quantity that the next box holds, to each s
 SMALLEST = 0.1  # of the box before
 TOLERANCE = 1e-6  # local, of the runs
 PLACES = 61  # of a profile, over the box
-FAR = 3.0  # deviations of the run at the best fit from the regression that are told
+FAR = 3.0  # deviations of the run at the best fit from the regression that are reported
 
 
 @dataclass(frozen=True)
@@ -217,8 +217,8 @@ def read_moment_fit(
         found.append(Moment(name, unit, read[0][0], read[1][0]))
         half_widths.append(next(iter(list(output.columns)[1:]), ""))
     for one in computed:
-        told = zip(one.names, one.units, one.measured.values, one.measured.deviations, strict=True)
-        found += [Moment(name, unit, float(value), float(deviation)) for name, unit, value, deviation in told]
+        measured = zip(one.names, one.units, one.measured.values, one.measured.deviations, strict=True)
+        found += [Moment(name, unit, float(value), float(deviation)) for name, unit, value, deviation in measured]
     if found and len(found) < len(freed):
         faults.append(Fault("moments", f"{len(found)} statistics", f"at least {len(freed)}, as many as are free"))
     if faults:
@@ -247,9 +247,9 @@ def fitted_moments(asked: MomentFitRequest, progress: Callable[[float], object] 
     places, numbers, noise = np.zeros((0, count)), *np.zeros((2, 0, len(asked.moments)))
     made = 0
     for number in range(ROUNDS):
-        told = None if progress is None else (lambda part, done=number: progress((done + part) / ROUNDS))
+        report = None if progress is None else (lambda part, done=number: progress((done + part) / ROUNDS))
         tried = PER_FEATURE * features
-        x, y, own, why = _runs(asked, _spread(asked.free, box), told, sample=tried, seed=asked.seed + number)
+        x, y, own, why = _runs(asked, _spread(asked.free, box), report, sample=tried, seed=asked.seed + number)
         places, numbers, noise = np.vstack([places, x]), np.vstack([numbers, y]), np.vstack([noise, own])
         made += tried
         inside = np.all((places >= box[:, 0]) & (places <= box[:, 1]), axis=1)
@@ -290,11 +290,11 @@ def _runs(
     how, sweeps = {"tolerance": TOLERANCE, **asked.how}, asked.sweeps
     seen, there, why, x = dict[str, Array](), np.ones(0, dtype=bool), "", np.zeros((0, 0))
     for number, (values, series) in enumerate(sweeps):
-        told = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
+        report = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
         functions = {name: function for one in series for name, function in one.functions().items()}
         own = stated if number == 0 else []
         how["parameters"] = values
-        table = sweep(asked.model, over, outputs=own, functions=functions, progress=told, **points, **how)
+        table = sweep(asked.model, over, outputs=own, functions=functions, progress=report, **points, **how)
         if table.interrupted:
             raise KeyboardInterrupt
         x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in asked.free])
@@ -395,8 +395,8 @@ def _concluded(
         low, high = full[j]
         places, rises = _profile(asked, surface, root, best, j)
         profiles[each.name] = Profile(np.array([each.outer(float(x)) for x in places]), rises)
-        ends, told = _ends(places, rises, best[j], quantile), not known.concerned(j)
-        if told and any(
+        ends, determined = _ends(places, rises, best[j], quantile), not known.concerned(j)
+        if determined and any(
             math.isnan(end) and edge not in (low, high) for end, edge in zip(ends, surface.box[j], strict=True)
         ):
             warnings.append(
@@ -404,11 +404,11 @@ def _concluded(
             )
         linear = best[j] - quantile * errors[j], best[j] + quantile * errors[j]
         ends = (linear[0] if math.isnan(ends[0]) else ends[0]), (linear[1] if math.isnan(ends[1]) else ends[1])
-        ends = ends if told else (low, high)
+        ends = ends if determined else (low, high)
         interval = Interval(
             each.outer(float(max(ends[0], low))),
             each.outer(float(min(ends[1], high))),
-            how if told else "none: it is in a combination that the statistics do not identify",
+            how if determined else "none: it is in a combination that the statistics do not identify",
             bool(ends[0] <= low),
             bool(ends[1] >= high),
         )
