@@ -28,7 +28,6 @@ if TYPE_CHECKING:  # the list of public names
         read_impacts as read_impacts,
         read_measurement as read_measurement,
     )
-    from hertzwerk.runtime.engine.model.model import Bound as Bound
     from hertzwerk.runtime.studies.fitting.parameter_fit import (
         Fit as Fit,
         fit as fit,

@@ -72,7 +72,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-    from hertzwerk.runtime.engine.model.model import Bound
+    from hertzwerk.runtime.engine.model.model import BoundParameters
     from hertzwerk.runtime.engine.sensitivity.lyapunov import Lyapunov
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Derivative, Sensitivities
 
@@ -394,7 +394,7 @@ class Solution(plain_solution.Solution):
         history, bound, initial = self._from_its_start("Lyapunov exponents")
         return lyapunov(history, bound, frozenset(initial), self.scales.state, count, compiled=self.compiled)
 
-    def _from_its_start(self, what: str) -> tuple[History, Bound, Mapping[str, Value]]:
+    def _from_its_start(self, what: str) -> tuple[History, BoundParameters, Mapping[str, Value]]:
         """Return steps, parameters and given initial states of a run from its start; raises InputError."""
         run, kept = self.with_steps(), self.checkpoint
         faults = steps_faults(what, self.method, self.model)

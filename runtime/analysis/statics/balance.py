@@ -22,7 +22,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.solution.impacts import distances
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
 
 Array = NDArray[np.float64]
 
@@ -55,7 +55,9 @@ class Balance:
     in_range: Array
 
 
-def balance(model: Model, bound: Bound, t: float, q: Array, closed: Array, multipliers: Array, mu: Array) -> Balance:
+def balance(
+    model: Model, bound: BoundParameters, t: float, q: Array, closed: Array, multipliers: Array, mu: Array
+) -> Balance:
     """Evaluate the balance at q (nq,), with closed pairs (k,) [0 or 1], multipliers (nl,) and mu (n,)."""
     nu, nq, nl, k, n = model.nu, model.nq, model.nl, model.k, len(grip_pairs(model))
     shapes = ((nu,), (nl,), (nl, nu), (nu, n), (n, nu), (n,), (nu, nq), (nq, nu), (k,), (k, nu), (k,), (k,))
@@ -72,13 +74,13 @@ def balance(model: Model, bound: Bound, t: float, q: Array, closed: Array, multi
     return Balance(force, loops, G, D, S, limit, -slopes @ moves, moves, gap, W, normal, in_range)
 
 
-def drift(model: Model, bound: Bound, t: float, q: Array) -> tuple[Array, Array]:
+def drift(model: Model, bound: BoundParameters, t: float, q: Array) -> tuple[Array, Array]:
     """Return the rates (nq,) of the coordinates at rest, and their derivatives (nq, nq) by q."""
     rates, change = _drift(model)(t, q, bound.c)
     return np.asarray(rates).reshape(model.nq), np.asarray(change).reshape(model.nq, model.nq)
 
 
-def drifting(model: Model, bound: Bound, t: float, q: Array) -> dict[str, float]:
+def drifting(model: Model, bound: BoundParameters, t: float, q: Array) -> dict[str, float]:
     """Return the rate of every state that goes on changing at rest, as a controller's integral.
 
     What only counts, as the time to a sample, is none of them: no force depends on it.
@@ -88,7 +90,7 @@ def drifting(model: Model, bound: Bound, t: float, q: Array) -> dict[str, float]
     return {model.coordinates[i]: float(rates[i]) for i in felt(model) if moving[i]}
 
 
-def followed(model: Model, bound: Bound, t: float, q: Array) -> Array:
+def followed(model: Model, bound: BoundParameters, t: float, q: Array) -> Array:
     """Return q (nq,) with states of effects at rest, as a motor's current, by Newton's method."""
     own, found = list(followers(model)), q.copy()
     for _ in range(FOLLOWED if own else 0):
@@ -229,7 +231,7 @@ def _balance(model: Model) -> Callers:
     return Callers(ca.Function("balance", arguments, [ca.densify(x) for x in ca.cse(at_rest)]))
 
 
-def limits(model: Model, bound: Bound, at: Balance) -> Array:
+def limits(model: Model, bound: BoundParameters, at: Balance) -> Array:
     """Return the limits of mu (n,): of friction forces [N], and of the deflection of bristles [m]."""
     found = at.limit.copy()
     if len(found) > model.ns:

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
 
 FOLLOWED = 100  # steps in which a start is followed to a later time
 TIME = "held_time"  # parameter: time at whose positions the drives are held
@@ -90,7 +90,7 @@ def parameters_at(model: Model, held: Model, parameters: Mapping[str, Value], t:
 
 def start_at(
     model: Model, held: Model, given: Mapping[str, Value], initial: Mapping[str, Value], t: float
-) -> tuple[Bound, Array]:
+) -> tuple[BoundParameters, Array]:
     """Return the numbers at a time t [s], and a position q (nq,) to search from; raises InputError.
 
     The scene states its start at t = 0: closed loops and journals are followed from there, within a period, unless
@@ -134,7 +134,7 @@ class Equilibrium(Mapping[str, Value]):
     """
 
     model: Model
-    bound: Bound = field(repr=False)
+    bound: BoundParameters = field(repr=False)
     t: float
     q: Array = field(repr=False)
     memory: Array = field(repr=False)
@@ -309,7 +309,7 @@ def _time(model: Model, at: str | float) -> float:
     return t
 
 
-def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, rest: Rest) -> Equilibrium:
+def _result(of: Model, model: Model, bound: BoundParameters, t: float, search: Search, rest: Rest) -> Equilibrium:
     at, grips = rest.balance, grip_names(model)
     touching = [j for j in range(model.k) if rest.closed[j]]
     held = np.where([grips.count(name) > 1 for name in grips], sizes_of(model, rest.mu), rest.mu)
@@ -415,7 +415,7 @@ def _coordinates_of(model: Model, moves: Array) -> list[str]:
     return found
 
 
-def _drives(model: Model, bound: Bound, t: float, rest: Rest) -> dict[str, float]:
+def _drives(model: Model, bound: BoundParameters, t: float, rest: Rest) -> dict[str, float]:
     """Return what every drive supplies to hold its joint [N or N m]."""
     names = drive_units(model)
     if not names:

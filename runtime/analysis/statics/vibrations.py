@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
 
 ZERO = 1e-7  # over the largest eigenvalue: below it is rounding of a freedom that nothing holds, a double one
 NO_DAMPING = 1e-12  # over the largest eigenvalue: smaller real parts are rounding
@@ -64,7 +64,7 @@ class Linearisation:
 
 
 def linearise(
-    model: Model, bound: Bound, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array
+    model: Model, bound: BoundParameters, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array
 ) -> Linearisation:
     """Linearise at a state, with modes (k,) of the pairs and latches and slips m (nm,)."""
     live = model.without_redundancy(start_values.dependent(model, bound, q))
@@ -114,7 +114,7 @@ def _relaxed(model: Model) -> Any:
 
 
 def _conditions(
-    model: Model, bound: Bound, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array, J: Array
+    model: Model, bound: BoundParameters, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array, J: Array
 ) -> Array:
     """Return the linear conditions (any, ny) on deviations of the state."""
     nq, nu, ny = model.nq, model.nu, len(J)
@@ -217,7 +217,7 @@ class Modes(Sequence[Mode]):
     """Modes of a model at a state, by rising frequency, those that do not vibrate first."""
 
     model: Model = field(repr=False)
-    bound: Bound = field(repr=False)
+    bound: BoundParameters = field(repr=False)
     t: float
     q: Array = field(repr=False)
     modes: tuple[Mode, ...]
@@ -382,7 +382,15 @@ def _of_run(run: Solution, at: str | float | None) -> Modes:
 
 
 def _modes(
-    model: Model, bound: Bound, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array, notes: Sequence[str]
+    model: Model,
+    bound: BoundParameters,
+    t: float,
+    q: Array,
+    u: Array,
+    z: Array,
+    mode: Array,
+    m: Array,
+    notes: Sequence[str],
 ) -> Modes:
     linear = linearise(model, bound, t, q, u, z, mode, m)
     values, vectors = scipy.linalg.eig(linear.A) if len(linear.A) else (np.zeros(0), np.zeros((0, 0)))

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Bound:
+class BoundParameters:
     """Numbers for one run: p (np,) and c (nc,) in SI, and each parameter's value in its given unit."""
 
     p: np.ndarray
@@ -227,7 +227,7 @@ class Model:
         listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
         return listed and callable(getattr(self.module, name, None))
 
-    def placed(self, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def placed(self, bound: BoundParameters, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the coordinates and speeds at the start from those of the joints."""
         if self.joints is self:
             return q, u
@@ -312,12 +312,12 @@ class Model:
         given[constant] = ca.vertcat(symbols[constant][: symbols[constant].numel() - self.npieces], pieces)
         return ca.Function(function.name(), [*symbols, pieces], function.call(given))
 
-    def period(self, bound: Bound) -> float | None:
+    def period(self, bound: BoundParameters) -> float | None:
         """Return the period [s] of everything that depends on time; None where nothing does."""
         found = float(self.evaluate("period", bound.p)[0][0]) if hasattr(self.module, "period") else math.inf
         return found if math.isfinite(found) else None  # a drive that stands still has none
 
-    def speed_limits(self, bound: Bound) -> np.ndarray:
+    def speed_limits(self, bound: BoundParameters) -> np.ndarray:
         """Return the limits [m/s] of approach speeds by pair (k,), infinite for none; (0,) if all have none."""
         if not self.speed_limited:
             return np.zeros(0)
@@ -361,15 +361,15 @@ class Model:
         coordinates = "tree" if self.joints is self else "absolute"
         return module_of(f"{self.name}_readings", self.declared_for("readings").readings(coordinates))
 
-    def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
+    def bind(self, parameters: Mapping[str, Value] | None = None) -> BoundParameters:
         """Return the defaults overridden by `parameters`, in SI; raises InputError with every fault."""
         bound, faults = self.check({} if parameters is None else parameters)
         if bound is None:
             raise InputError(self.name, faults)
         return bound
 
-    def check(self, parameters: Mapping[str, Value]) -> tuple[Bound | None, list[Fault]]:
-        """Bind parameters, returning the faults as a value: no Bound where there is one."""
+    def check(self, parameters: Mapping[str, Value]) -> tuple[BoundParameters | None, list[Fault]]:
+        """Bind parameters, returning the faults as a value: None where there is one."""
         reading = read_parameters(self.declared, parameters)
         if reading.faults:
             return None, list(reading.faults)
@@ -379,7 +379,7 @@ class Model:
             if signal is not None:  # without a value it is zero, as where a scene is drawn
                 c[self.nc - self.npieces + WIDTH * i :][:WIDTH] = signal.pieces(np.zeros(1))[0]
         faults = [] if np.isfinite(c).all() else self._undefined(p, c, reading.texts)
-        return (None, faults) if faults else (Bound(p, c, reading.texts, reading.warnings), [])
+        return (None, faults) if faults else (BoundParameters(p, c, reading.texts, reading.warnings), [])
 
     def _undefined(self, p: np.ndarray, c: np.ndarray, texts: Mapping[str, tuple[float, str]]) -> list[Fault]:
         """Return the faults of constants that are not finite: one for each unchecked law, one for all others."""

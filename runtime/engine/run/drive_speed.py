@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.engine.model.caller import Callers
-from hertzwerk.runtime.engine.model.model import Bound, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, Model
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 CONSTANT = "constant speed of "  # what the drive says of itself
@@ -16,7 +16,7 @@ TIMES = (0.37, 1.7, 23.0, 1.1e3, 1.3e6)  # over the speed at the start: when it 
 SAME = 1e-9  # relative
 
 
-def drive_speed(model: Model, bound: Bound) -> float | None:
+def drive_speed(model: Model, bound: BoundParameters) -> float | None:
     """Return the angular speed [rad/s] of a scene's only drive; None where it varies, or there are others."""
     if [kind for _, kind, _ in model.module.EFFECTS].count("drive") != 1 or model.smooth:
         return None  # none, several, or as an input says
@@ -47,7 +47,7 @@ def drive_angle(model: Model) -> str | None:
     return joint if "." in joint else f"{joint}.angle"
 
 
-def drive_rate(model: Model, bound: Bound) -> float | None:
+def drive_rate(model: Model, bound: BoundParameters) -> float | None:
     """Return the rate [rad/s] of `drive_angle`, negative where it falls; None where it stands still."""
     speed = drive_speed(model, bound)
     if speed is None:
@@ -73,7 +73,7 @@ def _axis(model: Model, drive: str) -> int | None:
     return next((i for i, (part, kind, *_) in rows if part == drive and kind == "turn_drive"), None)
 
 
-def _driven(model: Model, bound: Bound, t: float) -> np.ndarray:
+def _driven(model: Model, bound: BoundParameters, t: float) -> np.ndarray:
     """Return the coordinates at a time [s] where nothing but the drive moves."""
     if not model.has_function("placed"):
         return _still(model)

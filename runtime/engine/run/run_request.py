@@ -17,7 +17,7 @@ from hertzwerk.runtime.engine.integration.loop.near_list import listing
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
 from hertzwerk.runtime.engine.model.binding import Value, plain_value, read_time
 from hertzwerk.runtime.engine.model.free_quantities import quantities
-from hertzwerk.runtime.engine.model.model import Bound, Dependent, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, Model
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units
 from hertzwerk.runtime.engine.model.signal import digest_of
@@ -182,7 +182,7 @@ class RunRequest:
     [s] at which it begins.
     """
 
-    bound: Bound
+    bound: BoundParameters
     q: np.ndarray
     u: np.ndarray
     latches: np.ndarray

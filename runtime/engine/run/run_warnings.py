@@ -10,7 +10,7 @@ import numpy as np
 
 from hertzwerk.runtime.engine.integration.loop.automatic_compilation import Code
 from hertzwerk.runtime.engine.integration.step.layout import RELEASED
-from hertzwerk.runtime.engine.model.model import Bound, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, Model
 from hertzwerk.runtime.engine.solution.contact_watch import Lasting
 from hertzwerk.runtime.engine.solution.history import History, constraint_force
 
@@ -31,7 +31,7 @@ def unchecked(model: Model) -> tuple[str, ...]:
     )
 
 
-def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
+def open_forces(model: Model, bound: BoundParameters, q: np.ndarray) -> Iterator[str]:
     """Yield a warning of redundant constraints at a start, whose forces the motion leaves undetermined."""
     if not model.nl:
         return
@@ -56,7 +56,7 @@ def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) 
     )
 
 
-def lost_grip(model: Model, bound: Bound, history: History) -> Iterator[str]:
+def lost_grip(model: Model, bound: BoundParameters, history: History) -> Iterator[str]:
     """Yield a warning of surfaces that roll where they would slip or part, at the kept times."""
     if not (model.rolling and len(history.t)):
         return

@@ -28,7 +28,7 @@ from hertzwerk.runtime.engine.sensitivity.tangent import ARGUMENTS, Directions, 
 from hertzwerk.runtime.engine.solution.averages import TRANSIENT, Average, estimate
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
     from hertzwerk.runtime.engine.solution.history import History
 
 INTERVALS = 240  # of a run, in which local exponents are taken
@@ -86,7 +86,7 @@ class Lyapunov:
 
 def lyapunov(
     history: History,
-    bound: Bound,
+    bound: BoundParameters,
     given: frozenset[str],
     scales: np.ndarray,
     count: int = 1,

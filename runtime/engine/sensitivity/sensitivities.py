@@ -25,7 +25,7 @@ from hertzwerk.runtime.engine.integration.events.effect_events import jump
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.free_quantities import quantities
-from hertzwerk.runtime.engine.model.model import Bound, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, Model
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import ratio
 from hertzwerk.runtime.engine.sensitivity.changes_along_run import follow
@@ -40,7 +40,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Bound
+    from hertzwerk.runtime.engine.model.model import BoundParameters
     from hertzwerk.runtime.engine.solution.history import History
 
 STEP = 1e-3  # relative, of differences: two of them, extrapolated, are right to about its fourth power
@@ -49,7 +49,9 @@ BISECTIONS = 60  # of the step in which a force or penetration is largest
 OF_IMPACT = ("t", "speed", "peak_force", "peak_penetration")
 
 
-def start_changes(model: Model, bound: Bound, initial: Mapping[str, Value], names: tuple[str, ...]) -> np.ndarray:
+def start_changes(
+    model: Model, bound: BoundParameters, initial: Mapping[str, Value], names: tuple[str, ...]
+) -> np.ndarray:
     """Return the changes (nq + nu, P) of the start with parameters, or initial states of the joints.
 
     Those of a tree are derivatives of its start; where a start is assembled, with loops to be closed or bodies to be
@@ -85,7 +87,7 @@ def _jumped(model: Model) -> Callers:
     return Callers(jump(model))
 
 
-def _difference(model: Model, bound: Bound, initial: Mapping[str, Value], name: str) -> np.ndarray:
+def _difference(model: Model, bound: BoundParameters, initial: Mapping[str, Value], name: str) -> np.ndarray:
     parameters, joints = list(model.parameters), model.joints
     now = dict(zip(parameters, bound.p, strict=True))
     if name not in now:
@@ -154,7 +156,7 @@ class Sensitivities:
     def __init__(
         self,
         history: History,
-        bound: Bound,
+        bound: BoundParameters,
         initial: Mapping[str, Value],
         names: tuple[str, ...],
         *,

@@ -16,7 +16,7 @@ import numpy as np
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
     from hertzwerk.runtime.engine.solution.history import History
 
 GUESS = {
@@ -115,7 +115,7 @@ def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np
     return found
 
 
-def of_parameters(model: Model, bound: Bound) -> Scales:
+def of_parameters(model: Model, bound: BoundParameters) -> Scales:
     """Return the scales that the scene states."""
     *parts, scene = model.evaluate("scales", bound.p)
     return Scales(np.concatenate(parts), scene)

@@ -24,7 +24,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from hertzwerk.runtime.engine.model.model import Bound, Dependent, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, Model
 
     Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ TOGETHER = 40  # most constraints in a dependent group: with more, choosing amon
 
 
 def assemble(
-    model: Model, bound: Bound, q: Array, u: Array, given: Collection[str]
+    model: Model, bound: BoundParameters, q: Array, u: Array, given: Collection[str]
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates (nq,), speeds (nu,) of the joints with loops and journals closed, and faults.
 
@@ -74,7 +74,7 @@ def assemble(
 
 
 def assemble_at(
-    model: Model, bound: Bound, q: Array, u: Array, given: Collection[str], seats: Array
+    model: Model, bound: BoundParameters, q: Array, u: Array, given: Collection[str], seats: Array
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates, speeds and faults with journals at rest at the eccentricities `seats` [m].
 
@@ -88,7 +88,7 @@ def assemble_at(
     return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
 
 
-def closed_near(model: Model, bound: Bound, q: Array, t: float, *, centred: bool = False) -> Array:
+def closed_near(model: Model, bound: BoundParameters, q: Array, t: float, *, centred: bool = False) -> Array:
     """Return the position at a time t [s] with closed loops that Gauss-Newton steps from q (nq,) lead to.
 
     centred: also with the journals in the middle of their bushes.
@@ -141,14 +141,14 @@ def _with_closing_change(
     return tuple(replace(fault, remedy=f"{way}; {fault.remedy}") for fault in faults)
 
 
-def undetermined(model: Model, bound: Bound, q: Array) -> tuple[str, ...]:
+def undetermined(model: Model, bound: BoundParameters, q: Array) -> tuple[str, ...]:
     """Return the redundant constraints at a position, whose forces the motion leaves undetermined."""
     unclosed = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5
     return tuple(name for name, is_open in zip(model.constraints, unclosed, strict=True) if is_open)
 
 
 @np.errstate(all="ignore")
-def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
+def dependent(model: Model, bound: BoundParameters, q: Array) -> tuple[Dependent, ...]:
     """Return groups of constraints that are dependent at all positions within reach, not just at q.
 
     Nearby positions are tried: at a singular one, such as a change point, constraints are dependent that are not
@@ -176,7 +176,7 @@ def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
     return tuple(groups)
 
 
-def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array]]:
+def _nearby(model: Model, bound: BoundParameters, q: Array) -> Iterator[tuple[float, Array]]:
     """Yield times and positions around a start that the mechanism can reach."""
     _, _, jacobian, _, size, _ = _Loops(model, bound).at(q)
     reach = _reach(model, jacobian)
@@ -238,7 +238,7 @@ class _Loops:
     """
 
     model: Model
-    bound: Bound
+    bound: BoundParameters
     t: float = 0.0
     whole: Model | None = None
     seats: Array | None = None

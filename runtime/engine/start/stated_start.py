@@ -11,10 +11,10 @@ from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
 
 
-def as_stated(model: Model, bound: Bound) -> tuple[np.ndarray, np.ndarray] | None:
+def as_stated(model: Model, bound: BoundParameters) -> tuple[np.ndarray, np.ndarray] | None:
     """Return q (nq,) and u (nu,) as a scene states them; None where they are to be found."""
     stated = _stated(model)
     if stated is None:

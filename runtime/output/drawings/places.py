@@ -14,7 +14,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
     from hertzwerk.runtime.engine.solution.solution import Solution
 
 Array = NDArray[np.float64]
@@ -82,7 +82,7 @@ class Places:
         return cls.at(model, bound, 0.0, q[None])
 
     @classmethod
-    def at(cls, model: Model, bound: Bound, t: float, positions: Array) -> Places:
+    def at(cls, model: Model, bound: BoundParameters, t: float, positions: Array) -> Places:
         """Return the places at coordinates (n, nq) and the time t [s] of drives; their own times count them."""
         poses = [model.evaluate("poses", t, q, bound.c) for q in positions]
         origins, rotations = (np.array(part) for part in zip(*poses, strict=True))

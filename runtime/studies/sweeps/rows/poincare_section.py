@@ -25,7 +25,7 @@ from hertzwerk.runtime.engine.run.drive_speed import drive_angle, drive_rate
 from hertzwerk.runtime.engine.solution.history import units_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Bound, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
     from hertzwerk.runtime.engine.solution.solution import Solution
 
 PHASE = "phase"
@@ -56,7 +56,7 @@ class Section:
         value = f"{self.value:.17g} {self.unit}".removesuffix(" 1")
         return f"{self.name} = {value}{'' if self.steady else f' {self.direction}'}"
 
-    def returns(self, model: Model, bound: Bound, begin: float, end: float) -> np.ndarray:
+    def returns(self, model: Model, bound: BoundParameters, begin: float, end: float) -> np.ndarray:
         """Return the times [s] after `begin`, up to `end`, of a steady section; raises InputError."""
         rate = self._rate(model, bound)
         turns = (rate * np.array([begin, end]) - self.value) / math.copysign(TURN, rate)
@@ -64,7 +64,7 @@ class Section:
         times = (math.copysign(TURN, rate) * np.arange(first, last + 1) + self.value) / rate
         return np.minimum(times, end)
 
-    def _rate(self, model: Model, bound: Bound) -> float:
+    def _rate(self, model: Model, bound: BoundParameters) -> float:
         """Return the rate [rad/s] of a steady angle; raises InputError where it stands still."""
         period = model.period(bound) if self.name == PHASE else None
         rate = TURN / period if period is not None else drive_rate(model, bound) if self.name != PHASE else None
