@@ -63,6 +63,7 @@ def _signal(above: Array, below: Array, signal: Signal, comparison: Compared) ->
     _both(close, signal, times, values, near)
     close.set_title("around the largest measured value")
     close.set_xlabel(f"run time [{times.unit}]")
+    close.locator_params(axis="x", nbins=4)  # times of many digits, as of a million samples, stand apart
     _residual(residual, signal, times)
     end = comparison.solution.t_end
     if comparison.horizon < end:
@@ -110,7 +111,9 @@ def _residual(axis: Axes, signal: Signal, times: Scale) -> None:
     if signal.channel.noise is not None:
         for size in (-2, 2):
             label = "twice the stated noise" if size > 0 else None
-            axis.axhline(scale(size * signal.channel.noise), color=GREY, linewidth=0.9, linestyle="--", label=label)
+            axis.axhline(
+                scale(size * signal.channel.noise), color="black", linewidth=0.9, linestyle="--", label=label, zorder=3
+            )
     axis.set_title(f"residual [{scale.unit}]")
     axis.set_xlabel(f"run time [{times.unit}]")
 
