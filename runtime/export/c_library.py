@@ -163,19 +163,19 @@ def _alone(text: str) -> str:
     return _SPARSITY.sub(lambda found: found[0] if len(re.findall(rf"\b{found[1]}\b", text)) > 2 else "", text)
 
 
-def write(asked: ExportRequest, folder: Path) -> str:
+def write(request: ExportRequest, folder: Path) -> str:
     """Write the library of a scene into a new folder; return its files. Raises InputError."""
-    faults = name_faults("scene", asked.model.name)
+    faults = name_faults("scene", request.model.name)
     if faults:
         raise InputError("export", faults)
-    texts = library(contents(asked), asked.model.name)
+    texts = library(contents(request), request.model.name)
 
     def fill(place: Path) -> list[str]:
         for name, text in texts.items():
             (place / name).write_text(text, encoding="utf-8")
         return [*texts]
 
-    _, files = new_folder(asked.model.name, folder, fill)
+    _, files = new_folder(request.model.name, folder, fill)
     return f"{folder}/ ({', '.join(files)})"
 
 

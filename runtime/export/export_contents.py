@@ -88,18 +88,18 @@ def name_faults(where: str, name: str) -> list[Fault]:
     ]
 
 
-def contents(asked: ExportRequest) -> Contents:
+def contents(request: ExportRequest) -> Contents:
     """Find the numbers of an export, its tolerance by runs; raises InputError for what cannot be exported."""
-    model, settings = asked.model, asked.settings
-    faults = _refused(model, settings.method, asked.initial)
+    model, settings = request.model, request.settings
+    faults = _refused(model, settings.method, request.initial)
     if faults:
         raise InputError("export", faults)
     model = with_zero_inputs(model)
-    given, _ = read(model, settings, asked.parameters, asked.initial)
+    given, _ = read(model, settings, request.parameters, request.initial)
     run = set_up(model, settings, given, needs=Needs.ENDS)
     tolerance = settings.tolerance
     if tolerance is None:
-        solution = solve(model, settings, asked.parameters, asked.initial, needs=Needs.ENDS)
+        solution = solve(model, settings, request.parameters, request.initial, needs=Needs.ENDS)
         if not solution.outcome.finished:
             found = f"{solution.outcome.name}: {solution.outcome.message}"
             way_out = f"{solution.outcome.remedy or 'another accuracy or duration'}; or a local --tolerance, without an estimate"
@@ -108,7 +108,7 @@ def contents(asked: ExportRequest) -> Contents:
     else:
         scales = run.scales(tolerance)
     joints = model.joints
-    q, u = assembled(model, given.bound, asked.initial, [])
+    q, u = assembled(model, given.bound, request.initial, [])
     names = (*joints.coordinates, *joints.speeds)
     found_by_assembly = model.module.GIVEN is not None
     said = {*(model.module.GIVEN if found_by_assembly else names)}
@@ -128,14 +128,14 @@ def contents(asked: ExportRequest) -> Contents:
             for name, value in zip(names, (*q, *u), strict=True)
         ),
         states=_rows(model, tuple(model.units), [*given.q, *given.u, *np.zeros(model.nz)]),
-        outputs=_rows(model, _outputs(model, asked.outputs)),
+        outputs=_rows(model, _outputs(model, request.outputs)),
         inputs=tuple(
             Row(name, _si(unit, numbers), signals[name], meaning or f"input {name}")
             for name, (unit, meaning) in model.inputs.items()
         ),
         pairs=tuple(Row(pair, "1", 0.0, f"contact pair {pair}") for pair in model.pairs),
         stated=tuple(name in said for name in names),
-        requested=tuple(name in asked.initial for name in names),
+        requested=tuple(name in request.initial for name in names),
         scales=np.concatenate([scales.state, scales.scene]),
         loops=tuple(row[1] for row in (*loops, *closed)),
         seconds=given.seconds,

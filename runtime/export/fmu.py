@@ -180,16 +180,16 @@ def faults(file: Path) -> list[Fault]:
     return found + name_faults("--fmu", file.stem)
 
 
-def write(asked: ExportRequest, file: Path) -> str:
+def write(request: ExportRequest, file: Path) -> str:
     """Write the unit of a scene into a new file; return what it is. Raises InputError."""
-    found = contents(asked)
+    found = contents(request)
     repeated = sorted({row.name for row in found.parameters} & {row.name for row in (*found.states, *found.outputs)})
     if repeated:
         fault = Fault("names", f"{', '.join(repeated)} twice", "parameters and histories of different names")
         raise InputError("export", [fault])
-    parts, binary = unit(found, file.stem, asked.fmi)
+    parts, binary = unit(found, file.stem, request.fmi)
     write_atomically(file, archive(parts))
-    return f"{file} (FMI {asked.fmi}.0 for co-simulation, {binary})"
+    return f"{file} (FMI {request.fmi}.0 for co-simulation, {binary})"
 
 
 def unit(found: Contents, name: str, fmi: int) -> tuple[dict[str, bytes], str]:

@@ -12,19 +12,19 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.export.export_request import ExportRequest
 
 
-def _latex(asked: ExportRequest, _: Path) -> str:
+def _latex(request: ExportRequest, _: Path) -> str:
     """Return the equations as a LaTeX document; raises InputError."""
-    return asked.model.equations().latex()
+    return request.model.equations().latex()
 
 
-def _mathml(asked: ExportRequest, _: Path) -> str:
+def _mathml(request: ExportRequest, _: Path) -> str:
     """Return the equations as an HTML page of MathML that fetches nothing; raises InputError."""
     from hertzwerk.derive.common.markup import Markup
     from hertzwerk.runtime.output.reports import html_page, scene_sections
     from hertzwerk.runtime.system.versions import versions
 
-    model, readable = asked.model, asked.model.equations()
-    own = dict(asked.model.bind(asked.parameters).values)
+    model, readable = request.model, request.model.equations()
+    own = dict(request.model.bind(request.parameters).values)
     sections = [
         scene_sections.parameters(model, own, readable),
         scene_sections.effects(model, readable),
@@ -34,9 +34,9 @@ def _mathml(asked: ExportRequest, _: Path) -> str:
     return html_page.page("equations", model.name, model.module.SUMMARY, Markup(""), sections, origin)
 
 
-def _sympy(asked: ExportRequest, _: Path) -> str:
+def _sympy(request: ExportRequest, _: Path) -> str:
     """Return a file of Python that makes the equations with SymPy; raises InputError."""
-    return asked.model.sympy_file(asked.model.bind(asked.parameters).values)
+    return request.model.sympy_file(request.model.bind(request.parameters).values)
 
 
 @dataclass(frozen=True)
@@ -62,16 +62,16 @@ class Format:
         return self.option.removeprefix("--")
 
 
-def _c_library(asked: ExportRequest, folder: Path) -> str:
+def _c_library(request: ExportRequest, folder: Path) -> str:
     from hertzwerk.runtime.export import c_library
 
-    return c_library.write(asked, folder)
+    return c_library.write(request, folder)
 
 
-def _fmu(asked: ExportRequest, file: Path) -> str:
+def _fmu(request: ExportRequest, file: Path) -> str:
     from hertzwerk.runtime.export import fmu
 
-    return fmu.write(asked, file)
+    return fmu.write(request, file)
 
 
 def _new_fmu(file: Path) -> list[Fault]:

@@ -162,20 +162,20 @@ def _compared(
     stopping.stage("building")
     limits = limits_of(max_steps, wall_time, faults)
     model = varied.model(faults)
-    asked = _request(model, faults, **measured)
+    request = _request(model, faults, **measured)
     given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
-    until = given["duration"] = duration or (asked.lasts if asked is not None else given["duration"] or 1.0)
+    until = given["duration"] = duration or (request.lasts if request is not None else given["duration"] or 1.0)
     settled = Settings(**given, **limits)
     parameters, initial = split_values(model, values)
     model = with_inputs(model, varied.inputs, until, parameters, faults)
     check(model, settled, parameters, initial, faults)
-    if asked is None:  # its faults are among those that `check` raises
+    if request is None:  # its faults are among those that `check` raises
         raise InputError(model.name, faults)
     run = solve(model, settled, parameters, initial, progress=stopping)
     if run.outcome.name == "interrupted" and not run.statistics.steps:
         raise KeyboardInterrupt
     stopping.stage("comparing")
-    return match(run, asked)
+    return match(run, request)
 
 
 def _request(

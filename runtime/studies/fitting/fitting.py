@@ -1,9 +1,9 @@
 """Pipeline of a fit: request -> least squares -> identifiability -> intervals -> goodness.
 
-1. asked       what is free, measured runs, nuisance, options, with every fault        free_quantities, experiment
+1. request     what is free, measured runs, nuisance, options, with every fault        free_quantities, experiment
 2. forward     runs, what they predict, exact Jacobian                                 forward
 3. search      starts, windows, trust region                                           search
-4. identified  singular values, unidentifiable combinations                             identified
+4. identified  singular values, unidentifiable combinations                           identifiability
 5. fitted      intervals, goodness of fit, residuals                                   intervals, fitted
 """
 
@@ -154,17 +154,17 @@ def read_fit(
     )
 
 
-def fitted(asked: FitRequest, progress: Callable[[float], object] | None = None) -> Fitted:
+def fitted(request: FitRequest, progress: Callable[[float], object] | None = None) -> Fitted:
     """Return the fit of a request; raises InputError for what enters nothing measured."""
-    return concluded(asked, *searched(asked, progress))
+    return concluded(request, *searched(request, progress))
 
 
-def searched(asked: FitRequest, progress: Callable[[float], object] | None = None) -> tuple[Search, Estimate]:
+def searched(request: FitRequest, progress: Callable[[float], object] | None = None) -> tuple[Search, Estimate]:
     """Return the search and its least squares; raises InputError for what enters nothing measured."""
-    forward = asked.forward()
+    forward = request.forward()
     search = Search(forward, stated_noise(forward), progress)
-    _refuse_idle(search, asked)
-    return search, search.best(asked.starts, asked.seed)
+    _refuse_idle(search, request)
+    return search, search.best(request.starts, request.seed)
 
 
 def stated_noise(forward: Forward) -> Array:
@@ -174,34 +174,34 @@ def stated_noise(forward: Forward) -> Array:
     return found
 
 
-def _refuse_idle(search: Search, asked: FitRequest) -> None:
+def _refuse_idle(search: Search, request: FitRequest) -> None:
     """Raise InputError for quantities that change nothing measured, wherever they are tried."""
-    forward, seen = search.forward, np.zeros(len(asked.free))
-    for x in search.starts(PROBES, asked.seed):
+    forward, seen = search.forward, np.zeros(len(request.free))
+    for x in search.starts(PROBES, request.seed):
         seen = np.maximum(
-            seen, np.max(np.abs(forward.slopes(x)[:, : len(asked.free)] / search.spread[:, None]), axis=0)
+            seen, np.max(np.abs(forward.slopes(x)[:, : len(request.free)] / search.spread[:, None]), axis=0)
         )
         if np.all(seen > IDLE):
             return
-    columns = sorted({f"{c.column} ({c.history})" for each in asked.observed for c in each.channels})
+    columns = sorted({f"{c.column} ({c.history})" for each in request.observed for c in each.channels})
     remedy = "leave it out, or measure what it changes"
     raise InputError(
-        f"fit of {asked.observed[0].model.name}",
+        f"fit of {request.observed[0].model.name}",
         [
             Fault(free.name, f"a quantity that changes nothing of {', '.join(columns)}", "one that does", remedy)
-            for free, size in zip(asked.free, seen, strict=True)
+            for free, size in zip(request.free, seen, strict=True)
             if not size > IDLE
         ],
     )
 
 
-def concluded(asked: FitRequest, search: Search, found: Estimate) -> Fitted:
+def concluded(request: FitRequest, search: Search, found: Estimate) -> Fitted:
     """Return the fit with its identifiability, intervals, goodness and residuals."""
     share = float(np.mean(found.used))
     forward = search.forward
     known = identified(found.jacobian, forward.searched)
-    ends, warnings = intervals(search, found, known, asked.profile)
-    count, point = len(asked.free), forward.at(found.x)
+    ends, warnings = intervals(search, found, known, request.profile)
+    count, point = len(request.free), forward.at(found.x)
     made = [run.parameters for run in point.runs if run is not None]
     units = {free.name: {unit_at(free.unit, parameters) for parameters in made} for free in forward.searched}
     values = [
@@ -212,8 +212,8 @@ def concluded(asked: FitRequest, search: Search, found: Estimate) -> Fitted:
     exact = "exact, from the variational equations through every impact"
     reasons = "; ".join(sorted(forward.without_exact)[:3])
     return Fitted(
-        scene=asked.observed[0].model.name,
-        observed=asked.observed,
+        scene=request.observed[0].model.name,
+        observed=request.observed,
         values={value.name: value for value in values[:count]},
         nuisance={value.name: value for value in values[count:]},
         known=known,
@@ -222,7 +222,7 @@ def concluded(asked: FitRequest, search: Search, found: Estimate) -> Fitted:
         criterion=criterion_of(search, found),
         share=share,
         signals=signals,
-        offsets=tuple(forward.offset(i, found.x) for i in range(len(asked.observed))),
+        offsets=tuple(forward.offset(i, found.x) for i in range(len(request.observed))),
         solutions=tuple(run for run in point.runs if run is not None),
         runs_made=forward.runs_made,
         derivatives=f"{exact}; in part by differences: {reasons}" if reasons else exact,

@@ -91,7 +91,7 @@ def read_laws(
     if isinstance(free, list | tuple) and all(isinstance(name, str) for name in free):
         free = dict.fromkeys(free)
     known = {name for model in variants.values() for name in _names(model)}
-    asked: dict[str, FitRequest] = {}
+    request: dict[str, FitRequest] = {}
     for law, model in variants.items():
         its = _names(model)
         elsewhere = known - its
@@ -101,12 +101,12 @@ def read_laws(
         given = how["parameters"]
         parameters = {name: value for name, value in (given or {}).items() if name not in elsewhere}
         try:
-            asked[law] = read_fit(model, data, own, **{**how, "parameters": parameters})
+            request[law] = read_fit(model, data, own, **{**how, "parameters": parameters})
         except InputError as error:
             faults += [fault for fault in error.faults if fault not in faults]
     if faults:
         raise InputError("laws", faults)
-    return asked
+    return request
 
 
 def _names(model: Model) -> set[str]:
@@ -224,11 +224,11 @@ class Ranking:
         }
 
 
-def ranked(asked: Mapping[str, FitRequest], progress: Callable[[float], object] | None = None) -> Ranking:
+def ranked(request: Mapping[str, FitRequest], progress: Callable[[float], object] | None = None) -> Ranking:
     """Rank laws by their fits to the same data, as far as they lie before the horizon of each."""
     fits: dict[str, tuple[Search, Estimate]] = {}
-    for k, (name, one) in enumerate(asked.items()):
-        fits[name] = searched(one, partial(_report_progress, progress, k, len(asked)))
+    for k, (name, one) in enumerate(request.items()):
+        fits[name] = searched(one, partial(_report_progress, progress, k, len(request)))
     common = np.logical_and.reduce([found.used for _, found in fits.values()])
     laws = []
     for name, (search, found) in fits.items():
@@ -236,7 +236,7 @@ def ranked(asked: Mapping[str, FitRequest], progress: Callable[[float], object] 
             found if np.array_equal(found.used, common) else search.settled(search.least(found.x, common, found.sigma))
         )
         held = _held_out(search, again)
-        fitted = concluded(asked[name], search, again)
+        fitted = concluded(request[name], search, again)
         laws.append((name, fitted, criterion_of(search, again), held))
     least = min(criterion for *_, criterion, _ in laws)
     weights = [math.exp(-(criterion - least) / 2) for *_, criterion, _ in laws]

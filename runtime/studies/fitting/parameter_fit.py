@@ -90,7 +90,7 @@ def fit(
     """
     model, faults = load(target), progress_faults(progress)
     own, states = stated_values(model, parameters, initial, faults)
-    asked = read_fit(
+    request = read_fit(
         model,
         data,
         free,
@@ -109,7 +109,7 @@ def fit(
         seed=seed,
         profile=profile,
     )
-    return Fit(**vars(fitted(asked, progress)))
+    return Fit(**vars(fitted(request, progress)))
 
 
 def fit_laws(

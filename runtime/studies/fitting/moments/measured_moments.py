@@ -95,11 +95,11 @@ class _OverTime:
 
     kinds = KINDS
 
-    def __init__(self, asked: ComparisonRequest) -> None:
-        self._request, self.times, self.channels = asked, asked.measurement.times, asked.channels
+    def __init__(self, request: ComparisonRequest) -> None:
+        self._request, self.times, self.channels = request, request.measurement.times, request.channels
         self._spacing = float(np.median(np.diff(self.times)))
         self.least = FEWEST * self._spacing
-        settling = 0.0 if asked.instrument is None else 2 * asked.instrument.settling
+        settling = 0.0 if request.instrument is None else 2 * request.instrument.settling
         self.lasts = float(np.ptp(self.times)) + settling
 
     def measured(self, moments: Sequence[SeriesMoment], start: float, interval: float) -> SeriesStatistics:

@@ -239,17 +239,17 @@ def _pair(given: object) -> tuple[Value, Value] | None:
     return given if isinstance(given, tuple) and len(given) == 2 else None
 
 
-def fitted_moments(asked: MomentFitRequest, progress: Callable[[float], object] | None = None) -> FittedMoments:
+def fitted_moments(request: MomentFitRequest, progress: Callable[[float], object] | None = None) -> FittedMoments:
     """Return the fit of moments; raises InputError where too few runs finish."""
-    free, count = asked.free, len(asked.free)
+    free, count = request.free, len(request.free)
     full = np.array([each.bounds for each in free])
     box, features = full.copy(), 1 + count + count * (count + 1) // 2
-    places, numbers, noise = np.zeros((0, count)), *np.zeros((2, 0, len(asked.moments)))
+    places, numbers, noise = np.zeros((0, count)), *np.zeros((2, 0, len(request.moments)))
     made = 0
     for number in range(ROUNDS):
         report = None if progress is None else (lambda part, done=number: progress((done + part) / ROUNDS))
         tried = PER_FEATURE * features
-        x, y, own, why = _runs(asked, _spread(asked.free, box), report, sample=tried, seed=asked.seed + number)
+        x, y, own, why = _runs(request, _spread(request.free, box), report, sample=tried, seed=request.seed + number)
         places, numbers, noise = np.vstack([places, x]), np.vstack([numbers, y]), np.vstack([noise, own])
         made += tried
         inside = np.all((places >= box[:, 0]) & (places <= box[:, 1]), axis=1)
@@ -260,18 +260,18 @@ def fitted_moments(asked: MomentFitRequest, progress: Callable[[float], object] 
                 f"at least {features + 2}",
                 why,
             )
-            raise InputError(f"fit of {asked.model.name}", [fault])
+            raise InputError(f"fit of {request.model.name}", [fault])
         known = np.sum(np.isfinite(noise[inside]), axis=0)  # a run may be too short to tell its own
         own_noise = np.nansum(noise[inside], axis=0) / np.maximum(known, 1)
-        surface = _Surface(places[inside], numbers[inside], own_noise, asked.correlation, box)
-        best, covariance, jacobian = _least(asked, surface)
+        surface = _Surface(places[inside], numbers[inside], own_noise, request.correlation, box)
+        best, covariance, jacobian = _least(request, surface)
         errors = np.sqrt(np.diag(np.linalg.pinv(jacobian.T @ np.linalg.solve(covariance, jacobian))))
         half = np.clip(AROUND * errors, SMALLEST * np.ptp(box, axis=1) / 2, np.ptp(box, axis=1) / 2)
         closer = np.clip(np.column_stack([best - half, best + half]), full[:, :1], full[:, 1:])
         if number + 1 == ROUNDS or np.all(np.ptp(closer, axis=1) > 0.7 * np.ptp(box, axis=1)):
             break
         box = closer
-    return _concluded(asked, surface, best, covariance, jacobian, made, full)
+    return _concluded(request, surface, best, covariance, jacobian, made, full)
 
 
 def _spread(free: Sequence[Free], box: Array) -> dict[str, str]:
@@ -283,31 +283,31 @@ def _spread(free: Sequence[Free], box: Array) -> dict[str, str]:
 
 
 def _runs(
-    asked: MomentFitRequest, over: Mapping[str, Any], progress: Callable[[float], object] | None, **points: Any
+    request: MomentFitRequest, over: Mapping[str, Any], progress: Callable[[float], object] | None, **points: Any
 ) -> tuple[Array, Array, Array, str]:
     """Return places (n, k) of finished runs, statistics (n, moments), their variances, why one is lost."""
-    stated = [moment.name for moment in asked.moments[: len(asked.half_widths)]]
-    how, sweeps = {"tolerance": TOLERANCE, **asked.how}, asked.sweeps
+    stated = [moment.name for moment in request.moments[: len(request.half_widths)]]
+    how, sweeps = {"tolerance": TOLERANCE, **request.how}, request.sweeps
     seen, there, why, x = dict[str, Array](), np.ones(0, dtype=bool), "", np.zeros((0, 0))
     for number, (values, series) in enumerate(sweeps):
         report = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
         functions = {name: function for one in series for name, function in one.functions().items()}
         own = stated if number == 0 else []
         how["parameters"] = values
-        table = sweep(asked.model, over, outputs=own, functions=functions, progress=report, **points, **how)
+        table = sweep(request.model, over, outputs=own, functions=functions, progress=report, **points, **how)
         if table.interrupted:
             raise KeyboardInterrupt
-        x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in asked.free])
-        half = [name for name in asked.half_widths if name] if number == 0 else []
+        x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in request.free])
+        half = [name for name in request.half_widths if name] if number == 0 else []
         seen |= {name: np.asarray(table[name], dtype=float) for name in (*own, *half, *functions)}
         ended = np.array([row["outcome"] == "finished" for row in table])
         there = ended if number == 0 else there & ended
         lost = next((row for row, stays in zip(table, ended, strict=True) if not stays), None)
         if lost is not None and not why:
             why = f"{lost['outcome']}: {lost['message']}" if lost["message"] else str(lost["outcome"])
-    of_series = [columns(name) for one in asked.series for name in one.names]
+    of_series = [columns(name) for one in request.series for name in one.names]
     y = np.column_stack([seen[name] for name in (*stated, *(name for name, _ in of_series))])
-    own_half = [seen[name] / QUANTILE if name else np.zeros(len(x)) for name in asked.half_widths]
+    own_half = [seen[name] / QUANTILE if name else np.zeros(len(x)) for name in request.half_widths]
     noise = np.column_stack([*own_half, *(seen[name] for _, name in of_series)])
     there &= np.all(np.isfinite(y), axis=1)
     return x[there], y[there], noise[there] ** 2, why
@@ -357,12 +357,12 @@ class _Surface:
         return np.column_stack(columns)
 
 
-def _least(asked: MomentFitRequest, surface: _Surface) -> tuple[Array, Array, Array]:
+def _least(request: MomentFitRequest, surface: _Surface) -> tuple[Array, Array, Array]:
     """Return the best place, the covariance of what differs there, and the derivatives of the statistics."""
     from scipy.optimize import least_squares  # slow to import
 
-    measured = np.array([moment.value for moment in asked.moments])
-    stated = asked.covariance
+    measured = np.array([moment.value for moment in request.moments])
+    stated = request.covariance
     low, high = surface.box.T
     best = surface.middle
     for _ in range(3):  # the covariance is that at the best
@@ -382,18 +382,24 @@ def _least(asked: MomentFitRequest, surface: _Surface) -> tuple[Array, Array, Ar
 
 
 def _concluded(
-    asked: MomentFitRequest, surface: _Surface, best: Array, covariance: Array, jacobian: Array, made: int, full: Array
+    request: MomentFitRequest,
+    surface: _Surface,
+    best: Array,
+    covariance: Array,
+    jacobian: Array,
+    made: int,
+    full: Array,
 ) -> FittedMoments:
     from scipy.stats import chi2, norm  # slow to import
 
     root = np.linalg.cholesky(covariance)
-    known = identified(np.linalg.solve(root, jacobian), asked.free)
+    known = identified(np.linalg.solve(root, jacobian), request.free)
     errors, quantile = np.sqrt(np.diag(known.covariance)), float(norm.ppf((1 + LEVEL) / 2))
     how = "simulated moments: profile of the objective over a regression of runs, covariance of measured values and of that"
     values, profiles, warnings = {}, {}, list[str]()
-    for j, each in enumerate(asked.free):
+    for j, each in enumerate(request.free):
         low, high = full[j]
-        places, rises = _profile(asked, surface, root, best, j)
+        places, rises = _profile(request, surface, root, best, j)
         profiles[each.name] = Profile(np.array([each.outer(float(x)) for x in places]), rises)
         ends, determined = _ends(places, rises, best[j], quantile), not known.concerned(j)
         if determined and any(
@@ -416,10 +422,10 @@ def _concluded(
     at, deviations = surface.at(best), np.sqrt(np.diag(surface.covariance(best)))
     moments = tuple(
         Moment(m.name, m.unit, m.value, m.deviation, float(value), float(deviation))
-        for m, value, deviation in zip(asked.moments, at, deviations, strict=True)
+        for m, value, deviation in zip(request.moments, at, deviations, strict=True)
     )
-    warnings += _checked(asked, surface, values)
-    residual = np.linalg.solve(root, np.array([m.value for m in asked.moments]) - at)
+    warnings += _checked(request, surface, values)
+    residual = np.linalg.solve(root, np.array([m.value for m in request.moments]) - at)
     freedom, square = len(moments) - len(best), float(residual @ residual)
     goodness = Goodness(square, freedom, float(chi2.sf(square, freedom))) if freedom > 0 else None
     warnings += [
@@ -430,17 +436,17 @@ def _concluded(
     warnings += [f"{value.name} lies at an end of its range" for value in values.values() if value.at_end(value.value)]
     unidentified = known.unidentified([value.value for value in values.values()], len(values))
     return FittedMoments(
-        asked.model.name, values, known, tuple(unidentified), goodness, made, tuple(warnings), moments, profiles
+        request.model.name, values, known, tuple(unidentified), goodness, made, tuple(warnings), moments, profiles
     )
 
 
 def _profile(
-    asked: MomentFitRequest, surface: _Surface, root: NDArray[np.floating[Any]], best: Array, j: int
+    request: MomentFitRequest, surface: _Surface, root: NDArray[np.floating[Any]], best: Array, j: int
 ) -> tuple[Array, Array]:
     """Return places along a quantity within the box of the regression, and what the objective rises there."""
     from scipy.optimize import least_squares  # slow to import
 
-    measured, moving = np.array([moment.value for moment in asked.moments]), np.arange(len(best)) != j
+    measured, moving = np.array([moment.value for moment in request.moments]), np.arange(len(best)) != j
     low, high = surface.box[moving].T
 
     def residual(x: Array) -> Array:
@@ -475,16 +481,16 @@ def _ends(places: Array, rises: Array, best: float, quantile: float) -> tuple[fl
     return found[0], found[1]
 
 
-def _checked(asked: MomentFitRequest, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:
+def _checked(request: MomentFitRequest, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:
     """Return in what a run at the best fit is not as the regression says."""
     over = {value.name: [(value.value, value.unit)] for value in values.values()}
-    x, y, noise, _ = _runs(asked, over, None)
+    x, y, noise, _ = _runs(request, over, None)
     if not len(x):
         return ["the run at the best fit does not finish with these statistics"]
     at = surface.at(x[0])
     sizes = np.sqrt(np.diag(surface.covariance(x[0])) + np.nan_to_num(noise[0]) + np.diag(surface.scatter))
     return [
         f"{moment.name}: a run at the best fit has {found:.5g}, the regression {said:.5g}: the range is too wide for a quadratic function"
-        for moment, found, said, size in zip(asked.moments, y[0], at, sizes, strict=True)
+        for moment, found, said, size in zip(request.moments, y[0], at, sizes, strict=True)
         if abs(found - said) > FAR * size
     ]
