@@ -6,9 +6,17 @@ InputError for unsound declarations when it is made.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
-from hertzwerk.derive.audit.audit import Findings, advice_findings, audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.audit.audit import (
+    Finding,
+    Findings,
+    advice_findings,
+    audit_laws,
+    audit_program,
+    refuse_inconsistent,
+)
 from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.declare.scene.scene import Scene
@@ -77,11 +85,20 @@ def audit_scene(scene: Scene) -> Findings:
     Includes advice on the laws. Raises InputError where units are consistent, and a law is not physically admissible
     (`behaviour`).
     """
-    laws = Findings((*audit_laws(scene), *advice_findings(scene)))
+    laws = Findings((*audit_laws(scene), *_contradictions(scene), *advice_findings(scene)))
     if any(finding.verdict == "inconsistent" for finding in laws):
         return laws
     refuse_misbehaving(scene)
     return Findings((*laws, *audit_program(derivation_of(scene))[1]))
+
+
+def _contradictions(scene: Scene) -> Iterator[Finding]:
+    """Yield findings of velocities that a model was told to take against its positions."""
+    for where, was_set, follows in scene.mechanism.contradictions:
+        yield Finding(
+            scene.name, where, "", "kinematics, as given", "", "unchecked", where, found=was_set, expected=follows,
+            reason="It is taken as it was set", kind="kinematics",
+        )  # fmt: skip
 
 
 def derivation_of(scene: Scene) -> Program:

@@ -110,8 +110,8 @@ class Mechanism:
         return ()
 
     @property
-    def contradictions(self) -> tuple[tuple[str, str], ...]:
-        """Velocities that positions contradict, with what is wrong: none of joints."""
+    def contradictions(self) -> tuple[tuple[str, str, str], ...]:
+        """Velocities that positions contradict, as set and as they follow: none of joints."""
         return ()
 
     @cached_property

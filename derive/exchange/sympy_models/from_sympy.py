@@ -86,7 +86,7 @@ class Model:
         faults = [*name_faults("model", name), *naming.faults]
         faults += unit_faults(reading, names.table) if not faults else []
         wrong = kinematic_faults(reading, names) if not naming.faults else []
-        self._contradictions = tuple((f.where, f"{f.found}; it would be {f.expected}") for f in wrong if as_given)
+        self._contradictions = tuple((f.where, f.found, f.expected) for f in wrong if as_given)
         faults += [] if as_given else wrong
         faults += naming.unused
         if faults:

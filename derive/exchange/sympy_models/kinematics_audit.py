@@ -116,7 +116,7 @@ class _Kinematics:
                 return state
             near = [self._matrix(rows, {**state, x: state[x] + STEP}) for x in unknowns]
             slopes = mp.matrix([list(other - rest) for other in near]) / STEP
-            change = slopes * mp.lu_solve(slopes.T * slopes + mpf(10) ** -30 * mp.eye(len(rest)), rest)
+            change = slopes * mp.lu_solve(slopes.T * slopes + mpf(10) ** -15 * mp.eye(len(rest)), rest)
             change /= max(mpf(1), mp.norm(change))
             state = {**state, **{x: state[x] - d for x, d in zip(unknowns, change, strict=True)}}
         raise ArithmeticError("no state on the constraints")

@@ -62,8 +62,8 @@ class MechanismByExpressions(Mechanism):
         return self.description.uncounted
 
     @property
-    def contradictions(self) -> tuple[tuple[str, str], ...]:
-        """Velocities of the description that its positions and axes contradict."""
+    def contradictions(self) -> tuple[tuple[str, str, str], ...]:
+        """Velocities of the description that its positions and axes contradict, and what follows from these."""
         return self.description.contradictions
 
     @property

@@ -70,7 +70,7 @@ class Description:
     rates         key of a `given` coordinate -> its rate
     steps         symbols and expressions of what other expressions share, in order
     quantities    parameters and what varies, with their units
-    contradictions  velocities taken as they were set although they do not follow from positions and axes, with what follows
+    contradictions  velocities that are taken as they were set: where, as they were set, and as they follow from positions and axes
     """
 
     coordinates: tuple[Freedom, ...]
@@ -82,4 +82,4 @@ class Description:
     equations: Equations
     conditions: tuple[Condition, ...]
     quantities: tuple[Slot, ...]
-    contradictions: tuple[tuple[str, str], ...] = ()
+    contradictions: tuple[tuple[str, str, str], ...] = ()

@@ -141,7 +141,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
                 for line in prose_lines(f"{_listed(names, program)}: {text}", "    ", " " * 8)
             ),
             f"Units: {verdict}",
-            *(f"AGAINST ITS OWN POSITIONS: {prose(where)}" for where, _ in program.tables.get("CONTRADICTIONS", ())),
+            *(f"AGAINST ITS OWN POSITIONS: {prose(where)}" for where, *_ in program.tables.get("CONTRADICTIONS", ())),
             *([f"Coordinates: {prose(program.note)}"] if program.note else []),
             f"Operations: flight {sum(counts.get(name, 0) for name in FLIGHT)} (equations of motion and gaps){contact}",
             '"""',

@@ -25,8 +25,8 @@ def unchecked(model: Model) -> tuple[str, ...]:
             for effect, why in model.module.UNCHECKED
         ),
         *(
-            f"{where} is taken as given, against the model's positions: {why}"
-            for where, why in model.module.CONTRADICTIONS
+            f"{where} is taken as given, against the model's positions: {was_set}; it would be {follows}"
+            for where, was_set, follows in model.module.CONTRADICTIONS
         ),
     )
 

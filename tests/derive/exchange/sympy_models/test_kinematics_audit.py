@@ -17,6 +17,7 @@ from sympy.physics.mechanics import (
 )
 
 from hertzwerk.derive import InputError, Parameter, Scales, Start, T, from_sympy
+from hertzwerk.derive.exchange.user_files.audit_files import audit_path
 from hertzwerk.runtime import load, simulate
 
 UNITS = {"m": "kg", "l": "m", "r": "m", "J": "kg m^2", "g": "m/s^2", "k": "N/m"}
@@ -90,9 +91,9 @@ def test_a_contradiction_that_is_taken_as_given_is_named_wherever_the_model_goes
     length = model.parameters["l"]
     scales = Scales(length=length, speed=Parameter("pace", "m/s", 1), arm=length)
     loaded = load(model.scene(scales=scales, start=Start(position={"q": Parameter("q0", "rad", 0.5)})))
-    ((where, why),) = loaded.module.CONTRADICTIONS
+    ((where, was_set, follows),) = loaded.module.CONTRADICTIONS
     assert where == "angular velocity of A in N"
-    assert why.startswith("- u(t)*N.z, as it was set; it would be u(t)*N.z,")
+    assert (was_set[:9], follows[:7]) == ("- u(t)*N.", "u(t)*N.")
     assert "AGAINST ITS OWN POSITIONS: angular velocity of A in N" in loaded.module.__doc__
     assert any(where in warning and "as given" in warning for warning in simulate(loaded, duration=0.01).warnings)
     sound, at, units, values = models.pendulum()
@@ -100,6 +101,39 @@ def test_a_contradiction_that_is_taken_as_given_is_named_wherever_the_model_goes
     assert load(model.scene(scales=scales)).module.CONTRADICTIONS == ()
     with pytest.raises(InputError, match="as given"):
         from_sympy(sound, units=units, values=values, kinematics="unchecked")
+
+
+FILE = """
+import sympy as sp
+import sympy.physics.mechanics as me
+from hertzwerk.derive import Parameter, Scales, from_sympy
+
+m, l = sp.symbols("m l")
+q, u = me.dynamicsymbols("q u")
+N, O = me.ReferenceFrame("N"), me.Point("O")
+A = N.orientnew("A", "Axis", (q, N.z))
+O.set_vel(N, 0)
+P = O.locatenew("P", -l * A.y)
+P.set_vel(N, -l * u * A.x)
+kane = me.KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
+kane.kanes_equations([me.Particle("bob", P, m)])
+model = from_sympy(kane, units={m: "kg", l: "m", q: "rad"}, values={m: 1, l: 0.5}, origin=O, KINEMATICS)
+scene = model.scene(scales=Scales(length=model.parameters["l"], speed=Parameter("pace", "m/s", 1), arm=model.parameters["l"]))
+"""
+
+
+def test_an_audit_of_a_file_finds_them(tmp_path):
+    file = tmp_path / "bob.py"
+    file.write_text(FILE.replace("KINEMATICS", ""))
+    with pytest.raises(
+        InputError,
+        match=r"bob.py, line 15.*\n  velocity of P in N: found - l\*u\(t\)\*A.x,.*expected l\*u\(t\)\*A.x,",
+    ):
+        audit_path(file)
+    file.write_text(FILE.replace("KINEMATICS", 'kinematics="as given"'))
+    (found,) = [finding for finding in audit_path(file) if not finding.sound]
+    assert (found.quantity, found.verdict, found.kind) == ("velocity of P in N", "unchecked", "kinematics")
+    assert "found - l*u(t)*A.x, as it was set, expected l*u(t)*A.x, the derivative of its position" in str(found)
 
 
 # -- ten models, each sound, and with one fault -----------------------------------------------------------------------
