@@ -93,7 +93,7 @@ def audit_scene(scene: Scene) -> Findings:
 
 
 def _contradictions(scene: Scene) -> Iterator[Finding]:
-    """Yield findings of velocities that a model was told to take against its positions."""
+    """Yield findings of velocities that are taken as given, against the model's positions."""
     for where, was_set, follows in scene.mechanism.contradictions:
         yield Finding(
             scene.name, where, "", "kinematics, as given", "", "unchecked", where, found=was_set, expected=follows,
