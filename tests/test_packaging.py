@@ -21,6 +21,7 @@ ALONE = (
     "LICENSE",
     ".gitignore",
     ".pre-commit-config.yaml",
+    ".pre-commit-hooks.yaml",
 )
 TOP = "runtime/cli/package/"  # installed as hertzwerk/
 

@@ -20,7 +20,10 @@ FILES = {  # by the names of commands
     **{"list": "scene_commands.derive", "modes": "run_commands.statics", "validate": "run_commands.run"},
 }
 
-TARGET = "TARGET is a built-in scene (`hertzwerk list`), or a Python file that defines `scene`, which is executed."
+TARGET = (
+    "TARGET is a built-in scene (`hertzwerk list`), a Python file that defines `scene`, which is executed, FILE.py:NAME, "
+    "package.module:NAME, or a generated module."
+)
 
 
 class _Commands(click.Group):

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+from hertzwerk.runtime.cli.annotations import FORMATS, faults_as_remarks, remarks
+from hertzwerk.runtime.cli.terminal import BAD_INPUT, GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
 if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
@@ -29,6 +30,12 @@ if TYPE_CHECKING:
 )
 @click.option("--expect", metavar="UNIT", help="Unit that --expr must have, such as N (default: any).")
 @click.option("--json", "as_json", is_flag=True, help='Print one JSON object, {"findings": [...]}.')
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice([*FORMATS]),
+    help="Print annotations of files and lines: workflow commands of github, or sarif 2.1.0 (default: text).",
+)
 @reports_bad_input
 def audit(
     targets: tuple[str, ...],
@@ -38,31 +45,42 @@ def audit(
     values: tuple[str, ...],
     expect: str | None,
     as_json: bool,
+    form: str | None,
 ) -> int:
     """Check the units of scenes, files, laws or one expression.
 
     Exit code 0: consistent, 1: inconsistent, 2: bad input. SCENE is a built-in scene, FILE a Python or TOML file of
     scenes or laws, FOLDER a folder of them.
     """
-    _must_name_one(targets, laws, expr, stray=bool(units or values or expect))
+    _must_name_one(
+        targets, laws, expr, stray=bool(units or values or expect), alone=bool(form and (as_json or not targets))
+    )
     if expr is not None:
         return _audit_expression(expr, units, values, expect, as_json)
     if laws:
         return _audit_laws(as_json)
     from hertzwerk.runtime.engine.model.build import audit_targets
 
-    audited = audit_targets(targets)
+    try:
+        audited = audit_targets(targets)
+    except InputError as error:
+        if form is None:
+            raise
+        click.echo(FORMATS[form]([*faults_as_remarks(error)]))
+        return BAD_INPUT
     findings = [finding for group in audited.values() for finding in group]
     if as_json:
         _print_json([{"file": target, **finding.record()} for target, group in audited.items() for finding in group])
-    for target, group in () if as_json else audited.items():
+    if form is not None:
+        click.echo(FORMATS[form]([*remarks(audited)]))
+    for target, group in () if as_json or form else audited.items():
         if len(audited) > 1:
             click.echo(f"{target}:")
         _report(group)
     return GOOD if all(finding.sound for finding in findings) else OTHER_OUTCOME
 
 
-def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stray: bool) -> None:
+def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stray: bool, alone: bool) -> None:
     faults = []
     named = [bool(targets), laws, expr is not None]
     if sum(named) != 1:
@@ -70,6 +88,10 @@ def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stra
         faults.append(Fault("audit", found, "scenes, files or folders; or --laws; or --expr"))
     if stray and expr is None:
         faults.append(Fault("audit", "--unit, --value or --expect without --expr", "--expr TEXT beside them"))
+    if alone:
+        faults.append(
+            Fault("audit", "--format with --json, or without files", "scenes, files or folders, and one of both")
+        )
     if faults:
         raise InputError("audit", faults)
 
