@@ -254,7 +254,7 @@ class Rescaled:
             return ["s"]
         if group == "a":
             return [f"{unit}^2" if unit == "1/s" else f"({unit})/s" for unit in self.units("u")]
-        if group == "wanted" and "CONSTRAINTS" not in self.derived.names:
+        if group == "wanted" and all(f.name != "constraints" for f in self.program.functions):
             return []
         function, result = {"f": ("applied", 0), "reactions": ("accelerations", 1), "wanted": ("constraints", 1)}[group]
         return list(self.results(function)[result].units)

@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.solution.solution import Solution
 TEXT = Path(pendulum.__file__).read_text(encoding="utf-8")
 ALTERED = {
     "a number": ("9.81", "9.80"),
-    "a table": ("UNCHECKED = ADVICE =", "UNCHECKED ="),
+    "a table": ("UNCHECKED = CONTRADICTIONS =", "UNCHECKED ="),
     "the last line": ("\n\n\ndef landmarks", "\n\n\n\ndef landmarks"),
     "its digest": ('DIGEST = "', 'DIGEST = "0'),
     "no digest": ('DIGEST = "', 'DIGESTS = "'),
