@@ -17,7 +17,7 @@ class WithTests(sdist):
             "C*.md",
             "CITATION.cff",
             ".gitignore",
-            ".pre-commit-config.yaml",
+            ".pre-commit-*.yaml",
         ):
             self.filelist.include(text)
         self.filelist.global_exclude("__pycache__/*")
