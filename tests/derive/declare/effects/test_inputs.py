@@ -5,6 +5,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from derived import Derived
 
 from hertzwerk.derive import (
     GROUND,
