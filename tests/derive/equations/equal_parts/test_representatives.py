@@ -167,7 +167,10 @@ def test_values_are_those_of_a_derivation_of_each(name):
     random = np.random.default_rng(36)
     p = each.bind().p
     constants = [model.evaluate("constants", p)[0] for model in (kinds, each)]
-    functions = [*(f for f in _INPUTS if each.has(f) and f != "constants"), *(f"contact_{pair}" for pair in each.pairs)]
+    functions = [
+        *(f for f in _INPUTS if each.has_function(f) and f != "constants"),
+        *(f"contact_{pair}" for pair in each.pairs),
+    ]
     touching = 0
     for _ in range(4):
         given = {name: random.uniform(-0.1, 0.1, each._size(name)) for name in ("q", "u", "z", "a", "f", "reactions")}
