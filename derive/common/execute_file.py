@@ -14,9 +14,8 @@ from typing import Any
 from hertzwerk.derive.common.faults import Fault, InputError, unreadable
 
 _FOLDER: ContextVar[Path | None] = ContextVar("folder of the file that is executed", default=None)
-_NEIGHBOURS: set[str] = (
-    set()
-)  # modules that files imported from their folders: another folder may have others of these names
+_NEIGHBOURS: set[str] = set()
+"""Modules that files imported from their folders: another folder may have others of these names."""
 
 
 def beside(path: str | Path) -> Path:

@@ -62,13 +62,18 @@ def without_scene(where: str, source: str, name: str) -> InputError:
     return InputError(name, [Fault(where, found, f"the scene itself, of {source or 'its file'}", remedy)])
 
 
-def refuse_generated(path: Path) -> None:
-    """Raise InputError for the file of a generated module, where a scene is needed."""
+def generated_text(path: Path) -> str | None:
+    """Return the text of the generated module in a file, None for any other file."""
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError):
-        return
-    if is_generated(text):
+        return None
+    return text if is_generated(text) else None
+
+
+def refuse_generated(path: Path) -> None:
+    """Raise InputError for the file of a generated module, where a scene is needed."""
+    if (text := generated_text(path)) is not None:
         raise without_scene(str(path), _stated(text, "SOURCE"), _stated(text, "NAME") or path.stem)
 
 

@@ -33,7 +33,7 @@ def chain_on_table(n: int, name: str = "") -> Scene:
     links = [Body.rod(f"link_{i}", L, mass=Parameter("link_mass", "g", 5)) for i in range(1, n + 1)]
     ends = [links[0].at(-L / 2, 0, 0), *(link.at(L / 2, 0, 0) for link in links)]
     joints = [Revolute(f"pin_{i}", end, link.at(-L / 2, 0, 0), axis=Z)
-              for i, (end, link) in enumerate(zip(ends[1:], links[1:], strict=False), 1)]  # fmt: skip
+              for i, (end, link) in enumerate(zip(ends[1:-1], links[1:], strict=True), 1)]  # fmt: skip
     balls = [SphereOnPlane(f"ball_{i}", end, R, plane=GROUND.at(0, 0, 0), normal=Y) for i, end in enumerate(ends)]
     law = (
         power(Parameter("stiffness", "N/m^1.5", 1e6), n=sp.Rational(3, 2)),

@@ -229,9 +229,8 @@ class Numbers:
         """Return the decimal mark that the cells prove; both with a fault where they prove none, or both."""
         if self._layout.delimiter == "," and '"' not in self._text:
             return "."
-        firsts: dict[
-            str, tuple[int, int, str]
-        ] = {}  # by the mark that reads the cell; "?," where both do and it has one
+        # by the mark that reads the cell; "?," where both do and it has one
+        firsts: dict[str, tuple[int, int, str]] = {}
         for c, cells in enumerate(columns):
             for r, cell in enumerate(cells):
                 if "," in cell or "." in cell:

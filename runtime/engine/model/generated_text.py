@@ -10,7 +10,7 @@ from types import ModuleType, SimpleNamespace
 from typing import Any
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.derive.common.module_format import EMPTY, FORMAT, is_generated, require_intact
+from hertzwerk.derive.common.module_format import EMPTY, FORMAT, generated_text, require_intact
 
 
 def module_of(name: str, text: str) -> ModuleType:
@@ -33,11 +33,8 @@ def module_in(path: Path) -> ModuleType | None:
 
     Raises InputError for a module of another format, or with an altered text.
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return None
-    if not is_generated(text):
+    text = generated_text(path)
+    if text is None:
         return None
     require_intact(text, path.stem, path)
     return module_of(path.stem, text)

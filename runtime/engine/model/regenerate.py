@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.derive.common.module_format import is_generated
+from hertzwerk.derive.common.module_format import generated_text
 from hertzwerk.runtime.engine.model.build import (
     derive_digest,
     derive_text,
@@ -124,7 +124,7 @@ def write(modules: Sequence[Derived], folder: Path | None) -> tuple[Path, ...]:
     faults = [
         Fault(str(path), "a file that is no generated module", "a module, or no file", "name another --out DIR")
         for path in paths
-        if path.exists() and not (path.is_file() and is_generated(path.read_text(encoding="utf-8", errors="replace")))
+        if path.exists() and generated_text(path) is None
     ]
     if faults:
         raise InputError("derive", faults)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -136,7 +137,7 @@ def _turning_faults(mechanism: Mechanism, bodies: Sequence[Body], inner: bool) -
     about = combine(whole.tensor, scaled(whole.mass, steiner(arm)))
     size = float(about[0][0] + about[1][1] + about[2][2])
     if axis is None:
-        if float(sp.Matrix(about).det()) <= 1e-12 * size**3:
+        if math.prod(principal(about)) <= 1e-12 * size**3:
             yield Fault(f"body {whole.name}", "inertia 0 about an axis through its joint",
                         "a positive one about every axis, because the joint lets the body turn in every way",
                         "Body(name, mass, (J_x, J_y, J_z)), or a Universal joint, which does not let it turn about itself.")  # fmt: skip
