@@ -5,6 +5,8 @@ import re
 from pathlib import Path
 
 import pytest
+from sentences import LONGEST as LONGEST_SENTENCE
+from sentences import MEAN, SHARE, measured, words
 from statements import statements
 
 ROOT = Path(__file__).parent.parent
@@ -12,6 +14,10 @@ LONGEST = 100
 RIDDLE = re.compile(r"(What|Of|Whose|Who)\b")
 AVOIDED = re.compile(r"(?i:\b(told|tells?|in vain|owe[sd]?|ask(s|ed)? for)\b)|^(#+ )?What (?![^\n]*\?)")
 PAGES = ("README.md", "CHANGELOG.md", "derive/README.md", "runtime/README.md")
+PLAIN = (  # pages of short sentences
+    "CONTRIBUTING.md",
+    "derive/scenes/README.md",
+)
 
 
 def faults(text):
@@ -76,3 +82,44 @@ def test_an_avoided_word_is_found(text):
     for module in (f'"""{text}"""\n', f'f(1, "{text}")\n', f'x = f"{{y}}: 1" f"{text}"\n'.replace('{y}: 1" f"', "")):
         assert avoided(module) != []
     assert avoided('"""What do the laws return?"""\n') == []
+
+
+def excesses(page):
+    """Limits of CONTRIBUTING.md, section English, that a page exceeds."""
+    mean, share, longest = measured(page)
+    return [
+        *([f"mean of {mean:.1f} words, at most {MEAN}"] if mean > MEAN else []),
+        *([f"{share:.1%} of sentences are long, at most {SHARE:.0%}"] if share > SHARE else []),
+        *([f"{words(longest)} words: {longest}"] if words(longest) > LONGEST_SENTENCE else []),
+    ]
+
+
+@pytest.mark.parametrize("page", PLAIN)
+def test_sentences_are_short(page):
+    assert excesses((ROOT / page).read_text("utf-8")) == []
+
+
+SHORT = "A ball bounces on a plane. "
+
+
+@pytest.mark.parametrize(
+    ("page", "limits"),
+    [
+        (SHORT * 20, 0),
+        (SHORT + "word " * 45 + ".", 2),  # mean and share
+        (SHORT * 40 + "word " * 46 + ".", 1),
+        (SHORT * 18 + ("word " * 31 + ". ") * 2, 1),
+        (("word " * 17 + ". ") * 20, 1),
+        (SHORT * 18 + ("- " + "word " * 15 + "\n") * 3, 0),  # items of a list need no full stop
+        (SHORT * 40 + "\n\n" + "[" + "word " * 23 + "](target.md) " + "word " * 23, 1),
+    ],
+)
+def test_long_sentences_are_found(page, limits):
+    assert len(excesses(page)) == limits
+
+
+@pytest.mark.parametrize(
+    "block", ["```python\n{}\n```", "| {} |", "# {}", "$$\n{}\n$$", "```{{math}}\n{}\n```", "`{}`", "[code]({})"]
+)
+def test_code_tables_headings_and_targets_do_not_count(block):
+    assert excesses(SHORT * 20 + "\n\n" + block.format("word " * 46)) == []
