@@ -20,6 +20,7 @@ ALLOWED = {
     "found": "errors state what was found and what was expected",
     "tell": "a method of Python's files",
 }
+PLAIN_WITHIN = ("derive",)  # folders whose locals are plain; all of runtime follows
 FRONTS = ("hertzwerk", "hertzwerk.derive", "hertzwerk.runtime")
 
 
@@ -111,6 +112,50 @@ def test_names_say_what_things_are(side):
     assert files
     assert [str(file.relative_to(ROOT)) for file in files if riddle(file.stem)] == []
     assert [f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in riddles(file.read_text("utf-8"))] == []
+
+
+def riddles_within(text):
+    """Parameters and locals of that kind, as 'line: name'; `found` beside `expected` is a parameter of what makes errors."""
+    names, fields = set(), set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.ClassDef):
+            fields |= {part for each in node.body for part in stored(each)}
+        elif isinstance(node, ast.FunctionDef | ast.Lambda):
+            spec = node.args
+            parameters = [*spec.posonlyargs, *spec.args, *spec.kwonlyargs, *filter(None, (spec.vararg, spec.kwarg))]
+            pair = {"found", "expected"} <= {each.arg for each in parameters}
+            names |= {(each.lineno, each.arg) for each in parameters if not (pair and each.arg == "found")}
+            names |= {(node.lineno, node.name)} if isinstance(node, ast.FunctionDef) else set()
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and node not in fields:
+            names.add((node.lineno, node.id))
+    return [f"{line}: {name}" for line, name in sorted(names) if name in RIDDLES]
+
+
+@pytest.mark.parametrize("folder", PLAIN_WITHIN)
+def test_parameters_and_locals_say_what_they_are(folder):
+    files = sorted((ROOT / folder).rglob("*.py"))
+    assert files
+    assert [
+        f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in riddles_within(file.read_text("utf-8"))
+    ] == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "def f(what): pass",
+        "def f(*, expected, **given): pass",
+        "x = [found for found in y]",
+        "def f():\n    for a, (b, seen) in c: pass",
+        "def f():\n    if (kept := g()): return kept",
+        "def f():\n    def told(): pass",
+        "x = lambda found: found[0]",
+    ],
+)
+def test_a_local_that_is_a_riddle_is_found(text):
+    assert len(riddles_within(text)) == 1
+    assert riddles_within("def fault(where, found, expected): return Fault(where, found, expected)") == []
+    assert riddles_within("class A:\n    found: str\nFault(found=1, expected=2).found") == []
 
 
 @pytest.mark.parametrize(

@@ -68,9 +68,9 @@ class Trial:
             return ", ".join(f"{q.name} = {mp.nstr(x, 4)}" for q, x in shown) + f", in {self.law.fitted_in}"
         return ", ".join(f"{q.name} = {_with_unit(x, q.unit)}" for q, x in shown)
 
-    def fault(self, what: str, state: Mapping[Any, Any], found: str, expected: str, remedy: str) -> Fault:
+    def fault(self, quantity: str, state: Mapping[Any, Any], found: str, expected: str, remedy: str) -> Fault:
         """Make the fault at a point."""
-        return Fault(f"law {self.law.name}, {what} at {self.at(state)}", found, expected, remedy)
+        return Fault(f"law {self.law.name}, {quantity} at {self.at(state)}", found, expected, remedy)
 
 
 def with_definitions(law: Law, values: Values) -> Values:
@@ -118,8 +118,8 @@ def faults_of(trial: Trial) -> Iterator[Fault]:
     raise TypeError(f"{type(trial.law).__name__} is no kind of law that is known")
 
 
-def _undefined(trial: Trial, what: str, state: Mapping[Any, Any]) -> Fault:
-    return trial.fault(what, state, "no finite real number", "one everywhere in the law's range",
+def _undefined(trial: Trial, quantity: str, state: Mapping[Any, Any]) -> Fault:
+    return trial.fault(quantity, state, "no finite real number", "one everywhere in the law's range",
                        "State the range it holds in: a `reach`, or limits of the symbols.")  # fmt: skip
 
 
@@ -138,20 +138,20 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
     forces = [number(law.force, values) for _, values in points]
     undefined = [k for k, (_, values) in enumerate(points) if forces[k] is None or number(slope, values) is None]
     if undefined:
-        what = "force" if forces[undefined[0]] is None else "slope of the force"
-        yield _undefined(trial, what, {d: points[undefined[0]][0]})
+        quantity = "force" if forces[undefined[0]] is None else "slope of the force"
+        yield _undefined(trial, quantity, {d: points[undefined[0]][0]})
         return
     at_onset = number(law.force, trial.values | {d: limit * ONSET})
     if at_onset is None or abs(at_onset) > LEFT_AT_ONSET * abs(forces[-1]):
-        found = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} N"
-        yield trial.fault("force", {d: mpf(0)}, found, "0 N, and no jump at the onset",
+        actual = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} N"
+        yield trial.fault("force", {d: mpf(0)}, actual, "0 N, and no jump at the onset",
                           "A contact begins without a force: leave out what does not vanish with d.")  # fmt: skip
         return
     falling = _end_of_rise(law.force, slope, trial.values, [mpf(0), *(depth for depth, _ in points)], [mpf(0), *forces])
     if falling is not None:
         force = number(law.force, trial.values | {d: falling})
-        found = f"{mp.nstr(force, 4)} N, no longer rising with the penetration"
-        yield trial.fault("force", {d: falling}, found, "a force above 0 that rises with the penetration",
+        actual = f"{mp.nstr(force, 4)} N, no longer rising with the penetration"
+        yield trial.fault("force", {d: falling}, actual, "a force above 0 that rises with the penetration",
                           f"A sign is wrong, or the law ends there: state a `reach` below {mp.nstr(falling, 3)} m.")  # fmt: skip
         return
     yield from _stored(trial, points, forces, limit)
@@ -159,8 +159,8 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
         for (depth, values), force in zip(points, forces, strict=True):
             back = number(law.relation, values | {F: force})
             if back is None or abs(back - depth) > AGREEMENT * depth:
-                found = "no finite real number" if back is None else f"{mp.nstr(back, 6)} m"
-                yield trial.fault("relation", {d: depth, F: force}, found, f"{mp.nstr(depth, 6)} m, of which `force` is the force",
+                actual = "no finite real number" if back is None else f"{mp.nstr(back, 6)} m"
+                yield trial.fault("relation", {d: depth, F: force}, actual, f"{mp.nstr(depth, 6)} m, of which `force` is the force",
                                   "`relation` is d(F) as published, `force` its inverse: one of them is not.")  # fmt: skip
                 return
 
@@ -190,8 +190,8 @@ def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], l
     remedy = "Leave `stored` out: it is then the integral, by Gauss's rule."
     at_onset = number(stored, trial.values | {d: limit * ONSET})
     if at_onset is None or abs(at_onset) > LEFT_AT_ONSET * forces[-1] * limit:
-        found = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} J"
-        yield trial.fault("stored energy", {d: mpf(0)}, found, "0 J before anything is pressed in", remedy)
+        actual = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} J"
+        yield trial.fault("stored energy", {d: mpf(0)}, actual, "0 J before anything is pressed in", remedy)
         return
     ratios = []
     for (depth, values), force in zip(points, forces, strict=True):
@@ -205,9 +205,9 @@ def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], l
     if abs(ratios[worst] - 1) > AGREEMENT:
         alike = all(abs(ratio - ratios[0]) <= AGREEMENT * abs(ratios[0]) for ratio in ratios)
         everywhere = f", as everywhere: {mp.nstr(ratios[0], 6)} of it, so a factor is wrong" if alike else ""
-        found = f"a derivative of {mp.nstr(ratios[worst] * forces[worst], 6)} N{everywhere}"
+        actual = f"a derivative of {mp.nstr(ratios[worst] * forces[worst], 6)} N{everywhere}"
         yield trial.fault(
-            "stored energy", {d: points[worst][0]}, found, f"the force, {mp.nstr(forces[worst], 6)} N", remedy
+            "stored energy", {d: points[worst][0]}, actual, f"the force, {mp.nstr(forces[worst], 6)} N", remedy
         )
         return
 
@@ -232,17 +232,17 @@ def _damping(trial: Trial) -> Iterator[Fault]:
                 values = {**trial.values, **pressed, v0: onset, v: rate}
                 resistance = number(law.resistance, values)
                 if resistance is None or any(number(slope, values) is None for slope in slopes):
-                    what = "damping force" if resistance is None else "slope of the damping force"
-                    yield _undefined(trial, what, state)
+                    quantity = "damping force" if resistance is None else "slope of the damping force"
+                    yield _undefined(trial, quantity, state)
                     return
                 if resistance * rate < 0:
                     yield _energy_gain(trial, "damping force", state, resistance, rate)
                     return
 
 
-def _energy_gain(trial: Trial, what: str, state: Mapping[Any, Any], force: Any, speed: Any) -> Fault:
-    found = f"{mp.nstr(force, 4)} N at {mp.nstr(speed, 4)} m/s, a power of {mp.nstr(-force * speed, 4)} W put into the motion"
-    return trial.fault(what, state, found, "a force of the sign of the speed: it takes energy, and gives none",
+def _energy_gain(trial: Trial, quantity: str, state: Mapping[Any, Any], force: Any, speed: Any) -> Fault:
+    actual = f"{mp.nstr(force, 4)} N at {mp.nstr(speed, 4)} m/s, a power of {mp.nstr(-force * speed, 4)} W put into the motion"
+    return trial.fault(quantity, state, actual, "a force of the sign of the speed: it takes energy, and gives none",
                        "A sign is wrong, or a function that is even in the speed stands where an odd one does: tanh, not cos.")  # fmt: skip
 
 
@@ -255,8 +255,8 @@ def _friction(trial: Trial) -> Iterator[Fault]:
         pressed = {**trial.values, N: load}
         rest = number(law.force, pressed | {s: mpf(0)})
         if rest is None or rest != 0:
-            found = "no finite real number" if rest is None else f"{mp.nstr(rest, 4)} N"
-            yield trial.fault("friction force", {s: mpf(0), N: load}, found, "0 N at rest",
+            actual = "no finite real number" if rest is None else f"{mp.nstr(rest, 4)} N"
+            yield trial.fault("friction force", {s: mpf(0), N: load}, actual, "0 N at rest",
                               "Friction is odd in s, tanh(s/v_s) for instance: it changes its sign with the direction of sliding.")  # fmt: skip
             return
         for speed in SPEEDS:
@@ -281,18 +281,18 @@ def _friction(trial: Trial) -> Iterator[Fault]:
     if law.holding is not None:
         holding = number(law.holding, {**trial.values, N: LOADS[0]})
         if holding is None or holding < 0:
-            found = "no finite real number" if holding is None else f"{mp.nstr(holding, 4)} N"
-            yield trial.fault("force held at rest", {N: LOADS[0]}, found, "a force, not below 0", "A sign is wrong.")
+            actual = "no finite real number" if holding is None else f"{mp.nstr(holding, 4)} N"
+            yield trial.fault("force held at rest", {N: LOADS[0]}, actual, "a force, not below 0", "A sign is wrong.")
 
 
 def _slope_at_rest(trial: Trial, pressed: Values, load: Any) -> Iterator[Fault]:
     law, tiny = trial.law, SLOWEST
     stated, there = number(law.slope, pressed | {s: mpf(0)}), number(law.force, pressed | {s: tiny})
     if stated is None or there is None or abs(there / tiny - stated) > CURVATURE * abs(there / tiny):
-        found = "no finite real number" if stated is None else f"{mp.nstr(stated, 6)} N s/m"
+        actual = "no finite real number" if stated is None else f"{mp.nstr(stated, 6)} N s/m"
         expected = "its derivative there" + ("" if there is None else f", {mp.nstr(there / tiny, 6)} N s/m")
         yield trial.fault(
-            "slope of the friction force", {s: mpf(0), N: load}, found, expected, "Correct `slope`, or leave it out."
+            "slope of the friction force", {s: mpf(0), N: load}, actual, expected, "Correct `slope`, or leave it out."
         )
 
 
@@ -331,14 +331,14 @@ def _film(trial: Trial) -> Iterator[Fault]:
     for along, across in ((0, 0), (0.3, 0.2), (-0.6, 0.4), (0.1, -0.85), (0.85, 0)):
         state = {eps_w: mpf(along), eps_c: mpf(across)}
         values = with_definitions(law, {q: x for q, x in trial.values.items() if q not in STATE} | state)
-        for what, expression in (("along", law.along), ("across", law.across), ("couple", law.couple)):
+        for component, expression in (("along", law.along), ("across", law.across), ("couple", law.couple)):
             value = number(expression, values)
             if value is None:
-                yield _undefined(trial, what, state)
+                yield _undefined(trial, component, state)
                 return
-            if value < 0 and what != "across":  # a force across the velocity does no work
+            if value < 0 and component != "across":  # a force across the velocity does no work
                 yield trial.fault(
-                    what,
+                    component,
                     state,
                     mp.nstr(value, 4),
                     "a drag not below 0: a film takes energy, and gives none",

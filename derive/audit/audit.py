@@ -178,10 +178,10 @@ def audit_law(law: Law) -> tuple[Finding, ...]:
     table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
     wrong = "outside_si" if law.fitted_in else "inconsistent"
     rows = [*_definitions(law), *law.expressions()]
-    found = [_law_finding(law, row, table, {}, [*names.values(), *_numbers(law)], names) for row in rows]
-    if law.verdict == "consistent" and verdict(found) != "consistent":
-        found = with_repairs(found, _culprits(law, table, names))
-    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in found)
+    findings = [_law_finding(law, row, table, {}, [*names.values(), *_numbers(law)], names) for row in rows]
+    if law.verdict == "consistent" and verdict(findings) != "consistent":
+        findings = with_repairs(findings, _culprits(law, table, names))
+    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in findings)
 
 
 def _culprits(law: Law, table: Mapping[sp.Symbol, Dimension], names: Mapping[str, sp.Symbol]) -> Sequence[Culprit]:
@@ -189,9 +189,9 @@ def _culprits(law: Law, table: Mapping[sp.Symbol, Dimension], names: Mapping[str
     own = [symbol for symbol in table if symbol not in (*STATE, *GEOMETRY) or symbol in law.parameters]
     defined = {f"definition of {symbol.name}": symbol for symbol, _ in law.definitions}
 
-    def row(what: str, expression: sp.Expr, unit: str) -> Row:
+    def row(quantity: str, expression: sp.Expr, unit: str) -> Row:
         def fault(dimensions: Mapping[sp.Symbol, Dimension]) -> DimensionFault | None:
-            expected = dimensions[defined[what]] if what in defined else _dimension(unit, names)
+            expected = dimensions[defined[quantity]] if quantity in defined else _dimension(unit, names)
             return check(expression, dimensions, expected, [s for s in own if dimensions[s] == ONE])
 
         return Row(fault, lambda symbol: powers_in(symbolic(expression), symbol))
@@ -200,7 +200,7 @@ def _culprits(law: Law, table: Mapping[sp.Symbol, Dimension], names: Mapping[str
     return culprits(rows, table, {symbol: symbol.unit for symbol in own})
 
 
-def with_repairs(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:
+def with_repairs(findings: list[Finding], suspects: Sequence[Culprit]) -> list[Finding]:
     """Add the likeliest symbols with a wrong unit to the findings as their repair.
 
     Another exponent that would do is kept beside it. If there is no such symbol and only one expression is
@@ -208,7 +208,7 @@ def with_repairs(findings: list[Finding], found: Sequence[Culprit]) -> list[Find
     """
     faulty = [finding for finding in findings if finding.verdict != "consistent"]
     alone = len(findings) == 1
-    best = likeliest(found, alone)
+    best = likeliest(suspects, alone)
 
     def repaired(finding: Finding) -> Finding:
         if finding.verdict == "consistent":
@@ -279,7 +279,7 @@ def _law_finding(
 
     `exponents` are given values of exponents; `names` are symbols left open in units.
     """
-    what, expression, unit = row
+    quantity, expression, unit = row
     expected = _dimension(unit, names)
     fault = check(expression.xreplace(exponents), table, expected, constants)
     general = check(expression, table, expected, constants) or fault  # with the exponent left open, for the remedy
@@ -290,7 +290,7 @@ def _law_finding(
     )
     return Finding(
         effect=law.name,
-        quantity=what,
+        quantity=quantity,
         law=law.name,
         kind=law.kind,
         title=law.title,
@@ -356,17 +356,17 @@ def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding
     findings: list[Finding] = []
     read, walk = reader(), Walker(Symbolic(), table, constants)
 
-    def examine(what: str, expression: Any, expected: Dimension | None) -> Dimension | None:
+    def examine(quantity: str, expression: Any, expected: Dimension | None) -> Dimension | None:
         try:
             return walk.result(read(expression), expected)
         except DimensionError as error:
             if error.fault.found != "unknown":
-                findings.append(_finding(program, what, expression, error.fault))
+                findings.append(_finding(program, quantity, expression, error.fault))
             return None
 
     for symbol, expression in program.assignments():
-        if symbol not in table and (found := examine(f"assignment {symbol.name}", expression, None)) is not None:
-            table[symbol] = found
+        if symbol not in table and (dimension := examine(f"assignment {symbol.name}", expression, None)) is not None:
+            table[symbol] = dimension
     for function in program.functions:
         for result in function.results:
             for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
@@ -377,9 +377,9 @@ def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding
     return {symbol: texts[dimension] for symbol, dimension in table.items()}, tuple(findings)
 
 
-def _finding(program: Program, what: str, expression: Any, fault: DimensionFault) -> Finding:
+def _finding(program: Program, quantity: str, expression: Any, fault: DimensionFault) -> Finding:
     return Finding(
-        effect=program.scene.name, quantity=what, law="", title=fault.reason, source="", verdict="inconsistent",
+        effect=program.scene.name, quantity=quantity, law="", title=fault.reason, source="", verdict="inconsistent",
         expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,
         reason=fault.reason, consistent_exponent=_exponent(fault), repair=fault.repair, kind="program",
     )  # fmt: skip

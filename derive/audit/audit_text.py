@@ -28,20 +28,20 @@ __all__ = ["audit_expression", "declarations", "finding", "undeclared"]
 def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str, str], dict[str, float]]:
     """Parse texts `NAME=UNIT` and `NAME=NUMBER` (such as 1.1 or 3/2). Raises InputError."""
     faults: list[Fault] = []
-    given: dict[str, dict[str, str]] = {"unit": {}, "value": {}}
-    for what, texts in (("unit", units), ("value", values)):
+    entries: dict[str, dict[str, str]] = {"unit": {}, "value": {}}
+    for kind, texts in (("unit", units), ("value", values)):
         for text in texts:
             name, sign, rest = text.partition("=")
             name = plain_name(name.strip())
             if not sign or not rest.strip():
-                expected = "NAME=UNIT, as in K=N/m^1.5" if what == "unit" else "NAME=NUMBER, as in n=1.1"
-                faults.append(Fault(f"--{what}", repr(text), expected))
-            elif name in given[what]:
-                faults.append(Fault(f"--{what}", f"a second {what} of {name}", "one"))
+                expected = "NAME=UNIT, as in K=N/m^1.5" if kind == "unit" else "NAME=NUMBER, as in n=1.1"
+                faults.append(Fault(f"--{kind}", repr(text), expected))
+            elif name in entries[kind]:
+                faults.append(Fault(f"--{kind}", f"a second {kind} of {name}", "one"))
             else:
-                given[what][name] = rest.strip()
+                entries[kind][name] = rest.strip()
     numbers: dict[str, float] = {}
-    for name, text in given["value"].items():
+    for name, text in entries["value"].items():
         try:
             number = read(text).root.number
         except TextError as error:
@@ -53,7 +53,7 @@ def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str,
         numbers[name] = 0.0 if number is None else number
     if faults:
         raise InputError("options", faults)
-    return given["unit"], numbers
+    return entries["unit"], numbers
 
 
 def audit_expression(

@@ -114,8 +114,8 @@ def _in_scene(bound: BoundLaw, geometry: dict[str, Any], elastic: Trial | None) 
     Missing values are reported elsewhere.
     """
     law = bound.law
-    given = {**dict(bound.binding), **{q: geometry.get(q.name) for q in (*law.geometry, R_min)}}
-    values: Values = {q: mpf(repr(default_value(x))) for q, x in given.items() if x is not None}
+    bindings = {**dict(bound.binding), **{q: geometry.get(q.name) for q in (*law.geometry, R_min)}}
+    values: Values = {q: mpf(repr(default_value(x))) for q, x in bindings.items() if x is not None}
     if not all(mp.isfinite(x) for x in values.values()) or any(q not in values for q in law.geometry):
         return None
     return Trial(law, with_definitions(law, values), values.get(R_min, DEFAULT_DEPTH), elastic)

@@ -65,8 +65,8 @@ def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]
     pair = next(pair for pair in scene.mechanism.pairs if pair.name in effect.pairs)
     form, own = form_of(pair), " or ".join(law.forms)
     offered = scene.geometry(pair.name) | ({} if long else {"L": None})
-    given = "" if long or form != "line" else ", once the pair has a length"
-    listed = f"`hertzwerk laws --form {form}` lists others{given}"
+    condition = "" if long or form != "line" else ", once the pair has a length"
+    listed = f"`hertzwerk laws --form {form}` lists others{condition}"
     way = listed if any(fitting_laws(law.kind, pair, offered)) else "the catalogue has no other"
     touches = f"a {kind.replace('_', ' ')} touches {_TOUCHES[form]}"
     return f"{', '.join(effects)}: {touches}, and {name} is a law of {own} contact; {way}"

@@ -106,7 +106,7 @@ def _input_error(path: Path, error: BaseException) -> InputError:
     where = f"{path}, line {frames[-1].lineno}" if frames else str(path)
     if isinstance(error, InputError):
         return InputError(f"{where}: {error.subject}", error.faults)
-    found = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    actual = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
     return InputError(
-        str(path), [Fault(where, found, "a scene file that runs", "the file was executed and raised this error")]
+        str(path), [Fault(where, actual, "a scene file that runs", "the file was executed and raised this error")]
     )

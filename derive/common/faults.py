@@ -70,10 +70,10 @@ def unreadable(path: object, error: Exception, expected: str) -> Fault:
         (IsADirectoryError, "a folder"),
         (PermissionError, "no right to read it"),
     ]
-    found = next(
+    actual = next(
         (text for kind, text in plain if isinstance(error, kind)), getattr(error, "strerror", None) or str(error)
     )
-    return Fault(str(path), found, expected)
+    return Fault(str(path), actual, expected)
 
 
 class PicklableError(ValueError):

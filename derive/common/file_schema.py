@@ -62,14 +62,14 @@ def _fault(row: Any, model: type[BaseModel], where: str, others: Mapping[str, ty
         fault = unknown("key", key, owner.model_fields)
         return replace(fault, where=place, remedy=home or fault.remedy)
     if isinstance(cause, MisfitError):
-        found = cause.found or shown(row["input"], 60)
-        return Fault(f"{place}, {cause.at}" if cause.at else place, found, cause.expected, cause.remedy)
+        actual = cause.found or shown(row["input"], 60)
+        return Fault(f"{place}, {cause.at}" if cause.at else place, actual, cause.expected, cause.remedy)
     if not expected and _is_model(annotation):
         text = (annotation.__doc__ or "").rstrip(".")
         expected = text[:1].lower() + text[1:]
     choice = str(row.get("ctx", {}).get("expected", "")).replace("'", "")
-    found = "none" if kind == "missing" else shown(row["input"], 60)
-    return Fault(place, found, expected or choice or row["msg"].removeprefix("Input should be "), str(cause or ""))
+    actual = "none" if kind == "missing" else shown(row["input"], 60)
+    return Fault(place, actual, expected or choice or row["msg"].removeprefix("Input should be "), str(cause or ""))
 
 
 def _is_model(annotation: Any) -> bool:

@@ -25,8 +25,8 @@ def tag(name: str, /, *content: Content, **attributes: str | float | None) -> Ma
 
     Underscores in the name of an attribute stand for hyphens, but the last one.
     """
-    given = ((key.removesuffix("_").replace("_", "-"), value) for key, value in attributes.items())
-    opened = "".join([name, *(f' {key}="{_escaped(str(value))}"' for key, value in given if value is not None)])
+    pairs = ((key.removesuffix("_").replace("_", "-"), value) for key, value in attributes.items())
+    opened = "".join([name, *(f' {key}="{_escaped(str(value))}"' for key, value in pairs if value is not None)])
     return Markup(f"<{opened}>" if name in EMPTY else f"<{opened}>{joined(content)}</{name}>")
 
 

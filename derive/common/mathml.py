@@ -55,14 +55,14 @@ def lines_of(latex: str) -> list[tuple[Markup, str]]:
     body = re.fullmatch(r"\s*\\begin\{aligned\}(.*)\\end\{aligned\}\s*", latex, re.DOTALL)
     if body is None:
         return [(_line(latex), "")]
-    found = []
+    lines = []
     for row in body[1].split(r"\\"):
         left, right, *remark = (cell.strip() for cell in [*row.split("&"), ""][:4])
         text = re.fullmatch(r"\\text\{(.*)\}", "".join(remark).strip())
         if any(remark) and text is None:
             raise ValueError(f"found {row!r}, expected a text beside the equation")
-        found.append((_line(f"{left} {right}"), _plain(text[1]) if text else ""))
-    return found
+        lines.append((_line(f"{left} {right}"), _plain(text[1]) if text else ""))
+    return lines
 
 
 def inline(latex: str) -> Markup:
@@ -126,8 +126,8 @@ class _Reader:
 
     def _row(self, ends: tuple[str, ...], *, apart: bool = False) -> Iterator[tuple[Markup, Role]]:
         while self._token and self._token not in (*ends, "}", r"\right", r"\end", "&", r"\\"):
-            if apart and (found := self._taken_apart()) is not None:
-                yield from found
+            if apart and (parts := self._taken_apart()) is not None:
+                yield from parts
             else:
                 yield self._scripted()
 

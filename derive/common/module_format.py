@@ -56,10 +56,10 @@ def command(source: str, name: str) -> str:
 
 def without_scene(where: str, source: str, name: str) -> InputError:
     """Return the error of what needs the scene of a model that has none; `source` as its SOURCE states it."""
-    found = "a model without its scene, as a generated module or a saved run is"
+    actual = "a model without its scene, as a generated module or a saved run is"
     target = target_of(source, name)
     remedy = f"load({target!r}) has it; hertzwerk derive {target} --show prints its equations"
-    return InputError(name, [Fault(where, found, f"the scene itself, of {source or 'its file'}", remedy)])
+    return InputError(name, [Fault(where, actual, f"the scene itself, of {source or 'its file'}", remedy)])
 
 
 def generated_text(path: Path) -> str | None:
@@ -82,10 +82,10 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
 
     path    its file, where it has one
     """
-    found = _stated(text, "FORMAT")
+    stated = _stated(text, "FORMAT")
     seal = _DIGEST.search(text)
-    if found != FORMAT:
-        said, expected = f"a module in the format {found!r}" if found else "a module without a format", repr(FORMAT)
+    if stated != FORMAT:
+        said, expected = f"a module in the format {stated!r}" if stated else "a module without a format", repr(FORMAT)
     elif seal is None or seal[1] != _digest(text):
         said, expected = "a text that does not fit its digest", "the module as hertzwerk wrote it"
     else:
@@ -100,8 +100,8 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
 
 
 def _stated(text: str, name: str) -> str:
-    found = re.search(_STATED.format(name), text, re.M)
-    return str(json.loads(found[1])) if found else ""
+    match = re.search(_STATED.format(name), text, re.M)
+    return str(json.loads(match[1])) if match else ""
 
 
 def _digest(text: str) -> str:

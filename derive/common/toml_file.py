@@ -19,10 +19,10 @@ def read_toml(path: str | Path, content: str) -> dict[str, Any]:
     try:
         return tomllib.loads(raw.decode())
     except RecursionError:
-        found = "tables or arrays nested too deeply"
+        actual = "tables or arrays nested too deeply"
     except ValueError as error:  # syntax, encoding, numbers with thousands of digits
-        found = str(error)
-    raise InputError(str(path), [Fault("file", found, expected)])
+        actual = str(error)
+    raise InputError(str(path), [Fault("file", actual, expected)])
 
 
 def read_at_most(most: int, path: str | Path, expected: str, remedy: str = "") -> bytes:

@@ -341,19 +341,19 @@ class _Reader:
     """
 
     def __init__(self, text: str) -> None:
-        text = _SUPERSCRIPT.sub(lambda found: f"^({found[0]})", text).translate(_PLAIN).rstrip()
+        text = _SUPERSCRIPT.sub(lambda match: f"^({match[0]})", text).translate(_PLAIN).rstrip()
         self.tokens: list[tuple[str, str]] = []
         self.next = 0
         self.depth = 0
         position = 0
         while position < len(text):
-            found = _TOKEN.match(text, position)
-            if not found:
+            match = _TOKEN.match(text, position)
+            if not match:
                 rest = text[position:].strip()[:20]
                 raise UnitError(f"found {rest!r}, expected unit symbols, * / ^ ( ) and exponents")
-            kind = str(found.lastgroup)
-            self.tokens.append((kind, "^" if found[kind] == "**" else found[kind]))
-            position = found.end()
+            kind = str(match.lastgroup)
+            self.tokens.append((kind, "^" if match[kind] == "**" else match[kind]))
+            position = match.end()
 
     def peek(self) -> tuple[str, str]:
         return self.tokens[self.next] if self.next < len(self.tokens) else ("end", "the end")
@@ -509,14 +509,14 @@ def split_quantity(text: str) -> tuple[float, str]:
         raise UnitError(f"found {text!r}, expected a quantity as text such as '0.2 mm'")
     if len(text) > MAX_TEXT:
         raise UnitError(f"found a quantity of {len(text)} characters, expected at most {MAX_TEXT}")
-    found = _QUANTITY.fullmatch(text.replace("−", "-"))
-    if not found:
+    match = _QUANTITY.fullmatch(text.replace("−", "-"))
+    if not match:
         raise UnitError(f"quantity {text!r}: found no finite number in front, expected one such as 0.2 in '0.2 mm'")
-    value, rest = float(found[1]), found[2].strip()
+    value, rest = float(match[1]), match[2].strip()
     if not math.isfinite(value):
         raise UnitError(f"quantity {text!r}: found a number beyond the range of a double, expected a finite one")
     if rest.startswith(","):
-        raise UnitError(f"quantity {text!r}: found a comma, expected a decimal point: {found[1]}.{rest[1:].strip()}")
+        raise UnitError(f"quantity {text!r}: found a comma, expected a decimal point: {match[1]}.{rest[1:].strip()}")
     if rest.startswith("*") and not rest.startswith("**"):
         rest = rest[1:] or "*"
     elif rest.startswith("/"):

@@ -37,8 +37,8 @@ def generate(scene: Scene, source: str = "") -> str:
 
     Raises InputError as `derive` does.
     """
-    found = alike(scene)
-    program = (found and _derive_alike(found)) or derive(scene)  # 1 to 4
+    grouping = alike(scene)
+    program = (grouping and _derive_alike(grouping)) or derive(scene)  # 1 to 4
     return emit(program, source)  # 5. text
 
 
@@ -59,15 +59,15 @@ def derive(scene: Scene) -> Program:
     return replace(program, units=units)
 
 
-def _derive_alike(found: Alike) -> Program | None:
+def _derive_alike(grouping: Alike) -> Program | None:
     """Program of a scene of kinds, each derived and audited once; None where one depends on others."""
-    refuse_inconsistent(found.sample, audit_laws(found.sample))
-    refuse_misbehaving(found.sample)
-    program = program_of_kinds(found)
+    refuse_inconsistent(grouping.sample, audit_laws(grouping.sample))
+    refuse_misbehaving(grouping.sample)
+    program = program_of_kinds(grouping)
     if program is None:
         return None
     units, findings = audit_program(program)
-    refuse_inconsistent(found.sample, findings)
+    refuse_inconsistent(grouping.sample, findings)
     return replace(program, units=units)
 
 

@@ -123,8 +123,8 @@ def parameters_of(expression: Any) -> list[Parameter]:
 
 @lru_cache(maxsize=4096)
 def _parameters_of(expression: sp.Basic) -> tuple[Parameter, ...]:
-    found = (node for node in sp.preorder_traversal(expression) if isinstance(node, Parameter))
-    return tuple(dict.fromkeys(found))
+    parameters = (node for node in sp.preorder_traversal(expression) if isinstance(node, Parameter))
+    return tuple(dict.fromkeys(parameters))
 
 
 def dimensions_of(parameters: Mapping[str, Parameter]) -> dict[sp.Symbol, Dimension]:
@@ -160,6 +160,6 @@ class Slot:
     law_symbol: str = ""
 
     @classmethod
-    def of(cls, unit: str, limit: Interval | None = None, label: str = "", **given: Any) -> Self:
+    def of(cls, unit: str, limit: Interval | None = None, label: str = "", **options: Any) -> Self:
         """Quantity of a field of a record, whose place and value the record gives: an entry of its `measures`."""
-        return cls(label, 0, unit, limit, **given)
+        return cls(label, 0, unit, limit, **options)

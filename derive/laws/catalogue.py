@@ -40,12 +40,12 @@ class Catalogue(MutableMapping[str, Law]):
         self._laws: dict[str, Law | None] = dict.fromkeys(self._files)  # None before its file is imported
 
     def __getitem__(self, name: str) -> Law:
-        found = self._laws[name]
-        if found is None:
+        law = self._laws[name]
+        if law is None:
             module = import_module(f".formulas.{self._files[name]}", __package__)
-            found = {law.name: law for law in vars(module).values() if isinstance(law, Law)}[name]
-            self._laws[name] = found
-        return found
+            law = {law.name: law for law in vars(module).values() if isinstance(law, Law)}[name]
+            self._laws[name] = law
+        return law
 
     def __setitem__(self, name: str, law: Law) -> None:
         self._laws[name] = law

@@ -120,9 +120,9 @@ class Law:
     def __post_init__(self) -> None:
         """Check the forms of contact; raises ValueError."""
         if not self.forms or not set(self.forms) <= set(FORMS):
-            found = f"the forms of contact {self.forms!r}" if self.forms else "no form of contact"
+            actual = f"the forms of contact {self.forms!r}" if self.forms else "no form of contact"
             raise ValueError(
-                f"law {self.name}: found {found}, expected some of {FORMS}; FORMS itself where it is for all of them"
+                f"law {self.name}: found {actual}, expected some of {FORMS}; FORMS itself where it is for all of them"
             )
         object.__setattr__(self, "__doc__", "\n".join(self._documentation()))
         with suppress(ValueError):  # names that are none, or stand twice: the scene that uses the law tells them
@@ -152,19 +152,21 @@ class Law:
 
     def __call__(self, *values: Any, **named: Any) -> BoundLaw:
         """Bind the parameters; raises TypeError if their number or names do not fit."""
-        given: list[Any] = []
+        arguments: list[Any] = []
         for value in values:
-            given.extend((value.youngs_modulus, value.poissons_ratio) if isinstance(value, Material) else (value,))
+            arguments.extend((value.youngs_modulus, value.poissons_ratio) if isinstance(value, Material) else (value,))
         names = [parameter.name for parameter in self.parameters]
-        unknown = [name for name in named if name not in names[len(given) :]]
-        named = {symbol.name: value for symbol, value in self.defaults if symbol.name in names[len(given) :]} | named
-        missing = [name for name in names[len(given) :] if name not in named]
-        if len(given) > len(names) or unknown or missing:
-            surplus = [*unknown, *given[len(names) :]]
+        unknown = [name for name in named if name not in names[len(arguments) :]]
+        named = {
+            symbol.name: value for symbol, value in self.defaults if symbol.name in names[len(arguments) :]
+        } | named
+        missing = [name for name in names[len(arguments) :] if name not in named]
+        if len(arguments) > len(names) or unknown or missing:
+            surplus = [*unknown, *arguments[len(names) :]]
             raise TypeError(f"law {self.name} takes ({', '.join(names)}): missing {missing}, not expected {surplus}")
-        given += [named[name] for name in names[len(given) :]]
+        arguments += [named[name] for name in names[len(arguments) :]]
         materials = tuple(value for value in values if isinstance(value, Material))
-        return BoundLaw(self, tuple(_exact(value) for value in given), materials)
+        return BoundLaw(self, tuple(_exact(value) for value in arguments), materials)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """Yield (description, expression, required unit) of everything the law computes."""
@@ -179,8 +181,8 @@ class Law:
     def quantities(self) -> tuple[Quantity, ...]:
         """Every symbol of the law's expressions and definitions, in order of appearance."""
         texts = [*(e for _, e in self.definitions), *(e for _, e, _ in self.expressions())]
-        found = (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, Quantity))
-        return tuple(dict.fromkeys(found))
+        quantities = (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, Quantity))
+        return tuple(dict.fromkeys(quantities))
 
     def symbols(self) -> tuple[Quantity, ...]:
         """List the parameters, the defined symbols, and all other symbols of the expressions."""
@@ -190,8 +192,8 @@ class Law:
     def geometry(self) -> tuple[Quantity, ...]:
         """Geometric quantities the law reads from its pair."""
         own = {*self.parameters, *(symbol for symbol, _ in self.definitions)}
-        asked = {*self.quantities, *(row.quantity for row in self.ranges)} - own
-        return tuple(quantity for quantity in GEOMETRY if quantity in asked)
+        symbols = {*self.quantities, *(row.quantity for row in self.ranges)} - own
+        return tuple(quantity for quantity in GEOMETRY if quantity in symbols)
 
 
 @dataclass(frozen=True)
@@ -331,14 +333,14 @@ class FrictionLaw(Law):
         neither vanishes with both.
         """
         ((bristle, rate, _),) = self.memory
-        found = []
+        pairs = []
         for expression in (self.force, rate):
             ahead = expression.xreplace({sp.Abs(s): s, sp.sign(s): sp.S.One})
             bent, per_speed = sp.diff(ahead, bristle), sp.expand(ahead.xreplace({bristle: sp.S.Zero}) / s)
             if bent.has(bristle) or per_speed.xreplace({s: sp.S.Zero}).has(sp.zoo, sp.nan, sp.oo, -sp.oo):
                 return None
-            found.append((bent, per_speed))
-        return tuple(found)
+            pairs.append((bent, per_speed))
+        return tuple(pairs)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """Yield the friction force, its slope at rest, the static friction, rates and sizes of the memory."""

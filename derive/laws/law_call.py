@@ -48,14 +48,14 @@ def bound_law(
     symbols without a value.
     """
     symbols = {symbol.name: symbol for symbol in law.parameters}
-    faults, given = [], {symbol.name: value for symbol, value in law.defaults} | dict(shared)
+    faults, bindings = [], {symbol.name: value for symbol, value in law.defaults} | dict(shared)
     for name, text in texts.items():
         where = f"effect {effect}, {name} of {law.name}"
         if name not in symbols:
             expected = f"some of {', '.join(symbols) or 'none'}"
             faults.append(Fault(where, "a symbol that the law does not take", expected))
         elif text in parameters:
-            given[name] = parameters[text]
+            bindings[name] = parameters[text]
         else:
             try:
                 number, unit = split_quantity(text)
@@ -63,10 +63,12 @@ def bound_law(
             except UnitError as error:
                 expected = f"a quantity in {symbols[name].unit}, or the name of a parameter of the scene"
                 faults.append(Fault(where, repr(text), expected, str(error)))
-                given[name] = None
+                bindings[name] = None
                 continue
-            given[name] = number if unit == "1" else Parameter(f"{effect}_{name}", unit, number, symbols[name].meaning)
-    missing = [symbol for symbol in law.parameters if symbol.name not in given]
+            bindings[name] = (
+                number if unit == "1" else Parameter(f"{effect}_{name}", unit, number, symbols[name].meaning)
+            )
+    missing = [symbol for symbol in law.parameters if symbol.name not in bindings]
     if missing:
         values = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
         faults.append(Fault(f"effect {effect}", f"no value for {values}", f"all parameters of {law.name}",
@@ -74,4 +76,4 @@ def bound_law(
                             "or the name of a parameter of the scene."))  # fmt: skip
     if faults:
         raise InputError(f"law {law.name}", faults)
-    return law(**{symbol.name: given[symbol.name] for symbol in law.parameters})
+    return law(**{symbol.name: bindings[symbol.name] for symbol in law.parameters})

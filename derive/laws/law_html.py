@@ -35,8 +35,10 @@ def law_html(law: Any, bound: Any = None) -> Markup:
 
 def _formulas(law: Any) -> Iterator[Markup]:
     """Yield each expression of a law, then its intermediate results."""
-    for what, expression, unit in law.expressions():
-        yield joined([f"{what[:1].upper()}{what[1:]} [{unit}]: ", _math(_LETTERS.get(what, ""), expression)])
+    for quantity, expression, unit in law.expressions():
+        yield joined(
+            [f"{quantity[:1].upper()}{quantity[1:]} [{unit}]: ", _math(_LETTERS.get(quantity, ""), expression)]
+        )
     for symbol, expression in law.definitions:
         yield joined(
             ["with ", _math(latex_name(symbol), expression), f" [{symbol.unit}]" if symbol.unit != "1" else ""]

@@ -48,9 +48,9 @@ def _markdown() -> Iterator[str]:
 
 
 def _row(law: Law) -> str:
-    what = [law.title, *filter(None, [_NOT_CONSISTENT.get(law.verdict), law.repair and f"repaired: `{law.repair}`"])]
+    remarks = [law.title, *filter(None, [_NOT_CONSISTENT.get(law.verdict), law.repair and f"repaired: `{law.repair}`"])]
     called = f"`{law.name}({', '.join(symbol.name for symbol in law.parameters)})`"
-    cells = (called, "; ".join(what), made_for(law), law.grade, law.source)
+    cells = (called, "; ".join(remarks), made_for(law), law.grade, law.source)
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 

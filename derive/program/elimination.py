@@ -28,7 +28,7 @@ class Factor:
         for row in order:
             work: dict[str, Any] = {}
             pending = sorted(coupled[row])  # a heap: columns of the matrix, then those that elimination fills in
-            seen = set(pending)
+            known = set(pending)
             while pending:
                 k = order[heappop(pending)]
                 terms = [product(lower, work[j]) for j, lower in self._before[k].items() if j in work]
@@ -36,10 +36,10 @@ class Factor:
                 if value == 0:
                     continue
                 work[k] = value
-                filled = {place[name] for name in self._after[k]} - seen
+                filled = {place[name] for name in self._after[k]} - known
                 for column in filled:
                     heappush(pending, column)
-                seen |= filled
+                known |= filled
                 quotient = tape.let(value / self.diagonal[k], f"l_{label[row]}_{label[k]}")
                 self._before[row][k] = self._after[k][row] = quotient
             terms = [product(lower, work[k]) for k, lower in self._before[row].items()]

@@ -160,21 +160,24 @@ def _spline(node: Any) -> tuple[str, int]:
 
 def _sampled(helper: str) -> Callable[[Any], tuple[str, int]]:
     def rule(node: Any) -> tuple[str, int]:
-        curve, *given = node.args
-        return f"{helper}{curve.searched}({_curve(curve)}, {_vector(given)})", _ATOM
+        curve, *arguments = node.args
+        return f"{helper}{curve.searched}({_curve(curve)}, {_vector(arguments)})", _ATOM
 
     return rule
 
 
 def _drawn_teeth(node: Any) -> tuple[str, int]:
-    curve, root, *given = node.args
-    return f"_drawn_teeth({_curve(curve)}, {_vector(given)}, {_text(root)[0]})", _ATOM
+    curve, root, *arguments = node.args
+    return f"_drawn_teeth({_curve(curve)}, {_vector(arguments)}, {_text(root)[0]})", _ATOM
 
 
 def _search(helper: str) -> Callable[[Any], tuple[str, int]]:
     def rule(node: Any) -> tuple[str, int]:
-        curve, samples, x, y, *given = node.args
-        return f"{helper}{curve.searched}({_curve(curve)}, {samples.name}, {_vector(given)}, {_vector([x, y])})", _ATOM
+        curve, samples, x, y, *arguments = node.args
+        return (
+            f"{helper}{curve.searched}({_curve(curve)}, {samples.name}, {_vector(arguments)}, {_vector([x, y])})",
+            _ATOM,
+        )
 
     return rule
 
@@ -183,8 +186,15 @@ def _between(node: Any) -> tuple[str, int]:
     first, second, one, two, *pose = node.args
     points = [point.row for point in pose if isinstance(point, ChainPoints | Place)]
     end = 4 + len(first.parameters)
-    given = pose[4:end], pose[end : end + len(second.parameters)]
-    parts = [_curve(first), _curve(second), one.name, two.name, *map(_vector, (*given, pose[:4])), *map(repr, points)]
+    parameters = pose[4:end], pose[end : end + len(second.parameters)]
+    parts = [
+        _curve(first),
+        _curve(second),
+        one.name,
+        two.name,
+        *map(_vector, (*parameters, pose[:4])),
+        *map(repr, points),
+    ]
     return f"_between{first.searched}({', '.join(parts)})", _ATOM
 
 

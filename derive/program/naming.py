@@ -34,12 +34,12 @@ def names_in_words(
 
     `numbered` are symbols and their expressions in order, `known` are names given before.
     """
-    names, given = dict(known), {*taken, *known.values()}
+    names, used = dict(known), {*taken, *known.values()}
     for symbol, expression in numbered:
         words = _sum(expression, names) if expression.is_Add else _product(expression, names)
-        usable = words is not None and words.isidentifier() and len(words) <= LONGEST and words not in given
+        usable = words is not None and words.isidentifier() and len(words) <= LONGEST and words not in used
         names[symbol.name] = words if usable and words is not None else symbol.name
-        given.add(names[symbol.name])
+        used.add(names[symbol.name])
     return names
 
 

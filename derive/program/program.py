@@ -192,13 +192,13 @@ class Tape:
 
     def _groups_of(self, expression: Any) -> frozenset[str]:
         """Groups of the inputs that an expression depends on, cached for all its parts."""
-        found = self._groups.get(expression)
-        if found is None:
+        groups = self._groups.get(expression)
+        if groups is None:
             if expression.is_Symbol:
                 raise KeyError(expression)
-            found = _NO_GROUPS.union(*map(self._groups_of, expression.args))
-            self._groups[expression] = found
-        return found
+            groups = _NO_GROUPS.union(*map(self._groups_of, expression.args))
+            self._groups[expression] = groups
+        return groups
 
     def _unique(self, name: str) -> str:
         name = f"{name}_" if keyword.iskeyword(name) else name
@@ -277,15 +277,15 @@ class Tape:
 
     def needed(self, expressions: Iterable[Any], *, stop: bool = False) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """Assignments that expressions need, in order; `stop` at those of parameters alone."""
-        found: set[sp.Symbol] = set()
+        symbols: set[sp.Symbol] = set()
         pending = symbols_in(*expressions)
         while pending:
             symbol = pending.pop()
-            if symbol in found or symbol not in self.assignments or (stop and self.is_constant(symbol)):
+            if symbol in symbols or symbol not in self.assignments or (stop and self.is_constant(symbol)):
                 continue
-            found.add(symbol)
+            symbols.add(symbol)
             pending.extend(symbols_in(self.assignments[symbol]))
-        return tuple((symbol, self.assignments[symbol]) for symbol in sorted(found, key=self._places.__getitem__))
+        return tuple((symbol, self.assignments[symbol]) for symbol in sorted(symbols, key=self._places.__getitem__))
 
     def constants(self, functions: Iterable[Function]) -> list[sp.Symbol]:
         """Entries of c: parameters, then constant results that `functions` read, in declared order."""
@@ -314,15 +314,15 @@ def _sign_free_key(expression: Any) -> Any:
 
 def symbols_in(*expressions: Any) -> list[sp.Symbol]:
     """List the symbols of expressions in order of appearance (never in hash order)."""
-    found: dict[sp.Symbol, None] = {}
+    symbols: dict[sp.Symbol, None] = {}
     pending = [sp.sympify(expression) for expression in reversed(expressions)]
     while pending:
         node = pending.pop()
         if node.is_Symbol:
-            found[node] = None
+            symbols[node] = None
         else:
             pending.extend(reversed(node.args))
-    return list(found)
+    return list(symbols)
 
 
 def eliminate_common_subexpressions(function: Function) -> Function:
@@ -446,12 +446,12 @@ class Program:
 
 def curves_in(program: Program) -> list[PlanarCurve | PlanarChain]:
     """List the curves that the functions of a program use, in order of appearance."""
-    found: dict[PlanarCurve | PlanarChain, None] = {}
+    curves: dict[PlanarCurve | PlanarChain, None] = {}
     for function in program.functions:
         for expression in _expressions(function):
             if isinstance(expression, Sampled):  # or drawn
-                found[expression.args[0]] = None
-    return list(found)
+                curves[expression.args[0]] = None
+    return list(curves)
 
 
 def count_checked(program: Program) -> tuple[int, int]:

@@ -54,10 +54,10 @@ def step_of(target: str, code: str, names: Iterable[str]) -> Step:
     """Step of the text of an expression of names."""
     operands: list[str] = []
 
-    def hole(found: re.Match[str]) -> str:
-        if found[0] not in names:
-            return found[0]
-        operands.append(found[0])
+    def hole(match: re.Match[str]) -> str:
+        if match[0] not in names:
+            return match[0]
+        operands.append(match[0])
         return HOLE
 
     shape = _NAME.sub(hole, code)
@@ -98,16 +98,16 @@ class _Parts:
     def split(self, name: str) -> tuple[list[str], list[str]]:
         """Words of a name that are no part of the scene, and those parts."""
         if name not in self.known:
-            words, rest, found, begin = name.split("_"), [], [], 0
+            words, rest, parts, begin = name.split("_"), [], [], 0
             while begin < len(words):
                 ends = range(len(words), begin, -1)
                 end = next((end for end in ends if "_".join(words[begin:end]) in self.kinds), None)
                 if end is None:
                     rest.append(words[begin])
                 else:
-                    found.append("_".join(words[begin:end]))
+                    parts.append("_".join(words[begin:end]))
                 begin = end or begin + 1
-            self.known[name] = rest, found
+            self.known[name] = rest, parts
         return self.known[name]
 
 
@@ -127,10 +127,10 @@ class Shared:
     @cached_property
     def places(self) -> dict[str, list[int]]:
         """Steps of each shape, in order at the first site."""
-        first, found = self.sites[0], defaultdict(list)
+        first, places = self.sites[0], defaultdict(list)
         for k in sorted(range(len(first.steps)), key=lambda k: first.block.place[first.steps[k]]):
-            found[self.form.shapes[k]].append(k)
-        return found
+            places[self.form.shapes[k]].append(k)
+        return places
 
     def units(self, known: Mapping[str, str]) -> list[str]:
         """Unit of each name it returns, "" where names have none."""
@@ -199,10 +199,10 @@ class _Group:
     @cached_property
     def places(self) -> dict[str, list[int]]:
         """Steps of each shape, in order."""
-        found: dict[str, list[int]] = defaultdict(list)
+        places: dict[str, list[int]] = defaultdict(list)
         for i, (shape, _) in self.codes.items():
-            found[shape].append(i)
-        return found
+            places[shape].append(i)
+        return places
 
     def below(self, roots: list[int]) -> tuple[_Form, _Site]:
         """Form and site of all that some steps need within the group."""
@@ -231,24 +231,24 @@ def share(blocks: Sequence[Block], kinds: Mapping[str, str], taken: set[str]) ->
     `kinds` are those of the scene's parts, by name; `taken` are names that no function may have.
     """
     parts = _Parts(kinds)
-    found: list[Shared] = []
+    functions: list[Shared] = []
     for cut in _Cut:  # whole groups first: fewer functions, with more in each
         groups = {block.name: list(_groups(block, parts, cut)) for block in blocks}
-        known, least = (found, 1) if cut is not _Cut.PART else ([], _OF_PARTS)
+        known, least = (functions, 1) if cut is not _Cut.PART else ([], _OF_PARTS)
         while changed := _share_once([group for of in groups.values() for group in of], known, least):
             groups |= {block.name: list(_groups(block, parts, cut)) for block in changed}
-        found += known if known is not found else []
-    for shared in found:
+        functions += known if known is not functions else []
+    for shared in functions:
         _name(shared, parts, taken)
-    return found
+    return functions
 
 
-def _share_once(groups: Iterable[_Group], found: list[Shared], least: int) -> list[Block]:
+def _share_once(groups: Iterable[_Group], functions: list[Shared], least: int) -> list[Block]:
     """Replace repeated sub-programs by calls that save at least so many lines; return the changed blocks."""
     alike: dict[_Form, list[_Site]] = {}
     joined: list[tuple[Shared, _Site]] = []
     for group in groups:
-        again = next(((shared, site) for shared in found if (site := _site_in(group, shared))), None)
+        again = next(((shared, site) for shared in functions if (site := _site_in(group, shared))), None)
         if again:
             again[0].sites.append(again[1])
             joined.append(again)
@@ -259,7 +259,7 @@ def _share_once(groups: Iterable[_Group], found: list[Shared], least: int) -> li
     for form, sites in sorted(alike.items(), key=lambda item: -len(item[1]) * len(item[0].shapes)):
         _join(form, sites, kinds[form.key])
     new = [shared for kind in kinds.values() for shared in kind if shared.form.saves(len(shared.sites)) >= least]
-    found += new
+    functions += new
     joined += [(shared, site) for shared in new for site in shared.sites]
     calls: dict[int, list[Step]] = defaultdict(list)
     gone: dict[int, set[str]] = defaultdict(set)
@@ -436,8 +436,8 @@ def _groups(block: Block, parts: _Parts, cut: _Cut) -> Iterable[_Group]:
 def _commuted(shape: str, ranks: tuple[str, ...]) -> tuple[str, list[int]]:
     """Shape and order of operands that do not depend on names, as some may change places."""
     order = list(range(len(ranks)))
-    for found in (*_PRODUCT.finditer(shape), *_SUM.finditer(shape)):
-        k = shape.count(HOLE, 0, found.start(1))
+    for match in (*_PRODUCT.finditer(shape), *_SUM.finditer(shape)):
+        k = shape.count(HOLE, 0, match.start(1))
         if ranks[k + 1] < ranks[k]:
             order[k : k + 2] = k + 1, k
     if terms := _TERMS.match(shape):

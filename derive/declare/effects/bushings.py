@@ -97,8 +97,8 @@ class BetweenFrames(BetweenPoints):
         two, two_rate, _ = kin.point(self.second, f"{name}_second")
         w = [kin.angular_velocity(point.body) for point in self.points]
 
-        def along(vector: Vector, what: str) -> Vector:
-            return tape.vector(apply((x, y, z), vector), f"{name}_{what}")
+        def along(vector: Vector, label: str) -> Vector:
+            return tape.vector(apply((x, y, z), vector), f"{name}_{label}")
 
         apart = tape.vector(sub(one, two), f"{name}_between")
         velocity = along(sub(sub(one_rate, two_rate), cross(w[1], apart)), "velocity")
@@ -156,39 +156,39 @@ class Bushing(BetweenFrames):
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of matrices of another shape."""
         yield from super().type_faults()
-        for what, given in (("stiffness", self.stiffness), ("damping", self.damping)):
-            rows = given if isinstance(given, tuple) else ()
+        for label, entries in (("stiffness", self.stiffness), ("damping", self.damping)):
+            rows = entries if isinstance(entries, tuple) else ()
             if (
                 len(rows) != 6
                 or any(isinstance(row, tuple) and len(row) != 6 for row in rows)
                 or len({isinstance(row, tuple) for row in rows}) > 1
             ):
-                yield Fault(f"{self.where}, {what}", f"{given!r:.60}", "six rows of six, or the six of a diagonal")
+                yield Fault(f"{self.where}, {label}", f"{entries!r:.60}", "six rows of six, or the six of a diagonal")
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield points and the entries of both matrices."""
         yield from super().slots(scene)
-        for what, given, second in (("stiffness", self.stiffness, ""), ("damping", self.damping, " s")):
-            for i, row in enumerate(_full(given)):
+        for label, entries, second in (("stiffness", self.stiffness, ""), ("damping", self.damping, " s")):
+            for i, row in enumerate(_full(entries)):
                 for j, value in enumerate(row):
                     unit = ("N/m", "N", "N m")[(i > 2) + (j > 2)]
                     unit = unit if not second else {"N/m": "N s/m", "N": "N s", "N m": "N m s"}[unit]
                     if i == j or value != 0:
-                        yield Slot(f"{self.where}, {what} of {SIX[i]} by {SIX[j]}", value, unit)
+                        yield Slot(f"{self.where}, {label} of {SIX[i]} by {SIX[j]}", value, unit)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of matrices that are not symmetric or not positive semidefinite."""
         yield from super().faults(scene)
-        for what, given in (("stiffness", self.stiffness), ("damping", self.damping)):
-            matrix = _full(given)
+        for label, entries in (("stiffness", self.stiffness), ("damping", self.damping)):
+            matrix = _full(entries)
             if not all(is_number(value) for row in matrix for value in row):
                 continue  # a fault of the quantity
             uneven = [(i, j) for i in range(6) for j in range(i) if sp.expand(matrix[i][j] - matrix[j][i]) != 0]
             for i, j in uneven:
-                yield Fault(f"{self.where}, {what}", f"{matrix[i][j]} of {SIX[i]} by {SIX[j]}, {matrix[j][i]} of {SIX[j]} by {SIX[i]}",
+                yield Fault(f"{self.where}, {label}", f"{matrix[i][j]} of {SIX[i]} by {SIX[j]}, {matrix[j][i]} of {SIX[j]} by {SIX[i]}",
                             "a symmetric matrix: else the work depends on the path", "Give both the same value.")  # fmt: skip
             if not uneven and not _semidefinite([[default_value(value) for value in row] for row in matrix]):
-                yield Fault(f"{self.where}, {what}", "a matrix that feeds some motion, at the defaults",
+                yield Fault(f"{self.where}, {label}", "a matrix that feeds some motion, at the defaults",
                             "a positive semidefinite one",
                             "Entries off the diagonal are at most the root of the product of those on it.")  # fmt: skip
 
@@ -203,8 +203,8 @@ class Bushing(BetweenFrames):
         ]
         forces = self.acting(kin, pose, scale(-1, tuple(pull[:3])), scale(-1, pose.moment(tuple(pull[3:]))))
         outputs = [
-            (f"{self.name}.{what}_{axis}", unit, value)
-            for what, unit, values in (("displacement", "m", pose.displacement), ("rotation", "rad", pose.rotation))
+            (f"{self.name}.{quantity}_{axis}", unit, value)
+            for quantity, unit, values in (("displacement", "m", pose.displacement), ("rotation", "rad", pose.rotation))
             for axis, value in zip("xyz", values, strict=True)
             if value != 0
         ]
@@ -248,8 +248,8 @@ class SphericalSpring(BetweenFrames):
 
     @property
     def _stiffness(self) -> tuple[Any, ...]:
-        given = self.stiffness
-        return given if isinstance(given, tuple) else (given, given, given)
+        stiffness = self.stiffness
+        return stiffness if isinstance(stiffness, tuple) else (stiffness, stiffness, stiffness)
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield points, stiffness, damping."""
@@ -323,11 +323,11 @@ def _series(coefficients: tuple[Any, ...], x: Any) -> Any:
     return total
 
 
-def _full(given: tuple[Any, ...]) -> tuple[tuple[Any, ...], ...]:
+def _full(entries: tuple[Any, ...]) -> tuple[tuple[Any, ...], ...]:
     """Six rows of a matrix, or of a diagonal."""
-    if isinstance(given[0], tuple):
-        return given
-    return tuple(tuple(value if i == j else 0 for j in range(6)) for i, value in enumerate(given))
+    if isinstance(entries[0], tuple):
+        return entries
+    return tuple(tuple(value if i == j else 0 for j in range(6)) for i, value in enumerate(entries))
 
 
 def _times(matrix: tuple[tuple[Any, ...], ...], vector: Sequence[Any]) -> list[Any]:

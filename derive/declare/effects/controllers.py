@@ -110,8 +110,8 @@ class SpeedController(JointEffect):
         """Yield the target, the gains, the times and the limits."""
         yield from super().slots(scene)
         if isinstance(self.limit, tuple):
-            for what, value in zip(("least", "largest"), self.limit, strict=True):
-                yield Slot(f"{self.where}, {what} command", value, self.unit)
+            for bound, value in zip(("least", "largest"), self.limit, strict=True):
+                yield Slot(f"{self.where}, {bound} command", value, self.unit)
         elif self.limit is not None:
             yield Slot(f"{self.where}, limit", self.limit, self.unit, POSITIVE)
 
@@ -133,8 +133,8 @@ class SpeedController(JointEffect):
             yield Fault(where, "a limit without a proportional gain or a tracking time", "one of them",
                         "tracking=... is the time in which the integral follows what the limit cuts off.")  # fmt: skip
         elif len(limits) == 2 and not default_value(limits[0]) < default_value(limits[1]):
-            found = " and ".join(f"{default_value(x):g}" for x in limits)
-            yield Fault(where, f"{found} [SI], at the defaults", "the least command first")
+            actual = " and ".join(f"{default_value(x):g}" for x in limits)
+            yield Fault(where, f"{actual} [SI], at the defaults", "the least command first")
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the integral of the error; sampled also the command, and the time to the next sample."""

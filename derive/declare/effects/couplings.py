@@ -122,9 +122,9 @@ class Coupling(Effect):
         """Yield faults of an equation beside a ratio, of neither, and of joints that are no names."""
         yield from super().type_faults()
         pair = {"first": self.first, "second": self.second, "ratio": self.ratio}
-        given = [name for name, value in pair.items() if value is not None and value != ""]
+        stated = [name for name, value in pair.items() if value is not None and value != ""]
         if self.equation is not None:
-            beside = [*given, *(["offset"] if self.offset != 0 else [])]
+            beside = [*stated, *(["offset"] if self.offset != 0 else [])]
             if beside:
                 yield Fault(self.where, f"an equation beside {', '.join(beside)}", "either",
                             "The equation says all: equation=coordinate_of(first) - ratio*coordinate_of(second) - offset.")  # fmt: skip
@@ -132,13 +132,13 @@ class Coupling(Effect):
                 yield Fault(f"{self.where}, equation", repr(self.equation), "an expression that is zero where it holds",
                             "It may contain coordinate_of(joint), T and parameters.")  # fmt: skip
             return
-        if len(given) < len(pair):
-            missing = ", ".join(name for name in pair if name not in given)
+        if len(stated) < len(pair):
+            missing = ", ".join(name for name in pair if name not in stated)
             yield Fault(self.where, f"no {missing}", "two joints and their ratio, or an equation",
                         'Coupling("mesh", "wheel", "pinion", ratio=...), or Coupling("mesh", equation=...).')  # fmt: skip
-        for what in ("first", "second"):
-            if not isinstance(pair[what], str):
-                yield Fault(f"{self.where}, {what}", repr(pair[what]), "the name of a joint")
+        for role in ("first", "second"):
+            if not isinstance(pair[role], str):
+                yield Fault(f"{self.where}, {role}", repr(pair[role]), "the name of a joint")
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of joints that are missing, alike or all driven, and of the equation."""
@@ -164,9 +164,10 @@ class Coupling(Effect):
 
     def _equation_faults(self, scene: Declared) -> Iterator[Fault]:
         """Faults of an equation that is no length and no angle, or whose second derivatives jump."""
-        where, found = f"{self.where}, equation", self._dimension(scene)
-        if found is not None and found not in (Dimension.from_unit("m"), Dimension.from_unit("rad")):
-            yield Fault(where, f"{shown(self.equation)} [{found}]", "a length [m] or an angle [rad], so that what holds it is a force or a torque",
+        where, dimension = f"{self.where}, equation", self._dimension(scene)
+        if dimension is not None and dimension not in (Dimension.from_unit("m"), Dimension.from_unit("rad")):
+            yield Fault(where, f"{shown(self.equation)} [{dimension}]",
+                        "a length [m] or an angle [rad], so that what holds it is a force or a torque",
                         "Divide it by a parameter that makes it one: x^2 + y^2 - l^2 by l.")  # fmt: skip
         kinks = [node for node in sp.preorder_traversal(sp.sympify(self.equation)) if isinstance(node, _KINKED)]
         if kinks:

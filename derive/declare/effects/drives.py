@@ -181,12 +181,12 @@ class Drive(AnyDrive):
     @property
     def _stated(self) -> list[tuple[int, str, Any]]:
         laws = enumerate((("position", self.position), ("speed", self.speed), ("acceleration", self.acceleration)))
-        return [(order, what, law) for order, (what, law) in laws if law is not None]
+        return [(order, quantity, law) for order, (quantity, law) in laws if law is not None]
 
     @property
     def text(self) -> str:
         """Description for people."""
-        return ", ".join(f"{what} of {self.joint} = {shown(law)}" for _, what, law in self._stated)
+        return ", ".join(f"{quantity} of {self.joint} = {shown(law)}" for _, quantity, law in self._stated)
 
     @property
     def integrates(self) -> bool:
@@ -203,12 +203,15 @@ class Drive(AnyDrive):
         """Yield faults of several laws or none, and of initial values the law does not need."""
         yield from super().type_faults()
         if len(self._stated) != 1:
-            found = " and ".join(what for _, what, _ in self._stated) or "none of them"
-            yield Fault(self.where, found, "one of position, speed and acceleration", "The others follow from it.")
+            actual = " and ".join(quantity for _, quantity, _ in self._stated) or "none of them"
+            yield Fault(self.where, actual, "one of position, speed and acceleration", "The others follow from it.")
             return
-        order, what, _ = self._stated[0]
+        order, quantity, _ = self._stated[0]
         for name, value, needed in (("start", self.start, 1), ("start_speed", self.start_speed, 2)):
             if order < needed and value != 0:
                 yield Fault(
-                    self.where, f"{name} {value} beside a {what}", f"{name} 0", f"The {what} says where it begins."
+                    self.where,
+                    f"{name} {value} beside a {quantity}",
+                    f"{name} 0",
+                    f"The {quantity} says where it begins.",
                 )

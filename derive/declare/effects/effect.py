@@ -380,8 +380,8 @@ class Effect:
         """
         if self.enters != APPLIED:
             return None
-        found = f"the kind {self.kind!r}, which has no element"
-        raise InputError(self.where, [Fault(self.where, found, "one that says what it does",
+        actual = f"the kind {self.kind!r}, which has no element"
+        raise InputError(self.where, [Fault(self.where, actual, "one that says what it does",
                          f"def element(self, kin): return Element(...), in {type(self).__name__}.")])  # fmt: skip
 
     def speed_constraints(self, kin: Moving) -> Iterator[SpeedConstraint]:
@@ -498,11 +498,11 @@ def place_on_joint(scene: Declared, key: str) -> tuple[str, Point, Vector]:
 
 def together(*shares: Mapping[str, Any]) -> dict[str, Any]:
     """Sum of generalised forces by row."""
-    found: dict[str, Any] = {}
+    forces: dict[str, Any] = {}
     for share in shares:
         for row, force in share.items():
-            found[row] = found[row] + force if row in found else force
-    return found
+            forces[row] = forces[row] + force if row in forces else force
+    return forces
 
 
 def joint_faults(
@@ -543,10 +543,10 @@ def state_faults(effect: Effect, element: Element, scene: Declared) -> Iterator[
                         f"Give it in the element: rates={{{name!r}: ...}}, or Event(..., then={{{name!r}: ...}}).")  # fmt: skip
 
 
-def axes_faults(where: str, axes: Any, what: str, components: Any) -> Iterator[Fault]:
+def axes_faults(where: str, axes: Any, label: str, components: Any) -> Iterator[Fault]:
     """Yield faults of a vector that is no triple, or whose axes are no frame."""
     if not isinstance(components, tuple) or len(components) != 3:
-        yield Fault(f"{where}, {what}", repr(components), "three values, (x, y, z)")
+        yield Fault(f"{where}, {label}", repr(components), "three values, (x, y, z)")
     if not isinstance(axes, Body | Ground):
         yield Fault(f"{where}, axes", repr(axes), "a Body or GROUND")
 

@@ -79,12 +79,12 @@ class StateSymbol(Tagged):
     tags = ("quantity", "joint")
 
     @classmethod
-    def of(cls, what: str, joint: str, ending: str = "") -> StateSymbol:
+    def of(cls, quantity: str, joint: str, ending: str = "") -> StateSymbol:
         """Symbol of what is named; raises InputError if the name is no text."""
         if not isinstance(joint, str):
             expected = 'the name of a joint, or of one of its coordinates: "column.angle"'
-            raise InputError(f"{what.replace(' ', '_')}_of", [Fault("joint", repr(joint), expected)])
-        return cls(joint + ending, what, joint)
+            raise InputError(f"{quantity.replace(' ', '_')}_of", [Fault("joint", repr(joint), expected)])
+        return cls(joint + ending, quantity, joint)
 
 
 T = StateSymbol("t", TIME, "")
@@ -191,8 +191,8 @@ def _own_symbols(expression: Any) -> tuple[Any, ...]:
 
 @lru_cache(maxsize=4096)
 def _symbols_of(expression: sp.Basic) -> tuple[Any, ...]:
-    found = (node for node in sp.preorder_traversal(expression) if isinstance(node, StateSymbol | Table))
-    return tuple(dict.fromkeys(found))
+    symbols = (node for node in sp.preorder_traversal(expression) if isinstance(node, StateSymbol | Table))
+    return tuple(dict.fromkeys(symbols))
 
 
 def inputs_in(expression: Any) -> list[Input]:
@@ -305,25 +305,25 @@ def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
 
     Modules write names of tables in capitals.
     """
-    seen: dict[str, Table] = {}
+    tables: dict[str, Table] = {}
     for table in (table for expression in expressions for table in tables_in(expression)):
         yield from table.faults()
-        if seen.setdefault(str(table.name).upper(), table) != table:
+        if tables.setdefault(str(table.name).upper(), table) != table:
             yield Fault(f"table {table.name}", "two different tables of this name", "names that are unique, in capitals too",
                         "Share one Table object, or rename one.")  # fmt: skip
 
 
 def input_faults(expressions: Iterable[Any], parameters: Iterable[str]) -> Iterator[Fault]:
     """Yield faults of inputs in these expressions, and of names shared with others or parameters."""
-    taken, seen = set(parameters), dict[str, Input]()
-    for given in (given for expression in expressions for given in inputs_in(expression)):
-        yield from given.faults()
-        if seen.setdefault(given.name, given) != given:
-            yield Fault(f"input {given.name}", "two different inputs of this name", "names that are unique",
+    taken, known = set(parameters), dict[str, Input]()
+    for signal in (signal for expression in expressions for signal in inputs_in(expression)):
+        yield from signal.faults()
+        if known.setdefault(signal.name, signal) != signal:
+            yield Fault(f"input {signal.name}", "two different inputs of this name", "names that are unique",
                         "Share one Input object, or rename one.")  # fmt: skip
-        if given.name in taken:
+        if signal.name in taken:
             yield Fault(
-                f"input {given.name}", "a parameter of this name", "names that are unique", "Rename one of them."
+                f"input {signal.name}", "a parameter of this name", "names that are unique", "Rename one of them."
             )
 
 

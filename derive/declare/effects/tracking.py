@@ -95,10 +95,10 @@ class CountedAngle(JointEffect):
         yield from super().faults(scene)
         freedom = scene.scalars.get(self.joint)
         if freedom is not None and (freedom.kind != "turn" or scene.mechanism.plane is not None):
-            found = (
+            actual = (
                 f"{self.joint}, a {'travel' if freedom.kind == 'slide' else 'plane angle'}, which counts whole turns"
             )
-            yield Fault(self.where, found, "an angle in space", "Leave it out: the coordinate is a history as it is.")
+            yield Fault(self.where, actual, "an angle in space", "Leave it out: the coordinate is a history as it is.")
 
     def counts(self, scene: Declared) -> bool:
         """Whether the bodies alone do not determine the whole turns, in the coordinates of the scene."""
@@ -124,12 +124,12 @@ class AddedCount(CountedAngle):
 
 def uncounted_angles(mechanism: Mechanism, effects: Iterable[Effect], scene: Declared) -> Iterator[AddedCount]:
     """Yield a count for each angle that effects of a sound scene, or its start, need and none counts."""
-    asked = list(scene.start.near)
+    needed = list(scene.start.near)
     for effect in effects:
         slots = (slot for slot in effect.slots(scene))
-        asked += [symbol.joint for slot in slots for symbol in states_in(slot.value) if symbol.quantity == COORDINATE]
-        asked += effect.joints if effect.reads == COORDINATE else ()
+        needed += [symbol.joint for slot in slots for symbol in states_in(slot.value) if symbol.quantity == COORDINATE]
+        needed += effect.joints if effect.reads == COORDINATE else ()
     counted = [effect.joint for effect in effects if isinstance(effect, CountedAngle)]
     for key in mechanism.wrapped:
-        if key not in counted and (key in asked or scene.scalars[key].coordinates[0].name in asked):
+        if key not in counted and (key in needed or scene.scalars[key].coordinates[0].name in needed):
             yield AddedCount(f"{key.replace('.', '_')}_count", key)

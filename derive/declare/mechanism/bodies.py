@@ -75,11 +75,11 @@ class Direction:
     @property
     def unit(self) -> Vector:
         """Unit vector; exact integers for X, Y, Z and their opposites."""
-        given: Vector = tuple(sp.sympify(component) for component in self.components)
-        nonzero = [component for component in given if component != 0]
+        components: Vector = tuple(sp.sympify(component) for component in self.components)
+        nonzero = [component for component in components if component != 0]
         if len(nonzero) == 1 and nonzero[0].is_number:
-            return tuple(sp.sign(component) for component in given)
-        return scale(1 / sp.sqrt(dot(given, given)), given)
+            return tuple(sp.sign(component) for component in components)
+        return scale(1 / sp.sqrt(dot(components, components)), components)
 
     @property
     def points(self) -> bool:
@@ -203,28 +203,28 @@ class Body:
     @classmethod
     def _shaped(cls, name: str, shape: Shape, density: Density, mass: Scalar | None) -> Body:
         """Body of one shape, of a given density [kg/m^3] or mass [kg]."""
-        given = density.density if isinstance(density, Material) else density
-        values = {**dict(shape.sizes), "density": given, "mass": mass}
+        mass_density = density.density if isinstance(density, Material) else density
+        values = {**dict(shape.sizes), "density": mass_density, "mass": mass}
         faults = [
-            Fault(what, repr(value), "a Parameter, or an expression of them")
-            for what, value in values.items()
-            if not is_number(value) and (value is not None or what not in ("density", "mass"))
+            Fault(quantity, repr(value), "a Parameter, or an expression of them")
+            for quantity, value in values.items()
+            if not is_number(value) and (value is not None or quantity not in ("density", "mass"))
         ]
-        if (given is None) == (mass is None):
-            found = "neither a density nor a mass" if mass is None else "both a density and a mass"
-            faults.append(Fault("mass", found, "one of them: density=... [kg/m^3] or mass=... [kg]"))
+        if (mass_density is None) == (mass is None):
+            actual = "neither a density nor a mass" if mass is None else "both a density and a mass"
+            faults.append(Fault("mass", actual, "one of them: density=... [kg/m^3] or mass=... [kg]"))
         if not isinstance(shape.centre, tuple) or len(shape.centre) != 3:
             faults.append(Fault("centre", repr(shape.centre), "three values, (x, y, z)"))
         if faults:
             raise InputError(f"body {name}", faults)
-        whole = sp.sympify(mass if given is None else given * shape.volume)
+        whole = sp.sympify(mass if mass_density is None else mass_density * shape.volume)
         return cls(name, whole, _shortest(scaled(whole, shape.gyration)), shape.centre, (shape,))
 
     @property
     def moments(self) -> Triple:
         """Inertias about the frame's axes [kg m^2]; a single one is about each."""
-        given = self.inertia if isinstance(self.inertia, tuple) else (self.inertia,) * 3
-        x, y, z = (row[k] if isinstance(row, tuple) else row for k, row in enumerate(given))
+        entries = self.inertia if isinstance(self.inertia, tuple) else (self.inertia,) * 3
+        x, y, z = (row[k] if isinstance(row, tuple) else row for k, row in enumerate(entries))
         return (x, y, z)
 
     @property
@@ -257,7 +257,7 @@ class Body:
         for value in self.centre:
             yield Slot(f"body {self.name}, mass centre", value, "m")
         for shape in self.shapes:
-            yield from (Slot(f"body {self.name}, {what}", value, "m", POSITIVE) for what, value in shape.slots())
+            yield from (Slot(f"body {self.name}, {size}", value, "m", POSITIVE) for size, value in shape.slots())
 
 
 def steiner(shift: Vector) -> Matrix:

@@ -59,9 +59,9 @@ class SolidCurve:
 
     def flag_faults(self) -> Iterator[Fault]:
         """Yield faults of `closed` and `hole`."""
-        for what, flag in (("closed", self.closed), ("hole", self.hole)):
+        for name, flag in (("closed", self.closed), ("hole", self.hole)):
             if not isinstance(flag, bool):
-                yield Fault(f"{self.where}, {what}", repr(flag), "True or False")
+                yield Fault(f"{self.where}, {name}", repr(flag), "True or False")
         if self.hole is True and self.closed is False:
             yield Fault(self.where, "an open curve as a hole", "a closed one",
                         "The solid of an open curve is to its left: let it run the other way.")  # fmt: skip
@@ -107,16 +107,16 @@ class Curve(SolidCurve):
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of its shape at the defaults, where its expressions are sound."""
-        found = list(self._declared_faults())
-        yield from found
-        if not found:
+        faults = list(self._declared_faults())
+        yield from faults
+        if not faults:
             yield from _shape_faults(self)
 
     def _declared_faults(self) -> Iterator[Fault]:
         yield from name_faults(self.where, self.name)
-        for what, value in (("start", self.start), ("end", self.end)):
+        for which, value in (("start", self.start), ("end", self.end)):
             if not _is_finite(value):
-                yield Fault(f"{self.where}, {what}", repr(value), "a finite number, the parameter there",
+                yield Fault(f"{self.where}, {which}", repr(value), "a finite number, the parameter there",
                             "An end that depends on parameters: let S run from 0 to 1, and write S*end in x and y.")  # fmt: skip
         yield from self.flag_faults()
         if not isinstance(self.repeats, int) or isinstance(self.repeats, bool) or self.repeats < 1:
@@ -294,14 +294,14 @@ def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
 
 def _shape_faults(curve: Curve) -> Iterator[Fault]:
     """Faults of the shape at the defaults; none where its expressions have faults of their own."""
-    given = [curve.x, curve.y]
-    symbols = [node for value in given if is_number(value) for node in sp.sympify(value).free_symbols]
-    sound = all(map(is_number, given)) and all(isinstance(node, Parameter) or node == S for node in symbols)
-    splines = [node for value in given if is_number(value) for node in sp.sympify(value).atoms(Table)]
+    coordinates = [curve.x, curve.y]
+    symbols = [node for value in coordinates if is_number(value) for node in sp.sympify(value).free_symbols]
+    sound = all(map(is_number, coordinates)) and all(isinstance(node, Parameter) or node == S for node in symbols)
+    splines = [node for value in coordinates if is_number(value) for node in sp.sympify(value).atoms(Table)]
     if (
         not sound
         or any(any(table.faults()) for table in splines)
-        or any(any(p.faults()) for p in parameters_of(sp.Tuple(*given)))
+        or any(any(p.faults()) for p in parameters_of(sp.Tuple(*coordinates)))
     ):
         return  # which the audit of the quantities reports
     where = curve.where

@@ -43,11 +43,11 @@ class Mechanism:
     @cached_property
     def parts(self) -> dict[str, tuple[str, ...]]:
         """Names of the pairs that are parts of one, by its name."""
-        found: dict[str, list[str]] = {}
+        members: dict[str, list[str]] = {}
         for pair in self.pairs if isinstance(self.pairs, tuple) else ():
             if isinstance(pair, Pair) and pair.part_of:
-                found.setdefault(pair.part_of, []).append(pair.name)
-        return {name: tuple(parts) for name, parts in found.items()}
+                members.setdefault(pair.part_of, []).append(pair.name)
+        return {name: tuple(parts) for name, parts in members.items()}
 
     @cached_property
     def pair_named(self) -> dict[str, Pair]:
@@ -62,10 +62,10 @@ class Mechanism:
     @cached_property
     def tree(self) -> tuple[Joint, ...]:
         """Joints that carry a body, from the ground outwards."""
-        found: dict[Frame, Joint] = {}
+        carriers: dict[Frame, Joint] = {}
         for joint in (joint for joint in self.joints if joint.carries):
-            found.setdefault(joint.child.body, joint)
-        return tuple(found.values())
+            carriers.setdefault(joint.child.body, joint)
+        return tuple(carriers.values())
 
     @cached_property
     def closures(self) -> tuple[Joint, ...]:

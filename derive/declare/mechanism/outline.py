@@ -86,19 +86,19 @@ class Outline(SolidCurve):
         yield "start", self.start
         for number, piece in enumerate(self.pieces if isinstance(self.pieces, tuple) else (), 1):
             if isinstance(piece, Piece):
-                yield from ((f"piece {number}, {what}", place) for what, place in piece.places)
+                yield from ((f"piece {number}, {label}", place) for label, place in piece.places)
 
     def slots(self) -> Iterator[Slot]:
         """Yield the coordinates of the points."""
-        for what, place in self._places():
+        for label, place in self._places():
             if _is_place(place):
-                yield from (Slot(f"{self.where}, {what}, {k}", v, "m") for k, v in zip("xy", place, strict=True))
+                yield from (Slot(f"{self.where}, {label}, {k}", v, "m") for k, v in zip("xy", place, strict=True))
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of its records, or else of its shape at the defaults."""
-        found = list(self._declared_faults())
-        yield from found
-        if not found and _is_sound(self):
+        faults = list(self._declared_faults())
+        yield from faults
+        if not faults and _is_sound(self):
             yield from self._shape_faults()
 
     def _declared_faults(self) -> Iterator[Fault]:
@@ -112,9 +112,9 @@ class Outline(SolidCurve):
                 yield Fault(f"{self.where}, piece {number}", f"{piece!r:.80}", "a Line(end) or an Arc(end, centre)")
             elif isinstance(piece, Arc) and not isinstance(piece.clockwise, bool):
                 yield Fault(f"{self.where}, piece {number}, clockwise", repr(piece.clockwise), "True or False")
-        for what, place in self._places():
+        for label, place in self._places():
             if not _is_place(place):
-                yield Fault(f"{self.where}, {what}", f"{place!r:.80}", "a point of the plane, (x, y)")
+                yield Fault(f"{self.where}, {label}", f"{place!r:.80}", "a point of the plane, (x, y)")
 
     def _shape_faults(self) -> Iterator[Fault]:
         rows = self._numbers()
@@ -214,22 +214,22 @@ class Outline(SolidCurve):
         count, side = len(self.pieces), -1 if self.hole else 1
         bends = {(k + 1) % count if self.closed else k + 1: side * bend for k, bend in self._corners()}
         round_ = [isinstance(piece, Arc) and piece.turn == side for piece in self.pieces]
-        found: list[tuple[list[int], list[int]]] = [([], [])]
+        tips: list[tuple[list[int], list[int]]] = [([], [])]
         for k in range(count if self.closed else count + 1):
             bend = bends.get(k, 1.0)  # the ends of an open chain have none
             beside = round_[k - 1] or round_[k % count]
             if bend > SMOOTH or (beside and bend > -SMOOTH):
-                found[-1][0].append(k)
+                tips[-1][0].append(k)
             else:
-                found.append(([], []))
+                tips.append(([], []))
             if k < count and round_[k]:
-                found[-1][1].append(k)
+                tips[-1][1].append(k)
             else:
-                found.append(([], []))
-        if self.closed and len(found) > 1:  # from the last piece to the first
-            last = found.pop()
-            found[0] = (last[0] + found[0][0], last[1] + found[0][1])
-        return tuple((tuple(corners), tuple(arcs)) for corners, arcs in found if corners or arcs)
+                tips.append(([], []))
+        if self.closed and len(tips) > 1:  # from the last piece to the first
+            last = tips.pop()
+            tips[0] = (last[0] + tips[0][0], last[1] + tips[0][1])
+        return tuple((tuple(corners), tuple(arcs)) for corners, arcs in tips if corners or arcs)
 
     @cached_property
     def thickness(self) -> float:

@@ -86,8 +86,8 @@ class Pair:
     def directions(self) -> dict[str, Direction]:
         """Declared directions, by field."""
         optional = "Direction | None"
-        given = {name: getattr(self, name) for name in self._typed("Direction", Direction, optional)}
-        return {name: v for name, v in given.items() if v is not None or name not in self._typed(optional)}
+        values = {name: getattr(self, name) for name in self._typed("Direction", Direction, optional)}
+        return {name: v for name, v in values.items() if v is not None or name not in self._typed(optional)}
 
     @property
     def triples(self) -> dict[str, Components]:
@@ -125,10 +125,10 @@ class Pair:
 
     def touch(self, kinematics: Any) -> Any:
         """Contact geometry on the kinematics' tape, a `Touch`; raises InputError for a kind that has none."""
-        found = f"{type(self).__name__}, a kind of pair without equations"
+        actual = f"{type(self).__name__}, a kind of pair without equations"
         remedy = f"{type(self).__name__}.touch, which returns a subclass of Touch with `gap` and `normal`."
         raise InputError(
-            f"pair {self.name}", [Fault(f"pair {self.name}", found, "one whose geometry is known", remedy)]
+            f"pair {self.name}", [Fault(f"pair {self.name}", actual, "one whose geometry is known", remedy)]
         )
 
 

@@ -83,8 +83,8 @@ class Scene:
         counts = tuple(uncounted_angles(self.mechanism, self.effects, self))
         if counts:
             object.__setattr__(self, "effects", (*self.effects, *counts))
-            for found in self.__dict__.keys() - {entry.name for entry in fields(self)}:
-                del self.__dict__[found]  # while there were no counts
+            for name in self.__dict__.keys() - {entry.name for entry in fields(self)}:
+                del self.__dict__[name]  # while there were no counts
             faults = tuple(repeated("effect", [effect.name for effect in self.effects]))
         if faults:
             raise InputError(f"scene {self.name}", faults)
@@ -155,7 +155,7 @@ class Scene:
                 f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r:.80}", "the name of a law")]
             )
         fields = {kind: name for name, kind in effect.takes.items()}
-        found: dict[str, BoundLaw] = {}
+        replacements: dict[str, BoundLaw] = {}
         faults: list[Fault] = []
         for text in split_laws(law_name):
             try:
@@ -163,16 +163,18 @@ class Scene:
             except InputError as error:
                 faults += error.faults
                 continue
-            if slot in found:
+            if slot in replacements:
                 faults.append(
                     Fault(
-                        f"effect {effect_name}", f"{found[slot].law.name} and {law.law.name}", f"one {law.law.kind} law"
+                        f"effect {effect_name}",
+                        f"{replacements[slot].law.name} and {law.law.name}",
+                        f"one {law.law.kind} law",
                     )
                 )
-            found[slot] = law
+            replacements[slot] = law
         if faults:
             raise InputError(f"scene {self.name}", faults)
-        return self.replace(**{name: replace(self.effect(name), **found) for name in meant})
+        return self.replace(**{name: replace(self.effect(name), **replacements) for name in meant})
 
     def _law_for(
         self, effect_name: str, fields: Mapping[str, str], text: str, known: Mapping[str, Law]
@@ -191,8 +193,8 @@ class Scene:
         other = bound_law(law, texts, shared, effect_name, self.parameters)
         materials = bound.materials if bound is not None else ()
         # their density limits the speed of impacts
-        kept = tuple(m for m in materials if m.youngs_modulus in other.values)
-        return slot, replace(other, materials=kept)
+        matching = tuple(m for m in materials if m.youngs_modulus in other.values)
+        return slot, replace(other, materials=matching)
 
     def _must_exist(self, names: Any) -> None:
         known = [effect.name for effect in self.effects]
@@ -263,8 +265,8 @@ class Scene:
     @cached_property
     def held(self) -> tuple[str, ...]:
         """Joints whose reaction an effect reads, in declared order."""
-        asked = {name for effect in self._placed for name in effect.reactions(self)}
-        return tuple(joint.name for joint in self.mechanism.joints if joint.name in asked)
+        names = {name for effect in self._placed for name in effect.reactions(self)}
+        return tuple(joint.name for joint in self.mechanism.joints if joint.name in names)
 
     @cached_property
     def pressed(self) -> tuple[str, ...]:
@@ -285,11 +287,11 @@ class Scene:
         """Whether drives alone move a body, which then has a motion given by time; true of the ground."""
         if not self.driven:
             return body == GROUND
-        seen: list[Frame] = []
-        while (joint := self.mechanism.joint_of(body)) is not None and body not in seen:
+        bodies: list[Frame] = []
+        while (joint := self.mechanism.joint_of(body)) is not None and body not in bodies:
             if any(freedom.key not in self.driven for freedom in joint.freedoms):
                 return False
-            seen.append(body)
+            bodies.append(body)
             body = joint.parent.body
         return True
 
@@ -328,10 +330,10 @@ class Scene:
 
     @cached_property
     def _resistances(self) -> dict[str, list[PairResistance]]:
-        found: dict[str, list[PairResistance]] = {}
+        resistances: dict[str, list[PairResistance]] = {}
         for effect in self.all(PairResistance):
-            found.setdefault(effect.pair, []).append(effect)
-        return found
+            resistances.setdefault(effect.pair, []).append(effect)
+        return resistances
 
     def geometry(self, pair_name: str) -> dict[str, Any]:
         """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""
@@ -346,8 +348,8 @@ class Scene:
 
     def _geometry(self, pair: Pair) -> dict[str, Any]:
         bodies = [place.body for place in pair.places if isinstance(place.body, Body)]
-        given = [*pair.slots(), *(slot for body in bodies for slot in body.slots())]
-        if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
+        slots = [*pair.slots(), *(slot for body in bodies for slot in body.slots())]
+        if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in slots):
             return {}  # a fault reported by the scene
         own = self._contact_at[pair.name].effective_mass if pair.name in self._contact_at else None
         masses = [body.mass for body in bodies]
@@ -364,14 +366,14 @@ class Scene:
 
     @cached_property
     def _used(self) -> tuple[Slot, ...]:
-        asked = {
+        symbols = {
             f"{pair}.{quantity.name}"
             for effect in self.effects
             for pair in effect.pairs
             for bound in effect.laws
             for quantity in bound.law.geometry
         }
-        return tuple(slot for slot in self.declarations() if not slot.law_symbol or slot.law_symbol in asked)
+        return tuple(slot for slot in self.declarations() if not slot.law_symbol or slot.law_symbol in symbols)
 
     def declarations(self) -> Iterator[Slot]:
         """Yield every quantity of the scene, in declared order."""
@@ -388,11 +390,11 @@ class Scene:
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
         """Parameters in use by name, in declared order."""
-        found: dict[str, Parameter] = {}
+        parameters: dict[str, Parameter] = {}
         for slot in self.slots():
             for parameter in parameters_of(slot.value):
-                found.setdefault(parameter.name, parameter)
-        return found
+                parameters.setdefault(parameter.name, parameter)
+        return parameters
 
     @cached_property
     def dimensions(self) -> dict[sp.Symbol, Dimension]:
@@ -402,15 +404,15 @@ class Scene:
     @cached_property
     def inputs(self) -> dict[str, Input]:
         """Inputs in use by name, in declared order."""
-        return {given.name: given for slot in self.slots() for given in inputs_in(slot.value)}
+        return {signal.name: signal for slot in self.slots() for signal in inputs_in(slot.value)}
 
     @cached_property
     def smooth_inputs(self) -> dict[str, tuple[int, Slot]]:
         """Inputs of which derivatives are taken: how many, and the slot that needs most."""
-        found: dict[str, tuple[int, Slot]] = {}
+        inputs: dict[str, tuple[int, Slot]] = {}
         for slot in self.slots():
             derivatives = getattr(slot, "derivatives", 0)
-            for given in inputs_in(slot.value):
-                if derivatives > found.get(given.name, (0, slot))[0]:
-                    found[given.name] = derivatives, slot
-        return found
+            for signal in inputs_in(slot.value):
+                if derivatives > inputs.get(signal.name, (0, slot))[0]:
+                    inputs[signal.name] = derivatives, slot
+        return inputs

@@ -35,12 +35,12 @@ class Start:
 
     def coordinates(self, freedom: Freedom) -> list[Any]:
         """Values of a freedom's coordinates; a quaternion's are normalised."""
-        given = [_value_of({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
+        stated = [_value_of({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
         if freedom.kind != "ball":
-            return [value or 0 for value in given]
-        if all(value is None for value in given):
+            return [value or 0 for value in stated]
+        if all(value is None for value in stated):
             return [1, 0, 0, 0]
-        values = [sp.sympify(value or 0) for value in given]
+        values = [sp.sympify(value or 0) for value in stated]
         norm = sp.sqrt(sp.Add(*(value**2 for value in values)))
         return [value / norm for value in values]
 
@@ -58,7 +58,7 @@ class Start:
     def slots(self, freedoms: Iterable[Freedom]) -> Iterator[Slot]:
         """Yield the given values."""
         for freedom in freedoms:
-            for values, ports, what in (
+            for values, ports, quantity in (
                 (self.position, freedom.coordinates, "position"),
                 (self.near, freedom.coordinates, "position near"),
                 (self.speed, freedom.speeds, "speed"),
@@ -67,7 +67,7 @@ class Start:
                     value = _value_of(values, port.name, freedom)
                     if value is not None:
                         named = port.name if freedom.kind == "ball" else freedom.key
-                        yield Slot(f"start, {what} of {named}", value, port.unit)
+                        yield Slot(f"start, {quantity} of {named}", value, port.unit)
 
 
 def _value_of(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:

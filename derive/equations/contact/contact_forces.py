@@ -67,12 +67,12 @@ class PairKinematics:
         self.touch: Touch = pair.touch(kinematics)
         self._geometry = {quantity: geometry[quantity.name] for quantity in GEOMETRY if quantity.name in geometry}
 
-    def _named(self, vector: Vector, what: str) -> Vector:
-        return self.touch.named(vector, what)
+    def _named(self, vector: Vector, label: str) -> Vector:
+        return self.touch.named(vector, label)
 
-    def let(self, expression: Any, what: str, dimension: Dimension | None = None) -> Any:
+    def let(self, expression: Any, label: str, dimension: Dimension | None = None) -> Any:
         """Name a result of this pair on the tape."""
-        return self.touch.let(expression, what, dimension)
+        return self.touch.let(expression, label, dimension)
 
     def _law(self, bound: BoundLaw, known: dict[sp.Symbol, Any], unchecked: bool = False) -> dict[sp.Symbol, Any]:
         """Values of a law's symbols on the tape: state, bound parameters, geometry, definitions.
@@ -219,8 +219,8 @@ class PairKinematics:
             and self.slides_along > 1
             and law.in_two_directions is None
         ):
-            found = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
-            yield Fault(f"effect {friction.name}", found, "a law that is linear in its deflection, or one direction of sliding",
+            actual = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
+            yield Fault(f"effect {friction.name}", actual, "a law that is linear in its deflection, or one direction of sliding",
                         "lugre, coulomb, smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
 
     def _drag(

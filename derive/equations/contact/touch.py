@@ -54,13 +54,13 @@ class Touch:
             self.tape.set_rate(a, b)
             self.tape.set_rate(b, c)
 
-    def let(self, expression: Any, what: str, dimension: Dimension | None = None) -> Any:
+    def let(self, expression: Any, label: str, dimension: Dimension | None = None) -> Any:
         """Name a result of this pair on the tape."""
-        return self.tape.let(expression, f"{self.pair.name}_{what}", dimension)
+        return self.tape.let(expression, f"{self.pair.name}_{label}", dimension)
 
-    def named(self, vector: Vector, what: str) -> Vector:
+    def named(self, vector: Vector, label: str) -> Vector:
         """Name a vector of this pair on the tape."""
-        return self.tape.vector(vector, f"{self.pair.name}_{what}")
+        return self.tape.vector(vector, f"{self.pair.name}_{label}")
 
     @property
     def gap(self) -> Any:

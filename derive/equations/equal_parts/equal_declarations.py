@@ -143,13 +143,13 @@ def _bends(effect: Any) -> bool:
 
 def _trees(mechanism: Mechanism) -> list[Tree]:
     carried = {joint.child.body.name: joint for joint in mechanism.joints}
-    found: dict[str, list[Joint]] = {}
+    groups: dict[str, list[Joint]] = {}
     for joint in mechanism.joints:
         root = joint
         while root.parent.body != GROUND:
             root = carried[root.parent.body.name]
-        found.setdefault(root.name, []).append(joint)
-    return [Tree(tuple(joints)) for joints in found.values()]
+        groups.setdefault(root.name, []).append(joint)
+    return [Tree(tuple(joints)) for joints in groups.values()]
 
 
 class _Form:
@@ -198,10 +198,10 @@ def _plain_value(value: Any) -> Any:
 
 
 def _grouped(members: list[T], keys: Iterable[Any]) -> list[list[T]]:
-    found: dict[Any, list[T]] = {}
+    groups: dict[Any, list[T]] = {}
     for member, key in zip(members, keys, strict=True):
-        found.setdefault(key, []).append(member)
-    return list(found.values())
+        groups.setdefault(key, []).append(member)
+    return list(groups.values())
 
 
 def _name(names: list[str], taken: set[str]) -> str:
@@ -221,8 +221,8 @@ def _name(names: list[str], taken: set[str]) -> str:
 
 def _sample(scene: Scene, trees: list[Tree], firsts: list[Tree], meetings: list[Meeting]) -> Scene:
     """Scene of the trees and pairs that stand for all."""
-    kept = {id(tree) for tree in firsts} | {id(trees[i]) for meeting in meetings for i in meeting.trees}
-    joints = tuple(joint for tree in trees if id(tree) in kept for joint in tree.joints)
+    chosen = {id(tree) for tree in firsts} | {id(trees[i]) for meeting in meetings for i in meeting.trees}
+    joints = tuple(joint for tree in trees if id(tree) in chosen for joint in tree.joints)
     names, pairs = {joint.name for joint in joints}, tuple(meeting.pair for meeting in meetings)
     touching = {pair.name for pair in pairs}
     position, speed, near = (

@@ -26,15 +26,15 @@ from hertzwerk.derive.equations.module.module_tables import tables
 from hertzwerk.derive.program.program import Function, Program, Repeated, Result
 
 
-def program_of_kinds(found: Alike) -> Program | None:
+def program_of_kinds(grouping: Alike) -> Program | None:
     """Program of a scene whose trees and pairs are alike; None where one of them depends on others.
 
     A user's own kind of pair may read what it likes.
     """
-    sample = System(found.sample, whole=found.scene)
-    whole = _widened(sample, found)
+    sample = System(grouping.sample, whole=grouping.scene)
+    whole = _widened(sample, grouping)
     try:
-        of_kinds = [*_of_trees(sample, found), *_of_pairs(sample, found)]
+        of_kinds = [*_of_trees(sample, grouping), *_of_pairs(sample, grouping)]
     except _CoupledError:
         return None
     refuse_idle(sample)
@@ -42,13 +42,13 @@ def program_of_kinds(found: Alike) -> Program | None:
         start_functions.start(whole),
         scale_functions.scales(whole),
         *of_kinds,
-        *([energy_functions.ledger(whole)] if found.scene.ledger else []),
+        *([energy_functions.ledger(whole)] if grouping.scene.ledger else []),
         *([scale_functions.speed_limits(whole)] if whole.limited else []),
         *([scale_functions.period(sample)] if sample.periodic is not None else []),
-        _landmarks(whole, found),
+        _landmarks(whole, grouping),
     ]
     program = with_constants(whole, functions, tables(whole), "")
-    trees, of_pairs = _rows_of(sample, whole, found, _latched(tables(sample)), _latched(program.tables))
+    trees, of_pairs = _rows_of(sample, whole, grouping, _latched(tables(sample)), _latched(program.tables))
     return replace(program, trees=trees, pairs=of_pairs)
 
 
@@ -83,8 +83,8 @@ class _Own:
             vectors["f"] = forces, self.u
         self.places = {
             symbols[i]: f"{sample.tape.own(group)}[{k}]"
-            for group, (symbols, kept) in vectors.items()
-            for k, i in enumerate(kept)
+            for group, (symbols, indices) in vectors.items()
+            for k, i in enumerate(indices)
             if i < len(symbols)  # of z, bristles alone are read
         }
 
@@ -112,14 +112,14 @@ def _only(result: Result, rows: Sequence[int]) -> Result:
     return _entries(result, rows)
 
 
-def _of_trees(sample: System, found: Alike) -> Iterator[Function]:
+def _of_trees(sample: System, grouping: Alike) -> Iterator[Function]:
     """Yield the functions of a tree of each kind."""
     dq, f = (part(sample).results[0] for part in (motion_functions.coordinate_rates, motion_functions.applied))
     a = motion_functions.accelerations(sample)[0].results[0]
     places = output_functions.poses(sample)
     bodies = [body.name for body in sample.scene.mechanism.bodies]
-    for kind in found.trees:
-        tree, what = kind.members[0], f"of one tree of {kind.name}, by the names of the first"
+    for kind in grouping.trees:
+        tree, phrase = kind.members[0], f"of one tree of {kind.name}, by the names of the first"
         own = _Own(sample, [tree])
         joints = [joint.name for joint in tree.joints]
         on = [bodies.index(joint.child.body.name) for joint in tree.joints]
@@ -129,14 +129,14 @@ def _of_trees(sample: System, found: Alike) -> Iterator[Function]:
             ("accelerations", "Generalised accelerations", "t q u f c", a, own.u),
         ):
             yield own.function(
-                sample, f"{name}_of_{kind.name}", f"{summary} {what}.", arguments, _entries(result, rows)
+                sample, f"{name}_of_{kind.name}", f"{summary} {phrase}.", arguments, _entries(result, rows)
             )
         if sample.scene.ledger:
             links = [link for link in sample.kin.tree.links if link.joint is not None and link.joint.name in joints]
             kinetic = sample.equations.kinetic_of(links)
             potential = sample.equations.potential_of([sample.scene.mechanism.bodies[i] for i in on])
             yield own.function(
-                sample, f"energy_of_{kind.name}", f"Kinetic and potential energy {what}.", "t q u c",
+                sample, f"energy_of_{kind.name}", f"Kinetic and potential energy {phrase}.", "t q u c",
                 Result("kinetic", ("kinetic",), ("J",), (kinetic,)), Result("potential", ("potential",), ("J",), (potential,)),
             )  # fmt: skip
         results = (
@@ -144,25 +144,25 @@ def _of_trees(sample: System, found: Alike) -> Iterator[Function]:
             for width, result in zip((3, 9), places.results, strict=True)
         )
         yield own.function(
-            sample, f"poses_of_{kind.name}", f"Origins and rotations of the bodies {what}.", "t q c", *results
+            sample, f"poses_of_{kind.name}", f"Origins and rotations of the bodies {phrase}.", "t q c", *results
         )
 
 
-def _of_pairs(sample: System, found: Alike) -> Iterator[Function]:
+def _of_pairs(sample: System, grouping: Alike) -> Iterator[Function]:
     """Yield the functions of a pair of each kind."""
     contacts = {pair.pair.name: (pair, contact, friction) for pair, contact, friction in sample.contacts}
-    for kind in found.pairs:
-        meeting, what = kind.members[0], f"of one pair of {kind.name}, by the names of the first"
-        trees = _trees(found, meeting)
+    for kind in grouping.pairs:
+        meeting, phrase = kind.members[0], f"of one pair of {kind.name}, by the names of the first"
+        trees = _trees(grouping, meeting)
         own, name = _Own(sample, trees, meeting.names), meeting.pair.name
         pair, contact, friction = contacts[name]
         touch = pair.touch
         yield own.function(
-            sample, f"gaps_of_{kind.name}", f"Gap and its rate {what}.", "t q u c",
+            sample, f"gaps_of_{kind.name}", f"Gap and its rate {phrase}.", "t q u c",
             Result("G", (name,), ("m",), (touch.gap,)), Result("dG", (name,), ("m/s",), (touch.gap_rate,)),
         )  # fmt: skip
         yield own.function(
-            sample, f"gap_accelerations_of_{kind.name}", f"Second derivative of the gap {what}.", "t q u a c",
+            sample, f"gap_accelerations_of_{kind.name}", f"Second derivative of the gap {phrase}.", "t q u a c",
             Result("ddG", (name,), ("m/s^2",), (touch.gap_acceleration,)),
         )  # fmt: skip
         whole = pairs.contact(sample, pair, contact, friction)
@@ -175,40 +175,40 @@ def _of_pairs(sample: System, found: Alike) -> Iterator[Function]:
                 _only(along, [k * f_rows + i for k in times for i in own.u]),
                 _only(power, [k * z_rows + i for k in times for i in own.z]),
             )
-        summary = f"Forces {what}: {whole.summary.partition(': ')[2]}"
+        summary = f"Forces {phrase}: {whole.summary.partition(': ')[2]}"
         yield own.function(
             sample, f"contact_of_{kind.name}", summary, "t q u z m c", _only(f, own.u), _only(dz, own.z), *others
         )
         if sample.scene.ledger:
             yield own.function(
-                sample, f"stored_energy_of_{kind.name}", f"Energy stored by the stiffness {what}.", "t q u c",
+                sample, f"stored_energy_of_{kind.name}", f"Energy stored by the stiffness {phrase}.", "t q u c",
                 Result("stored", (name,), ("J",), (pair.elastic(contact)[1],)),
             )  # fmt: skip
         labels, units, values = zip(*touch.outputs(), strict=True)
         yield own.function(
             sample,
             f"outputs_of_{kind.name}",
-            f"Named quantities {what}.",
+            f"Named quantities {phrase}.",
             "t q u c",
             Result("y", labels, units, values),
         )
 
 
-def _trees(found: Alike, meeting: Meeting) -> list[Tree]:
+def _trees(grouping: Alike, meeting: Meeting) -> list[Tree]:
     """Trees of a pair, in its own order."""
-    trees = [tree for kind in found.trees for tree in kind.members]
+    trees = [tree for kind in grouping.trees for tree in kind.members]
     return [trees[i] for i in meeting.trees]
 
 
 def _renamed(kind: Kind[Meeting], member: Meeting, name: str) -> str:
     """Name of a member's entry, by that of the one that stands for all."""
-    owner, dot, what = name.partition(".")
-    return member.names[kind.members[0].names.index(owner)] + dot + what
+    owner, dot, rest = name.partition(".")
+    return member.names[kind.members[0].names.index(owner)] + dot + rest
 
 
-def _widened(sample: System, found: Alike) -> System:
+def _widened(sample: System, grouping: Alike) -> System:
     """System of the whole scene, for its tables and its functions of parameters alone."""
-    whole, scene = copy(sample), found.scene
+    whole, scene = copy(sample), grouping.scene
     whole.scene = scene
     coordinates, speeds = ports_of(scene, sample.kin)
     parts = {"coordinates": coordinates, "speeds": speeds, "landmarks": tuple(landmarks_of(scene))}
@@ -216,7 +216,7 @@ def _widened(sample: System, found: Alike) -> System:
     derived = {pair.pair.name: pair for pair, _, _ in sample.contacts}
     declared = iter(scene.contacts)
     whole.contacts, whole.latches, whole.bristles, whole.limited = [], {}, {}, {}
-    for kind in found.pairs:
+    for kind in grouping.pairs:
         first = kind.members[0]
         pair, limit = derived[first.pair.name], sample.limited.get(first.pair.name)
         pair.touch.outputs()  # whose parts are those of each
@@ -248,7 +248,7 @@ def _latched(known: Mapping[str, tuple[Any, ...]]) -> list[str]:
 
 
 def _rows_of(
-    sample: System, whole: System, found: Alike, held: list[str], all_held: list[str]
+    sample: System, whole: System, grouping: Alike, held: list[str], all_held: list[str]
 ) -> tuple[tuple[Repeated, ...], tuple[Repeated, ...]]:
     """Rows of the members of each kind in the whole vectors.
 
@@ -259,7 +259,7 @@ def _rows_of(
     ]
     trees: list[Repeated] = []
     place, ends = 0, {"q": 0, "u": 0}
-    for of_trees in found.trees:
+    for of_trees in grouping.trees:
         own, count = _Own(sample, of_trees.members[:1]), len(of_trees.members)
         rows = {}
         for part, size in (("q", len(own.q)), ("u", len(own.u))):
@@ -269,7 +269,7 @@ def _rows_of(
         trees.append(Repeated(of_trees.name, tuple(zip(names, range(place, place + count), strict=True)), rows))
         place += count
     pairs: list[Repeated] = []
-    for kind in found.pairs:
+    for kind in grouping.pairs:
         first = kind.members[0].names
         entries = [entry for entry, _ in sample.memory if entry.partition(".")[0] in first]
         latches = [name for name in held if name.partition(".")[0] in first]
@@ -281,10 +281,10 @@ def _rows_of(
     return tuple(trees), tuple(pairs)
 
 
-def _landmarks(whole: System, found: Alike) -> Function:
+def _landmarks(whole: System, grouping: Alike) -> Function:
     """Points, directions and sizes for pictures: those of a kind are equal."""
     stands_for: dict[str, str] = {}
-    kinds: tuple[Kind[Any], ...] = (*found.trees, *found.pairs)
+    kinds: tuple[Kind[Any], ...] = (*grouping.trees, *grouping.pairs)
     for kind in kinds:
         for member in kind.members:
             stands_for |= dict(zip(member.names, kind.members[0].names, strict=True))

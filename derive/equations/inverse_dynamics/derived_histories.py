@@ -76,8 +76,8 @@ class _Readings:
             MOTION: list(self._groups()),
         }
         functions = [
-            self.system.function(name, title, given, *(_result(whose, rows) for whose, rows in parts[name]))
-            for name, title, given in (
+            self.system.function(name, title, arguments, *(_result(whose, rows) for whose, rows in parts[name]))
+            for name, title, arguments in (
                 (CONTACTS, "Readings of contacts, which hold while they touch.", "t q u z m friction c"),
                 (MOTION, "Readings of motion, energy and forces.", "t q u a touching multipliers reactions c"),
             )
@@ -85,8 +85,8 @@ class _Readings:
         rows = [
             (reading.name, reading.unit, reading.meaning, name, i)
             for name, part in parts.items()
-            for i, (_, found) in enumerate(part)
-            for reading in found
+            for i, (_, readings) in enumerate(part)
+            for reading in readings
         ]
         system = self.system
         states = [port.name for port in (*system.coordinates, *system.speeds)] + [name for name, _ in system.memory]
@@ -102,7 +102,7 @@ class _Readings:
 
     def _groups(self) -> Iterator[tuple[str, list[Reading]]]:
         """Readings by what they are of, in the order of the declaration; those that are empty left out."""
-        found: list[tuple[str, Iterable[Reading]]] = [
+        groups: list[tuple[str, Iterable[Reading]]] = [
             *((freedom.key, self._freedom(freedom)) for freedom in self.mechanism.freedoms if freedom.key in self.scene.driven),
             *((joint.name, self._measured(joint)) for joint in self.mechanism.closures),
             *((body.name, self._body(body)) for body in self.mechanism.bodies),
@@ -111,23 +111,23 @@ class _Readings:
             *((row.key, self._drive(row, force)) for row, force in self.forces.driving()),
             *((effect.name, self._effect(effect, element)) for effect, element in self.system.elements.items()),
         ]  # fmt: skip
-        lists = ((whose, list(rows)) for whose, rows in found)
+        lists = ((whose, list(rows)) for whose, rows in groups)
         return ((whose, rows) for whose, rows in lists if rows)
 
-    def _vector(self, whose: str, what: str, unit: str, vector: Vector, meaning: str) -> Iterator[Reading]:
+    def _vector(self, whose: str, label: str, unit: str, vector: Vector, meaning: str) -> Iterator[Reading]:
         """Components in the plane of motion, and those that are not zero by structure."""
-        return self._components(whose, what, unit, vector, meaning, self.within)
+        return self._components(whose, label, unit, vector, meaning, self.within)
 
-    def _moment(self, whose: str, what: str, unit: str, vector: Vector, meaning: str) -> Iterator[Reading]:
-        return self._components(whose, what, unit, vector, meaning, self.about)
+    def _moment(self, whose: str, label: str, unit: str, vector: Vector, meaning: str) -> Iterator[Reading]:
+        return self._components(whose, label, unit, vector, meaning, self.about)
 
     @staticmethod
     def _components(
-        whose: str, what: str, unit: str, vector: Vector, meaning: str, asked: list[int]
+        whose: str, label: str, unit: str, vector: Vector, meaning: str, axes: list[int]
     ) -> Iterator[Reading]:
         for k, value in enumerate(vector):
-            if k in asked or value != 0:
-                yield Reading(f"{whose}.{what.format(AXES[k])}", unit, value, f"{meaning}, {AXES[k]}")
+            if k in axes or value != 0:
+                yield Reading(f"{whose}.{label.format(AXES[k])}", unit, value, f"{meaning}, {AXES[k]}")
 
     # -- motion --------------------------------------------------------------------------------------------------------
 
@@ -143,11 +143,13 @@ class _Readings:
         for freedom in joint.freedoms:
             if not joint.measures(freedom):
                 continue
-            found = measured(self.kin, freedom.key)
+            measurement = measured(self.kin, freedom.key)
             second = [
-                found.column[row.key] * row.acceleration for row in self.equations.free if row.key in found.column
+                measurement.column[row.key] * row.acceleration
+                for row in self.equations.free
+                if row.key in measurement.column
             ]
-            values = found.value, found.rate, found.bias + sp.Add(*second)
+            values = measurement.value, measurement.rate, measurement.bias + sp.Add(*second)
             ports = (*freedom.coordinates, *freedom.speeds, *map(acceleration_of, freedom.speeds))
             for port, value in zip(ports, values, strict=True):
                 if value is not None:
@@ -206,29 +208,29 @@ class _Readings:
         (on, sign), *_ = sides(touch.first.body, touch.second.body)
         force = tuple(sign * forces.generalised[key] for key in wrench_keys(on, "force"))
         if forces.grip is not None:
-            given = [
+            components = [
                 self.tape.input(f"{name}_friction_in", "friction", Dimension.from_unit("N"))
                 for _ in forces.grip.tangents
             ]
-            drag = add(*(scale(part, way) for part, way in zip(given, forces.grip.tangents, strict=True)))
-            power = total(*(-velocity * part for part, velocity in zip(given, forces.grip.velocity, strict=True)))
-            rubbing = given[0] if len(given) == 1 else -sp.sqrt(total(*(part**2 for part in given)))
-            for part, along in zip(given, forces.grip.along, strict=True):
+            drag = add(*(scale(part, way) for part, way in zip(components, forces.grip.tangents, strict=True)))
+            power = total(*(-velocity * part for part, velocity in zip(components, forces.grip.velocity, strict=True)))
+            rubbing = components[0] if len(components) == 1 else -sp.sqrt(total(*(part**2 for part in components)))
+            for part, along in zip(components, forces.grip.along, strict=True):
                 force = add(force, tuple(sign * part * along[key] for key in wrench_keys(on, "force")))
         moments, drags = dict(forces.resistances), {}
         for effect, grip in forces.turning.items():
             unit = Dimension.from_unit(effect.holds)
-            given = [self.tape.input(f"{effect.name}_friction_in", "friction", unit) for _ in grip.tangents]
-            pull, vector = effect.held(grip, given)
+            components = [self.tape.input(f"{effect.name}_friction_in", "friction", unit) for _ in grip.tangents]
+            pull, vector = effect.held(grip, components)
             if effect.holds == "N":
                 drags[effect] = pull
-            for part, along in zip(given, grip.along, strict=True):
+            for part, along in zip(components, grip.along, strict=True):
                 force = add(force, tuple(sign * part * along.get(key, 0) for key in wrench_keys(on, "force")))
-            spent = total(*(-velocity * part for part, velocity in zip(given, grip.velocity, strict=True)))
+            spent = total(*(-velocity * part for part, velocity in zip(components, grip.velocity, strict=True)))
             moments[effect] = Moment(vector, {}, spent)
-        what = f"{touch.first.body.name} by {touch.second.body.name}"
+        direction = f"{touch.first.body.name} by {touch.second.body.name}"
         here = [
-            *self._vector(name, "force_{}", "N", force, f"contact force on {what}"),
+            *self._vector(name, "force_{}", "N", force, f"contact force on {direction}"),
             *self._vector(name, "point_{}", "m", touch.contact_point, "point of contact while surfaces touch"),
         ]
         self.touching += [reading.name for reading in here]
@@ -237,18 +239,18 @@ class _Readings:
         yield Reading(f"{name}.power", "W", forces.normal_power, f"power dissipated by {name}")
         if friction is not None:
             text = "along its sliding velocity: negative where it brakes"
-            yield Reading(f"{name}.friction_force", "N", rubbing, f"friction force on {what}, {text}")
+            yield Reading(f"{name}.friction_force", "N", rubbing, f"friction force on {direction}, {text}")
             yield Reading(f"{friction.name}.power", "W", power, f"power dissipated by {friction.name}")
             if drag is not None and pair.slides_along > 1:
-                yield from self._vector(name, "friction_force_{}", "N", drag, f"friction force on {what}")
+                yield from self._vector(name, "friction_force_{}", "N", drag, f"friction force on {direction}")
         for effect, moment in moments.items():
             turning = list(
-                self._moment(effect.name, "moment_{}", "N m", moment.vector, f"{effect.text}: moment on {what}")
+                self._moment(effect.name, "moment_{}", "N m", moment.vector, f"{effect.text}: moment on {direction}")
             )
             self.touching += [reading.name for reading in turning]
             yield from turning
             if effect in drags:
-                text = f"friction force on {what}"
+                text = f"friction force on {direction}"
                 yield from self._vector(effect.name, "friction_force_{}", "N", drags[effect], text)
             yield Reading(f"{effect.name}.power", "W", moment.power, f"power dissipated by {effect.name}")
 
@@ -265,9 +267,9 @@ class _Readings:
     def _drive(self, row: Any, force: Any) -> Iterator[Reading]:
         drives = self.scene.driven
         name = drives[row.key].name if row.key in drives else row.key.split(".")[0]
-        what = "force" if row.unit == "N" else "torque"
+        quantity = "force" if row.unit == "N" else "torque"
         if row.key in drives:
-            yield Reading(f"{name}.{what}", row.unit, force, f"{what} of the drive {name} along {row.key}")
+            yield Reading(f"{name}.{quantity}", row.unit, force, f"{quantity} of the drive {name} along {row.key}")
         yield Reading(f"{name}.power", "W", force * row.speed, f"power put in by {name}")
 
     def _effect(self, effect: Effect, element: Element) -> Iterator[Reading]:
@@ -275,9 +277,11 @@ class _Readings:
         name = effect.name
         joints = self.kin.on_joints.get(name, {})
         for key, force in joints.items():
-            what = "force" if self.scene.scalars[key].kind == "slide" else "torque"
-            label = what if len(joints) == 1 else f"{key.replace('.', '_')}_{what}"
-            yield Reading(f"{name}.{label}", "N" if what == "force" else "N m", force, f"{what} of {name} along {key}")
+            quantity = "force" if self.scene.scalars[key].kind == "slide" else "torque"
+            label = quantity if len(joints) == 1 else f"{key.replace('.', '_')}_{quantity}"
+            yield Reading(
+                f"{name}.{label}", "N" if quantity == "force" else "N m", force, f"{quantity} of {name} along {key}"
+            )
         if name in self.kin.on_bodies:
             force, body = self.kin.on_bodies[name]
             yield from self._vector(name, "force_{}", "N", force, f"force of {name} on {body.name}")
@@ -296,5 +300,5 @@ def _result(whose: str, rows: list[Reading]) -> Result:
 
 def _of(name: str) -> str:
     """Words for a coordinate, speed or acceleration: `pin.angle` -> "angle of pin"."""
-    joint, _, what = name.rpartition(".")
-    return f"{what.replace('_', ' ')} of {joint}"
+    joint, _, quantity = name.rpartition(".")
+    return f"{quantity.replace('_', ' ')} of {joint}"

@@ -52,25 +52,25 @@ class Forces:
     @cached_property
     def _of_contacts(self) -> list[dict[str, Any]]:
         """Generalised forces of the contacts, of forces and points that are inputs."""
-        found = []
-        given = {
+        forces = []
+        inputs = {
             name: self.tape.input(
                 name.replace(".", "_"), "touching", Dimension.from_unit(_UNITS[name.split(".")[1][:-2]])
             )
             for name in self.touching
         }
 
-        def vector(whose: str, what: str) -> Vector:
-            return tuple(given.get(f"{whose}.{what}_{axis}", sp.S.Zero) for axis in AXES)
+        def vector(whose: str, quantity: str) -> Vector:
+            return tuple(inputs.get(f"{whose}.{quantity}_{axis}", sp.S.Zero) for axis in AXES)
 
         for pair, contact, _ in self.system.contacts:
             force, point = vector(contact.name, "force"), vector(contact.name, "point")
             bodies = pair.touch.first.body, pair.touch.second.body
-            found.append(self.kin.generalised(force, point, *bodies, f"{contact.name}_touch"))
+            forces.append(self.kin.generalised(force, point, *bodies, f"{contact.name}_touch"))
             for effect in self.system.scene.resistances(contact.name):
                 moment = vector(effect.name, "moment")
-                found.append(self.kin.generalised_moment(moment, *bodies, f"{effect.name}_touch"))
-        return found
+                forces.append(self.kin.generalised_moment(moment, *bodies, f"{effect.name}_touch"))
+        return forces
 
     @cached_property
     def _multipliers(self) -> list[Any]:
@@ -100,16 +100,18 @@ class Forces:
         about = self.equations.recursion.about_centre(body)
         return self.tape.vector(apply(turned, apply(about, apply(transpose(turned), vector))), f"{body.name}_spin")
 
-    def _wrench(self, body: Body, what: str) -> Vector:
+    def _wrench(self, body: Body, quantity: str) -> Vector:
         """Force on a body, or moment about its mass centre, but for gravity and the joints that carry bodies."""
         pulls = [{key: value * force for key, value in row.column.items()} for row, force in self._held]
         acting = [*self._acting, *pulls]
-        return tuple(sp.Add(*(sp.sympify(forces.get(key, 0)) for forces in acting)) for key in wrench_keys(body, what))
+        return tuple(
+            sp.Add(*(sp.sympify(forces.get(key, 0)) for forces in acting)) for key in wrench_keys(body, quantity)
+        )
 
     @cached_property
     def _transmitted(self) -> dict[Joint, tuple[Vector, Vector]]:
         """Force and moment on the child of each joint that carries it, about its point, with drives."""
-        found: dict[Joint, tuple[Vector, Vector]] = {}
+        transmitted: dict[Joint, tuple[Vector, Vector]] = {}
         kin, tree = self.kin, self.tree
         for joint in reversed(tree):
             body, name = joint.child.body, joint.name
@@ -124,11 +126,11 @@ class Forces:
             turning = add(self.inertia(body, alpha), cross(w, self.inertia(body, w)))
             moment = add(sub(turning, self._wrench(body, "moment")), cross(sub(centre, place), force))
             for beyond in (other for other in tree if other.parent.body == body):
-                further, twist = found[beyond]
+                further, twist = transmitted[beyond]
                 there, _, _ = kin.point(beyond.child, f"{beyond.name}_child")
                 force, moment = add(force, further), add(moment, twist, cross(sub(there, place), further))
-            found[joint] = self.tape.vector(force, f"{name}_passes"), self.tape.vector(moment, f"{name}_twists")
-        return found
+            transmitted[joint] = self.tape.vector(force, f"{name}_passes"), self.tape.vector(moment, f"{name}_twists")
+        return transmitted
 
     def reaction(self, joint: Joint) -> tuple[Vector, Vector]:
         """Force and moment on the child of a joint, about the child's point: without those along its freedoms."""
@@ -166,8 +168,8 @@ class Forces:
         (on, sign), *_ = sides(joint.child.body, joint.parent.body)
         rows = [(row, force) for row, force in self._held if row.name.split(".")[0] == joint.name and not row.drives]
 
-        def total(what: str) -> Vector:
-            keys = wrench_keys(on, what)
+        def total(quantity: str) -> Vector:
+            keys = wrench_keys(on, quantity)
             return tuple(sign * sp.Add(*(value * row.column.get(key, 0) for row, value in rows)) for key in keys)
 
         force, (place, _, _) = total("force"), self.kin.point(joint.child, f"{joint.name}_child")
@@ -196,5 +198,5 @@ def _across(vector: Vector, wanted: list[tuple[Vector, Any]]) -> Vector:
     (one, first), (two, second) = wanted
     normal, cosine = cross(one, two), dot(one, two)
     size = dot(normal, normal)
-    given = add(scale(first - cosine * second, one), scale(second - cosine * first, two))
-    return scale(1 / size, add(scale(dot(vector, normal), normal), given))
+    combination = add(scale(first - cosine * second, one), scale(second - cosine * first, two))
+    return scale(1 / size, add(scale(dot(vector, normal), normal), combination))

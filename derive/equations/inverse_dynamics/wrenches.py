@@ -34,28 +34,28 @@ class WithWrenches(Surroundings):
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces, by row, of a force on one body and its reaction on another at the same point."""
         self.on_bodies.setdefault(name, (force, on))
-        found = super().generalised(force, position, on, against, name)
+        forces = super().generalised(force, position, on, against, name)
         for body, sign in sides(on, against):
             moment = cross(sub(position, self.centre(body)), force)
-            found |= self._rows(body, "force", scale(sign, force), name)
-            found |= self._rows(body, "moment", scale(sign, moment), name)
-        return found
+            forces |= self._rows(body, "force", scale(sign, force), name)
+            forces |= self._rows(body, "moment", scale(sign, moment), name)
+        return forces
 
     def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces, by row, of a moment on one body and its reaction on another."""
-        found = super().generalised_moment(moment, on, against, name)
+        forces = super().generalised_moment(moment, on, against, name)
         for body, sign in sides(on, against):
-            found |= self._rows(body, "moment", scale(sign, moment), name)
-        return found
+            forces |= self._rows(body, "moment", scale(sign, moment), name)
+        return forces
 
-    def _rows(self, body: Body, what: str, vector: Vector, name: str) -> dict[str, Any]:
-        named = self.tape.vector(vector, f"{name}_{what}_on_{body.name}")
-        return dict(zip(wrench_keys(body, what), named, strict=True))
+    def _rows(self, body: Body, quantity: str, vector: Vector, name: str) -> dict[str, Any]:
+        named = self.tape.vector(vector, f"{name}_{quantity}_on_{body.name}")
+        return dict(zip(wrench_keys(body, quantity), named, strict=True))
 
 
-def wrench_keys(body: Body, what: str) -> list[str]:
+def wrench_keys(body: Body, quantity: str) -> list[str]:
     """Rows of the force on a body, or of the moment about its mass centre, along the ground's axes."""
-    return [f"{body.name}.wrench_{what}_{axis}" for axis in AXES]
+    return [f"{body.name}.wrench_{quantity}_{axis}" for axis in AXES]
 
 
 def sides(on: Frame, against: Frame) -> Iterator[tuple[Body, int]]:

@@ -53,7 +53,7 @@ class Surroundings(Kinematics):
 
     def journal(self, pair: str) -> Any:
         """Pin and bush of this name, on the tape; raises TypeError for a pair that holds no film."""
-        found = self.touch(pair)
-        if not found.pair.holds_film:
+        touch = self.touch(pair)
+        if not touch.pair.holds_film:
             raise TypeError(f"{pair} is no pin in a bush")
-        return found
+        return touch

@@ -11,7 +11,11 @@ from hertzwerk.derive.program.program import Function, Result
 def ledger(system: System) -> Function:
     """Power of the drives and force elements."""
     power = [force * row.speed for force, row in zip(system.supplied, system.driven, strict=True)]
-    rows = {f"{effect.name}.{what}": power for effect, e in system.elements.items() for what, power in e.powers.items()}
+    rows = {
+        f"{effect.name}.{quantity}": power
+        for effect, e in system.elements.items()
+        for quantity, power in e.powers.items()
+    }
     if system.scene.ledger is not None:
         rows[f"{system.scene.ledger.name}.input"] = sp.Add(*power)
     values = [rows.get(name, sp.S.Zero) for name, _ in system.memory]

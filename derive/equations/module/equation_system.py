@@ -52,8 +52,8 @@ class System:
             self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", Dimension.from_unit(row.unit))
             for row in self.driven
         ]
-        found = {effect: effect.element(self.kin) for effect in scene.effects}
-        self.elements = {effect: e for effect, e in found.items() if e is not None}
+        elements = {effect: effect.element(self.kin) for effect in scene.effects}
+        self.elements = {effect: e for effect, e in elements.items() if e is not None}
         rows = list(self.equations.free)
         if scene.ledger:
             rows += self.equations.driven
@@ -132,7 +132,7 @@ class System:
         drives = [(f"{ledger.name}.input", "J")] if self.driven else []
         rows = {effect: e.powers for effect, e in self.elements.items()}
         rows |= {effect: {DISSIPATED: None} for effect in self.scene.effects if effect.enters == CONTACT}
-        booked = [(f"{e.name}.{what}", "J") for e in self.scene.effects for what in rows.get(e, ())]
+        booked = [(f"{e.name}.{quantity}", "J") for e in self.scene.effects for quantity in rows.get(e, ())]
         return bristles + drives + booked
 
     @cached_property
@@ -140,12 +140,12 @@ class System:
         """Loads by reactions and normal forces, if any; raises InputError for one that is not linear."""
         if not self.kin.loaded:
             return None
-        found = Carried(
+        carried = Carried(
             self.kin, self.equations, {row.key: load for row in self.rows if (load := self._force(row.key, True)) != 0}
         )
-        for joint in found.nonlinear():
+        for joint in carried.nonlinear():
             raise nonlinear_fault(joint)
-        return found
+        return carried
 
     def applied(self, key: str) -> Any:
         """Generalised force of the effects in a row, but for loads by reactions and normal forces."""

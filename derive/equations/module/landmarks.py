@@ -59,13 +59,13 @@ class Landmark:
     def result(self) -> Result:
         """Coordinates of the point along its body's axes, then directions and sizes."""
         rows = [(axis, "m", value) for axis, value in zip("xyz", self.point.position, strict=True)]
-        for what, value in self.beside.items():
+        for label, value in self.beside.items():
             if isinstance(value, SolidCurve):
-                rows.append((what, "", value.drawn))
+                rows.append((label, "", value.drawn))
             elif isinstance(value, tuple):
-                rows += [(f"{what}_{axis}", UNITS[what], v) for axis, v in zip("xyz", value, strict=True)]
+                rows += [(f"{label}_{axis}", UNITS[label], v) for axis, v in zip("xyz", value, strict=True)]
             else:
-                rows.append((what, UNITS[what], value))
+                rows.append((label, UNITS[label], value))
         labels, units, values = zip(*rows, strict=True)
         return Result(f"{self.part}.{self.place}", labels, units, tuple(map(sp.sympify, values)))
 

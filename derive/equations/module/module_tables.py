@@ -41,7 +41,7 @@ def tables(system: System) -> Mapping[str, Any]:
         "LIMITS": tuple(_limits(scene)),
         "SUM_LIMITS": _sum_limits(scene),
         # the last entries of c are their pieces, in this order
-        "INPUTS": tuple((given.name, given.unit, given.meaning) for given in scene.inputs.values()),
+        "INPUTS": tuple((signal.name, signal.unit, signal.meaning) for signal in scene.inputs.values()),
         # derivatives that must be continuous: how many, and for what
         "SMOOTH_INPUTS": tuple((name, order, slot.where) for name, (order, slot) in scene.smooth_inputs.items()),
         "COORDINATES": tuple((name, unit) for name, unit in system.coordinates),

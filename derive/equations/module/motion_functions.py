@@ -65,12 +65,12 @@ def accelerations(system: System) -> tuple[Function, ...]:
 def _accelerations_under_loads(system: System, carried: Carried, symbols: dict[str, Any]) -> tuple[Function, ...]:
     """Accelerations under loads by reactions, these loads, and how unique the reactions are."""
     pressed = {symbol: symbols[row.key] for symbol, row in system.pressed.items()}
-    found = carried.solved({row: force for row, force in symbols.items() if row not in pressed.values()}, pressed)
-    a, multipliers, of_drives = found.accelerations, found.multipliers, []
+    solved = carried.solved({row: force for row, force in symbols.items() if row not in pressed.values()}, pressed)
+    a, multipliers, of_drives = solved.accelerations, solved.multipliers, []
     if system.scene.ledger:
-        of_drives = system.equations.reactions(found.forces, a, multipliers)
+        of_drives = system.equations.reactions(solved.forces, a, multipliers)
     names = [symbol.name for symbol in carried.read]
-    magnitudes = [*zip(names, found.magnitudes, strict=True), *((s.name, force) for s, force in pressed.items())]
+    magnitudes = [*zip(names, solved.magnitudes, strict=True), *((s.name, force) for s, force in pressed.items())]
     by_input = dict(magnitudes)
     own = [s.name for s, group in system.tape.inputs.items() if group == "reactions" and s not in system.supplied]
     return (
@@ -80,22 +80,22 @@ def _accelerations_under_loads(system: System, carried: Carried, symbols: dict[s
             system.of_rows("f", [carried.loads.get(row.key, sp.S.Zero) for row in system.rows])),
         system.function(
             "settling", "Margins of uniqueness of the reactions, positive where they are unique; residuals of their solution.",
-            "t q u f c", Result("margins", tuple(names), ("1",) * len(names), tuple(found.margins)),
-            Result("residuals", tuple(names), ("1",) * len(names), tuple(found.residuals))),
-        *([_unloaded(system, found, names)] if system.feeds else []),
+            "t q u f c", Result("margins", tuple(names), ("1",) * len(names), tuple(solved.margins)),
+            Result("residuals", tuple(names), ("1",) * len(names), tuple(solved.residuals))),
+        *([_unloaded(system, solved, names)] if system.feeds else []),
         *([_rubbing(system)] if system.rubbing else []),
     )  # fmt: skip
 
 
-def _unloaded(system: System, found: Solved, names: list[str]) -> Function:
+def _unloaded(system: System, solved: Solved, names: list[str]) -> Function:
     """Accelerations and reactions without loads that depend on these, linear in the forces."""
     whose = [name for name in names for _ in range(3)]
-    parts = tuple(sp.sympify(part) for vector in found.parts for part in vector)
+    parts = tuple(sp.sympify(part) for vector in solved.parts for part in vector)
     return system.function(
         "unloaded",
         "Accelerations without loads by reactions, and the three components of each of these.",
         "t q u f c",
-        vector("a", [acceleration_of(port) for port in system.speeds], found.unloaded),
+        vector("a", [acceleration_of(port) for port in system.speeds], solved.unloaded),
         Result("parts", tuple(whose), ("N",) * len(parts), parts),
     )
 

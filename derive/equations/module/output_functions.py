@@ -52,7 +52,7 @@ def output_rows(system: System) -> list[tuple[str, str, Any]]:
     """Name, unit and expression of every named quantity."""
     of_pairs = [row for pair, _, _ in system.contacts for row in pair.touch.outputs()]
     of_pairs += [row for e in system.elements.values() for row in e.outputs]
-    of_pairs += [(name, given.unit, system.kin.inputs[name]) for name, given in system.scene.inputs.items()]
+    of_pairs += [(name, signal.unit, system.kin.inputs[name]) for name, signal in system.scene.inputs.items()]
     return of_pairs + _track_outputs(system) + ([] if system.joints is None else _joint_outputs(system))
 
 

@@ -47,8 +47,8 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     for effect, turning in forces.turning.items():
         for axis in turning.along:
             system.enter(effect.name, axis, driven=True)
-    given = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
-    f = [given.get(row.key, sp.S.Zero) for row in system.rows]
+    by_row = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
+    f = [by_row.get(row.key, sp.S.Zero) for row in system.rows]
     rates = {f"{name}.dissipated": forces.normal_power}
     rates |= {f"{effect.name}.dissipated": moment.power for effect, moment in forces.resistances.items()}
     if friction is not None:

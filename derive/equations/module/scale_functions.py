@@ -67,12 +67,14 @@ def speed_limits(system: System) -> Function:
 
 def rolling_limits(system: System) -> Function:
     """Coefficients of friction up to which surfaces roll without slip."""
-    given = {e.name: e.coefficient for e in system.scene.all(RollingWithoutSlip) if e.coefficient is not None}
+    coefficients = {e.name: e.coefficient for e in system.scene.all(RollingWithoutSlip) if e.coefficient is not None}
     return system.function(
         "rolling_limits",
         "Coefficient of friction that keeps surfaces from slipping, where one is given, see ROLLING.",
         "p",
-        Result("limits", tuple(given), ("1",) * len(given), tuple(map(sp.sympify, given.values()))),
+        Result(
+            "limits", tuple(coefficients), ("1",) * len(coefficients), tuple(map(sp.sympify, coefficients.values()))
+        ),
     )
 
 

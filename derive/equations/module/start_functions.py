@@ -15,11 +15,11 @@ from hertzwerk.derive.program.program import Function
 def start(system: System) -> Function:
     """Initial state, in joint coordinates."""
     of = system if system.joints is None else system.joints
-    given, free = of.scene.start, of.scene.free
-    q = [sp.sympify(value) for freedom in free for value in given.coordinates(freedom)]
+    initial, free = of.scene.start, of.scene.free
+    q = [sp.sympify(value) for freedom in free for value in initial.coordinates(freedom)]
     q += [state.start for state in of.kin.drive_states]
     q += [sp.sympify(state.start) for state in of.scene.states.values()]
-    u = [sp.sympify(value) for freedom in free for value in given.speeds(freedom)]
+    u = [sp.sympify(value) for freedom in free for value in initial.speeds(freedom)]
     return system.function(
         "start", "Coordinates and speeds at t = 0.", "p", vector("q", of.coordinates, q), vector("u", of.speeds, u)
     )

@@ -114,10 +114,10 @@ def absolute(scene: Scene) -> Absolute:
     faults = unruled or [*_body_faults(scene, carried), *_effect_faults(scene, carried)]
     if faults:
         raise InputError(f"scene {scene.name} in absolute coordinates", dict.fromkeys(faults))
-    given = {entry.name: getattr(scene, entry.name) for entry in fields(Scene)}
-    given["mechanism"] = replace(mechanism, joints=(*carried, *closing))
-    given["effects"] = (*scene.effects, *uncounted_angles(given["mechanism"], scene.effects, scene))
-    return Absolute(**given, declared=scene)
+    values = {entry.name: getattr(scene, entry.name) for entry in fields(Scene)}
+    values["mechanism"] = replace(mechanism, joints=(*carried, *closing))
+    values["effects"] = (*scene.effects, *uncounted_angles(values["mechanism"], scene.effects, scene))
+    return Absolute(**values, declared=scene)
 
 
 def _base(mechanism: Mechanism, joint: Joint, held: bool) -> Base:
@@ -209,21 +209,21 @@ def _about_one_axis(mechanism: Mechanism, body: Frame) -> bool:
 
 def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
     """Faults of effects on a joint's coordinate that is neither a coordinate of the scene nor measurable."""
-    kept = [freedom.key for joint in carried for freedom in joint.freedoms]
+    keys = [freedom.key for joint in carried for freedom in joint.freedoms]
     closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.joints for freedom in joint.freedoms}
     remedy = "Keep the joints' coordinates: coordinates='tree'."
     for effect in scene.effects:
         symbols = (symbol for slot in effect.slots(scene) for symbol in states_in(slot.value))
         for key in [*(symbol.joint for symbol in symbols if symbol.quantity in (COORDINATE, SPEED)), *effect.joints]:
-            if key in kept:
+            if key in keys:
                 continue
             joint, freedom = closing[key]
             where = f"effect {effect.name}"
             if not joint.measures(freedom):
-                found = f"{key}, of a {type(joint).__name__.lower()} joint"
+                actual = f"{key}, of a {type(joint).__name__.lower()} joint"
                 yield Fault(
                     where,
-                    found,
+                    actual,
                     "a freedom that shows in where its bodies are: the only turn, one of two that differ, a slide square to its others",
                     remedy,
                 )

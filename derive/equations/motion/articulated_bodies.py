@@ -55,7 +55,8 @@ class Inertia:
 
     def in_parent_axes(self, change: Change, arm: Vector, tape: Tape, name: str) -> Inertia:
         """In the axes of the parent, about its O, from which this one is an arm away."""
-        turning, moving = (change.symmetric(of, tape, f"{name}_turned_{what}") for of, what in ((self.turning, "J"), (self.moving, "M")))  # fmt: skip
+        pairs = ((self.turning, "J"), (self.moving, "M"))
+        turning, moving = (change.symmetric(of, tape, f"{name}_turned_{label}") for of, label in pairs)
         coupling = change.both(self.coupling, tape, f"{name}_turned_H")
         lever = Entries(lambda i, j: total(coupling[i, j], cross(arm, moving.column(j))[i])).named(
             tape, f"{name}_lever"
@@ -118,7 +119,7 @@ class Articulated:
                 force = tape.vector(link.change.out(force), f"{link.name}_turned_push")
                 moment = add(link.change.out(moment), cross(parts.arm(link), force))
                 forces[link.parent].append((moment, force))
-        found: dict[str, Any] = {}
+        accelerations: dict[str, Any] = {}
         moves: dict[Link, tuple[Vector, Vector]] = {parts.tree.ground: (ZERO, ZERO)}
         for link in self._links:
             turn, move = moves[link.parent]  # type: ignore[index]
@@ -131,13 +132,13 @@ class Articulated:
                 if row.free:
                     by_turn, by_move = self._shares[row]
                     value = less(driving[row] / self._own[row], dot(by_turn, turn), dot(by_move, move))
-                    found[row.key] = value = tape.let(value, f"{row.key.replace('.', '_')}_{label}")
+                    accelerations[row.key] = value = tape.let(value, f"{row.key.replace('.', '_')}_{label}")
                     if link.kind == "slide":
                         move = add(move, scale(value, axis))
                     else:
                         turn = add(turn, scale(value, axis))
             moves[link] = tape.vector(turn, f"{link.name}_turn"), tape.vector(move, f"{link.name}_move")
-        return found
+        return accelerations
 
     def _axes(self, link: Link) -> tuple[Vector, ...]:
         return UNIT if link.kind == "ball" else (self._parts.axis(link),)

@@ -27,8 +27,8 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
 
     Raises InputError for a constraint that can never be met.
     """
-    found = list(closing_constraints(kinematics))
-    still = [constraint for constraint in found if constraint.rate == 0]
+    constraints = list(closing_constraints(kinematics))
+    still = [constraint for constraint in constraints if constraint.rate == 0]
     never = [constraint for constraint in still if sp.expand(kinematics.tape.written_out(constraint.value)) != 0]
     if never:
         faults = [
@@ -37,13 +37,13 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
             for constraint in never
         ]  # fmt: skip
         raise InputError(f"mechanism {kinematics.mechanism.name}", faults)
-    found = [constraint for constraint in found if constraint.rate != 0 and constraint.value != 0]
-    found += [] if kinematics.by_expressions is None else kinematics.by_expressions.constraints
-    found += [_coupled(kinematics, coupling) for coupling in kinematics.scene.all(Coupling)]
+    constraints = [constraint for constraint in constraints if constraint.rate != 0 and constraint.value != 0]
+    constraints += [] if kinematics.by_expressions is None else kinematics.by_expressions.constraints
+    constraints += [_coupled(kinematics, coupling) for coupling in kinematics.scene.all(Coupling)]
     for effect in kinematics.scene.effects:
         on_speeds = (_on_speeds(kinematics, effect.name, c) for c in effect.speed_constraints(kinematics))
-        found += [constraint for constraint in on_speeds if constraint.rate != 0]
-    return tuple(found)
+        constraints += [constraint for constraint in on_speeds if constraint.rate != 0]
+    return tuple(constraints)
 
 
 def driving_rows(constraints: Iterable[Constraint]) -> list[Row]:
@@ -62,8 +62,8 @@ def _coupled(kinematics: Kinematics, coupling: Coupling) -> Constraint:
     of = {symbol: measured(kinematics, symbol.joint) if symbol != T else time for symbol in states_in(coupling.zero)}
     here = {symbol: state.value for symbol, state in of.items()}
 
-    def let(expression: Any, what: str) -> Any:
-        return tape.let(expression, f"{name.replace('.', '_')}_{what}")
+    def let(expression: Any, label: str) -> Any:
+        return tape.let(expression, f"{name.replace('.', '_')}_{label}")
 
     slopes = {symbol: sp.diff(coupling.zero, symbol) for symbol in of}
     partial = {
@@ -93,29 +93,33 @@ def _coupled(kinematics: Kinematics, coupling: Coupling) -> Constraint:
     )  # fmt: skip
 
 
-def _on_speeds(kinematics: Kinematics, effect: str, given: SpeedConstraint) -> Constraint:
+def _on_speeds(kinematics: Kinematics, effect: str, constraint: SpeedConstraint) -> Constraint:
     """Constraint of a velocity between material points of two bodies at a place that moves in both."""
-    tape, name, motions = kinematics.tape, f"{effect}_{given.name}", [kinematics.motion(body) for body in given.bodies]
+    tape, name, motions = (
+        kinematics.tape,
+        f"{effect}_{constraint.name}",
+        [kinematics.motion(body) for body in constraint.bodies],
+    )
 
-    def rates(vector: Vector, what: str) -> Vector:
-        return tuple(tape.rate(part, f"{name}_{what}_{axis}") for part, axis in zip(vector, "xyz", strict=True))
+    def rates(vector: Vector, label: str) -> Vector:
+        return tuple(tape.rate(part, f"{name}_{label}_{axis}") for part, axis in zip(vector, "xyz", strict=True))
 
-    moved = rates(given.position, "place_rate")
-    velocity = sub(*(kinematics.velocity_at(body, given.position) for body in given.bodies))
+    moved = rates(constraint.position, "place_rate")
+    velocity = sub(*(kinematics.velocity_at(body, constraint.position) for body in constraint.bodies))
     biases = []
-    for body, motion in zip(given.bodies, motions, strict=True):
+    for body, motion in zip(constraint.bodies, motions, strict=True):
         alpha, bias = kinematics.bias_of(kinematics.link_of(body))
         turned = cross(motion.angular_velocity, sub(moved, motion.velocity))
-        biases.append(add(bias, cross(alpha, sub(given.position, motion.origin)), turned))
+        biases.append(add(bias, cross(alpha, sub(constraint.position, motion.origin)), turned))
     velocity, bias = tape.vector(velocity, f"{name}_velocity"), tape.vector(sub(*biases), f"{name}_apart_bias")
-    turning = dot(rates(given.direction, "direction_rate"), velocity)
-    column = kinematics.generalised(given.direction, given.position, *given.bodies, name)
+    turning = dot(rates(constraint.direction, "direction_rate"), velocity)
+    column = kinematics.generalised(constraint.direction, constraint.position, *constraint.bodies, name)
     return Constraint(
-        f"{effect}.{given.name}",
-        ON_SPEED if given.distance is None else LENGTH,
-        f"{effect}.{given.name}",
-        sp.S.Zero if given.distance is None else given.distance,
-        tape.let(dot(given.direction, velocity), f"{name}_rate"),
-        tape.let(dot(given.direction, bias) + turning, f"{name}_bias"),
+        f"{effect}.{constraint.name}",
+        ON_SPEED if constraint.distance is None else LENGTH,
+        f"{effect}.{constraint.name}",
+        sp.S.Zero if constraint.distance is None else constraint.distance,
+        tape.let(dot(constraint.direction, velocity), f"{name}_rate"),
+        tape.let(dot(constraint.direction, bias) + turning, f"{name}_bias"),
         {row: share for row, share in column.items() if share != 0},
     )

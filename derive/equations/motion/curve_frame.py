@@ -87,33 +87,33 @@ class OnCurve:
     def _sampled(self, curve: PlanarCurve | PlanarChain) -> Any:
         return self.tape.block(Sampled(curve, *curve.parameters), f"{curve.name}_samples", curve.width, METRE)
 
-    def local(self, vector: Vector, what: str) -> Vector:
+    def local(self, vector: Vector, label: str) -> Vector:
         """A vector along the curve's axes, on the tape."""
-        return self.tape.vector(apply(transpose(self.axes), vector), f"{self.name}_{what}")
+        return self.tape.vector(apply(transpose(self.axes), vector), f"{self.name}_{label}")
 
-    def ground(self, x: Any, y: Any, what: str) -> Vector:
+    def ground(self, x: Any, y: Any, label: str) -> Vector:
         """A vector of the curve's plane along the ground's axes."""
-        return self.tape.vector(apply(self.axes, (x, y, 0)), f"{self.name}_{what}")
+        return self.tape.vector(apply(self.axes, (x, y, 0)), f"{self.name}_{label}")
 
-    def _rate(self, value: Any, what: str) -> Any:
-        return self.tape.rate(value, f"{self.name}_{what}_rate")
+    def _rate(self, value: Any, label: str) -> Any:
+        return self.tape.rate(value, f"{self.name}_{label}_rate")
 
-    def _let(self, value: Any, what: str, dimension: Dimension | None = None) -> Any:
-        return self.tape.let(value, f"{self.name}_{what}", dimension)
+    def _let(self, value: Any, label: str, dimension: Dimension | None = None) -> Any:
+        return self.tape.let(value, f"{self.name}_{label}", dimension)
 
     def _entries(self, node: type, x: Any, y: Any, width: int) -> list[Any]:
         return self._vector(node(self.curve, self.samples, x, y, *self.curve.parameters), width)
 
-    def _vector(self, found: Any, width: int) -> list[Any]:
-        vector = self.tape.block(found, f"{self.name}_{type(found).__name__.lower()}", width, PURE)
+    def _vector(self, node: Any, width: int) -> list[Any]:
+        vector = self.tape.block(node, f"{self.name}_{type(node).__name__.lower()}", width, PURE)
         return [Entry(vector, k) for k in range(width)]
 
     def beside(self, x: Any, y: Any) -> Beside:
         """The curve as seen from a point (x, y) in its axes [m]."""
         entries = self._entries(Nearest, x, y, 5)
         distance, nx, ny, bend, parameter = (
-            self._let(entry, what, dimension)
-            for entry, (what, dimension) in zip(
+            self._let(entry, label, dimension)
+            for entry, (label, dimension) in zip(
                 entries,
                 (("distance", METRE), ("normal_x", PURE), ("normal_y", PURE), ("bend", BEND), ("parameter", PURE)),
                 strict=True,
@@ -131,8 +131,8 @@ class OnCurve:
         """The curve as seen along a unit direction (x, y) in its axes."""
         entries = self._entries(Support, x, y, 4)
         px, py, radius, parameter = (
-            self._let(entry, what, dimension)
-            for entry, (what, dimension) in zip(
+            self._let(entry, label, dimension)
+            for entry, (label, dimension) in zip(
                 entries,
                 (("foot_x", METRE), ("foot_y", METRE), ("bend_radius", METRE), ("parameter", PURE)),
                 strict=True,
@@ -151,7 +151,7 @@ class OnCurve:
         moves along it by k/D for each length that the other slides there, and by (1 + h k)/D for each angle that it turns;
         the normal turns by k l/D and l (1 + h k)/D = 1 - k/D. These three coefficients are finite on lines and at ends too.
         """
-        found = Between(
+        node = Between(
             other, self.curve, self._sampled(other), self.samples, pose.x, pose.y, pose.cos, pose.sin,
             *other.parameters, *self.curve.parameters, *points,
         )  # fmt: skip
@@ -159,9 +159,9 @@ class OnCurve:
             ("distance", METRE), ("normal_x", PURE), ("normal_y", PURE), ("foot_x", METRE), ("foot_y", METRE), ("share", PURE),
             ("rolling", METRE), ("bend", BEND), ("first_parameter", PURE), ("second_parameter", PURE),
         )  # fmt: skip
-        entries = zip(self._vector(found, len(named)), named, strict=True)
+        entries = zip(self._vector(node, len(named)), named, strict=True)
         distance, nx, ny, px, py, share, rolling, bend, first, second = (
-            self._let(entry, what, dimension) for entry, (what, dimension) in entries
+            self._let(entry, label, dimension) for entry, (label, dimension) in entries
         )
         turning = pose.turning
         vx = self._let(self._rate(pose.x, "x") - turning * (py - pose.y), "slip_x")

@@ -65,7 +65,7 @@ class Equations:
 
     def _columns(self, link: Link) -> dict[tuple[str, str], Any]:
         """Mass matrix entries of a link's rows with themselves and the rows of the links below, by keys."""
-        found: dict[tuple[str, str], Any] = {}
+        entries: dict[tuple[str, str], Any] = {}
         parts = self.recursion
         for i, (row, axis) in enumerate(zip(link.rows, self._axes(link), strict=True)):
             name = row.key.replace(".", "_")
@@ -74,7 +74,7 @@ class Equations:
             # the link's own rows first: only requested entries of an inertia are computed
             for other, along in zip(link.rows[: i + 1], self._axes(link), strict=False):
                 value = dot(force, along) if slides else dot(parts.inertia(link).apply(axis), along)
-                found[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
+                entries[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
             if any(below.kind != "slide" for below in link.path[:-1]):
                 torque = cross(parts.moment(link), axis) if slides else parts.inertia(link).apply(axis)
             else:
@@ -88,8 +88,8 @@ class Equations:
                 here = here.parent
                 for other, along in zip(here.rows, self._axes(here), strict=True):
                     value = dot(along, force if here.kind == "slide" else torque)
-                    found[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
-        return found
+                    entries[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
+        return entries
 
     def _mass_matrix(self) -> dict[tuple[str, str], Any]:
         """Entries by pair of row keys, free and driven, structural zeros left out."""
@@ -147,12 +147,12 @@ class Equations:
         return self._solved(right, [sp.S.Zero] * len(self.constraints), name)
 
     def _solved(self, right: dict[str, Any], wanted: list[Any], name: str) -> tuple[list[Any], list[Any]]:
-        found = self._factor.solve(right, name)
+        solution = self._factor.solve(right, name)
         multipliers: list[Any] = []
         if self.constraints:
             refinements = REFINEMENTS + (EXTRA_REFINEMENTS if self.artificial_inertia else 0)
-            found, multipliers = self._loops.corrected(found, wanted, name, refinements, self.artificial_inertia)
-        return [found[row.key] for row in self.free], multipliers
+            solution, multipliers = self._loops.corrected(solution, wanted, name, refinements, self.artificial_inertia)
+        return [solution[row.key] for row in self.free], multipliers
 
     def projection(self, wanted: list[Any]) -> list[Any]:
         """Speeds v of the free rows with the least kinetic energy that satisfy G v = wanted."""
@@ -191,15 +191,15 @@ class Equations:
             return {}
         mass, bodies, scales = self.mass_matrix(), self.scene.mechanism.bodies, self.scene.scales
         mean = sp.Add(*(sp.sympify(body.mass) for body in bodies)) / len(bodies)
-        found = {}
+        inertia = {}
         for row in self.free:
             if (row.key, row.key) in mass:
                 continue
             link = self.link_of[row]
             own = [mass[other.key, other.key] for other in link.rows if (other.key, other.key) in mass]
             size = mean if link.kind == "slide" else sp.Add(*own) or mean * sp.sympify(scales.arm) ** 2
-            found[row.key] = self.tape.let(ARTIFICIAL_RATIO * size, f"{row.key.replace('.', '_')}_lent")
-        return found
+            inertia[row.key] = self.tape.let(ARTIFICIAL_RATIO * size, f"{row.key.replace('.', '_')}_lent")
+        return inertia
 
     @cached_property
     def _loops(self) -> Loops:
@@ -261,8 +261,8 @@ class Equations:
 
 def equations_of(kinematics: Kinematics, scene: Scene) -> Equations:
     """Equations of motion of the links, or those that the mechanism has by expressions."""
-    given = kinematics.by_expressions
-    return Equations(kinematics, scene) if given is None else given.equations(scene)
+    expressions = kinematics.by_expressions
+    return Equations(kinematics, scene) if expressions is None else expressions.equations(scene)
 
 
 def gravity_vector(kinematics: Kinematics, effects: Sequence[Gravity]) -> Vector:

@@ -98,7 +98,7 @@ class Kinematics:
         self.mechanism: Mechanism = scene.mechanism
         self.t = tape.input("t", "t", Dimension.from_unit("s"))
         tape.set_rate(self.t, sp.S.One)
-        self.inputs = {name: self._input_value(name, given.unit) for name, given in scene.inputs.items()}
+        self.inputs = {name: self._input_value(name, signal.unit) for name, signal in scene.inputs.items()}
         free = scene.free
         inputs = [[self._input(port, groups[0]) for port in freedom.coordinates] for freedom in free]
         speeds = [[self._input(port, groups[1]) for port in freedom.speeds] for freedom in free]
@@ -162,7 +162,7 @@ class Kinematics:
         ports = (*freedom.coordinates, *freedom.speeds, *map(acceleration_of, freedom.speeds))
         names = [port.name.replace(".", "_") for port in ports]
         chain: list[Any] = [self._input(port, group) for port in ports[: motion.order]]
-        law = motion.law.xreplace({T: self.t, **{given: self._state(given) for given in inputs_in(motion.law)}})
+        law = motion.law.xreplace({T: self.t, **{signal: self._state(signal) for signal in inputs_in(motion.law)}})
         uniform = motion.order == 0 and sp.diff(law, self.t, 2) == 0  # one product, named where it is used
         chain.append(law if uniform else self.tape.let(law, names[motion.order]))
         measured = bool(inputs_in(motion.law))  # an input's rates are those of its pieces, by the tape's chain rule
@@ -335,8 +335,8 @@ class Kinematics:
         if link.kind == "given":
             return self.by_expressions.motion(link)  # type: ignore[no-any-return]
         before = self.motion_of(link.parent)
-        given = before.angular_acceleration, before.acceleration
-        spin, relative, alpha, acceleration = self._moved(link, *given, [row.acceleration for row in link.rows])
+        accelerations = before.angular_acceleration, before.acceleration
+        spin, relative, alpha, acceleration = self._moved(link, *accelerations, [row.acceleration for row in link.rows])
         w, velocity = before.angular_velocity, add(before.velocity, spin)
         if link.kind == "slide":
             velocity = add(velocity, relative)

@@ -181,16 +181,16 @@ class Closure:
         rate = self.named(cross(w, vector), f"{label}_rate")
         return vector, rate, add(cross(alpha, vector), cross(w, rate))
 
-    def named(self, vector: Vector, what: str) -> Vector:
+    def named(self, vector: Vector, label: str) -> Vector:
         """Name a vector of this joint on the tape."""
-        return self.tape.vector(vector, f"{self.joint.name}_{what}")
+        return self.tape.vector(vector, f"{self.joint.name}_{label}")
 
-    def _turn(self, kept: ConstantAngle) -> Constraint:
+    def _turn(self, angle: ConstantAngle) -> Constraint:
         """A direction of the child keeps its angle to one of the parent."""
-        label = kept.label
+        label = angle.label
         a, b = (
-            self.kin.direction(self.joint.child, kept.on_child),
-            self.kin.direction(self.joint.parent, kept.on_parent),
+            self.kin.direction(self.joint.child, angle.on_child),
+            self.kin.direction(self.joint.parent, angle.on_parent),
         )
         (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
         about = self.tape.vector(cross(a, b), f"{self.joint.name}_turned_{label}_about")
@@ -198,7 +198,7 @@ class Closure:
         moving = add(cross(cross(w, a), b), cross(a, cross(v, b)))
         return Constraint(
             f"{self.joint.name}.turned_{label}", "1", f"{self.joint.name}.turned",
-            self._let(dot(a, b) - dot(kept.on_child.unit, kept.on_parent.unit), f"turned_{label}"),
+            self._let(dot(a, b) - dot(angle.on_child.unit, angle.on_parent.unit), f"turned_{label}"),
             self._let(dot(turning, about), f"turned_{label}_rate"),
             self._let(dot(sub(alpha, beta), about) + dot(turning, moving), f"turned_{label}_bias"),
             _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_turned_{label}")),
@@ -284,28 +284,28 @@ class Closure:
     def driven(self, freedom: Freedom) -> Constraint:
         """Constraint of a driven freedom; for an angle in space the sine of the error vanishes."""
         (wanted,), (row,) = self.kin.prescribed[freedom.key]
-        found, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
+        measurement, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
         label = freedom.label
-        if found.value is None:
+        if measurement.value is None:
             cosine, sine = self._components(freedom)
             error = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
                 sp.sin(wanted), f"{label}_sine"
             )
         else:
-            error = found.value - wanted
+            error = measurement.value - wanted
         return Constraint(
             f"{joint.name}.{'off' if slides else 'turned'}_{label}",
             "m" if slides else "1",
             f"{joint.name}.{label}",
             self._let(error, f"{label}_left"),
-            self._let(found.rate - row.speed, f"{label}_left_rate"),
-            self._let(found.bias - row.acceleration, f"{label}_left_bias"),
-            found.column,
+            self._let(measurement.rate - row.speed, f"{label}_left_rate"),
+            self._let(measurement.bias - row.acceleration, f"{label}_left_bias"),
+            measurement.column,
             freedom.key,
         )
 
-    def _let(self, expression: Any, what: str) -> Any:
-        return self.tape.let(expression, f"{self.joint.name}_{what}")
+    def _let(self, expression: Any, label: str) -> Any:
+        return self.tape.let(expression, f"{self.joint.name}_{label}")
 
     def _force(self, direction: Vector, label: str, moment: Vector = ZERO) -> dict[str, Any]:
         """Generalised forces of a unit force on the child at its point, and of a moment."""

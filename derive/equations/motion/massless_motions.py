@@ -101,7 +101,7 @@ def _null_vectors(matrix: list[list[float]]) -> list[list[float]]:
     count = len(matrix)
     remainder = [row[:] for row in matrix]
     lower: list[list[float]] = [[0.0] * count for _ in matrix]
-    found = []
+    vectors = []
     for k in range(count):
         pivot = remainder[k][k]
         if not pivot > SINGULAR * matrix[k][k]:
@@ -109,10 +109,10 @@ def _null_vectors(matrix: list[list[float]]) -> list[list[float]]:
             vector[k] = 1.0
             for i in reversed(range(k)):
                 vector[i] = -sum(lower[j][i] * vector[j] for j in range(i + 1, k + 1))
-            found.append(vector)
+            vectors.append(vector)
             continue
         for i in range(k + 1, count):
             lower[i][k] = remainder[i][k] / pivot
             for j in range(k + 1, count):
                 remainder[i][j] -= lower[i][k] * remainder[k][j]
-    return found
+    return vectors

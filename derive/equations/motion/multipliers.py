@@ -86,8 +86,8 @@ class Loops:
         before = dict.fromkeys(motion, sp.S.Zero)
         for i in range(1 + refinements):
             if artificial and i:
-                given = {key: artificial.get(key, sp.S.Zero) * (value - before[key]) for key, value in motion.items()}
-                back = self._mass.solve(given, f"{label}_back")
+                forces = {key: artificial.get(key, sp.S.Zero) * (value - before[key]) for key, value in motion.items()}
+                back = self._mass.solve(forces, f"{label}_back")
                 before = motion
                 motion = {
                     key: tape.let(value + back[key], f"{key.replace('.', '_')}_{label}")

@@ -30,9 +30,9 @@ class Probe:
         self.length = length
         self._random = random.Random(1)
 
-    def values(self, wanted: list[Any], given: Mapping[Any, Any]) -> list[float]:
-        """Values of expressions on the tape, with the values `given`."""
-        known: Numbers = dict(given)
+    def values(self, wanted: list[Any], inputs: Mapping[Any, Any]) -> list[float]:
+        """Values of expressions on the tape, with the values `inputs`."""
+        known: Numbers = dict(inputs)
         return [float(self._value(expression, known)) for expression in wanted]
 
     def _value(self, expression: Any, known: Numbers) -> Any:
@@ -76,8 +76,8 @@ class Probe:
         Several, or none where the iteration finds none.
         """
         source = self.states()
-        found = (self._solve(next(source), expression, rate, target) for _ in range(_TRIES))
-        return [state for state in found if state is not None][:STATES]
+        states = (self._solve(next(source), expression, rate, target) for _ in range(_TRIES))
+        return [state for state in states if state is not None][:STATES]
 
     def _solve(self, state: Numbers, expression: Any, rate: Any, target: float) -> Numbers | None:
         still = dict.fromkeys(self.kin.u, 0.0)

@@ -85,19 +85,19 @@ class Carried:
             whole = self._parts(key, known, a, multipliers, whole=True)
             shares = [self._parts(key, c, *response, whole=False) for c, response in zip(columns, of, strict=True)]
             parts.append(whole)
-            kept = [k for k in range(3) if any(vector[k] != 0 for vector in (whole, *shares))]
-            base.append([whole[k] for k in kept])
-            by.append([[share[k] for k in kept] for share in shares])
-        found, residuals = self._magnitudes(base, by, names)
+            axes = [k for k in range(3) if any(vector[k] != 0 for vector in (whole, *shares))]
+            base.append([whole[k] for k in axes])
+            by.append([[share[k] for k in axes] for share in shares])
+        magnitudes, residuals = self._magnitudes(base, by, names)
 
         def total(first: Any, shares: Sequence[Any], name: str) -> Any:
-            return tape.let(sp.Add(first, *(x * n for x, n in zip(shares, found, strict=True))), name)
+            return tape.let(sp.Add(first, *(x * n for x, n in zip(shares, magnitudes, strict=True))), name)
 
         return Solved(
             [total(x, [r[0][i] for r in of], f"loaded_acceleration_{i + 1}") for i, x in enumerate(a)],
             [total(x, [r[1][i] for r in of], f"loaded_multiplier_{i + 1}") for i, x in enumerate(multipliers)],
             {row: total(f, [c.get(row, sp.S.Zero) for c in columns], f"{row.replace('.', '_')}_loaded") for row, f in known.items()},
-            found,
+            magnitudes,
             self._margins(by, names),
             residuals,
             a,
@@ -160,7 +160,7 @@ class Carried:
 
         def sizes(n: Sequence[Any], label: str) -> list[tuple[Any, list[Any]]]:
             """Magnitude of each reaction, and its derivatives."""
-            found = []
+            entries = []
             for i in count:
                 parts = [
                     tape.let(sp.Add(r, *(share[k] * x for share, x in zip(by[i], n, strict=True))), label)
@@ -168,8 +168,8 @@ class Carried:
                 ]
                 size, unit = self._norm(parts, names[i])
                 slopes = [sp.Add(*(u * x for u, x in zip(unit, share, strict=True))) for share in by[i]]
-                found.append((size, [tape.let(slope, f"{names[i]}_slope") for slope in slopes]))
-            return found
+                entries.append((size, [tape.let(slope, f"{names[i]}_slope") for slope in slopes]))
+            return entries
 
         if len(base) == 1:
             return [self._alone(base[0], by[0][0], names[0])], [sp.S.Zero]

@@ -98,7 +98,7 @@ def impact_scene(law: DampingLaw) -> Scene:
     ball = Body("ball", mass=_MASS)
     wall = GROUND.at(0, -_RADIUS, 0)  # so that the gap is the coordinate itself, without rounding
     size = ((_EXPONENT + 1) * _MASS * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
-    given = {
+    values = {
         q.name: POINT_CONTACT if q == law.exponent else Parameter(q.name, _unit_of(law, q), 0.5, q.meaning)
         for q in law.parameters
     }
@@ -108,7 +108,7 @@ def impact_scene(law: DampingLaw) -> Scene:
             joints=(Prismatic("ball", GROUND, ball, axis=Y),),
             pairs=(SphereOnPlane("wall", sphere=ball.at(0, 0, 0), radius=_RADIUS, plane=wall, normal=Y),),
         ),
-        effects=(Contact("wall", power(_STIFFNESS, _EXPONENT), law(**given)),),
+        effects=(Contact("wall", power(_STIFFNESS, _EXPONENT), law(**values)),),
         start=Start(speed={"ball": -_SPEED}),
         scales=Scales(length=size, speed=_SPEED),
         summary="one impact of a free ball",

@@ -57,13 +57,13 @@ def exponent_unit(exponent: float) -> ExponentUnit:
     """Find the unit of Hertz's K d^n with another exponent, by the audit and by numbers in other units."""
     table = {K_hertz: Dimension.from_unit("N/m^1.5"), d: Dimension.from_unit("m")}
     force = K_hertz * d ** sp.Rational(str(exponent))
-    found = dimension_of(force, table)
+    dimension = dimension_of(force, table)
     with mp.workdps(DIGITS):
         K, depth, mm = mpf("6e10"), mpf("1e-5"), mpf(1000)
         ratio = evaluate(force, {K_hertz: K / mm ** mpf("1.5"), d: depth * mm}) / evaluate(
             force, {K_hertz: K, d: depth}
         )
-    return ExponentUnit(exponent, str(found), found == Dimension.from_unit("N"), float(ratio))
+    return ExponentUnit(exponent, str(dimension), dimension == Dimension.from_unit("N"), float(ratio))
 
 
 # -- forces of stiffness laws ------------------------------------------------------------------------------------------
@@ -127,8 +127,8 @@ def _unit(law: StiffnessLaw, exponent: float | None) -> str:
         return "N"
     if wrong.expected != "N":
         return wrong.reason
-    given = {} if exponent is None else {"n": sp.Rational(str(exponent))}
-    return str(Dimension.from_unit(wrong.found, given))
+    exponents = {} if exponent is None else {"n": sp.Rational(str(exponent))}
+    return str(Dimension.from_unit(wrong.found, exponents))
 
 
 def _at(law: StiffnessLaw, depth: Any, clearance: Any, exponent: float | None) -> tuple[float, float, float]:
@@ -170,10 +170,10 @@ def with_stiffness(scene: Scene, contact: str, law: str) -> Scene:
 def with_open_exponent(scene: Scene, contact: str) -> Scene:
     """The scene with Hertz's stiffness of a point contact and a free `exponent`, unchecked."""
     effect: Contact = scene.effect(contact)
-    given = {symbol.name: value for symbol, value in effect.stiffness.binding.items()}
+    values = {symbol.name: value for symbol, value in effect.stiffness.binding.items()}
     exponent = Parameter("exponent", "1", 1.5, "n of K d^n, the number of K kept")
     law = lankarani_nikravesh_cylinders(
-        **{s.name: given.get(s.name, exponent) for s in lankarani_nikravesh_cylinders.parameters}
+        **{s.name: values.get(s.name, exponent) for s in lankarani_nikravesh_cylinders.parameters}
     )
     return scene.replace(**{contact: replace(effect, stiffness=law, unchecked=True)})
 

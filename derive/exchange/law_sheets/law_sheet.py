@@ -223,16 +223,16 @@ _RESULTS = {
 
 
 def _formulas(law: Law) -> Iterator[Formula]:
-    for what, expression, unit in law.expressions():
+    for quantity, expression, unit in law.expressions():
         if isinstance(law, DampingLaw):
             expression = _resistance(law)
-        kind, _, name = what.rpartition(" of ")
-        if what in _RESULTS:
-            yield _formula(_RESULTS[what], unit, what, expression)
+        kind, _, name = quantity.rpartition(" of ")
+        if quantity in _RESULTS:
+            yield _formula(_RESULTS[quantity], unit, quantity, expression)
         elif kind == "rate":
-            yield _formula(f"d{name}/dt", unit, what, expression, rf"\dot{{{name}}}")
+            yield _formula(f"d{name}/dt", unit, quantity, expression, rf"\dot{{{name}}}")
         else:
-            meaning = f"{what}, by which its accuracy is measured"
+            meaning = f"{quantity}, by which its accuracy is measured"
             yield _formula(f"{name}_size", unit, meaning, expression, rf"{name}_{{\mathrm{{size}}}}")
 
 
@@ -328,11 +328,11 @@ def _example(law: Law, pairs: tuple[str, ...] | None = None) -> dict[sp.Symbol, 
     numbers = EXAMPLE | EXAMPLES[kind][1]
     numbers |= {symbol.name: repr(parameter.si) for symbol, parameter in law.defaults}
     defined = {symbol for symbol, _ in law.definitions}
-    asked = [symbol for symbol in law.symbols() if symbol not in defined and symbol not in STATE]
-    if not all(symbol.name in numbers for symbol in asked):
+    symbols = [symbol for symbol in law.symbols() if symbol not in defined and symbol not in STATE]
+    if not all(symbol.name in numbers for symbol in symbols):
         return {}
     with mp.workdps(30):
-        return values_of(law, asked, numbers, lambda unit: _unit_of(law, unit))
+        return values_of(law, symbols, numbers, lambda unit: _unit_of(law, unit))
 
 
 def values_of(

@@ -50,13 +50,13 @@ class Attribution:
         These are the effects whose parameters it contains, whose term it has, whose contact it describes, and the
         energy ledger.
         """
-        found = {*draft.effects, *(name for part in draft.parts for name in part.effect.split(", "))}
+        names = {*draft.effects, *(name for part in draft.parts for name in part.effect.split(", "))}
         for expression in draft.expressions():
-            found |= self._effects_in(expression)
-        found |= {self._of_contact(pair, draft, drafts) for pair in self._pairs if draft.section == contact_title(pair)}
+            names |= self._effects_in(expression)
+        names |= {self._of_contact(pair, draft, drafts) for pair in self._pairs if draft.section == contact_title(pair)}
         if draft.section in (LEDGER, ENERGY):
-            found |= {effect.name for effect in self._scene.all(EnergyLedger)}
-        return tuple(name for name in self._effects if name in found)
+            names |= {effect.name for effect in self._scene.all(EnergyLedger)}
+        return tuple(name for name in self._effects if name in names)
 
     # -- by the marks ----------------------------------------------------------------------------------------------
 

@@ -80,17 +80,17 @@ class Drafts:
 
     def all(self) -> list[Draft]:
         """Equations of motion, then the results of every other function that is not listed in `HIDDEN`."""
-        found = [*self._rows()]
+        drafts = [*self._rows()]
         for function in self._program.functions:
             if function.name in HIDDEN:
                 continue
             for result in function.results:
                 if pair_of(function.name) and result.name == "dz_along":
-                    found.extend(self._friction_power(pair_of(function.name), result))
+                    drafts.extend(self._friction_power(pair_of(function.name), result))
                     continue
                 for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
-                    found.extend(self._result(function, result.name, label, unit, sp.sympify(expression)))
-        once = {draft.symbol if draft.symbol is not None else (draft.section, draft.name): draft for draft in found}
+                    drafts.extend(self._result(function, result.name, label, unit, sp.sympify(expression)))
+        once = {draft.symbol if draft.symbol is not None else (draft.section, draft.name): draft for draft in drafts}
         return list(once.values())
 
     def _result(self, function: Function, result: str, label: str, unit: str, expression: Any) -> Iterator[Draft]:
@@ -106,9 +106,9 @@ class Drafts:
                 yield self._rate_of_memory(pair, label, unit, expression)
         elif pair or function.name == "gaps":
             if not expression.is_number:  # a law without a limited range
-                what = {"G": "gap", "dG": "gap_rate"}.get(result, result)
+                quantity = {"G": "gap", "dG": "gap_rate"}.get(result, result)
                 whose = pair or label
-                name = f"{whose}_{what}" if label == whose else f"{whose}_{what}_{label.replace('.', '_')}"
+                name = f"{whose}_{quantity}" if label == whose else f"{whose}_{quantity}_{label.replace('.', '_')}"
                 yield self._definition(contact_title(whose), name, unit, expression)
         elif function.name == "energy" and result == "stored" and expression in self._tape.assignments:
             yield self._definition(contact_title(label), expression.name, unit, expression)
@@ -160,13 +160,13 @@ class Drafts:
 
         They act along the tangents or about the axes, against the velocity there.
         """
-        place, found = [name for name, _ in self._program.tables["PAIRS"]].index(pair), dict[str, list[sp.Symbol]]()
+        place, forces = [name for name, _ in self._program.tables["PAIRS"]].index(pair), dict[str, list[sp.Symbol]]()
         for slip, _, j in self._program.tables["SLIPS"]:
             if j == place:
                 whose, _, name = slip.rpartition(".")
                 force = name.replace("slip", "friction_force").replace("turning", "moment")
-                found.setdefault(whose, []).append(sp.Symbol(f"{whose}_{force}", real=True))
-        return found
+                forces.setdefault(whose, []).append(sp.Symbol(f"{whose}_{force}", real=True))
+        return forces
 
     def _friction_with_modes(self, pair: str, function: Function, whose: str, sliding: Any) -> Iterator[Draft]:
         """Drafts of the friction forces or moments with stick and slip of one that a contact has."""
@@ -180,10 +180,10 @@ class Drafts:
             return  # of a patch: integrals, which the declaration tells
         speed = sp.sqrt(sp.Add(*(velocity**2 for velocity in velocities)))
         for velocity, force in zip(velocities, forces, strict=True):
-            what = (
+            quantity = (
                 force.name.removeprefix(f"{whose}_").replace("friction", "sticking").replace("moment", "resting_moment")
             )
-            sticking = sp.Symbol(f"{whose}_{what}", real=True)
+            sticking = sp.Symbol(f"{whose}_{quantity}", real=True)
             if len(velocities) == 1:
                 self.added[force] = Where(sp.Ne(velocity, 0), sliding * sp.sign(velocity), sticking)
             else:
@@ -212,13 +212,13 @@ class Drafts:
         return Draft(section, name, unit, self._names.meaning(symbol), symbol, symbol)
 
     def _rate_of_memory(self, pair: str, label: str, unit: str, expression: Any) -> Draft:
-        name, what = label.rsplit(".", 1)
+        name, quantity = label.rsplit(".", 1)
         effects = (name,) if name in self._effects else ()
-        if what == "input" and self._program.scene.ledger is self._effects[name]:
-            left, meaning = rf"\dot{{W}}_{{{words((what,))}}}", "power the drives put in"
-        elif what == "input":
+        if quantity == "input" and self._program.scene.ledger is self._effects[name]:
+            left, meaning = rf"\dot{{W}}_{{{words((quantity,))}}}", "power the drives put in"
+        elif quantity == "input":
             left, meaning = rf"\dot{{W}}_{{{words(name.split('_'))}}}", f"power put in by {name}"
-        elif what == "dissipated":
+        elif quantity == "dissipated":
             left, meaning = rf"\dot{{W}}_{{{words(name.split('_'))}}}", f"power dissipated by {name}"
         else:
             memory = [s.name for s, group in self._tape.inputs.items() if group == "z"]

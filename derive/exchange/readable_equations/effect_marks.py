@@ -45,7 +45,7 @@ def marked(scene: Scene) -> Marked:
     for i, effect in enumerate(records):
         mark = Parameter(f"{prefix}{i}", "1", 1)
         table: dict[sp.Symbol, Any] = {p: p * mark for p in parameters if p.name not in exponents}
-        table |= {given: given * mark for given in scene.inputs.values()}
+        table |= {signal: signal * mark for signal in scene.inputs.values()}
         effects.append(replace(effect, **_changed(effect, table)))
         effect_of[mark] = effect.name
     return Marked(replace(scene, effects=tuple(effects)), effect_of)

@@ -242,10 +242,10 @@ def _port_units(program: Program) -> dict[sp.Symbol, str]:
         "a": results["a"],
         "reactions": results.get("reactions", ()),
     }
-    found: dict[sp.Symbol, str] = {}
+    table: dict[sp.Symbol, str] = {}
     for group, units in stated.items():
-        found |= zip((s for s, of in program.tape.inputs.items() if of == group), units, strict=True)
-    return found
+        table |= zip((s for s, of in program.tape.inputs.items() if of == group), units, strict=True)
+    return table
 
 
 def _signed(latex: str, *, first: bool) -> str:

@@ -70,16 +70,16 @@ class Substitution:
         for expression in (*(assignments[s] for s in order), *wanted):
             for symbol in symbols_in(expression):
                 uses[symbol] = uses.get(symbol, 0) + 1
-        asked = {draft.symbol for draft in roots if draft.symbol is not None}
+        requested = {draft.symbol for draft in roots if draft.symbol is not None}
         angles = {f.args[0] for s in order for f in assignments[s].atoms(sp.sin, sp.cos) if f.args[0].is_Symbol}
         self.units |= dict.fromkeys(angles, "rad")
-        self._landmarks = asked | angles | {symbol for symbol in order if self._names.is_landmark(symbol)}
+        self._landmarks = requested | angles | {symbol for symbol in order if self._names.is_landmark(symbol)}
         penetrations = self._penetrations(order)
         for symbol in order:
             form = self._flat(self._contracted(assignments[symbol].xreplace(self._inlined)))
             self.of[symbol] = form
             size, keep = self.size(form), symbol in self._landmarks
-            if form in self._known or (form in self._landmarks and symbol not in asked):
+            if form in self._known or (form in self._landmarks and symbol not in requested):
                 self._inlined[symbol] = self._known.get(form, form)  # equal to a named result
             elif not keep and (size <= SMALL or (size <= SINGLE and uses.get(symbol, 0) == 1)):
                 self._inlined[symbol] = form
@@ -97,14 +97,14 @@ class Substitution:
 
     def _needed(self, expressions: Iterable[Any]) -> list[sp.Symbol]:
         """Assignments that expressions depend on, in the order of the tape."""
-        assignments, found = self._tape.assignments, set()
+        assignments, needed = self._tape.assignments, set()
         pending = [symbol for expression in expressions for symbol in symbols_in(expression)]
         while pending:
             symbol = pending.pop()
-            if symbol in assignments and symbol not in found:
-                found.add(symbol)
+            if symbol in assignments and symbol not in needed:
+                needed.add(symbol)
                 pending.extend(symbols_in(assignments[symbol]))
-        return [symbol for symbol in assignments if symbol in found]
+        return [symbol for symbol in assignments if symbol in needed]
 
     def _penetrations(self, order: list[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
         """Gap -> penetration, for pairs whose penetration is minus the gap and has no name in the program."""

@@ -249,33 +249,33 @@ class Names:
         inputs: dict[str, list[sp.Symbol]] = {group: [] for group in ("t", "q", "u", "a", "z", "reactions")}
         for symbol, group in program.tape.inputs.items():
             inputs.setdefault(group, []).append(symbol)
-        found: dict[sp.Symbol, tuple[str, str]] = dict.fromkeys(inputs["t"], ("t", "time"))
+        entries: dict[sp.Symbol, tuple[str, str]] = dict.fromkeys(inputs["t"], ("t", "time"))
         rates = next(f for f in program.functions if f.name == "coordinate_rates").results[0].expressions
         coordinates: dict[sp.Symbol, tuple[str, str]] = {}
         for symbol, (label, unit), rate in zip(inputs["q"], program.tables["COORDINATES"], rates, strict=True):
             letter, name = self._coordinate(label, unit)
             coordinates[symbol] = letter, name
             if isinstance(rate, sp.Symbol):
-                found[rate] = rf"\dot{{{letter}}}_{{{name}}}", f"rate of {label}"
-        found |= {s: (f"{letter}_{{{name}}}", "") for s, (letter, name) in coordinates.items()}
+                entries[rate] = rf"\dot{{{letter}}}_{{{name}}}", f"rate of {label}"
+        entries |= {s: (f"{letter}_{{{name}}}", "") for s, (letter, name) in coordinates.items()}
         labels = [label for label, _ in program.tables["COORDINATES"]]
         for symbol, label in zip(inputs["q"], labels, strict=True):
-            found[symbol] = found[symbol][0], f"coordinate {label}"
+            entries[symbol] = entries[symbol][0], f"coordinate {label}"
         speeds = [label for label, _ in program.tables["SPEEDS"]]
         for symbol, (label, unit) in zip(inputs["u"], program.tables["SPEEDS"], strict=True):
-            if symbol not in found:
-                joint, what = label.rsplit(".", 1)
-                axis = ",".join(part for part in what.split("_") if part in AXES)
+            if symbol not in entries:
+                joint, coordinate = label.rsplit(".", 1)
+                axis = ",".join(part for part in coordinate.split("_") if part in AXES)
                 letter = r"\omega" if unit == "rad/s" else "v"
-                found[symbol] = _with_subscript(letter, (axis, words(joint.split("_")))), f"speed {label}"
+                entries[symbol] = _with_subscript(letter, (axis, words(joint.split("_")))), f"speed {label}"
         for speed, symbol, label in zip(inputs["u"], inputs["a"], speeds, strict=True):
-            latex = found[speed][0]
+            latex = entries[speed][0]
             letter, _, below = latex.partition("_")
             letter = letter.replace(r"\dot", r"\ddot") if letter.startswith(r"\dot") else rf"\dot{{{letter}}}"
-            found[symbol] = f"{letter}_{below}", f"rate of {label}"
+            entries[symbol] = f"{letter}_{below}", f"rate of {label}"
         for symbol in inputs["z"]:
             whose = words(symbol.name.split("_")) if len(inputs["z"]) > 1 else ""
-            found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
+            entries[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
         rubs = [name for name, *_ in program.tables["RUBBING"]]
         rubbing = {
             f"{name}_coefficient": (r"\mu", name, "coefficient of friction, with its sign, while it slides")
@@ -285,38 +285,38 @@ class Names:
         for symbol in inputs["reactions"]:
             if symbol.name in rubbing:
                 letter, name, meaning = rubbing[symbol.name]
-                found[symbol] = _with_subscript(letter, (words(name.split("_")),)), f"{meaning}, of {name}"
+                entries[symbol] = _with_subscript(letter, (words(name.split("_")),)), f"{meaning}, of {name}"
                 continue
             joint = symbol.name.removesuffix("_reaction_in")
             if symbol.name == joint:
-                found[symbol] = (
+                entries[symbol] = (
                     _with_subscript("N", (words(joint.split("_")),)),
                     f"magnitude of {joint.replace('_', ' ')}, solved with the accelerations",
                 )
                 continue
             turns = str(program.tape.declared[symbol]) in ("N m", "J")
-            found[symbol] = (
+            entries[symbol] = (
                 _with_subscript("T" if turns else "F", (words(joint.split("_")),)),
                 f"{'torque' if turns else 'force'} of the drive of {joint}",
             )
-        return found
+        return entries
 
     def _coordinate(self, label: str, unit: str) -> tuple[str, str]:
         """Letter and subscript of a coordinate `joint.name`."""
-        joint, what = label.rsplit(".", 1)
+        joint, coordinate = label.rsplit(".", 1)
         name = words(joint.split("_"))
-        if what == "travel":
+        if coordinate == "travel":
             freedoms = (freedom for j in self._program.scene.mechanism.joints for freedom in j.freedoms)
             axis = next((freedom.axis for freedom in freedoms if freedom.coordinates[0].name == label), None)
             components = () if axis is None else axis.components
             along = [AXES[k] for k, component in enumerate(components) if component]
             return (along[0] if len(along) == 1 else "s"), name
-        if what == "angle":
+        if coordinate == "angle":
             return r"\varphi", name
-        if len(what) <= 2:
-            return what[0], ",".join(filter(None, (what[1:], name)))
+        if len(coordinate) <= 2:
+            return coordinate[0], ",".join(filter(None, (coordinate[1:], name)))
         letter = {"rad": r"\varphi", "m": "s"}.get(unit, "q")
-        return letter, ",".join((words(what.split("_")), name))
+        return letter, ",".join((words(coordinate.split("_")), name))
 
 
 def _law_symbols(scene: Any) -> Iterable[tuple[str, str]]:

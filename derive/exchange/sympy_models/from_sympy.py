@@ -133,14 +133,14 @@ class Model:
 
     # -- bodies and points ---------------------------------------------------------------------------------------------
 
-    def _find(self, given: Any, known: Mapping[str, Any], kind: str) -> Any:
-        if given is None and kind == "frame":
+    def _find(self, item: Any, known: Mapping[str, Any], kind: str) -> Any:
+        if item is None and kind == "frame":
             return None
-        if isinstance(given, str) and given in known:
-            return known[given]
-        if isinstance(given, SymPyPoint | ReferenceFrame) and given in known.values():
-            return given
-        name = given.name if isinstance(given, SymPyPoint | ReferenceFrame) else given
+        if isinstance(item, str) and item in known:
+            return known[item]
+        if isinstance(item, SymPyPoint | ReferenceFrame) and item in known.values():
+            return item
+        name = item.name if isinstance(item, SymPyPoint | ReferenceFrame) else item
         raise InputError(f"model {self.name}", [unknown(kind, name, known)])
 
     def _must_have_place(self, point: Any) -> None:
@@ -150,10 +150,10 @@ class Model:
                 return
         except ValueError:
             pass
-        found = (
+        actual = (
             "no position from the origin" if self._reading.origin is not None else "no position, for there is no origin"
         )
-        raise InputError(f"model {self.name}", [Fault(f"point {point.name}", found, "a position from a fixed point",
+        raise InputError(f"model {self.name}", [Fault(f"point {point.name}", actual, "a position from a fixed point",
                          "Locate it in SymPy, P.set_pos(O, ...), and give from_sympy(..., origin=O).")])  # fmt: skip
 
     def _body(self, body: Any) -> Body:
@@ -243,15 +243,15 @@ class Model:
     def _conditions(self) -> tuple[Condition, ...]:
         """Constraints, in metres, angles or metres a second: others are scaled by a length."""
         reading, names = self._reading, self._names
-        found = []
+        conditions = []
         for number, expression in enumerate(reading.holonomic, 1):
             rate = expression.diff(TIME)
             dimension = dimension_of(expression, names.table)
-            found.append(self._condition(f"holonomic_{number}", dimension, expression, rate))
+            conditions.append(self._condition(f"holonomic_{number}", dimension, expression, rate))
         for number, expression in enumerate(self._independent(), 1):
             dimension = dimension_of(expression, names.table)
-            found.append(self._condition(f"nonholonomic_{number}", dimension, None, expression))
-        return tuple(found)
+            conditions.append(self._condition(f"nonholonomic_{number}", dimension, None, expression))
+        return tuple(conditions)
 
     def _condition(self, name: str, dimension: Dimension, value: Any, rate: Any) -> Condition:
         second, metre = Dimension.from_unit("s"), Dimension.from_unit("m")
@@ -267,8 +267,8 @@ class Model:
         shares, rest = self._linear(rate)
         scaled = {key: factor * share for key, share in shares.items()}, factor * rest
         zero = sp.S.Zero if value is None else factor * self._names.of(value)
-        unit, what = ("m/s", "rate") if value is None else ("1", "turned") if angle else ("m", "off")
-        return Condition(f"{name}.{what}", unit, zero, scaled)
+        unit, label = ("m/s", "rate") if value is None else ("1", "turned") if angle else ("m", "off")
+        return Condition(f"{name}.{label}", unit, zero, scaled)
 
     @property
     def _size(self) -> Any:
@@ -283,15 +283,15 @@ class Model:
         reading, names = self._reading, self._names
         if not reading.mixed:
             return list(reading.nonholonomic)
-        kept: list[Any] = []
+        independent: list[Any] = []
         columns = [self._linear(expression.diff(TIME))[0] for expression in reading.holonomic]
         for expression in reading.nonholonomic:
             column = self._linear(expression)[0]
             if not columns or not all(
                 _depends(columns, column, [names.keys[u] for u in reading.u], seed) for seed in (1, 2)
             ):
-                kept.append(expression)
-        return kept
+                independent.append(expression)
+        return independent
 
     def _follows_time(self) -> bool:
         """Whether the motion itself follows time, so that there is a drive whose force is not known."""
@@ -307,21 +307,21 @@ class Model:
 
 def _expressions(reading: Reading) -> list[Any]:
     """Every expression in which symbols may stand."""
-    found: list[Any] = [*reading.rates.values(), *reading.mass, *reading.bias, *reading.force]
-    found += [*reading.holonomic, *reading.nonholonomic, reading.stored, *(body.mass for body in reading.bodies)]
-    found += [] if reading.lagrangian is None else [reading.lagrangian]
+    expressions: list[Any] = [*reading.rates.values(), *reading.mass, *reading.bias, *reading.force]
+    expressions += [*reading.holonomic, *reading.nonholonomic, reading.stored, *(body.mass for body in reading.bodies)]
+    expressions += [] if reading.lagrangian is None else [reading.lagrangian]
     vectors = [v for _, v in reading.loads]
     for point in points_of(reading).values():
         vectors += point._pos_dict.values()
     for body in reading.bodies:
         vectors.append(reading.velocity(mass_centre(body)[0]))
-        found += [
+        expressions += [
             entry for value, *_ in (body.inertia[0].args if hasattr(body, "inertia") else ()) for entry in (value,)
         ]
     for frame in frames_of(reading).values():
-        found += [entry for matrix in frame._dcm_dict.values() for entry in matrix]
-    found += [value for vector in vectors if vector != 0 for values, _ in vector.args for value in values]
-    return [sp.sympify(value, strict=True) for value in found]
+        expressions += [entry for matrix in frame._dcm_dict.values() for entry in matrix]
+    expressions += [value for vector in vectors if vector != 0 for values, _ in vector.args for value in values]
+    return [sp.sympify(value, strict=True) for value in expressions]
 
 
 def _bodies_in(records: Iterable[Any]) -> Iterable[Body]:

@@ -69,8 +69,8 @@ class _Kinematics:
             (frame, other): vector for frame in self.axes for other, vector in frame._ang_vel_dict.items()
             if rank.get(other, len(rank)) < rank[frame] and self._is_oriented(vector)
         }  # fmt: skip
-        given = {point: point._vel_dict.get(reading.frame) for point in self.places}
-        self.speeds = {point: vector for point, vector in given.items() if self._is_oriented(vector)}
+        velocities = {point: point._vel_dict.get(reading.frame) for point in self.places}
+        self.speeds = {point: vector for point, vector in velocities.items() if self._is_oriented(vector)}
 
     def _is_oriented(self, vector: Any) -> bool:
         return vector is not None and all(frame in self.axes for _, frame in vector.args)
@@ -82,8 +82,8 @@ class _Kinematics:
             held = self._wrong(held=True)
             wrong = wrong if held is None else held
         if wrong is None:
-            found = f"expressions without a value at {TRIES} random states"
-            return [Fault("kinematics", found, "velocities that can be compared with positions and axes", REMEDY)]
+            actual = f"expressions without a value at {TRIES} random states"
+            return [Fault("kinematics", actual, "velocities that can be compared with positions and axes", REMEDY)]
         return [*map(self._fault, wrong)]
 
     # -- states --------------------------------------------------------------------------------------------------------
@@ -152,12 +152,12 @@ class _Kinematics:
 
         None where velocities have no values.
         """
-        found: list[Sequence[Any]] = []
+        differences: list[Sequence[Any]] = []
         for seed in range(TRIES):
             with suppress(ArithmeticError, ValueError, TypeError):  # an expression has no value there
-                found.append(self._compared(self._held(self._state(seed)) if held else self._state(seed)))
-            if len(found) == STATES:
-                return list(dict.fromkeys(what for each in found for what in each))
+                differences.append(self._compared(self._held(self._state(seed)) if held else self._state(seed)))
+            if len(differences) == STATES:
+                return list(dict.fromkeys(item for each in differences for item in each))
         return None
 
     def _poses(self, state: Numbers, axes: Any = None) -> tuple[Numbers, Numbers]:
@@ -223,19 +223,19 @@ class _Kinematics:
         own = point in [centre for centre, _ in bodies]
         return [] if own else [(at, frame) for at, frame in bodies + near if at in speeds and frame in spins]
 
-    def _fault(self, what: Any) -> Fault:
+    def _fault(self, item: Any) -> Fault:
         """Fault of an angular velocity of a frame in another, or of the velocity of a point."""
-        if isinstance(what, tuple):
-            frame, other = what
+        if isinstance(item, tuple):
+            frame, other = item
             ways = pairwise(frame._dict_list(other, 0))
-            written = self.turns[what], sum((one._w_diff_dcm(next_) for one, next_ in ways), Vector(0))
+            written = self.turns[item], sum((one._w_diff_dcm(next_) for one, next_ in ways), Vector(0))
             where, of = f"angular velocity of {frame.name} in {other.name}", "orientation"
         else:
-            written = self.speeds[what], what.pos_from(self.reading.origin).dt(self.reading.frame)
-            where, of = f"velocity of {what.name} in {self.reading.frame.name}", "position"
+            written = self.speeds[item], item.pos_from(self.reading.origin).dt(self.reading.frame)
+            where, of = f"velocity of {item.name} in {self.reading.frame.name}", "position"
         texts = (str(v.applyfunc(lambda e: e.xreplace(self.reading.derivatives))) for v in written)
-        found, expected = (text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..." for text in texts)
-        return Fault(where, f"{found}, as it was set", f"{expected}, the derivative of its {of}", REMEDY)
+        actual, expected = (text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..." for text in texts)
+        return Fault(where, f"{actual}, as it was set", f"{expected}, the derivative of its {of}", REMEDY)
 
 
 def _across(w: Any) -> Any:

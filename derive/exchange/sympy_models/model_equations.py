@@ -89,9 +89,9 @@ def _of_system(system: Any, origin: Any) -> Reading:
     if isinstance(system.eom_method, LagrangesMethod):
         return _of_lagrange(system.eom_method, origin)
     if not (system.q and system.u and system.bodies):
-        found = f"{len(system.q)} coordinates, {len(system.u)} speeds, {len(system.bodies)} bodies"
+        actual = f"{len(system.q)} coordinates, {len(system.u)} speeds, {len(system.bodies)} bodies"
         raise InputError(
-            "from_sympy", [Fault("System", found, "some of each", "system.add_bodies(...), add_coordinates(...).")]
+            "from_sympy", [Fault("System", actual, "some of each", "system.add_bodies(...), add_coordinates(...).")]
         )
     _refuse_auxiliary("System", system.u_aux)
     loads = [*system.loads, *(load for actuator in system.actuators for load in actuator.to_loads())]
@@ -144,22 +144,22 @@ def _of_lagrange(method: Any, origin: Any) -> Reading:
     )  # fmt: skip
 
 
-def _of_equations(found: Any) -> Reading:
+def _of_equations(equations: Any) -> Reading:
     """Reading of equations alone, as `to_sympy` and the file that it writes have them."""
-    still = dict.fromkeys(found.specified, sp.S.Zero)
-    alone = [f.xreplace(still) for f in found.forcing]
-    force = tuple(f - rest if f != rest else sp.S.Zero for f, rest in zip(found.forcing, alone, strict=True))
+    still = dict.fromkeys(equations.specified, sp.S.Zero)
+    alone = [f.xreplace(still) for f in equations.forcing]
+    force = tuple(f - rest if f != rest else sp.S.Zero for f, rest in zip(equations.forcing, alone, strict=True))
     return Reading(
-        None, None, tuple(found.q), tuple(found.u), dict(zip(found.q, found.kinematics.values(), strict=True)), (), (),
-        found.mass_matrix, tuple(-rest for rest in alone), force, None, sp.S.Zero, tuple(found.holonomic_constraints),
-        tuple(found.nonholonomic_constraints), alone=True,
+        None, None, tuple(equations.q), tuple(equations.u), dict(zip(equations.q, equations.kinematics.values(), strict=True)), (), (),
+        equations.mass_matrix, tuple(-rest for rest in alone), force, None, sp.S.Zero, tuple(equations.holonomic_constraints),
+        tuple(equations.nonholonomic_constraints), alone=True,
     )  # fmt: skip
 
 
 def _refuse_auxiliary(kind: str, speeds: Any) -> None:
     if speeds:
-        found = f"auxiliary speeds {', '.join(map(str, speeds))}"
-        raise InputError("from_sympy", [Fault(kind, found, "none: forces of constraints are histories here",
+        actual = f"auxiliary speeds {', '.join(map(str, speeds))}"
+        raise InputError("from_sympy", [Fault(kind, actual, "none: forces of constraints are histories here",
                                               "Leave them out, with the loads they bring to light.")])  # fmt: skip
 
 
@@ -185,12 +185,12 @@ def frames_of(reading: Reading) -> dict[str, Any]:
 
 def connected(starts: list[Any], neighbours: str) -> dict[Any, Any]:
     """Everything that is connected to some nodes, nearest first, with the node that it was reached from."""
-    found = dict.fromkeys(starts)
-    pending = list(found)
+    reached = dict.fromkeys(starts)
+    pending = list(reached)
     while pending:
         node = pending.pop(0)
         for other in getattr(node, neighbours):
-            if other not in found:
-                found[other] = node
+            if other not in reached:
+                reached[other] = node
                 pending.append(other)
-    return found
+    return reached

@@ -45,10 +45,10 @@ class Loads(Effect):
 
     def element(self, kin: Any) -> Element:
         """Generalised forces, stored energy and power."""
-        tape, given = kin.tape, kin.by_expressions
-        forces = {key: tape.let(given.of(value), f"{self.name}_on_{key}") for key, _, value in self.forces}
-        power = sp.Add(*(force * given.speed(key) for key, force in forces.items()))
-        stored = tape.let(given.of(self.stored), f"{self.name}_stored")
+        tape, motion = kin.tape, kin.by_expressions
+        forces = {key: tape.let(motion.of(value), f"{self.name}_on_{key}") for key, _, value in self.forces}
+        power = sp.Add(*(force * motion.speed(key) for key, force in forces.items()))
+        stored = tape.let(motion.of(self.stored), f"{self.name}_stored")
         drawn = tape.rate(stored, f"{self.name}_stored_rate") if stored != 0 else sp.S.Zero
         return Element(forces, stored, input=tape.let(power + drawn, f"{self.name}_power"))
 

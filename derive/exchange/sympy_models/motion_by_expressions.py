@@ -114,16 +114,16 @@ class MotionByExpressions:
     def _partial(self) -> Any:
         """Function of a link: partial velocities and the rest, of its origin and of its turning."""
 
-        def found(link: Link) -> tuple[tuple[Columns, Vector], tuple[Columns, Vector]]:
+        def partial(link: Link) -> tuple[tuple[Columns, Vector], tuple[Columns, Vector]]:
             place = self.description.places[link.name]
             return self._vector(place.velocity, f"{link.name}_v"), self._vector(
                 place.angular_velocity, f"{link.name}_w"
             )
 
-        return cache(found)
+        return cache(partial)
 
-    def _vector(self, given: tuple[Linear, Linear, Linear], name: str) -> tuple[Columns, Vector]:
-        parts = [self._linear(part, f"{name}_{axis}") for part, axis in zip(given, "xyz", strict=True)]
+    def _vector(self, components: tuple[Linear, Linear, Linear], name: str) -> tuple[Columns, Vector]:
+        parts = [self._linear(part, f"{name}_{axis}") for part, axis in zip(components, "xyz", strict=True)]
         columns = {key: tuple(shares.get(key, sp.S.Zero) for shares, _ in parts) for key in self.rows}
         x, y, z = (rest for _, rest in parts)
         return columns, (x, y, z)
@@ -147,16 +147,16 @@ class MotionByExpressions:
 
     def _bias(self, link: Link) -> tuple[Vector, Vector]:
         """Angular acceleration and acceleration of a body at zero generalised accelerations."""
-        found = []
-        for (columns, rest), what in zip(reversed(self._partial(link)), ("angular_bias", "bias"), strict=True):
+        biases = []
+        for (columns, rest), label in zip(reversed(self._partial(link)), ("angular_bias", "bias"), strict=True):
             parts = [
                 self._drift(
-                    {key: column[k] for key, column in columns.items()}, rest[k], f"{link.name}_{what}_{'xyz'[k]}"
+                    {key: column[k] for key, column in columns.items()}, rest[k], f"{link.name}_{label}_{'xyz'[k]}"
                 )
                 for k in range(3)
             ]
-            found.append((parts[0], parts[1], parts[2]))
-        return found[0], found[1]
+            biases.append((parts[0], parts[1], parts[2]))
+        return biases[0], biases[1]
 
     def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
         """Generalised forces in each row, of a force on a body at `position`."""
@@ -174,11 +174,11 @@ class MotionByExpressions:
     @cached_property
     def constraints(self) -> list[Constraint]:
         """Constraints of the description."""
-        found = []
+        constraints = []
         for condition in self.description.conditions:
             name = condition.name.replace(".", "_")
             shares, rest = self._linear(condition.rate, f"{name}_by")
-            found.append(
+            constraints.append(
                 Constraint(
                     condition.name, condition.unit, _GROUPS[condition.unit],
                     self.tape.let(self.of(condition.value), f"{name}_left"),
@@ -187,14 +187,14 @@ class MotionByExpressions:
                     {key: share for key, share in shares.items() if share != 0},
                 )
             )  # fmt: skip
-        return found
+        return constraints
 
     def equations(self, scene: Scene) -> Equations:
         """Equations of motion of the description."""
         return EquationsByExpressions(self, scene)
 
-    def _linear(self, given: Linear, name: str) -> tuple[dict[str, Any], Any]:
-        shares, rest = given
+    def _linear(self, linear: Linear, name: str) -> tuple[dict[str, Any], Any]:
+        shares, rest = linear
         named = {key: self.tape.let(self.of(share), f"{name}_{key}") for key, share in shares.items()}
         return named, self.tape.let(self.of(rest), f"{name}_rest")
 

@@ -61,21 +61,25 @@ def _variable(name: str) -> str:
 
 
 def python_file(
-    found: SymPyEquations, name: str, values: Mapping[str, tuple[float, str]] = MappingProxyType({})
+    equations: SymPyEquations, name: str, values: Mapping[str, tuple[float, str]] = MappingProxyType({})
 ) -> str:
     """Text of the file; `values` with their units stand in place of the parameters' defaults."""
-    given = {symbol: values.get(symbol.name, (value, found.units[symbol])) for symbol, value in found.values.items()}
-    units = found.units | {symbol: unit for symbol, (_, unit) in given.items()}
-    return "\n".join(_lines(found, name, {symbol: value for symbol, (value, _) in given.items()}, units)) + "\n"
+    stated = {
+        symbol: values.get(symbol.name, (value, equations.units[symbol])) for symbol, value in equations.values.items()
+    }
+    units = equations.units | {symbol: unit for symbol, (_, unit) in stated.items()}
+    return "\n".join(_lines(equations, name, {symbol: value for symbol, (value, _) in stated.items()}, units)) + "\n"
 
 
-def _lines(found: SymPyEquations, name: str, values: Mapping[Any, float], units: Mapping[Any, str]) -> Iterator[str]:
-    program = found.program
+def _lines(
+    equations: SymPyEquations, name: str, values: Mapping[Any, float], units: Mapping[Any, str]
+) -> Iterator[str]:
+    program = equations.program
     variables = {s: "t" if a == TIME else _variable(s.name) for s, a in program.instead.items()}
     text = _Printer(variables).doprint
     yield f'"""Equations of {name} for SymPy, written by hertzwerk: mass_matrix u\' = forcing, q\' = kinematics.'
     yield ""
-    if found.holonomic_constraints or found.nonholonomic_constraints:
+    if equations.holonomic_constraints or equations.nonholonomic_constraints:
         yield "Forces of the constraints, of the multipliers, come on top of the forcing."
     yield "Units of every symbol are in `units`, defaults of constants in `values`; `specified` are functions of time, as forces of contacts."
     yield '"""'
@@ -100,14 +104,14 @@ def _lines(found: SymPyEquations, name: str, values: Mapping[Any, float], units:
     yield ""
     r = program.results
     named = {a: variables[s] for s, a in program.instead.items()}
-    yield f"q = sp.Matrix([{', '.join(named[a] for a in found.q)}])"
-    yield f"u = sp.Matrix([{', '.join(named[a] for a in found.u)}])"
-    pairs = zip(found.q, r["kinematics"], strict=True)
+    yield f"q = sp.Matrix([{', '.join(named[a] for a in equations.q)}])"
+    yield f"u = sp.Matrix([{', '.join(named[a] for a in equations.u)}])"
+    pairs = zip(equations.q, r["kinematics"], strict=True)
     yield f"kinematics = {{{', '.join(f'{named[a]}.diff(t): {of(rate)}' for a, rate in pairs)}}}"
     yield "mass_matrix = sp.Matrix([" + ", ".join(f"[{', '.join(map(of, row))}]" for row in r["mass_matrix"]) + "])"
     for which in ("forcing", "holonomic_constraints", "nonholonomic_constraints"):
         yield f"{which} = sp.Matrix([{', '.join(map(of, r[which]))}])"
-    yield f"specified = {{{', '.join(f'{named[a]}: {what!r}' for a, what in found.specified.items())}}}"
+    yield f"specified = {{{', '.join(f'{named[a]}: {meaning!r}' for a, meaning in equations.specified.items())}}}"
     yield f"units = {{{', '.join(f'{named[a]}: {unit!r}' for a, unit in units.items())}}}"
     yield f"values = {{{', '.join(f'{named[a]}: {value!r}' for a, value in values.items())}}}"
-    yield f"names = {{{', '.join(f'{label!r}: {named[a]}' for label, a in found.names.items())}}}"
+    yield f"names = {{{', '.join(f'{label!r}: {named[a]}' for label, a in equations.names.items())}}}"

@@ -71,8 +71,8 @@ def to_sympy(scene: Scene) -> SymPyEquations:
 
     Raises InputError, with every fault, for what has no such form.
     """
-    found = _Export(System(absolute(scene) if scene.coordinates == "absolute" else scene))
-    return found.equations()
+    export = _Export(System(absolute(scene) if scene.coordinates == "absolute" else scene))
+    return export.equations()
 
 
 class _Export:
@@ -120,7 +120,7 @@ class _Export:
 
     def _contacts(self) -> dict[str, Any]:
         """Generalised forces of the contacts, each force a function of time."""
-        found: dict[str, Any] = {}
+        forces: dict[str, Any] = {}
         for pair, _, friction in self.system.contacts:
             name, touch = pair.pair.name, pair.touch
             ways = [("normal_force", touch.normal, touch.position)]
@@ -130,15 +130,15 @@ class _Export:
                 ways += [
                     (f"friction_force{i}", way, touch.contact_point) for i, way in zip(numbers, tangents, strict=True)
                 ]
-            for what, way, place in ways:
-                force = self.tape.input(f"{name}_{what}", "exported", Dimension.from_unit("N"))
-                self.specified[force] = f"{what.replace('_', ' ')} of {name} on {touch.first.body.name}"
+            for label, way, place in ways:
+                force = self.tape.input(f"{name}_{label}", "exported", Dimension.from_unit("N"))
+                self.specified[force] = f"{label.replace('_', ' ')} of {name} on {touch.first.body.name}"
                 pushed = self.system.kin.generalised(
-                    scale(force, way), place, touch.first.body, touch.second.body, f"{name}_{what}"
+                    scale(force, way), place, touch.first.body, touch.second.body, f"{name}_{label}"
                 )
                 for row, share in pushed.items():
-                    found[row] = found.get(row, sp.S.Zero) + share
-        return found
+                    forces[row] = forces.get(row, sp.S.Zero) + share
+        return forces
 
     def _instead(self, expressions: list[Any]) -> dict[sp.Symbol, Any]:
         """Functions of time for coordinates, speeds, forces and inputs; symbols for parameters in use."""
@@ -182,7 +182,7 @@ class _Export:
         return SymPyEquations(
             sp.Matrix(q), sp.Matrix(u), rates, sp.Matrix([[written(v) for v in row] for row in r["mass_matrix"]]),
             sp.Matrix([written(v) for v in r["forcing"]]), sp.Matrix([written(v) for v in r["holonomic_constraints"]]),
-            sp.Matrix([written(v) for v in r["nonholonomic_constraints"]]), {instead[s]: what for s, what in self.specified.items()},
+            sp.Matrix([written(v) for v in r["nonholonomic_constraints"]]), {instead[s]: meaning for s, meaning in self.specified.items()},
             units, {instead[p]: p.default for p in constants},
             {port.name: symbol for symbol, port in ports}, program,
         )  # fmt: skip

@@ -39,13 +39,13 @@ def name_of(symbol: Any) -> str:
 
 def parts_of(expressions: Iterable[Any]) -> Iterator[Any]:
     """Yield every part of expressions once, in order of appearance; functions of time are whole."""
-    seen: set[Any] = set()
+    visited: set[Any] = set()
     pending = [*reversed(list(expressions))]
     while pending:
         node = pending.pop()
-        if node in seen:
+        if node in visited:
             continue
-        seen.add(node)
+        visited.add(node)
         yield node
         if not isinstance(node, AppliedUndef):
             pending.extend(reversed(node.args))
@@ -95,18 +95,18 @@ class Naming:
         self.specified = self._by_name("specified", specified)
         self.table: dict[Any, Dimension] = {TIME: SECOND}
 
-    def _by_name(self, what: str, given: Any) -> dict[str, Any]:
+    def _by_name(self, label: str, entries: Any) -> dict[str, Any]:
         """Entries by the name of a symbol; a text counts as the name."""
-        if not isinstance(given, Mapping):
-            self.faults.append(Fault(what, shown(given), "a mapping of symbols, {m: ...}"))
+        if not isinstance(entries, Mapping):
+            self.faults.append(Fault(label, shown(entries), "a mapping of symbols, {m: ...}"))
             return {}
-        found: dict[str, Any] = {}
-        for key, value in given.items():
+        by_name: dict[str, Any] = {}
+        for key, value in entries.items():
             if isinstance(key, str | sp.Symbol | AppliedUndef):
-                found[key if isinstance(key, str) else name_of(key)] = value
+                by_name[key if isinstance(key, str) else name_of(key)] = value
             else:
-                self.faults.append(Fault(what, shown(key), "a symbol of the model, or its name"))
-        return found
+                self.faults.append(Fault(label, shown(key), "a symbol of the model, or its name"))
+        return by_name
 
     def names(self) -> Names:
         """The names, sound if there are no faults."""
@@ -203,8 +203,8 @@ class Naming:
         self._dimension(atom)
         value = self.specified.get(name)
         if not is_number(value):
-            found = "neither a coordinate nor a speed, and not specified" if value is None else shown(value)
-            self.faults.append(Fault(f"function {name}(t)", found, "an expression of T, coordinates and Parameters, or an Input",
+            actual = "neither a coordinate nor a speed, and not specified" if value is None else shown(value)
+            self.faults.append(Fault(f"function {name}(t)", actual, "an expression of T, coordinates and Parameters, or an Input",
                                      f"specified={{{name}: ...}}"))  # fmt: skip
             return sp.S.Zero
         return sp.sympify(value)
@@ -239,17 +239,19 @@ class Naming:
 
     def _unknown_derivatives(self, known: set[Any]) -> None:
         """Note derivatives that nothing determines."""
-        found = (part for part in parts_of(self.expressions) if isinstance(part, sp.Derivative) and part not in known)
-        for derivative in sorted(found, key=str):
+        derivatives = (
+            part for part in parts_of(self.expressions) if isinstance(part, sp.Derivative) and part not in known
+        )
+        for derivative in sorted(derivatives, key=str):
             self.faults.append(Fault(f"derivative {derivative}", "no value", "derivatives of coordinates, and of functions of time alone",
                                      "A specified load may be an Input or vary with the motion; a specified motion is an "
                                      "expression of T, or a coordinate with a Drive."))  # fmt: skip
 
     def _unknown_entries(self, atoms: list[Any]) -> None:
         known = {name_of(atom) for atom in atoms if isinstance(atom, sp.Symbol | AppliedUndef)}
-        for what, given in (("values", self.values), ("specified", self.specified)):
-            for name in given:
+        for label, entries in (("values", self.values), ("specified", self.specified)):
+            for name in entries:
                 if name not in known:
                     self.unused.append(
-                        Fault(f"{what}, {name}", "no such symbol in the model", "a symbol that it depends on")
+                        Fault(f"{label}, {name}", "no such symbol in the model", "a symbol that it depends on")
                     )

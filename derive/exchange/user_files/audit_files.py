@@ -42,8 +42,8 @@ def _of_law(law: Law) -> tuple[Finding, ...]:
     findings = audit_law(law)
     wrong = [finding for finding in findings if finding.verdict != "consistent"]
     if not wrong:
-        asked = [finding for finding in findings if not finding.quantity.startswith("definition")]
-        return (asked or list(findings))[:1]  # type: ignore[return-value]
+        results = [finding for finding in findings if not finding.quantity.startswith("definition")]
+        return (results or list(findings))[:1]  # type: ignore[return-value]
     named = f"repaired as {law.repair}" if law.repair else None
     return tuple(replace(finding, repair="; ".join(filter(None, (finding.repair, named))) or None) for finding in wrong)
 
@@ -89,11 +89,11 @@ def _audit_python(file: Path) -> tuple[Finding, ...]:
     if not laws and not scenes:
         expected = "a file that defines `scene = Scene(...)`, or laws"
         raise InputError(str(file), [Fault(str(file), "neither a scene nor a law", expected)])
-    found = [finding for law in laws for finding in audit_law(law)]
+    findings = [finding for law in laws for finding in audit_law(law)]
     faults = [fault for law in laws for fault in faults_if_consistent(law)]
     if faults:
         raise InputError(str(file), faults)
-    return (*found, *(finding for scene in scenes for finding in audit_scene(scene)))
+    return (*findings, *(finding for scene in scenes for finding in audit_scene(scene)))
 
 
 def _files(folder: Path) -> Iterator[Path]:

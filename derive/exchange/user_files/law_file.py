@@ -133,18 +133,18 @@ def audit_laws_as_written(path: str | Path) -> tuple[Finding, ...]:
     for written in read_laws(path):
         law = written.law
         own = []
-        for what, expression, unit in written.texts:
+        for quantity, expression, unit in written.texts:
             place = {
                 "effect": law.name,
-                "quantity": what,
+                "quantity": quantity,
                 "law": law.name,
                 "kind": law.kind,
                 "title": law.title,
                 "source": law.source,
             }
-            found = finding(expression, written.declared, unit, **place)
-            outside = law.fitted_in and found.verdict == "inconsistent"
-            own.append(replace(found, verdict="outside_si") if outside else found)
+            row = finding(expression, written.declared, unit, **place)
+            outside = law.fitted_in and row.verdict == "inconsistent"
+            own.append(replace(row, verdict="outside_si") if outside else row)
         if law.verdict == "consistent":
             names = dict.fromkeys(
                 symbol.name for symbol in (*law.parameters, *(symbol for symbol, _ in law.definitions))
@@ -168,8 +168,8 @@ class _Reader:
         self.constants: dict[str, Quantity] = {}
         self.texts: list[tuple[str, Expression, Dimension]] = []
 
-    def fault(self, what: str, found: str, expected: str, remedy: str = "") -> None:
-        self.faults.append(Fault(f"{self.where}, {what}" if what else self.where, found, expected, remedy))
+    def fault(self, label: str, found: str, expected: str, remedy: str = "") -> None:
+        self.faults.append(Fault(f"{self.where}, {label}" if label else self.where, found, expected, remedy))
 
     def law(self) -> WrittenLaw | None:
         """The law, or None where there are faults."""
@@ -283,7 +283,7 @@ class _Reader:
 
     def definitions(self) -> tuple[tuple[Quantity, sp.Expr], ...]:
         """Intermediate results, each usable in those after it."""
-        found = []
+        definitions = []
         for row in self.table.definitions:
             where = f"definition of {row.symbol}"
             symbol = self.symbol(where, row.symbol, row)
@@ -294,12 +294,12 @@ class _Reader:
             if symbol is not None:
                 self.declare(symbol)
                 if expression is not None:
-                    found.append((symbol, expression))
-        return tuple(found)
+                    definitions.append((symbol, expression))
+        return tuple(definitions)
 
     def expressions(self) -> dict[str, sp.Expr]:
         """Expressions of the kind of law."""
-        found: dict[str, sp.Expr] = {}
+        expressions: dict[str, sp.Expr] = {}
         for key, unit in self.kind.expressions.items():
             written = getattr(self.table, key)
             if written is None:
@@ -311,8 +311,8 @@ class _Reader:
             forbidden = [name for name in state if (key, name) != ("slope", "N")]
             expression = self.expression(key, written, unit, forbidden, extra)
             if expression is not None:
-                found[key] = expression
-        return found
+                expressions[key] = expression
+        return expressions
 
     def of_kind(self, fields: dict[str, sp.Expr], ranges: tuple[Range, ...]) -> dict[str, Any]:
         """Fields of the record that the kind adds to the common ones."""
@@ -331,8 +331,8 @@ class _Reader:
         doubtful = (sp.sign, sp.Abs, sp.DiracDelta, sp.Heaviside, sp.Derivative, sp.Subs, sp.Max, sp.Min)
         slope = derivative.subs(record.s, 0)
         if derivative.has(*doubtful) or slope.has(sp.nan, sp.zoo, sp.oo):
-            found = "none, and a force whose derivative at rest is no plain expression"
-            self.fault("slope", found, "the slope at s = 0 [N s/m]")
+            actual = "none, and a force whose derivative at rest is no plain expression"
+            self.fault("slope", actual, "the slope at s = 0 [N s/m]")
         return slope
 
 

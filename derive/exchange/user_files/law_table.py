@@ -83,8 +83,8 @@ def _number(value: Any) -> float:
     return value if abs(value) < 2**53 else float(value)
 
 
-def _forms(given: Any) -> tuple[str, ...]:
-    words = given if isinstance(given, list) else [given]
+def _forms(forms: Any) -> tuple[str, ...]:
+    words = forms if isinstance(forms, list) else [forms]
     if words == ["any"]:
         return FORMS
     if not words or not all(word in FORMS for word in words):
@@ -187,8 +187,8 @@ class LawTable(_Table):
     @model_validator(mode="after")
     def _fit(self) -> Self:
         if (self.verdict == "outside_si") != bool(self.fitted_in):
-            found = f"verdict {self.verdict} and fitted_in {self.fitted_in!r}"
-            raise MisfitError("the units of the fit, fitted_in, with verdict outside_si alone", found=found)
+            actual = f"verdict {self.verdict} and fitted_in {self.fitted_in!r}"
+            raise MisfitError("the units of the fit, fitted_in, with verdict outside_si alone", found=actual)
         return self
 
 
@@ -217,8 +217,8 @@ class _Damping(LawTable):
     @model_validator(mode="after")
     def _one_force(self) -> Self:
         if (self.factor is None) == (self.term is None):
-            found = "no factor or term" if self.factor is None else "factor and term"
-            raise MisfitError("the factor or the term", found=found)
+            actual = "no factor or term" if self.factor is None else "factor and term"
+            raise MisfitError("the factor or the term", found=actual)
         return self
 
 
@@ -243,8 +243,8 @@ def validated(where: str, table: Mapping[str, Any]) -> tuple[LawTable | None, li
     kind = table.get("kind")
     model = _KINDS.get(kind) if isinstance(kind, str) else None
     if model is None:
-        found = "none" if kind is None else shown(kind, 60)
-        return None, [Fault(f"{where}, kind", found, f"one of {', '.join(_KINDS)}")]
+        actual = "none" if kind is None else shown(kind, 60)
+        return None, [Fault(f"{where}, kind", actual, f"one of {', '.join(_KINDS)}")]
     try:
         return model.model_validate(table), []
     except ValidationError as error:

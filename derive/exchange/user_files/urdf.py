@@ -115,12 +115,12 @@ def from_urdf(
     fault of the file.
     """
     faults = [
-        Fault(what, shown(found), f"{one!r} or {other!r}")
-        for what, found, (one, other) in (
+        Fault(option, shown(value), f"{one!r} or {other!r}")
+        for option, value, (one, other) in (
             ("base", base, ("fixed", "floating")),
             ("inertia", inertia, ("as given", "nearest")),
         )
-        if found not in (one, other)
+        if value not in (one, other)
     ]
     if not isinstance(locked, Mapping):
         faults.append(Fault("locked", shown(locked), 'values by the names of joints, {"finger_joint": 0}'))
@@ -153,12 +153,12 @@ def _read(path: str | Path) -> ElementTree.Element:
     return root
 
 
-def _names(kind: str, given: Iterable[str], *taken: str) -> dict[str, str]:
+def _names(kind: str, names: Iterable[str], *taken: str) -> dict[str, str]:
     """Names as hertzwerk's are, by those of the file.
 
     Other characters become _. The kind goes before `taken` ones, keywords of Python, and those that begin with a digit.
     """
-    plain = {name: re.sub(r"\W", "_", name, flags=re.ASCII) for name in given}
+    plain = {name: re.sub(r"\W", "_", name, flags=re.ASCII) for name in names}
     return {
         name: f"{kind}_{text}" if text in taken or keyword.iskeyword(text) or text[:1].isdigit() else text or kind
         for name, text in plain.items()
@@ -269,9 +269,9 @@ class _Reader:
                 link for link in self.links if joint.name not in self.held and self._rigid(link) == joint.child.link
             ]
             if fixed and all(self.links[link].inertial is None for link in fixed):
-                found = f"no <inertial>, and joint {joint.name} moves it"
+                actual = f"no <inertial>, and joint {joint.name} moves it"
                 remedy = f'from_urdf(..., locked={{"{joint.name}": 0}}) welds it; within a chain <mass value="0"/> is allowed.'
-                yield Fault(f"link {joint.child.link}", found, "mass, mass centre and inertia", remedy)
+                yield Fault(f"link {joint.child.link}", actual, "mass, mass centre and inertia", remedy)
 
     def _rigid(self, link: str) -> str:
         """First of the links that are fixed to each other."""
@@ -280,19 +280,19 @@ class _Reader:
 
     def _base_of(self, link: str) -> str | None:
         """Link at the root of the tree it stands in; None in a ring."""
-        seen = [link]
-        while (joint := self.carried.get(seen[-1])) is not None:
-            if joint.parent.link in seen:
+        chain = [link]
+        while (joint := self.carried.get(chain[-1])) is not None:
+            if joint.parent.link in chain:
                 return None
-            seen.append(joint.parent.link)
-        return seen[-1]
+            chain.append(joint.parent.link)
+        return chain[-1]
 
     # -- the robot -------------------------------------------------------------------------------------------------
 
     def robot(self, left: Counter[str], nearest: bool) -> tuple[Robot, list[Fault]]:
         """Robot of elements without a fault, and faults of its inertias."""
-        given = {name: _massed(link.inertial) for name, link in self.links.items()}
-        (mechanism, bodies), repairs, faults = repaired(given, self._mechanism, nearest)
+        masses = {name: _massed(link.inertial) for name, link in self.links.items()}
+        (mechanism, bodies), repairs, faults = repaired(masses, self._mechanism, nearest)
         named = [*self.names.items(), *self.link_names.items(), *self.joint_names.items()]
         renamed = ", ".join(f"{old or 'none'} is {new}" for old, new in named if new != old)
         collisions = {name: tuple(self._solids(link, bodies[name])) for name, link in self.links.items()}
@@ -366,10 +366,10 @@ class _Reader:
         for count, solid in enumerate(link.collision, start=1):
             name = f"{self.link_names[link.name]}_solid_{count}"
             for kind in ("box", "cylinder", "sphere"):
-                given = getattr(solid.geometry, kind)
-                if given is not None:
-                    values = dict(zip("xyz", given.size, strict=True)) if kind == "box" else given.model_dump()
-                    sizes = {what: Parameter(f"{name}_size_{what}", "m", value) for what, value in values.items()}
+                shape = getattr(solid.geometry, kind)
+                if shape is not None:
+                    values = dict(zip("xyz", shape.size, strict=True)) if kind == "box" else shape.model_dump()
+                    sizes = {size: Parameter(f"{name}_size_{size}", "m", value) for size, value in values.items()}
                     yield Solid(kind, _placed(name, body, solid.origin), MappingProxyType(sizes))
 
     def _shapes(self, link: urdf_elements.Link) -> Iterator[Shape]:
@@ -392,16 +392,16 @@ class _Reader:
             yield f"<{tag}>, {count} times"
 
 
-def _massed(given: urdf_elements.Inertial | None) -> Massed:
+def _massed(inertial: urdf_elements.Inertial | None) -> Massed:
     """Mass, mass centre and inertia along the link's axes; zeros of a link without."""
-    if given is None:
+    if inertial is None:
         return Massed()
-    J = given.inertia
+    J = inertial.inertia
     rows: Any = ((J.ixx, J.ixy, J.ixz), (J.ixy, J.iyy, J.iyz), (J.ixz, J.iyz, J.izz))
-    if any(given.origin.rpy):
-        turn = _rotation(given.origin.rpy)
+    if any(inertial.origin.rpy):
+        turn = _rotation(inertial.origin.rpy)
         rows = multiply(multiply(turn, rows), transpose(turn))
-    return Massed(given.mass.value, given.origin.xyz, tuple(tuple(map(float, row)) for row in rows))
+    return Massed(inertial.mass.value, inertial.origin.xyz, tuple(tuple(map(float, row)) for row in rows))
 
 
 def _moved(point: Point, kind: str, axis: Direction, name: str, value: float) -> Point:
@@ -417,9 +417,9 @@ def _moved(point: Point, kind: str, axis: Direction, name: str, value: float) ->
 def _placed(name: str, body: Frame, origin: urdf_elements.Origin) -> Point:
     """Point of a body, with the axes that an origin gives it."""
     point = body.at(*position(name, origin.xyz))
-    for what, axis, value in zip(("yaw", "pitch", "roll"), (Z, Y, X), reversed(origin.rpy), strict=True):
+    for angle, axis, value in zip(("yaw", "pitch", "roll"), (Z, Y, X), reversed(origin.rpy), strict=True):
         if value:
-            point = point.turned(axis, Parameter(f"{name}_{what}", "rad", value))
+            point = point.turned(axis, Parameter(f"{name}_{angle}", "rad", value))
     return point
 
 

@@ -163,22 +163,22 @@ _DRAWN = ("visual",)
 
 def elements_of(root: Element) -> tuple[list[Link], list[Joint], list[Fault], Counter[str]]:
     """Links, joints, all their faults, and how often each tag was left out."""
-    found: dict[str, list[Any]] = {"link": [], "joint": []}
+    elements: dict[str, list[Any]] = {"link": [], "joint": []}
     faults: list[Fault] = []
     left = Counter(child.tag for child in root if child.tag not in _MODELS and isinstance(child.tag, str))
-    seen: Counter[str] = Counter()
+    counts: Counter[str] = Counter()
     for child in root:
         model = _MODELS.get(child.tag)
         if model is None:
             continue
-        seen[child.tag] += 1
-        where = f"{child.tag} {child.get('name', seen[child.tag])}"
+        counts[child.tag] += 1
+        where = f"{child.tag} {child.get('name', counts[child.tag])}"
         left.update(part.tag for part in child if part.tag not in (*model.model_fields, *_DRAWN))
         try:
-            found[child.tag].append(model.model_validate(_record(child)))
+            elements[child.tag].append(model.model_validate(_record(child)))
         except ValidationError as error:
             faults.extend(form_faults(error, model, where))
-    return found["link"], found["joint"], faults, left
+    return elements["link"], elements["joint"], faults, left
 
 
 def _record(element: Element) -> dict[str, Any]:

@@ -74,16 +74,16 @@ Made = tuple[Mechanism, Mapping[str, Frame]]
 
 
 def repaired(
-    given: Mapping[str, Massed], make: Callable[[Mapping[str, Massed]], Made], take_nearest: bool
+    masses: Mapping[str, Massed], make: Callable[[Mapping[str, Massed]], Made], take_nearest: bool
 ) -> tuple[Made, list[str], list[Fault]]:
     """Mechanism and bodies of links with possible inertias, repairs, and faults of what cannot be.
 
     `make` gives the mechanism and its bodies by link.
     """
-    numbers, repairs, faults = dict(given), list[str](), list[Fault]()
+    numbers, repairs, faults = dict(masses), list[str](), list[Fault]()
     made = mechanism, bodies = make(numbers)
     moved = {name: body for name, body in bodies.items() if isinstance(body, Body)}
-    if points := [name for name in moved if given[name].mass and given[name].rows == NO_ROWS]:
+    if points := [name for name in moved if masses[name].mass and masses[name].rows == NO_ROWS]:
         repairs.append(f"masses without inertia, taken as point masses: {', '.join(points)}")
     wrong = [name for name, body in moved.items() if not _possible(mechanism, body)]
     if zeros := [name for name in wrong if _possible(mechanism, numbers[name].rounded.body(name))]:

@@ -64,10 +64,10 @@ def text_of(expression: Any) -> str:
     return str(_Text().doprint(tidy(expression)))
 
 
-def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
-    """An expression in LaTeX; with the names `given`, in the style of the equations of a scene."""
-    if given is not None:
-        names = {_EULER: r"\mathrm{e}", **given}
+def latex_of(expression: Any, letters: Mapping[Any, str] | None = None) -> str:
+    """An expression in LaTeX; with the names `letters`, in the style of the equations of a scene."""
+    if letters is not None:
+        names = {_EULER: r"\mathrm{e}", **letters}
         printer = _Running({"symbol_names": names, "fold_frac_powers": True, "fold_func_brackets": True})
         return str(printer.doprint(tidy(expression).xreplace({sp.E: _EULER})))
     shown = with_pieces(tidy(expression))

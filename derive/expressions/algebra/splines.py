@@ -73,9 +73,9 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
 
     def faults(self) -> Iterator[Fault]:
         """Yield the faults of the declaration."""
-        found = tuple(self._declared_faults())
-        yield from found
-        if not found and not self._finite():
+        faults = tuple(self._declared_faults())
+        yield from faults
+        if not faults and not self._finite():
             yield Fault(f"table {self.name}", "points whose spline leaves the range of a double",
                         "arguments, values and slopes less far apart in size")  # fmt: skip
 
@@ -91,8 +91,8 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
             except UnitError as error:
                 yield Fault(where, f"unit {unit!r}", "a unit", str(error))
         if len(self.arguments) != len(self.values) or len(self.arguments) < 2:
-            found = f"{len(self.arguments)} arguments and {len(self.values)} values"
-            yield Fault(where, found, "as many values as arguments, at least two")
+            actual = f"{len(self.arguments)} arguments and {len(self.values)} values"
+            yield Fault(where, actual, "as many values as arguments, at least two")
         for kind, numbers in (("argument", self.arguments), ("value", self.values), ("slope", self.slopes or ())):
             for k, number in enumerate(numbers):
                 real = isinstance(number, int | float) and not isinstance(number, bool)
@@ -225,12 +225,12 @@ def _nodes(x: list[float], y: list[float], slopes: Pair | None) -> list[Pair]:
         factor = _times(before, _inverse(pivot))
         rows[k][1] = [a - b for a, b in zip(here, _times(factor, after), strict=True)]
         rows[k][3] = [a - b for a, b in zip(right, _applied(factor, known), strict=True)]
-    found: list[list[float]] = [[0.0, 0.0]] * count
+    derivatives: list[list[float]] = [[0.0, 0.0]] * count
     for k in reversed(range(count)):
         _, here, after, right = rows[k]
-        ahead = _applied(after, found[k + 1]) if k < count - 1 else [0.0, 0.0]
-        found[k] = _applied(_inverse(here), [a - b for a, b in zip(right, ahead, strict=True)])
-    return [(v, a) for v, a in found]
+        ahead = _applied(after, derivatives[k + 1]) if k < count - 1 else [0.0, 0.0]
+        derivatives[k] = _applied(_inverse(here), [a - b for a, b in zip(right, ahead, strict=True)])
+    return [(v, a) for v, a in derivatives]
 
 
 def _inverse(m: list[float]) -> list[float]:

@@ -31,8 +31,8 @@ class Tagged(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     @classmethod
     def must_be_text(cls, kind: str, name: object, **texts: object) -> None:
         """Raise InputError, listing every fault, for what is no text."""
-        given = {"name": name, **texts}
-        wrong = [Fault(f"{kind}, {what}", repr(x), "text") for what, x in given.items() if not isinstance(x, str)]
+        entries = {"name": name, **texts}
+        wrong = [Fault(f"{kind}, {label}", repr(x), "text") for label, x in entries.items() if not isinstance(x, str)]
         if wrong:
             raise InputError(f"{kind} {name!r:.40}", wrong)
 

@@ -21,9 +21,9 @@ def product(a: Any, b: Any) -> Any:
     return a * b
 
 
-def total(*given: Any) -> Any:
+def total(*summands: Any) -> Any:
     """Sum of terms."""
-    terms = [term for term in given if term is not ZERO[0]]
+    terms = [term for term in summands if term is not ZERO[0]]
     return terms[0] if len(terms) == 1 else sp.Add(*terms)
 
 

@@ -63,7 +63,7 @@ def culprits(
     missing = list(
         dict.fromkeys(f.missing for row in rows if (f := row.fault(dimensions)) is not None if f.missing is not None)
     )
-    found = []
+    suspects = []
     for symbol, text in candidates.items():
         powers = dict.fromkeys(power for row in rows for power in row.powers(symbol))
         steps = (
@@ -71,27 +71,27 @@ def culprits(
         )
         for needed in dict.fromkeys(dimensions[symbol] * step for step in steps):
             if all(row.fault({**dimensions, symbol: needed}) is None for row in rows):
-                found.append(Culprit(str(symbol), text, dimensions[symbol], needed))
+                suspects.append(Culprit(str(symbol), text, dimensions[symbol], needed))
                 break
-    return tuple(sorted(found, key=lambda culprit: -culprit.gain))
+    return tuple(sorted(suspects, key=lambda culprit: -culprit.gain))
 
 
-def likeliest(found: Sequence[Culprit], alone: bool) -> tuple[Culprit, ...]:
+def likeliest(suspects: Sequence[Culprit], alone: bool) -> tuple[Culprit, ...]:
     """The equally likely culprits; () where they are too many to name.
 
     For a single expression (`alone`), one culprit is evidence only if it is unique.
     """
     if alone:
-        numeric = all(exponent.is_number for culprit in found for exponent in culprit.needed.exponents)
-        return tuple(found) if len(found) == 1 and found[0].plausible and numeric else ()
-    found = [culprit for culprit in found if culprit.plausible]
-    best = tuple(culprit for culprit in found if culprit.gain == found[0].gain)
+        numeric = all(exponent.is_number for culprit in suspects for exponent in culprit.needed.exponents)
+        return tuple(suspects) if len(suspects) == 1 and suspects[0].plausible and numeric else ()
+    suspects = [culprit for culprit in suspects if culprit.plausible]
+    best = tuple(culprit for culprit in suspects if culprit.gain == suspects[0].gain)
     return best if len(best) <= SHOWN else ()
 
 
-def sentence(found: Sequence[Culprit], what: str) -> str:
-    """Repair by which `what` becomes consistent."""
-    return f"{', or '.join(map(str, found))}, makes {what} consistent"
+def sentence(suspects: Sequence[Culprit], subject: str) -> str:
+    """Repair by which `subject` becomes consistent."""
+    return f"{', or '.join(map(str, suspects))}, makes {subject} consistent"
 
 
 def powers_in(node: Node, name: Any) -> set[Any]:
@@ -99,16 +99,16 @@ def powers_in(node: Node, name: Any) -> set[Any]:
     if node.op == "name":
         return {sp.S.One} if node.name == name else set()
     inside = [powers for arg in node.args if (powers := powers_in(arg, name))]
-    found = set().union(*inside)
+    exponents = set().union(*inside)
     if node.op == "product" and len(inside) > 1:
-        found |= {sp.Add(*powers) for powers in product(*inside)}
+        exponents |= {sp.Add(*powers) for powers in product(*inside)}
     exponent = {"inverse": sp.S.NegativeOne, "sqrt": sp.S.Half}.get(node.op)
     if node.op == "**" and name not in {part.name for part in node.args[1].walk()}:
         number = node.args[1].number
         exponent = node.args[1].expr if number is None else canonical(number)
     if exponent is not None:
-        found |= {power * exponent for power in found}
-    return found - {sp.S.Zero}
+        exponents |= {power * exponent for power in exponents}
+    return exponents - {sp.S.Zero}
 
 
 def _complexity(dimension: Dimension) -> int:

@@ -54,9 +54,9 @@ class Expression:
     def __str__(self) -> str:
         return self.source
 
-    def part(self, node: Node, kept: Sequence[int]) -> Node:
+    def part(self, node: Node, operands: Sequence[int]) -> Node:
         """Part of a sum or product from the first operand kept to the last, as far as the text can be cut."""
-        first, last = kept[0], kept[-1]
+        first, last = operands[0], operands[-1]
         while first > 0 and node.args[first].op == "inverse":  # a divisor needs its dividend
             first -= 1
         if first == last:

@@ -91,18 +91,18 @@ def read(text: str) -> Expression:
     except SyntaxError as error:
         raise _syntax_error(source, error) from None
     except (ValueError, MemoryError, RecursionError) as error:
-        found = "nesting that Python cannot parse" if isinstance(error, (MemoryError, RecursionError)) else str(error)
-        raise TextError(source, 0, found, _SYNTAX) from None
+        actual = "nesting that Python cannot parse" if isinstance(error, (MemoryError, RecursionError)) else str(error)
+        raise TextError(source, 0, actual, _SYNTAX) from None
     root = _Reader(source).node(tree.body)
     return Expression(source, root)
 
 
 def _syntax_error(source: str, error: SyntaxError) -> TextError:
     start = min(error.offset - 1, len(source)) if error.offset else len(source)  # 0: at the end
-    found = re.match(r"\w+|\S", source[start:])
+    match = re.match(r"\w+|\S", source[start:])
     word = next((w for w in re.findall(r"[^\W\d]\w*", source) if keyword.iskeyword(w) and w not in _WORDS), None)
     remedy = f"{word!r} is a word of Python: choose another name" if word else f"Python says: {error.msg}"
-    return TextError(source, start, repr(found[0]) if found else "the end", _SYNTAX, remedy)
+    return TextError(source, start, repr(match[0]) if match else "the end", _SYNTAX, remedy)
 
 
 _WORDS = ("and", "or", "not", "if", "else", "is", "in", "True", "False", "None")
@@ -139,8 +139,8 @@ class _Reader:
             raise self.refuse(node, f"at most {MAX_DEPTH}", found=f"more than {MAX_DEPTH} nested operations")
         method = getattr(self, f"read_{type(node).__name__}", None)
         if method is None:
-            what, remedy = _REFUSED.get(type(node), (f"Python's {type(node).__name__}", ""))
-            raise self.refuse(node, _SYNTAX, remedy, found=what)
+            actual, remedy = _REFUSED.get(type(node), (f"Python's {type(node).__name__}", ""))
+            raise self.refuse(node, _SYNTAX, remedy, found=actual)
         result: Node = method(node)
         self.depth -= 1
         return result

@@ -143,17 +143,17 @@ def _only_for(walk: Walk, culprit: Node, factor: Node, symbol: Any, value: Any, 
     name = symbol or sp.Symbol("p" if "n" in names else "n")
     of_base = walk(factor) if factor.op == "name" else walk(factor.args[0])
     rest = culprit.expr / factor.expr
-    given = "" if rest.is_number else f"{rest} is {walk(culprit) / of_base**power}: "
-    text = f"{given}{rest * base**name} is {quantity(expected)} only for {name} = {value}"
+    prefix = "" if rest.is_number else f"{rest} is {walk(culprit) / of_base**power}: "
+    text = f"{prefix}{rest * base**name} is {quantity(expected)} only for {name} = {value}"
     if value == 2 and of_base == _LENGTH:
         return f"{text}; multiplied by a length, for {name} = 1"
     return text if symbol else f"{text}, not {sp.sstr(power, full_prec=False)}"
 
 
-def _lacking(walk: Walk, culprit: Node, found: Dimension, missing: Dimension) -> str:
+def _lacking(walk: Walk, culprit: Node, dimension: Dimension, missing: Dimension) -> str:
     """Sentence on the missing factor, and on the number that may hide it."""
     culprit = culprit.args[0] if culprit.op == "neg" else culprit
-    if found == ONE and not culprit.args:
+    if dimension == ONE and not culprit.args:
         return f"{walk.tree.quote(culprit)} would need the unit {missing}"
     factors = culprit.args if culprit.op == "product" else ()
     numbers = [node for node in factors if node.number is not None and node.op in ("number", "neg")]

@@ -78,8 +78,8 @@ def _power(walk: Walk, node: Node) -> Dimension:
         powered: Dimension = dimension**value
         return powered
     quoted = walk.tree.quote(exponent)
-    given = f"{', '.join(strange)}, no constant parameter" if strange else f"{quoted}, which is not rational"
-    reason = f"in {walk.tree.quote(node)}, the unit of a power of {dimension} depends on {given}"
+    cause = f"{', '.join(strange)}, no constant parameter" if strange else f"{quoted}, which is not rational"
+    reason = f"in {walk.tree.quote(node)}, the unit of a power of {dimension} depends on {cause}"
     expected = "a rational exponent, or one of constant parameters"
     raise walk.fault(node, f"{dimension} to the power {quoted}", expected, reason, operands=(base, exponent))
 
@@ -94,10 +94,10 @@ def _spline(walk: Walk, node: Node) -> Dimension:
     (argument,) = node.args
     table, _, order = node.expr.args
     per, of = (Dimension.from_unit(unit) for unit in table.units)
-    if not (found := walk(argument)).matches(per):
+    if not (dimension := walk(argument)).matches(per):
         quoted = walk.tree.quote(argument)
-        reason = f"in {walk.tree.quote(node)}, {quoted} is {found}, and {table} is a table of arguments in {per}"
-        raise walk.fault(node, found, per, reason, argument, (argument,))
+        reason = f"in {walk.tree.quote(node)}, {quoted} is {dimension}, and {table} is a table of arguments in {per}"
+        raise walk.fault(node, dimension, per, reason, argument, (argument,))
     result: Dimension = of / per**order
     return result
 

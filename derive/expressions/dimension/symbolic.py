@@ -98,11 +98,11 @@ class Symbolic:
         """Printed expression of a node."""
         return str(node.expr)
 
-    def part(self, node: Node, kept: Sequence[int]) -> Node:
+    def part(self, node: Node, operands: Sequence[int]) -> Node:
         """Product of the factors kept; a sum stays whole, since its order is SymPy's."""
-        if node.op == "sum" or len(kept) == len(node.args):
+        if node.op == "sum" or len(operands) == len(node.args):
             return node
-        args = tuple(node.args[k] for k in kept)
+        args = tuple(node.args[k] for k in operands)
         return args[0] if len(args) == 1 else replace(node, args=args, expr=sp.Mul(*(arg.expr for arg in args)))
 
     def value(self, node: Node, constants: Collection[Any]) -> Any:

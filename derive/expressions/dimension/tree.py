@@ -56,7 +56,7 @@ class Tree(Protocol):
     def quote(self, node: Node) -> str:
         """Text of a node in the form of its origin."""
 
-    def part(self, node: Node, kept: Sequence[int]) -> Node:
+    def part(self, node: Node, operands: Sequence[int]) -> Node:
         """Sum or product of some of a node's operands, as far as it can be quoted."""
 
     def value(self, node: Node, constants: Collection[Any]) -> Any:

@@ -49,10 +49,10 @@ class Walker:
 
     def __call__(self, node: Node) -> Dimension:
         """Dimension of a node; raises DimensionError."""
-        found = self.table.get(node.name) if node.op == "name" else self.memo.get(node)
-        if found is None:
-            found = self.memo[node] = self.tree.bounded(node, self.rule(node))
-        return found
+        dimension = self.table.get(node.name) if node.op == "name" else self.memo.get(node)
+        if dimension is None:
+            dimension = self.memo[node] = self.tree.bounded(node, self.rule(node))
+        return dimension
 
     def rule(self, node: Node) -> Dimension:
         """Dimension by the rule of the operation."""
@@ -78,16 +78,16 @@ class Walker:
         In a sum, logarithms that together are one of a number, log(a) - log(b) = log(a/b), have the dimension of
         their factors.
         """
-        found = [self.logarithm_in(arg) for arg in args] if node.op == "sum" else []
-        if not any(found):
+        logarithms = [self.logarithm_in(arg) for arg in args] if node.op == "sum" else []
+        if not any(logarithms):
             return [self(arg) for arg in args]
-        keys = [None if log is None else tuple(sorted(map(self.tree.quote, log[0]))) for log in found]
+        keys = [None if log is None else tuple(sorted(map(self.tree.quote, log[0]))) for log in logarithms]
         inside: dict[Any, Dimension] = {}
-        for key, log in zip(keys, found, strict=True):
+        for key, log in zip(keys, logarithms, strict=True):
             if log is not None:
                 inside[key] = inside.get(key, ONE) * self(log[2]) ** log[1]
         dimensions = []
-        for arg, key, log in zip(args, keys, found, strict=True):
+        for arg, key, log in zip(args, keys, logarithms, strict=True):
             total = ONE
             for factor in (arg,) if log is None or not inside[key].dimensionless else log[0]:
                 total = total * self(factor)
@@ -100,8 +100,8 @@ class Walker:
         2*x*log(a) -> ((x,), 2, a).
         """
         if node.op == "neg":
-            found = self.logarithm_in(node.args[0])
-            return None if found is None else (found[0], -found[1], found[2])
+            logarithm = self.logarithm_in(node.args[0])
+            return None if logarithm is None else (logarithm[0], -logarithm[1], logarithm[2])
         factors = node.args if node.op == "product" else (node,)
         logarithms = [factor for factor in factors if factor.op == "log"]
         if len(logarithms) != 1:
@@ -125,19 +125,19 @@ class Walker:
         others = [arg for arg in args if not (arg.op == "number" and arg.number == 1)]
         one = node.op == "sum" and len(others) < len(args) and all(arg.op != "name" for arg in others)
         expected = expected or max(counts, key=lambda dimension: (counts[dimension], (dimension == ONE) == one))
-        odd, found = next(pair for pair in zip(args, dimensions, strict=True) if not pair[1].matches(expected))
-        other = next((d for d in dimensions if d == expected), next(d for d in counts if d != found))
+        odd, actual = next(pair for pair in zip(args, dimensions, strict=True) if not pair[1].matches(expected))
+        other = next((d for d in dimensions if d == expected), next(d for d in counts if d != actual))
         if node.op == "sum":  # up to the first term that does not fit
-            node = self.tree.part(node, range(max(dimensions.index(found), dimensions.index(other)) + 1))
+            node = self.tree.part(node, range(max(dimensions.index(actual), dimensions.index(other)) + 1))
         noun = NOUNS.get(node.op, node.op)
-        reason = f"{self.tree.quote(odd)} is {found} beside {other}, and {noun} takes operands of one unit"
-        raise self.fault(node, found, expected, f"in {self.tree.quote(node)}, {reason}", odd, args)
+        reason = f"{self.tree.quote(odd)} is {actual} beside {other}, and {noun} takes operands of one unit"
+        raise self.fault(node, actual, expected, f"in {self.tree.quote(node)}, {reason}", odd, args)
 
     def pure(self, node: Node, arg: Node, rule: str) -> DimensionError:
         """Fault of an argument that should be dimensionless."""
-        found = self(arg)
-        reason = f"in {self.tree.quote(node)}, {self.tree.quote(arg)} is {found}, and {rule}"
-        return self.fault(node, found, ONE, reason, arg, (arg,))
+        dimension = self(arg)
+        reason = f"in {self.tree.quote(node)}, {self.tree.quote(arg)} is {dimension}, and {rule}"
+        return self.fault(node, dimension, ONE, reason, arg, (arg,))
 
     def fault(
         self,
@@ -178,19 +178,19 @@ class Walker:
             self.expect(term, expected)
         if node.op == "product":
             self.expect_sum(node, expected)
-        found = self(node)
-        if found.matches(expected):
+        actual = self(node)
+        if actual.matches(expected):
             return None
         if (
             node.op == "product"
         ):  # a dimensionless sum as factor, (1 + h*v/v0), cannot be at fault and would only obscure it
-            kept = [k for k, factor in enumerate(node.args) if not self.never_at_fault(factor)]
-            node = self.tree.part(node, kept) if kept else node
+            suspects = [k for k, factor in enumerate(node.args) if not self.never_at_fault(factor)]
+            node = self.tree.part(node, suspects) if suspects else node
         factors = node.args if node.op == "product" else (node,)
         bases = [factor.args[0] if factor.op in ("inverse", "**") else factor for factor in factors]
-        reason = f"{self.tree.quote(node)} is {found}, expected {expected}"
+        reason = f"{self.tree.quote(node)} is {actual}, expected {expected}"
         raise self.fault(
-            node, found, expected, reason, node, [base for base in bases if base.op not in ("number", "pi")]
+            node, actual, expected, reason, node, [base for base in bases if base.op not in ("number", "pi")]
         )
 
     def expect_sum(self, product: Node, expected: Dimension) -> None:

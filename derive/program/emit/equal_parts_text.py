@@ -83,9 +83,9 @@ def _members(kind: Repeated, literal: Literal) -> str:
         ("i, i + 1", f"for i in range({first}, {last - 1})", [(i, i + 1) for i in within[:-1]]),
         ("i, j", f"for i in range({first}, {last}) for j in range(i + 1, {last})", [*combinations(within, 2)]),
     )
-    for variables, loop, found in loops:
-        left = [of for of in found if of not in here]
-        if len(left) <= _EXCEPTED and [of for of in found if of in here] == trees and len(names) >= _LEAST:
+    for variables, loop, indices in loops:
+        left = [of for of in indices if of not in here]
+        if len(left) <= _EXCEPTED and [of for of in indices if of in here] == trees and len(names) >= _LEAST:
             values = {"i": [of[0] for of in trees], **({"j": [of[-1] for of in trees]} if "j" in variables else {})}
             name = _text(names, values, literal)
             if name is not None:
@@ -101,16 +101,16 @@ def table(program: Program, rows: Sequence[Any], literal: Literal) -> list[str]:
     while i < len(rows):
         run = repeats(rows, i, 1)
         if run > _LEAST:
-            found = f"*[{literal(rows[i])}]*{run}", run
+            best = f"*[{literal(rows[i])}]*{run}", run
         else:
-            given = (
+            runs = (
                 _comprehension(kind, name, rows[i:], literal)
                 for kind, name in (*_of_trees(program), *_of_pairs(program))
             )
-            known = [each for each in (_counted(rows[i:]), *given) if each is not None]
-            found = max(known, key=lambda each: (each[1], -len(each[0])), default=(literal(rows[i]), 1))
-        texts.append(found[0])
-        i += found[1]
+            known = [each for each in (_counted(rows[i:]), *runs) if each is not None]
+            best = max(known, key=lambda each: (each[1], -len(each[0])), default=(literal(rows[i]), 1))
+        texts.append(best[0])
+        i += best[1]
     return texts
 
 

@@ -98,12 +98,12 @@ def _counts(program: Program, counts: dict[str, int]) -> dict[str, int]:
 def _equally_returning(functions: Iterable[Function]) -> dict[str, Function | None]:
     """The first function before each that has its arguments and returns, if there is one."""
     first: dict[Any, Function] = {}
-    found: dict[str, Function | None] = {}
+    earlier: dict[str, Function | None] = {}
     for function in functions:
         key = function.arguments, *((result.name, result.units) for result in function.results)
-        found[function.name] = first.get(key)
+        earlier[function.name] = first.get(key)
         first.setdefault(key, function)
-    return found
+    return earlier
 
 
 def _names_in(program: Program, drafts: Iterable[Draft]) -> set[str]:

@@ -120,8 +120,8 @@ def _short_names(block: Block) -> dict[str, str]:
 
 def shared_text(program: Program, shared: Shared, units: Mapping[str, str]) -> str:
     """Text of a function that several builders call; `units` by name, with moments and energies in N m."""
-    found = ("N m" if unit == "J" else unit for unit in shared.units(units))
-    returns = [f"{name} [{unit}]" if unit else name for name, unit in zip(shared.returns, found, strict=True)]
+    stated = ("N m" if unit == "J" else unit for unit in shared.units(units))
+    returns = [f"{name} [{unit}]" if unit else name for name, unit in zip(shared.returns, stated, strict=True)]
     lines = [
         *_wrapped_lines(f"{shared.name}({', '.join(shared.parameters)}):", "def ", " " * 8),
         *prose_lines(f"Return {', '.join(returns)}.", '    """', " " * 4),
@@ -159,25 +159,25 @@ def _with_own_casadi(program: Program, lines: Iterable[str]) -> str:
 
 def curve_text(curve: Any) -> str:
     """Text of the function of a curve, also of a vector of its parameter, or of the pieces of a chain."""
-    (name, _), given = curve_names(curve), curve.parameters
+    (name, _), arguments = curve_names(curve), curve.parameters
     if curve.searched:
         values = tuple(value for piece in curve.pieces for value in piece)
         summary = f"Pieces of the chain {curve.name}: start x, y, end x, y, centre x, y of each."
     else:
-        taken = {symbol.name for symbol in given}
+        taken = {symbol.name for symbol in arguments}
         s = sp.Symbol(next(letter for letter in ("s", "along", "s_") if letter not in taken), real=True)
         x, y = curve.x.xreplace({curve.s: s}), curve.y.xreplace({curve.s: s})
         values = tuple(expression.diff(s, order) for order in (0, 1, 2) for expression in (x, y))
-        given = (s, *given)
+        arguments = (s, *arguments)
         summary = f"Point of the curve {curve.name} at its parameter, and derivatives by it: x, y, x', y', x'', y''."
     result = Result(name, ("",) * len(values), ("",) * len(values), values)
     function = eliminate_common_subexpressions(Function(name, "", (), (), (result,)))
-    words = names_in_words(function.body, {}, {symbol.name for symbol in given})
+    words = names_in_words(function.body, {}, {symbol.name for symbol in arguments})
     lines = [
         *(f"    {symbol.name} = {expression_text(expression)}" for symbol, expression in function.body),
         f"    return {', '.join(map(expression_text, function.results[0].expressions))}",
     ]
-    head = f"def {name}({', '.join(symbol.name for symbol in given)}):"
+    head = f"def {name}({', '.join(symbol.name for symbol in arguments)}):"
     return "\n".join([head, f'    """{summary}"""', *(_renamed(line, words) for line in lines)])
 
 

@@ -72,9 +72,9 @@ class BeltOnDrum(Effect):
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of joints that are no names."""
-        for what, given in (("drum", self.drum), ("load", self.load)):
-            if not isinstance(given, str):
-                yield Fault(self.where, f"{what} {given!r:.60}", "the name of a joint, or ''")
+        for role, joint in (("drum", self.drum), ("load", self.load)):
+            if not isinstance(joint, str):
+                yield Fault(self.where, f"{role} {joint!r:.60}", "the name of a joint, or ''")
         yield from super().type_faults()
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
@@ -82,11 +82,11 @@ class BeltOnDrum(Effect):
         yield from super().faults(scene)
         if not self.joints:
             yield Fault(self.where, "neither drum nor load", "the joint of one of them at least")
-        for name, kind, what in ((self.drum, "turn", "the drum turns"), (self.load, "slide", "the load travels")):
+        for name, kind, motion in ((self.drum, "turn", "the drum turns"), (self.load, "slide", "the load travels")):
             if name and name not in scene.scalars:
                 yield from joint_faults(self.where, name, scene)
             elif name and scene.scalars[name].kind != kind:
-                yield Fault(self.where, f"joint {name}, which has another freedom", f"a {kind}, by which {what}")
+                yield Fault(self.where, f"joint {name}, which has another freedom", f"a {kind}, by which {motion}")
         law = self.law.law
         if isinstance(law, FrictionLaw) and (law.needs_contact or law.definitions or (law.force / N).has(N)):
             yield Fault(self.where, f"law {law.name}", "a law of the slip that is proportional to the normal force",

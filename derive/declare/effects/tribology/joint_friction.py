@@ -141,8 +141,8 @@ class JointFriction(JointEffect):
         drive = kin.tape.let(coefficient * pressing + holding, f"{self.name}_along")
         force = kin.tape.let(arm * drive, f"{self.name}_force")
         kinetic, static = (
-            kin.tape.let((limit / N).xreplace(self.law.binding), f"{self.name}_{what}")
-            for limit, what in ((law.sliding, "kinetic"), (law.holding, "static"))
+            kin.tape.let((limit / N).xreplace(self.law.binding), f"{self.name}_{regime}")
+            for limit, regime in ((law.sliding, "kinetic"), (law.holding, "static"))
         )
         rubbing = Rubbing(sliding, pressing, kinetic, static)
         return Element(kin.on_joint(self.joint, force, self.name), dissipated=-drive * sliding, rubbing=rubbing)

@@ -121,14 +121,14 @@ class _Film:
         self.clearance = sp.sympify(self.touch.pair.clearance)
         self.layer = sp.sympify(effect.boundary_layer) / self.clearance
 
-    def let(self, expression: Any, what: str, stated: str = "") -> Any:
+    def let(self, expression: Any, label: str, stated: str = "") -> Any:
         """Name a result on the tape; with an unchecked law it has the stated unit."""
         dimension = Dimension.from_unit(stated) if stated and self.effect.unchecked else None
-        return self.kin.tape.let(expression, f"{self.effect.name}_{what}", dimension)
+        return self.kin.tape.let(expression, f"{self.effect.name}_{label}", dimension)
 
-    def named(self, vector: Vector, what: str) -> Vector:
+    def named(self, vector: Vector, label: str) -> Vector:
         """Name a vector on the tape."""
-        return self.kin.tape.vector(vector, f"{self.effect.name}_{what}")
+        return self.kin.tape.vector(vector, f"{self.effect.name}_{label}")
 
     def element(self) -> Element:
         """Forces, dissipated power, outputs."""

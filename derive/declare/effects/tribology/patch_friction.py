@@ -120,9 +120,9 @@ class PatchFriction(PairResistance):
         )
         return Grip(axes, along, tuple(tape.let(part, f"{self.name}_velocity") for part in velocity), limit, limit)
 
-    def held(self, grip: Grip, given: Sequence[Any]) -> tuple[Vector, Vector]:
+    def held(self, grip: Grip, components: Sequence[Any]) -> tuple[Vector, Vector]:
         """Force and moment of the patch."""
-        *forces, moment = (scale(part, axis) for part, axis in zip(given, grip.tangents, strict=True))
+        *forces, moment = (scale(part, axis) for part, axis in zip(components, grip.tangents, strict=True))
         return add(*forces), scale(sp.sympify(self.radius), moment)
 
     def moment(self, kin: Turning, touch: Any, pressing: Any) -> Moment:

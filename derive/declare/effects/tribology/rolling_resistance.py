@@ -98,9 +98,9 @@ class PairResistance(PairEffect):
         along = tuple(kin.generalised_moment(axis, *bodies, f"{self.name}_grip") for axis in axes)
         return Grip(axes, along, velocity, limit, limit)
 
-    def held(self, grip: Grip, given: Sequence[Any]) -> tuple[Vector, Vector]:
+    def held(self, grip: Grip, components: Sequence[Any]) -> tuple[Vector, Vector]:
         """Force [N] and moment [N m] on the first body of what its grip holds with along each tangent."""
-        return ZERO, add(*(scale(part, axis) for part, axis in zip(given, grip.tangents, strict=True)))
+        return ZERO, add(*(scale(part, axis) for part, axis in zip(components, grip.tangents, strict=True)))
 
     def moment(self, kin: Turning, touch: Any, pressing: Any) -> Moment:
         """Moment at a contact geometry (a `Touch`), under the force that presses [N]."""
@@ -115,18 +115,22 @@ class PairResistance(PairEffect):
         return Moment(vector, generalised, tape.let(per_speed * square, f"{self.name}_power"))
 
 
-def _with_modes(below: str, what: str) -> dict[str, tuple[str, str, str]]:
+def _with_modes(below: str, motion: str) -> dict[str, tuple[str, str, str]]:
     """Quantities of a set-valued resistance, with the letter of their subscript."""
-    found = {
-        "turning_velocity": (r"\omega", rf"\mathrm{{{below}}}", f"angular velocity of {what}"),
-        "holding_moment": ("M", rf"\mathrm{{{below}h}}", f"moment against {what}, and the most that holds it at rest"),
-        "resting_moment": ("M", rf"\mathrm{{{below}s}}", f"what keeps it from {what}, at most the holding moment"),
+    quantities = {
+        "turning_velocity": (r"\omega", rf"\mathrm{{{below}}}", f"angular velocity of {motion}"),
+        "holding_moment": (
+            "M",
+            rf"\mathrm{{{below}h}}",
+            f"moment against {motion}, and the most that holds it at rest",
+        ),
+        "resting_moment": ("M", rf"\mathrm{{{below}s}}", f"what keeps it from {motion}, at most the holding moment"),
     }
     for i in (1, 2):
-        found[f"moment_{i}"] = ("M", rf"\mathrm{{{below}{i}}}", f"moment against {what}, about tangent {i}")
-        rests = f"what keeps it from {what} about tangent {i}, with the other's at most the holding moment"
-        found[f"resting_moment_{i}"] = ("M", rf"\mathrm{{{below}s{i}}}", rests)
-    return found
+        quantities[f"moment_{i}"] = ("M", rf"\mathrm{{{below}{i}}}", f"moment against {motion}, about tangent {i}")
+        rests = f"what keeps it from {motion} about tangent {i}, with the other's at most the holding moment"
+        quantities[f"resting_moment_{i}"] = ("M", rf"\mathrm{{{below}s{i}}}", rests)
+    return quantities
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ class JointMotion(Protocol):
     def fixed(self, side: int, direction: Direction, label: str) -> Moving:
         """A direction fixed in the child or the parent, with its rates."""
 
-    def named(self, vector: Vector, what: str) -> Vector:
+    def named(self, vector: Vector, label: str) -> Vector:
         """Name a vector."""
 
 

@@ -109,10 +109,10 @@ class Joint:
     absolute: ClassVar[bool] = False
     """Whether its coordinates on the ground are absolute coordinates of the body, so that it is kept."""
 
-    def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, **given: Any) -> None:
-        if unknown := given.keys() - {field.name for field in fields(self)}:
+    def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, **entries: Any) -> None:
+        if unknown := entries.keys() - {field.name for field in fields(self)}:
             raise TypeError(f"{type(self).__name__}: found {', '.join(sorted(unknown))}, which it has no field for")
-        for field, value in {"name": name, "parent": _point(parent), "child": _point(child), **given}.items():
+        for field, value in {"name": name, "parent": _point(parent), "child": _point(child), **entries}.items():
             object.__setattr__(self, field, value)
 
     @property
@@ -260,14 +260,14 @@ class Joint:
         slides.remove(own := (freedom.axis, self.turns_before(freedom)))
         return all(before == own[1] and perpendicular(axis, own[0]) for axis, before in slides)
 
-    def _no_rule(self, what: str) -> InputError:
+    def _no_rule(self, subject: str) -> InputError:
         chain = ", then ".join(f"{freedom.kind} {freedom.label}" for freedom in self.freedoms)
         expected = "a chain of freedoms that it follows from, or `constraints` of the joint's own"
         remedy = (
             "Let the joint carry its body, by the joints' coordinates: coordinates='tree'; or make two joints of it."
         )
-        found = f"{chain}: no rule says what {what} forbid where the joint closes a loop"
-        return InputError(f"joint {self.name}", [Fault(f"joint {self.name}", found, expected, remedy)])
+        actual = f"{chain}: no rule says what {subject} forbid where the joint closes a loop"
+        return InputError(f"joint {self.name}", [Fault(f"joint {self.name}", actual, expected, remedy)])
 
     # -- landmarks -----------------------------------------------------------------------------------------------------
 
@@ -289,10 +289,10 @@ class Joint:
         axes = [axis for axis, _ in self.sliding] or [axis for axis in self.turning if axis is not None]
         yield from self.landmarks_with("axis", *axes[:1], *axes[-1:])
 
-    def landmarks_with(self, what: str, *directions: Direction) -> Iterator[tuple[str, Point, dict[str, Any]]]:
+    def landmarks_with(self, label: str, *directions: Direction) -> Iterator[tuple[str, Point, dict[str, Any]]]:
         """Yield its two points with a direction at each, or none."""
         for i, (place, point) in enumerate((("parent", self.parent), ("child", self.child))):
-            yield place, point, {what: apply(point.axes, directions[i].unit)} if directions else {}
+            yield place, point, {label: apply(point.axes, directions[i].unit)} if directions else {}
 
     # -- faults --------------------------------------------------------------------------------------------------------
 

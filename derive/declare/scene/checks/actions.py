@@ -21,9 +21,9 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
     for effect in scene.effects:
         yield from effect.faults(scene)
         yield from _state_faults(scene, effect)
-    for what, count in Counter(effect.only for effect in scene.effects if effect.only).items():
+    for subject, count in Counter(effect.only for effect in scene.effects if effect.only).items():
         if count > 1:
-            yield Fault(what, str(count), "one", "Leave out the others, or sum up in one what they do.")
+            yield Fault(subject, str(count), "one", "Leave out the others, or sum up in one what they do.")
     if not scene.mechanism.freedoms:
         yield Fault("effects", "no joint that can move", "at least one joint that is free to move",
                     "A robot without joints that move can float: from_urdf(..., base='floating').")  # fmt: skip
@@ -47,21 +47,21 @@ def _state_faults(scene: Scene, effect: Effect) -> Iterator[Fault]:
 
 def start_faults(scene: Scene) -> Iterator[Fault]:
     """Yield faults of positions and speeds given to coordinates not free, and of a missing arm."""
-    for given, ports in (("position", "coordinates"), ("near", "coordinates"), ("speed", "speeds")):
+    for quantity, ports in (("position", "coordinates"), ("near", "coordinates"), ("speed", "speeds")):
         of_joints = [freedom.key for freedom in scene.free if freedom.kind != "ball" and getattr(freedom, ports)]
         full = [port.name for freedom in scene.free for port in getattr(freedom, ports)]
         short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
-        if given == "near":  # whole turns are counted from there
+        if quantity == "near":  # whole turns are counted from there
             of_joints += scene.mechanism.wrapped
             full += [scene.scalars[key].coordinates[0].name for key in scene.mechanism.wrapped]
-        for name in getattr(scene.start, given):
+        for name in getattr(scene.start, quantity):
             if name not in (*of_joints, *full):
                 closing = name.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
                 driven = "driven, its motion is the drive's" if name in scene.driven else "unknown"
                 why = "closes a loop, its motion follows" if closing else driven
                 yield Fault(
                     "start",
-                    f"{given} of joint {name!r} ({why})",
+                    f"{quantity} of joint {name!r} ({why})",
                     one_of((*of_joints, *short), "nothing, because no joint is free"),
                 )
     yield from _seat_faults(scene)
@@ -83,7 +83,7 @@ def _seat_faults(scene: Scene) -> Iterator[Fault]:
     wrong = [f"{pair.name} ({pair.kind})" for pair in pairs if not pair.journal]
     wrong += [f"{pair.name} (no contact)" for pair in pairs if pair.journal and pair.name not in touching]
     if wrong or not pairs:
-        found = f"seated with {', '.join(wrong)}" if wrong else "seated without a pair that has clearance"
+        actual = f"seated with {', '.join(wrong)}" if wrong else "seated without a pair that has clearance"
         yield Fault(
-            "start", found, expected, "Without seated=True journals start centred, other pairs as the start says."
+            "start", actual, expected, "Without seated=True journals start centred, other pairs as the start says."
         )

@@ -41,7 +41,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     wrong_types = tuple(shape_faults(scene)) or tuple(scene_type_faults(scene))
     if wrong_types:
         return tuple(dict.fromkeys(wrong_types))
-    found: list[Fault] = [
+    faults: list[Fault] = [
         *length_faults(scene),
         *topology_faults(scene.mechanism),
         *effect_faults(scene),
@@ -50,7 +50,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         *_wording_faults(scene),
     ]
     parameters, broken = declared(scene)
-    found.extend(broken)
+    faults.extend(broken)
     sound = sound_of(parameters, broken)
     table = dimensions_of(sound)
     settled: set[tuple[Any, ...]] = set()  # sound quantities, each checked once: many pairs share theirs
@@ -58,23 +58,23 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         key = slot.value, slot.unit, slot.limit
         if type(slot) is Slot and isinstance(slot.value, sp.Basic) and key in settled:
             continue
-        before = len(found)
+        before = len(faults)
         if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
             continue
         if isinstance(slot, Posed):
-            found.extend(posed_faults(slot, table))
+            faults.extend(posed_faults(slot, table))
         elif isinstance(slot, Varying):
-            found.extend(expression_faults(slot, scene, table, partial(quantity_faults, table=table)))
+            faults.extend(expression_faults(slot, scene, table, partial(quantity_faults, table=table)))
         else:
-            found.extend(quantity_faults(slot, table))
-        found.extend(rate_faults(slot))
-        if len(found) == before and type(slot) is Slot and isinstance(slot.value, sp.Basic):
+            faults.extend(quantity_faults(slot, table))
+        faults.extend(rate_faults(slot))
+        if len(faults) == before and type(slot) is Slot and isinstance(slot.value, sp.Basic):
             settled.add(key)
-    found.extend(curve_faults(_curves(scene), parameters))
-    found.extend(inertia_faults(scene.mechanism, sound))
-    found.extend(table_faults(_expressions(scene)))
-    found.extend(input_faults(_expressions(scene), parameters))
-    return tuple(dict.fromkeys(found))
+    faults.extend(curve_faults(_curves(scene), parameters))
+    faults.extend(inertia_faults(scene.mechanism, sound))
+    faults.extend(table_faults(_expressions(scene)))
+    faults.extend(input_faults(_expressions(scene), parameters))
+    return tuple(dict.fromkeys(faults))
 
 
 def _curves(scene: Scene) -> Iterator[tuple[str, Any]]:
@@ -96,15 +96,15 @@ def _parts(scene: Scene) -> Iterator[tuple[str, tuple[Any, ...]]]:
 def _wording_faults(scene: Scene) -> Iterator[Fault]:
     """Faults of texts that cannot be printed, and of names in laws."""
     yield from text_faults("scene, summary", scene.summary)
-    seen: set[int] = set()
+    checked: set[int] = set()
     for effect in scene.effects:
         yield from text_faults(f"effect {effect.name}, text", effect.text)
-        for law in (bound.law for bound in effect.laws if id(bound.law) not in seen):
-            seen.add(id(law))
+        for law in (bound.law for bound in effect.laws if id(bound.law) not in checked):
+            checked.add(id(law))
             where = f"law {law.name}"
             yield from name_faults("law", law.name)
-            for what in ("title", "source", "note", "repair", "fitted_in"):
-                yield from text_faults(f"{where}, {what}", getattr(law, what))
+            for attribute in ("title", "source", "note", "repair", "fitted_in"):
+                yield from text_faults(f"{where}, {attribute}", getattr(law, attribute))
             for symbol in law.symbols():
                 yield from name_faults(where, symbol.name)
                 yield from text_faults(f"{where}, {symbol.name}", getattr(symbol, "meaning", ""))

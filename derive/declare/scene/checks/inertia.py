@@ -58,8 +58,8 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
 def _is_sound(body: Body, sound: dict[str, Parameter]) -> bool:
     """Whether the quantities of a body are numbers or sound parameters."""
     rows = body.inertia if isinstance(body.inertia, tuple) and body.has_products else (body.moments,)
-    given = (body.mass, *body.centre, *(value for row in rows for value in row))
-    return all(is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v)) for v in given)
+    quantities = (body.mass, *body.centre, *(value for row in rows for value in row))
+    return all(is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v)) for v in quantities)
 
 
 def tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
@@ -80,12 +80,12 @@ def tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
         return
     values = sorted(principal([[default_value(value) for value in row] for row in J]))
     least, middle, most = values
-    found = f"principal values {', '.join(f'{value:.4g}' for value in values)} kg m^2"
+    actual = f"principal values {', '.join(f'{value:.4g}' for value in values)} kg m^2"
     if body.has_products and not least > ROUNDING * most:
-        yield Fault(where, found, "three positive ones",
+        yield Fault(where, actual, "three positive ones",
                     "J_xy is -integral of x y dm. A slender rod lies along an axis of its frame, (0, J, J); a turned point carries it.")  # fmt: skip
     elif least > 0 and most > (least + middle) * (1 + ROUNDING):
-        yield Fault(where, found, "none larger than the sum of the others, as J_z = integral of (x^2 + y^2) dm <= J_x + J_y",
+        yield Fault(where, actual, "none larger than the sum of the others, as J_z = integral of (x^2 + y^2) dm <= J_x + J_y",
                     "No distribution of mass has these: see the values, and the signs of the products, J_xy = -integral of x y dm.")  # fmt: skip
 
 

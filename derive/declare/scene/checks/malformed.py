@@ -43,33 +43,37 @@ def shape_faults(scene: Scene) -> Iterator[Fault]:
     yield from _all("effects", scene.effects, EFFECT, _is_effect)
     if not hasattr(scene.scales, "length"):
         yield Fault("scales", shown(scene.scales), "Scales(length=..., speed=...)")
-    if not all(hasattr(start, what) for what in ("position", "near", "speed")):
+    if not all(hasattr(start, attribute) for attribute in ("position", "near", "speed")):
         yield Fault("start", shown(start), "Start(position={...}, speed={...})")
         return
     if not isinstance(getattr(start, "seated", False), bool):
         yield Fault("start, seated", shown(start.seated), "True or False")
-    for what in ("position", "near", "speed"):
-        values = getattr(start, what)
+    for attribute in ("position", "near", "speed"):
+        values = getattr(start, attribute)
         if not isinstance(values, Mapping) or not all(isinstance(name, str) for name in values):
             example = '"guide": Parameter(...)'
-            yield Fault(f"start, {what}", shown(values), f"values by the name of a coordinate or joint, {{{example}}}")
+            yield Fault(
+                f"start, {attribute}", shown(values), f"values by the name of a coordinate or joint, {{{example}}}"
+            )
 
 
 def _is_effect(effect: Any) -> bool:
     return isinstance(effect, Effect) and is_dataclass(effect) and hasattr(effect, "kind")
 
 
-def _all(what: str, records: Any, expected: str, fits: Callable[[Any], bool]) -> Iterator[Fault]:
+def _all(label: str, records: Any, expected: str, fits: Callable[[Any], bool]) -> Iterator[Fault]:
     """Faults of a value that should be a tuple of records of one kind."""
     if not isinstance(records, tuple):
-        yield Fault(what, shown(records), f"a tuple; each entry is {expected}", "A tuple of one has a comma: (entry,).")
+        yield Fault(
+            label, shown(records), f"a tuple; each entry is {expected}", "A tuple of one has a comma: (entry,)."
+        )
         return
     for record in records:
         if isinstance(record, type) or not fits(record):
-            yield Fault(what, shown(record), expected)
+            yield Fault(label, shown(record), expected)
             continue
-        yield from _texts(f"{what.removesuffix('s')} {record.name}" if isinstance(record.name, str) else what, record)
-        yield from _changing(f"{what.removesuffix('s')} {record.name}", record)
+        yield from _texts(f"{label.removesuffix('s')} {record.name}" if isinstance(record.name, str) else label, record)
+        yield from _changing(f"{label.removesuffix('s')} {record.name}", record)
 
 
 def _texts(where: str, record: Any) -> Iterator[Fault]:

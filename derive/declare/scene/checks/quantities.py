@@ -23,28 +23,28 @@ if TYPE_CHECKING:
 
 def declared(scene: Scene) -> tuple[dict[str, Parameter], list[Fault]]:
     """Parameters by name, and the faults of their declarations."""
-    seen: dict[str, Parameter] = {}
-    found: list[Fault] = []
+    parameters: dict[str, Parameter] = {}
+    faults: list[Fault] = []
     for parameter in (p for slot in scene.declarations() for p in parameters_of(slot.value)):
         where = f"parameter {parameter.name}"
-        if seen.setdefault(parameter.name, parameter) != parameter:
-            found.append(Fault(where, "two different parameters of this name", "names that are unique",
+        if parameters.setdefault(parameter.name, parameter) != parameter:
+            faults.append(Fault(where, "two different parameters of this name", "names that are unique",
                                "Share one Parameter object, or rename one."))  # fmt: skip
-        found.extend(parameter.faults())
-    readable = [p for p in seen.values() if not any(fault.where == f"parameter {p.name}" for fault in found)]
+        faults.extend(parameter.faults())
+    readable = [p for p in parameters.values() if not any(fault.where == f"parameter {p.name}" for fault in faults)]
     for parameter in readable:
-        found.extend(_exponent_faults(parameter, seen))
-    return seen, found
+        faults.extend(_exponent_faults(parameter, parameters))
+    return parameters, faults
 
 
-def _exponent_faults(parameter: Parameter, seen: dict[str, Parameter]) -> Iterator[Fault]:
+def _exponent_faults(parameter: Parameter, parameters: dict[str, Parameter]) -> Iterator[Fault]:
     for name in parameter.parsed_unit.free_names:
-        where, found = f"parameter {parameter.name}", f"unit {parameter.unit} with the exponent {name}"
-        if name not in seen:
-            yield Fault(where, found, "a parameter of the scene as exponent",
+        where, actual = f"parameter {parameter.name}", f"unit {parameter.unit} with the exponent {name}"
+        if name not in parameters:
+            yield Fault(where, actual, "a parameter of the scene as exponent",
                         f"Declare Parameter({name!r}, '1', ...) and use it.")  # fmt: skip
-        elif seen[name].unit != "1":
-            yield Fault(where, f"{found}, which is in {seen[name].unit}", "an exponent whose unit is 1")
+        elif parameters[name].unit != "1":
+            yield Fault(where, f"{actual}, which is in {parameters[name].unit}", "an exponent whose unit is 1")
 
 
 def sound_of(parameters: dict[str, Parameter], broken: list[Fault]) -> dict[str, Parameter]:
@@ -92,11 +92,11 @@ def rate_faults(slot: Slot) -> Iterator[Fault]:
     """
     declared = parse_unit(slot.unit)
     for term in sp.Add.make_args(sp.sympify(slot.value)) if is_number(slot.value) else ():
-        what = -term if term.could_extract_minus_sign() else term
-        if isinstance(what, Parameter):
-            name, text = what.name, what.unit
-        elif isinstance(what, Spline) and what.args[2] == 0 and not any(what.args[0].faults()):
-            name, text = str(what.args[0]), what.args[0].units[1]
+        node = -term if term.could_extract_minus_sign() else term
+        if isinstance(node, Parameter):
+            name, text = node.name, node.unit
+        elif isinstance(node, Spline) and node.args[2] == 0 and not any(node.args[0].faults()):
+            name, text = str(node.args[0]), node.args[0].units[1]
         else:
             continue
         unit = parse_unit(text)

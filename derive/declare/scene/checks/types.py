@@ -41,15 +41,15 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
             if isinstance(place, Point):
                 yield from _is(where, "body", place.body, Body | Ground, "a Body or GROUND")
                 yield from _point(where, place)
-        for what, values in pair.triples.items():
-            yield from _three(f"{where}, {what}", values)
+        for label, values in pair.triples.items():
+            yield from _three(f"{where}, {label}", values)
     for where, direction in directions(scene):
         yield from direction_faults(where, direction)
 
 
-def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
+def _is(where: str, label: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
     if not isinstance(value, kind):
-        yield Fault(f"{where}, {what}", repr(value), expected)
+        yield Fault(f"{where}, {label}", repr(value), expected)
 
 
 def _point(where: str, point: Point) -> Iterator[Fault]:

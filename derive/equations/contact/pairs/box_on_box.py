@@ -49,8 +49,8 @@ class BoxOnBox(Pair):
     @property
     def sizes(self) -> dict[str, dict[str, Any]]:
         """Sizes along the axes of each box [m]."""
-        given = {which: {axis: getattr(self, f"{which}_{axis}") for axis in "xyz"} for which in ("first", "second")}
-        return {which: {axis: v for axis, v in of.items() if v is not None} for which, of in given.items()}
+        sizes = {which: {axis: getattr(self, f"{which}_{axis}") for axis in "xyz"} for which in ("first", "second")}
+        return {which: {axis: v for axis, v in of.items() if v is not None} for which, of in sizes.items()}
 
     @property
     def dimensions(self) -> int:
@@ -142,16 +142,16 @@ class BetweenBoxes(Touch):
         turning = [part for body in bodies for part in kin.angular_velocity(body)]
         turning_rate = [part for body in bodies for part in kin.motion(body).angular_acceleration]
         stacked = {"pose": [*self.apart, *axes, *still], "rate": [*rates, *turning], "second": [*second, *turning_rate]}
-        return tuple(tape.block(Stacked(*v), f"{boxes.name}_{what}", len(v), METRE) for what, v in stacked.items())
+        return tuple(tape.block(Stacked(*v), f"{boxes.name}_{label}", len(v), METRE) for label, v in stacked.items())
 
-    def _features(self, order: int, what: str, *dimensions: Dimension) -> list[Any]:
+    def _features(self, order: int, suffix: str, *dimensions: Dimension) -> list[Any]:
         """Gap, penetration, normal and point of the features, or as many of their rates, on the tape."""
         boxes = self.pair.whole
-        found = Features(sp.Integer(boxes.dimensions), sp.Integer(self.pair.slot), *self._pose[: order + 1])
-        vector = self.tape.block(found, f"{self.pair.name}_features{what}", 8, METRE)
+        features = Features(sp.Integer(boxes.dimensions), sp.Integer(self.pair.slot), *self._pose[: order + 1])
+        vector = self.tape.block(features, f"{self.pair.name}_features{suffix}", 8, METRE)
         names = ("gap", "penetration", *(f"{of}_{axis}" for of in ("normal", "arm") for axis in "xyz"))
         return [
-            self.let(Entry(vector, k), f"{name}{what}", of)
+            self.let(Entry(vector, k), f"{name}{suffix}", of)
             for k, (name, of) in enumerate(zip(names, dimensions, strict=False))
         ]
 

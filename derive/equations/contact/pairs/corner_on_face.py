@@ -48,10 +48,10 @@ class CornerOnFace(Pair):
     def faults(self) -> Iterator[Fault]:
         """A face that ends needs a direction in it, and a length."""
         if (self.along is None) != (self.length is None):
-            found = (
+            actual = (
                 "a length without a direction along the face" if self.along is None else "a direction without a length"
             )
-            yield Fault(f"pair {self.name}", found, "both, for a face that ends, or neither")
+            yield Fault(f"pair {self.name}", actual, "both, for a face that ends, or neither")
         if self.along is not None:
             normal, along_face = ([default_value(part) for part in axis.unit] for axis in (self.normal, self.along))
             cosine = sum(a * b for a, b in zip(normal, along_face, strict=True))
@@ -96,15 +96,15 @@ class BoundedFace(Touch):
         beyond = Where(way > 0, way, -way) - sp.sympify(self.pair.length) / 2
         return way > 0, self.let(beyond, "beyond")
 
-    def _nearest(self, face: Any, end: Any, what: str) -> Any:
+    def _nearest(self, face: Any, end: Any, label: str) -> Any:
         """Choose between values for the face and for its end, by which the corner is nearer to."""
         if self._ends is None:
             return face
-        return self.let(Where(self._height > self._ends[1], face, end), what)
+        return self.let(Where(self._height > self._ends[1], face, end), label)
 
-    def _outwards(self, value: Any, what: str) -> Any:
+    def _outwards(self, value: Any, label: str) -> Any:
         """Component along the face towards the nearer end."""
-        return 0 if self._ends is None else self.let(Where(self._ends[0], value, -value), what)
+        return 0 if self._ends is None else self.let(Where(self._ends[0], value, -value), label)
 
     @cached_property
     def gap(self) -> Any:

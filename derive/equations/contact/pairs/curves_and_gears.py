@@ -88,11 +88,11 @@ class BetweenCurves(CurveTouch):
 
     def faults(self, length: float) -> Iterator[Fault]:
         """Yield also the fault of a first curve whose Z is not the second's."""
-        found = list(super().faults(length))
-        yield from found
+        faults = list(super().faults(length))
+        yield from faults
         axes = self.kin.axes_of(self.first)
         z = self._on.local(tuple(row[2] for row in axes), "first_z")
-        if not found and z[2] != 1:
+        if not faults and z[2] != 1:
             yield Fault(f"pair {self.pair.name}", f"a Z of the first curve's place of {z[2]} along the second's", "the same Z, 1",
                         "Turn the first place: body.at(...).turned(axis, angle); a mirrored curve is another curve.")  # fmt: skip
 
@@ -145,16 +145,16 @@ class OutlineOnOutline(OnSolidCurve):
             return (self,)
         one, two = self.curves
         tips = [((tip,), ()) for tip in one.tips] + [((), (tip,)) for tip in two.tips]
-        given = one, self.first, two, self.second, self.curvature_radius, self.length
+        arguments = one, self.first, two, self.second, self.curvature_radius, self.length
         return tuple(
-            TipOnOutline(f"{self.name}_{k}", *given, whole=self.name, tips=tip) for k, tip in enumerate(tips, 1)
+            TipOnOutline(f"{self.name}_{k}", *arguments, whole=self.name, tips=tip) for k, tip in enumerate(tips, 1)
         )
 
     def faults(self) -> Iterator[Fault]:
         """Yield faults of what is no outline, and of two holes."""
-        for what, curve in zip(("first", "second"), self.curves, strict=True):
+        for which, curve in zip(("first", "second"), self.curves, strict=True):
             if not isinstance(curve, Outline):
-                yield Fault(f"pair {self.name}, {what} outline", f"{curve!r:.80}", "an Outline(name, start, pieces)")
+                yield Fault(f"pair {self.name}, {which} outline", f"{curve!r:.80}", "an Outline(name, start, pieces)")
         yield from hole_faults(self)
 
 
@@ -199,9 +199,9 @@ class GearMesh(Pair):
         if any(self.faults()):
             return (self,)
         sides = (one.left, two.left), (one.right, two.right)
-        given = self.curvature_radius, self.length
+        arguments = self.curvature_radius, self.length
         return tuple(
-            Flanks(f"{self.name}_{2 * row + k}", a, self.first, b, self.second, *given, whole=self, row=row)
+            Flanks(f"{self.name}_{2 * row + k}", a, self.first, b, self.second, *arguments, whole=self, row=row)
             for row in range(1 + self.sharing)
             for k, (a, b) in enumerate(sides, 1)
         )
@@ -210,10 +210,10 @@ class GearMesh(Pair):
         """Yield the faults of both gears' teeth."""
         if not isinstance(self.sharing, bool):
             yield Fault(f"pair {self.name}, sharing", repr(self.sharing), "True or False")
-        for what, teeth in (("first", self.first_teeth), ("second", self.second_teeth)):
+        for which, teeth in (("first", self.first_teeth), ("second", self.second_teeth)):
             if not isinstance(teeth, InvoluteTeeth):
                 yield Fault(
-                    f"pair {self.name}, {what} teeth", f"{teeth!r:.80}", "an InvoluteTeeth(name, module, teeth, ...)"
+                    f"pair {self.name}, {which} teeth", f"{teeth!r:.80}", "an InvoluteTeeth(name, module, teeth, ...)"
                 )
             elif not all(is_number(slot.value) for slot in teeth.slots()):
                 yield from (

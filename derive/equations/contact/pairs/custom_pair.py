@@ -50,15 +50,15 @@ class CustomPair(Pair):
     @property
     def geometry(self) -> dict[str, Any]:
         """Radius and length, if given."""
-        given = {"R_eff": self.radius, "R_min": self.radius, "L": self.length}
-        return {name: value for name, value in given.items() if value is not None}
+        sizes = {"R_eff": self.radius, "R_min": self.radius, "L": self.length}
+        return {name: value for name, value in sizes.items() if value is not None}
 
     def slots(self) -> Iterator[Slot]:
         """Yield the expressions and the places."""
         yield Posed(f"pair {self.name}, gap", self.gap, "m")
-        for what, values, unit in (("normal", self.normal, "1"), ("contact point", self.contact_point, "m")):
+        for label, values, unit in (("normal", self.normal, "1"), ("contact point", self.contact_point, "m")):
             for axis, value in zip("xyz", values, strict=True):
-                yield Posed(f"pair {self.name}, {what}, {axis}", value, unit)
+                yield Posed(f"pair {self.name}, {label}, {axis}", value, unit)
         yield from super().slots()
 
     def touch(self, kinematics: Kinematics) -> Touch:
@@ -81,10 +81,10 @@ class CustomTouch(Touch):
     def _stated(self, value: Any) -> Any:
         return as_choice(value).xreplace(self._pose)
 
-    def _in_ground(self, components: Any, what: str) -> Vector:
+    def _in_ground(self, components: Any, label: str) -> Vector:
         x, y, z = (self._stated(value) for value in components)
-        local = self.named((x, y, z), f"local_{what}")
-        return self.named(apply(self.kin.axes_of(self.second), local), what)
+        local = self.named((x, y, z), f"local_{label}")
+        return self.named(apply(self.kin.axes_of(self.second), local), label)
 
     @cached_property
     def gap(self) -> Any:

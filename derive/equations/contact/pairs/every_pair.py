@@ -60,5 +60,5 @@ def _faults(where: str, spheres: Any, places: list[Any] | None, radius: Any) -> 
         elif (first := firsts.setdefault(place, i)) != i:
             yield Fault(f"{where}, sphere {i}", f"the place of sphere {first}", "a place of its own", "List it once.")
     if all(isinstance(place, Point) for place in places) and (count := len({place.body for place in places})) < 2:
-        found = f"{len(places)} spheres on {count} bodies"
-        yield Fault(f"{where}, spheres", found, "spheres on two bodies or more")
+        actual = f"{len(places)} spheres on {count} bodies"
+        yield Fault(f"{where}, spheres", actual, "spheres on two bodies or more")

@@ -37,12 +37,12 @@ class OnSolidCurve(Pair):
     @property
     def geometry(self) -> dict[str, Any]:
         """Radius of relative curvature and length, where given."""
-        given = {
+        sizes = {
             "R_eff": self._field("curvature_radius"),
             "R_min": self._field("curvature_radius"),
             "L": self._field("length"),
         }
-        return {name: value for name, value in given.items() if value is not None}
+        return {name: value for name, value in sizes.items() if value is not None}
 
     def _field(self, name: str) -> Any:
         return getattr(self, name, None)

@@ -115,8 +115,8 @@ class SphereOnFace(SphereOnSolid):
         """A direction along the face must be square to its normal."""
         cosine = sum(default_value(a * b) for a, b in zip(self.normal.unit, self.along.unit, strict=True))
         if abs(cosine) > 1e-9:
-            found = f"a direction at a cosine of {cosine:.3g} to the normal"
-            yield Fault(f"pair {self.name}, along", found, "one square to it")
+            actual = f"a direction at a cosine of {cosine:.3g} to the normal"
+            yield Fault(f"pair {self.name}, along", actual, "one square to it")
 
     def off(self, p: Vector) -> Vector:
         """Vector from the nearest point of the plate [m]."""
@@ -256,19 +256,19 @@ class NearestPoint(Touch):
         Along the axes of the second place. A face that the motion cannot near is none, as those beside a plane of motion.
         """
         faces = [(self.let(depth, "depth"), normal) for depth, normal in self.pair.within(self._local)]
-        found = [face for face in faces if self.tape.rate(face[0], f"{self.pair.name}_depth_rate") != 0]
-        if not found:
+        candidates = [face for face in faces if self.tape.rate(face[0], f"{self.pair.name}_depth_rate") != 0]
+        if not candidates:
             return None
-        (least, normal), *others = found
+        (least, normal), *others = candidates
         for depth, other in others:
             nearer = depth < least
             normal = self._either(nearer, other, normal, "way_out")
             least = self.let(Where(nearer, depth, least), "least_depth")
         return least, normal
 
-    def _either(self, condition: Any, a: Vector, b: Vector, what: str) -> Vector:
+    def _either(self, condition: Any, a: Vector, b: Vector, label: str) -> Vector:
         x, y, z = (one if one == two else Where(condition, one, two) for one, two in zip(a, b, strict=True))
-        return self.named((x, y, z), what)
+        return self.named((x, y, z), label)
 
     @cached_property
     def _length(self) -> Any:
