@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  # functions beside the module's
 
 
-class Model(plain.Model):
+class Model(plain.EngineModel):
     """Model of a scene that can be simulated and drawn, as `load` returns it.
 
     `module` is any target of `load`; `declaration` is its origin, where it is a generated module that has one.
@@ -94,7 +94,7 @@ class Model(plain.Model):
 def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
     """Return the faults of arguments of a wrong type."""
     faults: list[Fault] = []
-    if not isinstance(target, str | Path | ModuleType | plain.Model) and not hasattr(target, "mechanism"):
+    if not isinstance(target, str | Path | ModuleType | plain.EngineModel) and not hasattr(target, "mechanism"):
         expected = "the name of a built-in scene, a Python file, a Scene, a Model or a generated module"
         faults.append(Fault("target", shown(target), expected))
     if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
@@ -107,7 +107,7 @@ def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list
     return faults
 
 
-Target: TypeAlias = "str | Path | Scene | ModuleType | plain.Model"
+Target: TypeAlias = "str | Path | Scene | ModuleType | plain.EngineModel"
 """Target of every function: a built-in scene by name, FILE.py, FILE.py:NAME, package.module:NAME, or the object itself.
 
 A file holds a scene or is a generated module.
@@ -132,7 +132,7 @@ def load(
     if faults:
         raise InputError("load", faults)
     varied = bool(without or laws or coordinates is not None)
-    if isinstance(target, plain.Model):
+    if isinstance(target, plain.EngineModel):
         return _varied(target, without, laws or {}, coordinates) if varied else _public(target)
     if isinstance(target, str) and not varied and target.isidentifier():
         name = f"hertzwerk.generated.{target}"
@@ -151,7 +151,9 @@ def load(
     return Model(build.build(build.vary(scene, without, laws, coordinates), source), plain.Declaration(scene, *how))
 
 
-def _varied(model: plain.Model, without: Sequence[str], laws: Mapping[str, str], coordinates: str | None) -> Model:
+def _varied(
+    model: plain.EngineModel, without: Sequence[str], laws: Mapping[str, str], coordinates: str | None
+) -> Model:
     """Return the model of a variation of a model's scene, its inputs with their values; raises InputError."""
     of = model.declared_for("without, laws or coordinates")
     gone, changed = (*of.without, *without), {**dict(of.laws), **laws}
@@ -159,7 +161,7 @@ def _varied(model: plain.Model, without: Sequence[str], laws: Mapping[str, str],
     return found.with_signals({name: signal for name, signal in model.signals.items() if name in found.inputs})
 
 
-def _public(model: plain.Model) -> Model:
+def _public(model: plain.EngineModel) -> Model:
     """Return a model with histories and pictures, which shares everything that is built."""
     if isinstance(model, Model):
         return model

@@ -143,7 +143,7 @@ def simulate(
 
 
 def solve(
-    model: plain.Model,
+    model: plain.EngineModel,
     settings: Settings,
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
@@ -162,7 +162,7 @@ def solve(
 
 
 def solving(
-    model: plain.Model,
+    model: plain.EngineModel,
     settings: Settings,
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
@@ -262,7 +262,7 @@ def _solution_of(
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Solution(plain_solution.Solution):
+class Solution(plain_solution.EngineSolution):
     """Result of a run, as `simulate` returns it, with continuation, derivatives, plots and drawings.
 
     derivatives    by the names that `simulate(..., sensitivities=...)` was given, None without

@@ -11,7 +11,7 @@ from hertzwerk.runtime.cli.target_options import assignments, with_inputs
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.cli.stop_signals import Stopping
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.simulation import Solution
 
 REMEDY = "leave it out: a run goes on as it began"
@@ -106,7 +106,7 @@ def _laws(texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
 
 def _differences(
     before: Solution,
-    model: Model,
+    model: EngineModel,
     request: Mapping[str, Any],
     target: str | None,
     *,
@@ -150,7 +150,7 @@ def _differences(
     return faults + _value_differences(before, model, assignments("--set", settings, faults))
 
 
-def _value_differences(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
+def _value_differences(before: Solution, model: EngineModel, values: Mapping[str, str]) -> list[Fault]:
     """Return faults for parameters and initial states that differ from the run's."""
     from hertzwerk.runtime.engine.run.continuation import parameters_of
     from hertzwerk.runtime.engine.start.start_values import split_values

@@ -23,13 +23,13 @@ from hertzwerk.runtime.system.versions import versions
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.engine.solution.averages import Average
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 PICTURED = 24  # pairs up to which each gets a picture
 CSV_LIMIT = 50e6  # bytes: larger files are written only on request
 
 
-def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
+def summary(solution: EngineSolution, *, averages: bool = False) -> dict[str, Any]:
     """Return the content of `run --json`: plain numbers in SI, null for missing ones.
 
     averages: include them.
@@ -66,13 +66,13 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
     }
 
 
-def _derivatives(solution: Solution) -> Sensitivities | None:
+def _derivatives(solution: EngineSolution) -> Sensitivities | None:
     """Return the derivatives that were requested of a run."""
     found: Sensitivities | None = getattr(solution, "derivatives", None)
     return found
 
 
-def record(solution: Solution) -> dict[str, Any]:
+def record(solution: EngineSolution) -> dict[str, Any]:
     """Return the content of `run.json`: the summary, and everything needed to repeat the run."""
     model = solution.model
     return {
@@ -135,7 +135,7 @@ class Written:
 
 
 def write(
-    solution: Solution,
+    solution: EngineSolution,
     out: Path | None,
     *,
     plots: bool,
@@ -200,7 +200,7 @@ class _Never:
 class _Extras:
     """Files made from the data of a run that are written already."""
 
-    solution: Solution
+    solution: EngineSolution
     written: Written
     stop: Stopping
 
@@ -293,7 +293,9 @@ class _Extras:
         return written.files, written.missing
 
 
-def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapping[str, Any] | None) -> list[str]:
+def _write_data(
+    solution: EngineSolution, folder: Path, lost: list[str], request: Mapping[str, Any] | None
+) -> list[str]:
     """Write states.npz and run.json, either one if the other fails; raises OSError if both fail."""
     files: list[str] = []
     errors: list[OSError] = []
@@ -312,7 +314,7 @@ def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapp
     return files
 
 
-def _write_derivatives(solution: Solution, path: Path) -> None:
+def _write_derivatives(solution: EngineSolution, path: Path) -> None:
     """Write the derivatives of every state and normal force, by each name, over the run's rows."""
     of = _derivatives(solution)
     if of is None:
@@ -329,7 +331,7 @@ def _write_derivatives(solution: Solution, path: Path) -> None:
 
 
 def _text(
-    solution: Solution, lost: Sequence[str], request: Mapping[str, Any] | None, averages: Sequence[Average] = ()
+    solution: EngineSolution, lost: Sequence[str], request: Mapping[str, Any] | None, averages: Sequence[Average] = ()
 ) -> bytes:
     content = record(solution)
     content |= {"averages": [asdict(average) for average in averages]} if averages else {}

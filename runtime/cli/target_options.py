@@ -16,11 +16,11 @@ from hertzwerk.derive.common.faults import Fault, InputError
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.run.run_request import Settings
     from hertzwerk.runtime.simulation import Solution
 
-AnyModel = TypeVar("AnyModel", bound="Model")
+AnyModel = TypeVar("AnyModel", bound="EngineModel")
 SET = click.option(
     "--set",
     "settings",
@@ -162,7 +162,7 @@ class Variation:
         names = [each.name for each in fields(cls) if each.name in options]
         return cls(target, **{name: options.pop(name) for name in names})
 
-    def model(self, faults: list[Fault], others: Callable[[], list[Fault]] = list) -> Model:
+    def model(self, faults: list[Fault], others: Callable[[], list[Fault]] = list) -> EngineModel:
         """Return the model of the varied scene.
 
         Raises InputError with the faults found before and, as names of parameters and states cannot be checked then,
@@ -261,7 +261,7 @@ def with_inputs(
 
 
 def _at_rest(
-    model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: list[Fault]
+    model: EngineModel, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: list[Fault]
 ) -> Mapping[str, Value]:
     """Return the initial states of an equilibrium; raises InputError where there is none."""
     from hertzwerk.runtime.analysis.statics.equilibrium import equilibrium

@@ -33,7 +33,7 @@ from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.export.export_request import ExportRequest
 
 ALL = (
@@ -69,7 +69,7 @@ class Functions:
     names: tuple[str, ...]
 
 
-def functions(model: Model, made: Integrator, outputs: Sequence[str], name: str) -> Functions:
+def functions(model: EngineModel, made: Integrator, outputs: Sequence[str], name: str) -> Functions:
     """Generate the functions of a model's export; raises InputError for an output that none can give."""
     counting, joints = tally(model), model.joints
     engine = made.model  # without what its constraints repeat
@@ -99,7 +99,7 @@ def functions(model: Model, made: Integrator, outputs: Sequence[str], name: str)
     return Functions("\n".join([_alone(c_text(listed, name)), *absent]), work, tuple(found))
 
 
-def observed(model: Model, made: Integrator, outputs: Sequence[str]) -> Any:
+def observed(model: EngineModel, made: Integrator, outputs: Sequence[str]) -> Any:
     """Build the function (state, controls, p) -> values of histories; raises InputError."""
     given, (at, run) = made.layouts.symbols("state controls")
     (p,) = model.symbols("p")
@@ -126,7 +126,7 @@ def observed(model: Model, made: Integrator, outputs: Sequence[str]) -> Any:
     return ca.Function("observed", [*given, p], [ca.cse(ca.vertcat(ca.SX(0, 1), *values))])
 
 
-def _least_margin(model: Model, made: Integrator) -> Any:
+def _least_margin(model: EngineModel, made: Integrator) -> Any:
     """Build the function (state, controls) -> least margin of the reactions that loads depend on."""
     given, (at, run) = made.layouts.symbols("state controls")
     margins = flow(model).settling.call([at["t"], at["y"], at["mode"], at["m"], run["c"]])[0]  # type: ignore[union-attr]
@@ -314,7 +314,7 @@ def _constants(found: Contents, work: Mapping[str, int]) -> str:
     return "\n".join(["", *lines])
 
 
-def _limits(model: Model) -> list[tuple[str, float, float, int]]:
+def _limits(model: EngineModel) -> list[tuple[str, float, float, int]]:
     """Return (parameter, lower, upper, which are open) of the limits within which a model is defined."""
     return [
         (name, -np.inf if low is None else low, np.inf if high is None else high, left + 2 * right)

@@ -26,7 +26,7 @@ from hertzwerk.runtime.output.tables.history_meanings import meaning_of
 from hertzwerk.runtime.simulation import solve
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.export.export_request import ExportRequest
 
 IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,62}")
@@ -56,7 +56,7 @@ class Contents:
     loops            unit of each constraint that the start closes, those of closed clearances last
     """
 
-    model: Model
+    model: EngineModel
     made: Integrator
     parameters: tuple[Row, ...]
     starts: tuple[Row, ...]
@@ -145,7 +145,7 @@ def contents(request: ExportRequest) -> Contents:
     )
 
 
-def _refused(model: Model, method: str, initial: Collection[str]) -> list[Fault]:
+def _refused(model: EngineModel, method: str, initial: Collection[str]) -> list[Fault]:
     """Return the faults of what an export cannot have."""
     faults = []
     if method in SUNDIALS:
@@ -160,7 +160,7 @@ def _refused(model: Model, method: str, initial: Collection[str]) -> list[Fault]
     return faults
 
 
-def _outputs(model: Model, further: Sequence[str]) -> tuple[str, ...]:
+def _outputs(model: EngineModel, further: Sequence[str]) -> tuple[str, ...]:
     """Return the names of the outputs: histories of every run that are no states, then others."""
     states = {"t", *model.units, *model.inputs}
     pairs = [pair for *_, pair in model.slips if pair != NO_PAIR]
@@ -169,7 +169,7 @@ def _outputs(model: Model, further: Sequence[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*(n for n in units_of(model, None) if n not in states | left), *further)))
 
 
-def _rows(model: Model, names: Sequence[str], values: Sequence[float] | None = None) -> tuple[Row, ...]:
+def _rows(model: EngineModel, names: Sequence[str], values: Sequence[float] | None = None) -> tuple[Row, ...]:
     units = units_of(model, None)
     found = values if values is not None else np.zeros(len(names))
     return tuple(

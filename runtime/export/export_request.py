@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from hertzwerk.runtime.engine.model.binding import Value
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.signal import constant
 from hertzwerk.runtime.engine.run.run_request import Settings
 
-AnyModel = TypeVar("AnyModel", bound=Model)
+AnyModel = TypeVar("AnyModel", bound=EngineModel)
 
 
 def with_zero_inputs(model: AnyModel) -> AnyModel:
@@ -28,7 +28,7 @@ class ExportRequest:
     fmi        version of FMI
     """
 
-    model: Model
+    model: EngineModel
     parameters: Mapping[str, Value]
     initial: Mapping[str, Value]
     settings: Settings

@@ -37,7 +37,7 @@ def incline() -> Any:
     )
     from hertzwerk.derive.laws import hunt_crossley, power, smooth_coulomb
     from hertzwerk.runtime.engine.model.build import build
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
     radius, speed = Parameter("radius", "m", 0.1), Parameter("speed", "m/s", START)
     depth = Parameter("static_depth", "m", (PRESS / STIFFNESS) ** (2 / 3))
@@ -68,4 +68,4 @@ def incline() -> Any:
         start=Start(position={"tilt": -Parameter("slope", "rad", SLOPE), "up": radius - depth}, speed={"along": speed}),
         scales=Scales(length=Parameter("length_scale", "m", 0.1), speed=speed, arm=radius),
     )
-    return Model(build(scene))
+    return EngineModel(build(scene))

@@ -10,7 +10,7 @@ from hertzwerk.runtime import simulate
 from hertzwerk.runtime.analysis.hard_cases import invariants, runner
 from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Source, final
 from hertzwerk.runtime.analysis.hard_cases.tried_steps import TRIES
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.history import History
 
 BALL = Source("bouncing_ball")
@@ -37,7 +37,7 @@ def changed(**functions):
     module.__dict__.update(vars(original))
     for name, change in functions.items():
         module.__dict__[name] = change(getattr(original, name))
-    return Model(module)
+    return EngineModel(module)
 
 
 def with_rows(run, change):

@@ -37,7 +37,7 @@ from hertzwerk.derive import (  # fmt: skip
     laws,
 )
 from hertzwerk.derive import Body as RigidBody
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from reference.body_on_plane import Body, Motion, motions, program
 
 SEED, GRAVITY, RUB_SPEED = 20261124, 9.81, 1e-3
@@ -244,7 +244,7 @@ def given(body: Body) -> dict[str, dict[str, float]]:
     return {"parameters": parameters, "initial": start}
 
 
-def run(body: Body, friction: str = "coulomb", **request: Any) -> Solution:
+def run(body: Body, friction: str = "coulomb", **request: Any) -> EngineSolution:
     """Simulate a body in the virtual machine."""
     made = model(body.plane, body.damping, body.exponent, friction)
     named = given(body)
@@ -255,7 +255,7 @@ def run(body: Body, friction: str = "coulomb", **request: Any) -> Solution:
     return simulate(made, duration=body.duration, compiled=False, **named, **request)
 
 
-def truth_of(motion: Motion, found: Solution, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def truth_of(motion: Motion, found: EngineSolution, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return differences of a run's rows from the truth, and rates of the truth, both scaled.
 
     (rows, n) each. The truth has its states at these rows' times; angle and sign of the quaternion are as in the run.
@@ -297,7 +297,7 @@ def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> np.ndarray:
     return np.minimum(off((low + high) / 2), off(np.zeros(len(apart))))
 
 
-def error_of_impacts(motion: Motion, found: Solution) -> float:
+def error_of_impacts(motion: Motion, found: EngineSolution) -> float:
     """Return the largest error of onset times, by length over approach speed, and of approach speeds, by the scene's.
 
     Of contacts on which run and truth agree by order; one that only one of them has counts by its approach speed.
@@ -369,7 +369,7 @@ def judged(
     requests: Sequence[float] = REQUESTS,
     *,
     smooth: bool = True,
-    made: Callable[..., Solution] = run,
+    made: Callable[..., EngineSolution] = run,
     **more: Any,
 ) -> Iterator[Finding]:
     """Yield what comes of each request for a body, over the whole run; `made` makes a run as `run` does."""
@@ -405,7 +405,7 @@ def judged(
         yield Finding(body, accuracy, outcome.name, worst, estimate, off, *counts, seconds, remark, doubles)
 
 
-def _in_doubles(body: Body, found: Solution, rows: np.ndarray) -> Iterator[float]:
+def _in_doubles(body: Body, found: EngineSolution, rows: np.ndarray) -> Iterator[float]:
     """Yield the largest error of each run of the oracle in double precision that ends, at rows of a run of the engine."""
     for k in range(DRAWS):
         pair = [

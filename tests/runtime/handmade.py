@@ -8,7 +8,7 @@ from collections.abc import Callable
 import casadi as ca
 
 from hertzwerk.runtime.engine.model.generated_text import with_tables
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 Law = Callable[..., object]
 
@@ -21,7 +21,7 @@ def point(
     stored: Law | None = None,
     in_range: Law = lambda d: 1,
     floor: float = 1e-3,
-) -> Model:
+) -> EngineModel:
     """law(d, v, v0) [N] with v the speed of approach; push(t, x, v) [N] everything else; scales of length, speed, force, energy."""
     module = with_tables(
         NAME="point",
@@ -59,4 +59,4 @@ def point(
     if stored:
         module.ledger = lambda t, q, u, reactions, c: 0 * t
         module.energy = lambda t, q, u, c: (u * u / 2, 0 * q, ca.if_else(q < 0, stored(-q), 0))
-    return Model(module)
+    return EngineModel(module)

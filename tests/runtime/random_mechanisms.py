@@ -46,7 +46,7 @@ from hertzwerk.derive import (  # fmt: skip
     laws,
 )
 from hertzwerk.runtime import load
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 SEED = 20261126
 
@@ -65,7 +65,7 @@ class Drawn:
     """A mechanism and its runs."""
 
     name: str
-    model: Callable[[], Model]
+    model: Callable[[], EngineModel]
     draws: list[Draw]
 
 
@@ -94,12 +94,12 @@ class Dice:
         self.ranges[name] = (low, high, unit)
         return Parameter(name, unit, self.spread(low, high))
 
-    def parameters(self, model: Model) -> dict[str, str]:
+    def parameters(self, model: EngineModel) -> dict[str, str]:
         """Values of those parameters that a model has."""
         values = {name: f"{self.spread(low, high)!r} {unit}" for name, (low, high, unit) in self.ranges.items()}
         return {name: value for name, value in values.items() if name in model.parameters}
 
-    def speeds(self, model: Model, turning: float, moving: float) -> dict[str, str]:
+    def speeds(self, model: EngineModel, turning: float, moving: float) -> dict[str, str]:
         """Start of the speeds of a model [rad/s, m/s], up to these sizes."""
         limits, units = {"rad/s": turning, "m/s": moving}, {name: model.units[name] for name in model.speeds}
         return {name: f"{self.uniform(-limits[unit], limits[unit])!r} {unit}" for name, unit in units.items()}

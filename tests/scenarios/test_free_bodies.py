@@ -208,13 +208,13 @@ def test_friction_turns_a_free_ball_by_what_it_takes_from_its_flight(method):
 
 
 def test_a_run_on_quaternions_is_saved_read_and_drawn(tmp_path):
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.output.plots.curves import Curves
 
     run = simulate(
         pendulum(lambda bob: Spherical("pin", GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2}, tolerance=1e-6
     )
-    read = Solution.load(run.save(tmp_path / "run.npz"))
+    read = EngineSolution.load(run.save(tmp_path / "run.npz"))
     assert np.array_equal(read["pin.angular_acceleration_z"], run["pin.angular_acceleration_z"])
     assert run.history.units["pin.angular_acceleration_z"] == "rad/s^2"
     shown = [("pin.q1", "pin.angular_speed_x", "pin.angular_acceleration_x")]

@@ -19,10 +19,10 @@ from hertzwerk.runtime.engine.solution.dense_output import Samples
 from hertzwerk.runtime.engine.solution.history import acceleration_of, unknown_histories
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.averages import Average
     from hertzwerk.runtime.engine.solution.history import History
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 WAY_SAMPLES = 10_000  # for the length of a path, which has cusps
 PAST_HORIZON = ("mean_peak_force",)  # more useful beyond the horizon than the largest of all
@@ -43,14 +43,14 @@ class Output:
     meaning: str
     of: Callable[[Samples], float | None]
     of_histories: tuple[str, ...] = ()
-    half_width: Callable[[Solution], float | None] | None = None
+    half_width: Callable[[EngineSolution], float | None] | None = None
 
-    def missing(self, run: Solution) -> str:
+    def missing(self, run: EngineSolution) -> str:
         """Return the histories a run lacks for this output; empty if none."""
         return ", ".join(name for name in self.of_histories if name not in run.history.units)
 
 
-def automatic(run: Solution) -> tuple[Output, ...]:
+def automatic(run: EngineSolution) -> tuple[Output, ...]:
     """Return the default outputs of a scene; those in PAST_HORIZON are for runs that part."""
     model = run.model
     chosen = list(named(run))
@@ -59,7 +59,7 @@ def automatic(run: Solution) -> tuple[Output, ...]:
     return tuple(chosen)
 
 
-def named(run: Solution) -> tuple[Output, ...]:
+def named(run: EngineSolution) -> tuple[Output, ...]:
     """Return the outputs with a name of their own that apply to a scene."""
     model, units = run.model, run.history.units
     speeds = _of_one_kind(model, model.speeds, "m/s")
@@ -83,27 +83,27 @@ def named(run: Solution) -> tuple[Output, ...]:
     return tuple(found)
 
 
-def averaged(run: Solution) -> tuple[Output, ...]:
+def averaged(run: EngineSolution) -> tuple[Output, ...]:
     """Return the averages of a run as outputs, each with the interval of its own blocks."""
     return tuple(_average(average) for average in run.averages())
 
 
 def _average(average: Average) -> Output:
-    def found(run: Solution) -> Average | None:
+    def found(run: EngineSolution) -> Average | None:
         return next((other for other in run.averages() if other.name == average.name), None)
 
     def mean(samples: Samples) -> float | None:
         there = found(samples.run)
         return None if there is None else there.mean
 
-    def half_width(run: Solution) -> float | None:
+    def half_width(run: EngineSolution) -> float | None:
         there = found(run)
         return None if there is None else there.half_width
 
     return Output(average.name, average.unit, "mean after the transient", mean, half_width=half_width)
 
 
-def chosen(run: Solution, texts: Sequence[str]) -> tuple[tuple[Output, ...], list[Fault]]:
+def chosen(run: EngineSolution, texts: Sequence[str]) -> tuple[tuple[Output, ...], list[Fault]]:
     """Return the outputs of these names, and faults for unknown ones."""
     own = {output.name: output for output in (*named(run), *averaged(run))}
     found: dict[str, Output] = {}
@@ -120,13 +120,13 @@ def chosen(run: Solution, texts: Sequence[str]) -> tuple[tuple[Output, ...], lis
     return tuple(found.values()), faults
 
 
-def unknown_outputs(model: Model, texts: Sequence[str]) -> list[Fault]:
+def unknown_outputs(model: EngineModel, texts: Sequence[str]) -> list[Fault]:
     """Return the faults of outputs that need histories no run of the model has."""
     parts = (text.partition(".") for text in texts)
     return unknown_histories(model, [name for kind, _, name in parts if kind in _KINDS and name])
 
 
-def _of_history(run: Solution, kind: str, name: str) -> Output:
+def _of_history(run: EngineSolution, kind: str, name: str) -> Output:
     meaning, of = _KINDS[kind]
     return Output(f"{kind}.{name}", run.history.units[name], f"{meaning} {name}", lambda s: of(s, name), (name,))
 
@@ -182,7 +182,7 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
     return fine.integral(speeds)
 
 
-def _coordinates(model: Model) -> list[str]:
+def _coordinates(model: EngineModel) -> list[str]:
     """Return the coordinates that travel, else those that turn, else the quaternions' vector parts.
 
     Only those with a speed of their own.
@@ -192,5 +192,5 @@ def _coordinates(model: Model) -> list[str]:
     return _of_one_kind(model, free, "m")
 
 
-def _of_one_kind(model: Model, names: Sequence[str], wanted: str) -> list[str]:
+def _of_one_kind(model: EngineModel, names: Sequence[str], wanted: str) -> list[str]:
     return [name for name in names if model.units[name] == wanted] or list(names)

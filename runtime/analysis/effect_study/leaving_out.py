@@ -27,16 +27,16 @@ from hertzwerk.runtime.analysis.effect_study.scene_cost import cost_of, shares
 from hertzwerk.runtime.analysis.effect_study.smallest_scene import smallest
 from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.model.binding import Value
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, is_real, progress_faults
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, load
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 CORRECTIONS = 20  # Gauss-Newton iterations of the positions
 AGREE = 1e-9  # relative: largest difference of equal poses and their rates
@@ -45,7 +45,9 @@ HOPELESS = 6.0
 _SMALLEST = ""  # no effect has this name
 
 
-def driven_start(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:
+def driven_start(
+    run: EngineSolution, model: EngineModel, parameters: Mapping[str, Value]
+) -> dict[str, tuple[float, str]]:
     """Return the additional coordinates and speeds of a scene so that every body starts as in a run.
 
     The others start as in the run. Empty where there are none, and where bodies cannot start so.
@@ -82,7 +84,7 @@ def _flat(results: Sequence[Any]) -> list[np.ndarray]:
 
 
 @per_model
-def _motion(model: Model) -> Any:
+def _motion(model: EngineModel) -> Any:
     """Build the CasADi function (t, q, u, c) -> poses of all bodies, and their rates."""
     t, q, u, c = symbols = model.symbols("t q u c")
     poses = ca.vertcat(*model.function("poses")(t, q, c))
@@ -91,7 +93,7 @@ def _motion(model: Model) -> Any:
 
 
 @per_model
-def _motion_of_joints(model: Model) -> Any:
+def _motion_of_joints(model: EngineModel) -> Any:
     """Build the function (t, q, u, c), q and u of joints -> poses, their rates, derivatives by q and u."""
     t, q, u, c = symbols = model.symbols("t joints joint_speeds c")
     placed = (q, u) if model.joints is model else model.function("placed")(t, q, u, c)
@@ -196,8 +198,8 @@ def study_effects(
 
 
 def _outputs(
-    whole: Model, bench: Bench, names: Sequence[str], before: Sequence[Fault], compiled: Compiled
-) -> tuple[tuple[Output, ...], Solution]:
+    whole: EngineModel, bench: Bench, names: Sequence[str], before: Sequence[Fault], compiled: Compiled
+) -> tuple[tuple[Output, ...], EngineSolution]:
     """Return the outputs to be compared and the run they were found in.
 
     Raises InputError with `before` and all faults of names and values.
@@ -212,7 +214,7 @@ def _outputs(
     return outputs, run
 
 
-def leave_out(whole: Model, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], Model]:
+def leave_out(whole: EngineModel, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], EngineModel]:
     """Return a scene without some of its effects and those that depend on them.
 
     Such as friction without its contact. Raises InputError where the fault is of no effect.
@@ -234,13 +236,13 @@ class _Trials:
     """Scenes without some effects, measured against the whole one."""
 
     bench: Bench
-    run: Solution  # of the whole scene
+    run: EngineSolution  # of the whole scene
     outputs: tuple[Output, ...]
     measured: Measurement
     cases: dict[frozenset[str], Case] = field(default_factory=dict)
 
     @property
-    def whole(self) -> Model:
+    def whole(self) -> EngineModel:
         """The whole scene."""
         return self.run.model
 

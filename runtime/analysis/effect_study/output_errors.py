@@ -22,14 +22,14 @@ from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.caller import Rowwise
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import WIDTH
 from hertzwerk.runtime.engine.run.run_request import TOLERANCES, Compiled, Settings, check, is_real
 from hertzwerk.runtime.engine.solution import error_scales
 from hertzwerk.runtime.engine.solution.dense_output import Samples
 from hertzwerk.runtime.engine.solution.outcome import Outcome
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start.start_values import split_values
 from hertzwerk.runtime.simulation import simulate
 
@@ -71,7 +71,7 @@ class Measurement:
 class Case:
     """Scene to be run; start: coordinates and speeds in place of its own."""
 
-    model: Model
+    model: EngineModel
     start: Mapping[str, tuple[float, str]] = field(default_factory=dict)
 
 
@@ -108,7 +108,7 @@ class Bench:
         settings = Settings(self.duration, None, self.tolerance, self.method, compiled)
         check(case.model, settings, *self._known(case.model), before)
 
-    def simulate(self, case: Case, eighths: int = 0, **options: Any) -> Solution:
+    def simulate(self, case: Case, eighths: int = 0, **options: Any) -> EngineSolution:
         """Run a case once; raises InputError, and KeyboardInterrupt where it was stopped."""
         given = {**options, "duration": self.duration, "method": self.method, "tolerance": self.tolerance_of(eighths)}
         parameters, initial = self._known(case.model)
@@ -117,16 +117,16 @@ class Bench:
             raise KeyboardInterrupt
         return run
 
-    def parameters(self, model: Model) -> dict[str, Value]:
+    def parameters(self, model: EngineModel) -> dict[str, Value]:
         """Return the values of parameters that a scene has."""
         return self._known(model)[0]
 
-    def _known(self, model: Model) -> tuple[dict[str, Value], dict[str, Value]]:
+    def _known(self, model: EngineModel) -> tuple[dict[str, Value], dict[str, Value]]:
         """Return the values that a scene has: parameters, initial states."""
         others, initial = split_values(model, self.values)
         return {name: value for name, value in others.items() if name in model.parameters}, initial
 
-    def unknown_of(self, model: Model) -> list[str]:
+    def unknown_of(self, model: EngineModel) -> list[str]:
         """Return the names of values that a scene does not have."""
         parameters, initial = self._known(model)
         return [name for name in self.values if name not in parameters and name not in initial]
@@ -136,7 +136,7 @@ class Bench:
         used: set[int] = set()
         failed: list[Outcome] = []
 
-        def finished(*tries: int) -> Solution | None:
+        def finished(*tries: int) -> EngineSolution | None:
             for eighths in tries:
                 used.add(eighths)
                 run = self.simulate(case, eighths, compiled=False)
@@ -180,13 +180,13 @@ class Bench:
         values = {name: value for name, value in found.items() if value is not None}
         return values if len(values) == len(found) else None
 
-    def _diverges(self, runs: Sequence[Solution]) -> bool:
+    def _diverges(self, runs: Sequence[EngineSolution]) -> bool:
         """Return whether runs at the coarsest and at the finest tolerance end in different states."""
         first, last = runs[0], runs[-1]
         ends = (run.history.part("y")[-1] for run in (first, last))
         return float(error_scales.error(first.model, last.scales, *ends)) > VALID
 
-    def same_motion(self, run: Solution, model: Model) -> bool:
+    def same_motion(self, run: EngineSolution, model: EngineModel) -> bool:
         """Return whether another scene has the accelerations of a run, to rounding, in every state of it.
 
         Then both move alike, whatever the runs say.
@@ -213,11 +213,11 @@ class Bench:
 
 
 @per_model
-def _rates(model: Model) -> Rowwise:
+def _rates(model: EngineModel) -> Rowwise:
     return Rowwise(model.with_pieces(flow(model).rates, 4), constant=4)
 
 
-def _number(output: Output, values: Sequence[float | None], finest: Solution, *, past: bool) -> Number | str:
+def _number(output: Output, values: Sequence[float | None], finest: EngineSolution, *, past: bool) -> Number | str:
     """Return an output from its values in the runs, those of the ladder first; or why there is none."""
     if any(value is None for value in values):
         return "there is nothing to measure"

@@ -11,7 +11,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.analysis.effect_study.output_errors import Bench, Case
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # as the header of a generated module counts them
 TRIES = 3  # runs of one round
@@ -36,7 +36,7 @@ class Cost:
         return Cost(*(here - there for here, there in zip(vars(self).values(), vars(other).values(), strict=True)))
 
 
-def cost_of(model: Model) -> Cost:
+def cost_of(model: EngineModel) -> Cost:
     """Return the cost of one evaluation of a model."""
     counts = dict(model.module.OPERATIONS)
     contact = sum(count for name, count in counts.items() if name.startswith("contact_"))

@@ -11,8 +11,8 @@ from hertzwerk.runtime.engine.integration.tableaux import methods
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 EXPLICIT, IMPLICIT, METHODS = tuple(methods.EXPLICIT), tuple(methods.IMPLICIT), tuple(methods.IN_GRAPH)
 REFERENCED = tuple(methods.METHODS)  # with SUNDIALS as an independent reference
@@ -28,16 +28,16 @@ class Source:
     without: tuple[str, ...] = ()
     laws: tuple[tuple[str, str], ...] = ()
 
-    def load(self) -> Model:
+    def load(self) -> EngineModel:
         """Return the model; derived, or from the cache, where it is not committed."""
-        from hertzwerk.runtime.engine.model.model import Model
+        from hertzwerk.runtime.engine.model.model import EngineModel
         from hertzwerk.runtime.loading import load
 
         if not self.hard:
             return load(self.scene, without=self.without, laws=dict(self.laws))
         from hertzwerk.runtime.engine.model.build import build_hard_scene
 
-        return Model(build_hard_scene(self.scene))
+        return EngineModel(build_hard_scene(self.scene))
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Known:
     """Quantity of a run with a known value: SI, allowed to be `within` of `expected`."""
 
     quantity: str
-    of: Callable[[Solution], float]
+    of: Callable[[EngineSolution], float]
     expected: float
     within: float
     unit: str
@@ -104,7 +104,7 @@ def impact(index: int, part: str, expected: float, within: float, source: str) -
     """Expect a field of an impact: t, speed, peak_force, peak_penetration, duration; NaN if missing."""
     unit = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}[part]
 
-    def of(run: Solution) -> float:
+    def of(run: EngineSolution) -> float:
         value = getattr(run.impacts[index], part) if index < len(run.impacts) else None
         return float("nan") if value is None else float(value)
 
@@ -129,7 +129,7 @@ def on_grid(
 ) -> Known:
     """Expect the value of a history at an output time [s] of a run that keeps only `times`."""
 
-    def of(run: Solution) -> float:
+    def of(run: EngineSolution) -> float:
         from hertzwerk.runtime.simulation import simulate
 
         kept = simulate(

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Known
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
     Array = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ class Measured:
         return self.value <= self.limit
 
 
-def measure(case: HardCase, method: str, run: Solution) -> tuple[Measured, ...]:
+def measure(case: HardCase, method: str, run: EngineSolution) -> tuple[Measured, ...]:
     """Return every invariant of the case on a run of it."""
     broken = sum(int(np.sum(~np.isfinite(run.history.part(part)))) for part in ("y", "dy", *PAIR_PARTS))
     found = [Measured(FINITE, broken, 0, "1", "entries of states, rates and contacts that are infinite or undefined")]
@@ -78,7 +78,7 @@ def measure(case: HardCase, method: str, run: Solution) -> tuple[Measured, ...]:
 class Energies:
     """Energies of a run [J], shape (rows,) each."""
 
-    def __init__(self, run: Solution) -> None:
+    def __init__(self, run: EngineSolution) -> None:
         self.run, history = run, run.history
         self.mode, self.stored = history.part("mode"), np.zeros((len(run.t), run.model.k))
         kinetic, potential, stored = history.map("energy", "t q u")
@@ -170,7 +170,7 @@ def _depth(energies: Energies, tolerance: float) -> Measured:
     return Measured(DEPTH, depth / bound, 1, "1", f"{depth:.4g} m of {bound:.4g} m at {pair}")
 
 
-def _depth_that_stores(run: Solution, row: int, j: int, energy: float) -> float:
+def _depth_that_stores(run: EngineSolution, row: int, j: int, energy: float) -> float:
     """Return the penetration of pair j [m] at which stored and potential energy together are `energy`.
 
     Reached from a row along the gap's gradient.
@@ -206,7 +206,7 @@ def _depth_that_stores(run: Solution, row: int, j: int, energy: float) -> float:
 
 
 @per_model
-def _gap_gradients(model: Model) -> Any:
+def _gap_gradients(model: EngineModel) -> Any:
     """Return the CasADi function (t, q, u, c) -> dG/dq (k, nq)."""
     t, q, u, c = (ca.SX.sym(name, size) for name, size in zip("tquc", (1, model.nq, model.nu, model.nc), strict=True))
     return ca.Function(
@@ -217,7 +217,7 @@ def _gap_gradients(model: Model) -> Any:
 # -- what is known -----------------------------------------------------------------------------------------------------
 
 
-def _known(known: Known, run: Solution) -> Measured:
+def _known(known: Known, run: EngineSolution) -> Measured:
     try:
         value = known.of(run)
     except ValueError:  # a time that the run did not reach

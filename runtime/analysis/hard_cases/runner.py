@@ -28,8 +28,8 @@ from hertzwerk.runtime.system.interrupt import raise_interrupts
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Source
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 FINER = 100  # ratio of a case's tolerance to that of a reference run
 FINEST = 1e-12  # least tolerance of a reference run
@@ -68,7 +68,7 @@ def broken(case: HardCase, outcome: str, measured: Sequence[Measured]) -> tuple[
     return (*other, *(row.name for row in measured if not row.holds))
 
 
-def solve(case: HardCase, method: str, *, compiled: Compiled) -> Solution:
+def solve(case: HardCase, method: str, *, compiled: Compiled) -> EngineSolution:
     """Run a case once; the independent references at a FINER tolerance, which for them is looser."""
     return simulate(
         model_of(case.source),
@@ -84,7 +84,7 @@ def solve(case: HardCase, method: str, *, compiled: Compiled) -> Solution:
 
 
 @cache
-def model_of(source: Source) -> Model:
+def model_of(source: Source) -> EngineModel:
     """Return the model of a case, loaded once."""
     return source.load()
 
@@ -94,7 +94,7 @@ def result(case: HardCase, method: str, *, native: bool = True) -> Result:
     return _judged(case, method, solve(case, method, compiled=False), native=native)
 
 
-def _judged(case: HardCase, method: str, run: Solution, *, native: bool) -> Result:
+def _judged(case: HardCase, method: str, run: EngineSolution, *, native: bool) -> Result:
     measured, compiled_wall_s = measure(case, method, run), None
     if native and method not in SUNDIALS and available():
         twin = solve(case, method, compiled=True)
@@ -109,7 +109,7 @@ def _judged(case: HardCase, method: str, run: Solution, *, native: bool) -> Resu
     )
 
 
-def same(run: Solution, twin: Solution) -> Measured:
+def same(run: EngineSolution, twin: EngineSolution) -> Measured:
     """Count the entries of two runs' rows that differ in any bit.
 
     All of them where the runs differ in length.

@@ -22,7 +22,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.solution.impacts import distances
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 Array = NDArray[np.float64]
 
@@ -56,7 +56,7 @@ class Balance:
 
 
 def balance(
-    model: Model, bound: BoundParameters, t: float, q: Array, closed: Array, multipliers: Array, mu: Array
+    model: EngineModel, bound: BoundParameters, t: float, q: Array, closed: Array, multipliers: Array, mu: Array
 ) -> Balance:
     """Evaluate the balance at q (nq,), with closed pairs (k,) [0 or 1], multipliers (nl,) and mu (n,)."""
     nu, nq, nl, k, n = model.nu, model.nq, model.nl, model.k, len(grip_pairs(model))
@@ -74,13 +74,13 @@ def balance(
     return Balance(force, loops, G, D, S, limit, -slopes @ moves, moves, gap, W, normal, in_range)
 
 
-def drift(model: Model, bound: BoundParameters, t: float, q: Array) -> tuple[Array, Array]:
+def drift(model: EngineModel, bound: BoundParameters, t: float, q: Array) -> tuple[Array, Array]:
     """Return the rates (nq,) of the coordinates at rest, and their derivatives (nq, nq) by q."""
     rates, change = _drift(model)(t, q, bound.c)
     return np.asarray(rates).reshape(model.nq), np.asarray(change).reshape(model.nq, model.nq)
 
 
-def drifting(model: Model, bound: BoundParameters, t: float, q: Array) -> dict[str, float]:
+def drifting(model: EngineModel, bound: BoundParameters, t: float, q: Array) -> dict[str, float]:
     """Return the rate of every state that goes on changing at rest, as a controller's integral.
 
     What only counts, as the time to a sample, is none of them: no force depends on it.
@@ -90,7 +90,7 @@ def drifting(model: Model, bound: BoundParameters, t: float, q: Array) -> dict[s
     return {model.coordinates[i]: float(rates[i]) for i in felt(model) if moving[i]}
 
 
-def followed(model: Model, bound: BoundParameters, t: float, q: Array) -> Array:
+def followed(model: EngineModel, bound: BoundParameters, t: float, q: Array) -> Array:
     """Return q (nq,) with states of effects at rest, as a motor's current, by Newton's method."""
     own, found = list(followers(model)), q.copy()
     for _ in range(FOLLOWED if own else 0):
@@ -102,12 +102,12 @@ def followed(model: Model, bound: BoundParameters, t: float, q: Array) -> Array:
     return found
 
 
-def grip_pairs(model: Model) -> tuple[int, ...]:
+def grip_pairs(model: EngineModel) -> tuple[int, ...]:
     """Return the pair of every grip: of set-valued friction, then of bristles."""
     return (*pairs_of(model), *(j for _, j in bristles_of(model)))
 
 
-def grip_names(model: Model) -> list[str]:
+def grip_names(model: EngineModel) -> list[str]:
     """Return the name of every grip: of a pair or an effect, then of the friction whose bristle it is."""
     return [
         *grips_of(model),
@@ -115,7 +115,7 @@ def grip_names(model: Model) -> list[str]:
     ]
 
 
-def sizes_of(model: Model, mu: Array) -> Array:
+def sizes_of(model: EngineModel, mu: Array) -> Array:
     """Return the size of each mu (n,): of a pair that may slide in two directions, that of all together."""
     found = np.abs(mu)
     for group in groups_of(grip_names(model)):
@@ -128,12 +128,12 @@ def gauge_of(mu: Array) -> float:
     return float(np.linalg.norm(mu)) if mu.size < 3 else float(measured()(mu))
 
 
-def along_of(model: Model, along: Array) -> Array:
+def along_of(model: EngineModel, along: Array) -> Array:
     """Return the generalised forces (nf, n) along the n tangents of a pair, from their sequence."""
     return along.reshape(-1, model.function("applied").numel_out(0)).T
 
 
-def memory_of(model: Model, mu: Array) -> Array:
+def memory_of(model: EngineModel, mu: Array) -> Array:
     """Return the memory z (nz,) at rest: the bristles deflected."""
     z = np.zeros(model.nz)
     for i, (row, _) in enumerate(bristles_of(model), model.ns):
@@ -141,21 +141,21 @@ def memory_of(model: Model, mu: Array) -> Array:
     return z
 
 
-def bristles_of(model: Model) -> Sequence[tuple[int, int]]:
+def bristles_of(model: EngineModel) -> Sequence[tuple[int, int]]:
     """Return the entry of the memory and the pair of every bristle or of its parts."""
     found: Sequence[tuple[int, int]] = model.module.BRISTLES
     return found
 
 
 @per_model
-def followers(model: Model) -> tuple[int, ...]:
+def followers(model: EngineModel) -> tuple[int, ...]:
     """Return the states, by coordinate, whose rates at rest depend on states: they come to rest."""
     _, (_, change) = _rates_at_rest(model)
     return tuple(sorted(set(change.sparsity().get_triplet()[0])))
 
 
 @per_model
-def felt(model: Model) -> tuple[int, ...]:
+def felt(model: EngineModel) -> tuple[int, ...]:
     """Return the coordinates, states among them, on which forces or rates at rest depend."""
     (t, q, c), (_, change) = _rates_at_rest(model)
     u, reactions = model.symbols("u reactions")
@@ -167,13 +167,13 @@ def felt(model: Model) -> tuple[int, ...]:
 
 
 @per_model
-def _drift(model: Model) -> Callers:
+def _drift(model: EngineModel) -> Callers:
     """Build the function (t, q, c) -> rates (nq) at rest, and their derivatives (nq, nq)."""
     arguments, results = _rates_at_rest(model)
     return Callers(ca.Function("drift", arguments, [ca.densify(x) for x in results]))
 
 
-def _rates_at_rest(model: Model) -> tuple[list[ca.SX], list[ca.SX]]:
+def _rates_at_rest(model: EngineModel) -> tuple[list[ca.SX], list[ca.SX]]:
     """Return the symbols t, q, c, and by them the rates (nq) at rest and their derivatives (nq, nq)."""
     t, q, c = model.symbols("t q c")
     rates = model.function("coordinate_rates")(t, q, ca.SX.zeros(model.nu), c)
@@ -181,7 +181,7 @@ def _rates_at_rest(model: Model) -> tuple[list[ca.SX], list[ca.SX]]:
 
 
 @per_model
-def _balance(model: Model) -> Callers:
+def _balance(model: EngineModel) -> Callers:
     """Build the function (t, q, closed, multipliers, mu, c) -> fields of `Balance`."""
     t, q, u, closed, multipliers, c, z = model.symbols("t q u mode multipliers c z")
     grips = grip_pairs(model)
@@ -231,7 +231,7 @@ def _balance(model: Model) -> Callers:
     return Callers(ca.Function("balance", arguments, [ca.densify(x) for x in ca.cse(at_rest)]))
 
 
-def limits(model: Model, bound: BoundParameters, at: Balance) -> Array:
+def limits(model: EngineModel, bound: BoundParameters, at: Balance) -> Array:
     """Return the limits of mu (n,): of friction forces [N], and of the deflection of bristles [m]."""
     found = at.limit.copy()
     if len(found) > model.ns:

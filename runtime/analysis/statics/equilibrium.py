@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 FOLLOWED = 100  # steps in which a start is followed to a later time
 TIME = "held_time"  # parameter: time at whose positions the drives are held
@@ -55,7 +55,7 @@ REPORTED = 1e-8  # part of the forces that counts as unbalanced
 
 
 @per_model
-def held(model: Model) -> Model:
+def held(model: EngineModel) -> EngineModel:
     """Return a model for statics: itself, or its scene by the joints' coordinates with every drive held.
 
     A held drive stands where it would be at the parameter `held_time`. Raises InputError for a model without its
@@ -68,12 +68,12 @@ def held(model: Model) -> Model:
     return load(replace(build.held(scene) if drives else scene, coordinates="tree"))
 
 
-def drives_of(model: Model) -> tuple[str, ...]:
+def drives_of(model: EngineModel) -> tuple[str, ...]:
     """Return the names of a model's drives."""
     return tuple(name for name, kind, _ in model.module.EFFECTS if kind == "drive")
 
 
-def parameters_at(model: Model, held: Model, parameters: Mapping[str, Value], t: float) -> dict[str, Value]:
+def parameters_at(model: EngineModel, held: EngineModel, parameters: Mapping[str, Value], t: float) -> dict[str, Value]:
     """Return parameters of a model as those of its held one at a time t [s]; raises InputError.
 
     A drive whose speed or acceleration is given is integrated: where it is at a later time is not known beforehand.
@@ -89,7 +89,7 @@ def parameters_at(model: Model, held: Model, parameters: Mapping[str, Value], t:
 
 
 def start_at(
-    model: Model, held: Model, given: Mapping[str, Value], initial: Mapping[str, Value], t: float
+    model: EngineModel, held: EngineModel, given: Mapping[str, Value], initial: Mapping[str, Value], t: float
 ) -> tuple[BoundParameters, Array]:
     """Return the numbers at a time t [s], and a position q (nq,) to search from; raises InputError.
 
@@ -107,7 +107,7 @@ def start_at(
     return held.bind(given), q
 
 
-def drive_units(held: Model) -> dict[str, str]:
+def drive_units(held: EngineModel) -> dict[str, str]:
     """Return the unit of what every drive of a held model supplies, in the order of the model's reactions."""
     if not drives_of(held) or held.declaration is None:
         return {}
@@ -133,7 +133,7 @@ class Equilibrium(Mapping[str, Value]):
                 balance: those of contacts from their stiffness, those of redundant constraints from nothing
     """
 
-    model: Model
+    model: EngineModel
     bound: BoundParameters = field(repr=False)
     t: float
     q: Array = field(repr=False)
@@ -148,7 +148,7 @@ class Equilibrium(Mapping[str, Value]):
     indifferent: tuple[str, ...]
     indeterminate: tuple[str, ...]
     residual: float
-    of: Model = field(repr=False)  # whose equilibrium was asked for
+    of: EngineModel = field(repr=False)  # whose equilibrium was asked for
 
     def __getitem__(self, name: str) -> Value:
         return self._values[name]
@@ -260,7 +260,7 @@ def equilibrium(
     an `initial` of `simulate`. Raises InputError for bad input and for nothing else: whether there is an equilibrium
     is `Equilibrium.outcome`.
     """
-    model: Model = load(target)
+    model: EngineModel = load(target)
     if model.rubbing:
         names = ", ".join(name for name, *_ in model.rubbing)
         why = "set-valued friction of joints, which holds them at rest wherever they stop"
@@ -287,7 +287,7 @@ def equilibrium(
         return _result(model, still, bound, t, search, rest)
 
 
-def inputs_at(model: Model, inputs: Mapping[str, Input] | None, t: float) -> Model:
+def inputs_at(model: EngineModel, inputs: Mapping[str, Input] | None, t: float) -> EngineModel:
     """Return a model whose inputs keep the values that they have at a time [s]; raises InputError."""
     if not model.inputs and inputs is None:
         return model
@@ -299,7 +299,7 @@ def inputs_at(model: Model, inputs: Mapping[str, Input] | None, t: float) -> Mod
     return model.with_signals({name: constant(value, f"{value:g}") for name, value in at.items()})
 
 
-def _time(model: Model, at: str | float) -> float:
+def _time(model: EngineModel, at: str | float) -> float:
     if at == 0 or at == "0":
         return 0.0
     faults: list[Fault] = []
@@ -309,7 +309,9 @@ def _time(model: Model, at: str | float) -> float:
     return t
 
 
-def _result(of: Model, model: Model, bound: BoundParameters, t: float, search: Search, rest: Rest) -> Equilibrium:
+def _result(
+    of: EngineModel, model: EngineModel, bound: BoundParameters, t: float, search: Search, rest: Rest
+) -> Equilibrium:
     at, grips = rest.balance, grip_names(model)
     touching = [j for j in range(model.k) if rest.closed[j]]
     held = np.where([grips.count(name) > 1 for name in grips], sizes_of(model, rest.mu), rest.mu)
@@ -339,7 +341,7 @@ def _shown(value: float, unit: str) -> str:
     return f"{value:.9g}" if unit == "1" else f"{value:.9g} {unit}"
 
 
-def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: Mapping[str, float]) -> Outcome:
+def _outcome(model: EngineModel, rest: Rest, indifferent: tuple[str, ...], drifting: Mapping[str, float]) -> Outcome:
     if rest.converged and indifferent:
         return Outcome("not_unique", f"at rest, with {', '.join(indifferent)} indifferent", "state them in `initial`")
     if rest.converged:
@@ -371,7 +373,7 @@ def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...], drifting: M
     return Outcome("no_equilibrium", f"{why}; unbalanced, of the forces: {', '.join(loose)}", remedy)
 
 
-def _least_stiffness(model: Model, search: Search, rest: Rest) -> tuple[float, tuple[str, ...]]:
+def _least_stiffness(model: EngineModel, search: Search, rest: Rest) -> tuple[float, tuple[str, ...]]:
     """Return the sign of the least stiffness of what can move, and the coordinates without any."""
     free = kernel(np.vstack([rest.balance.G, rest.balance.S[_sticks(model, rest)]]) * search.scale)
     stiffness = free.T @ (search.scale[:, None] * rest.balance.stiffness * search.scale) @ free
@@ -386,7 +388,7 @@ def _least_stiffness(model: Model, search: Search, rest: Rest) -> tuple[float, t
     return (0.0 if least >= -OPEN * float(sizes[0]) else -1.0), tuple(dict.fromkeys(found))
 
 
-def _indeterminate(model: Model, search: Search, rest: Rest) -> tuple[str, ...]:
+def _indeterminate(model: EngineModel, search: Search, rest: Rest) -> tuple[str, ...]:
     """Return constraints and closed contacts whose forces can be in balance among themselves."""
     at, sticks = rest.balance, _sticks(model, rest)
     touching = [j for j in range(model.k) if rest.closed[j]]
@@ -401,11 +403,11 @@ def _indeterminate(model: Model, search: Search, rest: Rest) -> tuple[str, ...]:
     )
 
 
-def _sticks(model: Model, rest: Rest) -> list[int]:
+def _sticks(model: EngineModel, rest: Rest) -> list[int]:
     return [i for i, j in enumerate(grip_pairs(model)) if rest.closed[j]]
 
 
-def _coordinates_of(model: Model, moves: Array) -> list[str]:
+def _coordinates_of(model: EngineModel, moves: Array) -> list[str]:
     """Return the coordinate that each speed moves, or the orientation that it turns."""
     found, turned = [], {i + k for i in model.quaternions for k in range(4)}
     for column in moves.T:
@@ -415,7 +417,7 @@ def _coordinates_of(model: Model, moves: Array) -> list[str]:
     return found
 
 
-def _drives(model: Model, bound: BoundParameters, t: float, rest: Rest) -> dict[str, float]:
+def _drives(model: EngineModel, bound: BoundParameters, t: float, rest: Rest) -> dict[str, float]:
     """Return what every drive supplies to hold its joint [N or N m]."""
     names = drive_units(model)
     if not names:

@@ -31,7 +31,7 @@ from hertzwerk.runtime.analysis.statics.balance import (
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import groups_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 Flags = NDArray[np.bool_]
 
@@ -73,7 +73,7 @@ class Rest:
 class Search:
     """Search for the rest of a model at a time; scale (nu,): displacements that count as one, length [m]."""
 
-    model: Model
+    model: EngineModel
     bound: BoundParameters
     t: float
     scale: Array = field(init=False)

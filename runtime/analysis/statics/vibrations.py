@@ -32,7 +32,7 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAI
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import read_duration
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start import start_values
 from hertzwerk.runtime.loading import Target
 
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 ZERO = 1e-7  # over the largest eigenvalue: below it is rounding of a freedom that nothing holds, a double one
 NO_DAMPING = 1e-12  # over the largest eigenvalue: smaller real parts are rounding
@@ -64,7 +64,7 @@ class Linearisation:
 
 
 def linearise(
-    model: Model, bound: BoundParameters, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array
+    model: EngineModel, bound: BoundParameters, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array
 ) -> Linearisation:
     """Linearise at a state, with modes (k,) of the pairs and latches and slips m (nm,)."""
     live = model.without_redundancy(start_values.dependent(model, bound, q))
@@ -98,14 +98,14 @@ def _independent(free: Array, blocks: Sequence[NDArray[np.int64]]) -> list[int]:
 
 
 @per_model
-def _jacobian(model: Model) -> Callers:
+def _jacobian(model: EngineModel) -> Callers:
     function = linearised(model)
     given = function.sx_in() if function.is_a("SXFunction") else function.mx_in()
     return Callers(ca.Function("jacobian", given, [ca.densify(function(*given)[0])]))
 
 
 @per_model
-def _relaxed(model: Model) -> Any:
+def _relaxed(model: EngineModel) -> Any:
     """Return the function (t, y, c, scale, scales) -> c with redundant constraints relaxed."""
     t, y, c = model.symbols("t y c")
     scale, scales = ca.SX.sym("scale", y.numel()), ca.SX.sym("scales", 4)
@@ -114,7 +114,7 @@ def _relaxed(model: Model) -> Any:
 
 
 def _conditions(
-    model: Model, bound: BoundParameters, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array, J: Array
+    model: EngineModel, bound: BoundParameters, t: float, q: Array, u: Array, z: Array, mode: Array, m: Array, J: Array
 ) -> Array:
     """Return the linear conditions (any, ny) on deviations of the state."""
     nq, nu, ny = model.nq, model.nu, len(J)
@@ -144,7 +144,7 @@ def _conditions(
 
 
 @per_model
-def _derivatives(model: Model) -> Callers:
+def _derivatives(model: EngineModel) -> Callers:
     """Build (t, q, u, z, m, c) -> derivatives of constraints, their rates, slips and coordinate rates."""
     t, q, u, _, _, c = given = model.symbols("t q u z m c")
     none = ca.SX(0, 1)
@@ -216,7 +216,7 @@ class Mode:
 class Modes(Sequence[Mode]):
     """Modes of a model at a state, by rising frequency, those that do not vibrate first."""
 
-    model: Model = field(repr=False)
+    model: EngineModel = field(repr=False)
     bound: BoundParameters = field(repr=False)
     t: float
     q: Array = field(repr=False)
@@ -316,7 +316,7 @@ class Modes(Sequence[Mode]):
 
 
 def modes(
-    target: Target | Equilibrium | Solution,
+    target: Target | Equilibrium | EngineSolution,
     *,
     at: str | float | None = None,
     parameters: Mapping[str, Value] | None = None,
@@ -335,7 +335,7 @@ def modes(
     that depend on the coordinates: a note names them. Raises InputError for bad input, and where there is no
     equilibrium.
     """
-    if isinstance(target, Solution):
+    if isinstance(target, EngineSolution):
         if any(given is not None for given in (parameters, initial, inputs)):
             raise InputError("modes", [Fault("parameters, initial", "values beside a run", "none: it has its own")])
         return _of_run(target, at)
@@ -361,7 +361,7 @@ def of_equilibrium(rest: Equilibrium) -> Modes:
     return _modes(model, rest.bound, rest.t, rest.q, still, rest.memory, mode, m, (*rest.notes, *notes))
 
 
-def _of_run(run: Solution, at: str | float | None) -> Modes:
+def _of_run(run: EngineSolution, at: str | float | None) -> Modes:
     """Return the modes of the equations frozen at a time of a run; raises InputError."""
     model, faults = run.model, list[Fault]()
     if run.history.integrator is None:
@@ -382,7 +382,7 @@ def _of_run(run: Solution, at: str | float | None) -> Modes:
 
 
 def _modes(
-    model: Model,
+    model: EngineModel,
     bound: BoundParameters,
     t: float,
     q: Array,

@@ -19,7 +19,7 @@ from hertzwerk.derive.common.units import parse_unit
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.free_impact import Trial
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Array = NDArray[np.float64]
 
@@ -173,14 +173,14 @@ def study(progress: Callable[[float], object] | None = None) -> Study:
 def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None) -> Curve:
     """Simulate one law over its grid, or over `given`."""
     from hertzwerk.runtime.engine.model.build import build
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
     impact = impact or Impact()
     takes_e = trial.recommended is not None
     if given is None:
         given = GRID if takes_e else OWN_GRID
     unit = 1.0 if takes_e else own_unit(trial, impact)
-    model = Model(build(trial.scene))
+    model = EngineModel(build(trial.scene))
     closed = [trial.closed(float(e)) for e in given] if takes_e else []
     at_one, at_zero = trial.limits
     law = trial.law
@@ -200,7 +200,7 @@ def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None
     )
 
 
-def simulated(model: Model, trial: Trial, value: float, impact: Impact) -> float:
+def simulated(model: EngineModel, trial: Trial, value: float, impact: Impact) -> float:
     """Return the simulated restitution out of one impact; nan where the bodies do not part.
 
     value: of the law's parameter, in SI.

@@ -12,7 +12,7 @@ from hertzwerk.derive.common.units import parse_unit, split_quantity
 from hertzwerk.runtime.analysis.validation.scenario import Check, Scenario, misfit, si
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Verdict:
         return f"{self.check.quantity} = {measured}, expected {self.expectation}: {self.check.source}"
 
 
-def run_scenario(scenario: Scenario) -> Solution:
+def run_scenario(scenario: Scenario) -> EngineSolution:
     """Simulate a scenario with its own numbers; raises InputError."""
     from hertzwerk.runtime.loading import load
     from hertzwerk.runtime.simulation import simulate
@@ -54,7 +54,7 @@ def run_scenario(scenario: Scenario) -> Solution:
     )
 
 
-def validate(scenario: Scenario, solution: Solution) -> tuple[Verdict, ...]:
+def validate(scenario: Scenario, solution: EngineSolution) -> tuple[Verdict, ...]:
     """Return the verdict of every check; raises InputError for unknown names or unfit units."""
     faults = [fault for check in scenario.checks if (fault := misfit(check, solution.history.units)) is not None]
     if faults:
@@ -62,7 +62,7 @@ def validate(scenario: Scenario, solution: Solution) -> tuple[Verdict, ...]:
     return tuple(_verdict(check, measure(solution, check.quantity)) for check in scenario.checks)
 
 
-def measure(solution: Solution, quantity: str) -> float | None:
+def measure(solution: EngineSolution, quantity: str) -> float | None:
     """Return the value of a check's quantity, SI; None where it does not exist.
 
     Such as an impact that did not happen, a duration still open, no ledger.

@@ -19,7 +19,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.error_scales import Scales
 
 Array = NDArray[np.float64]
@@ -38,7 +38,7 @@ KNOWN = 1e-6  # error of the reference up to which shortened runs are made
 class Problem:
     """Problem of a study: model, duration and numbers; called with the other arguments of `simulate`."""
 
-    model: Model
+    model: EngineModel
     duration: str | float | None
     parameters: Mapping[str, Value] = field(default_factory=dict)
     initial: Mapping[str, Value] = field(default_factory=dict)
@@ -143,7 +143,7 @@ def states(run: Solution, t: Array) -> Array:
     return np.hstack([history.part("y"), history.part("dy")])
 
 
-def difference(model: Model, scales: Scales, y: Array, reference: Array) -> Array:
+def difference(model: EngineModel, scales: Scales, y: Array, reference: Array) -> Array:
     """Return the error (n,) of states with rates (n, 2 ny), see `scales.error`."""
     (a, da), (b, db) = (np.split(part, 2, axis=-1) for part in (y, reference))
     return scaling.error(model, scales, a, b, da, db)

@@ -39,7 +39,7 @@ from hertzwerk.runtime.cli.terminal import (
 )
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.studies.comparison.comparison_request import ComparisonRequest
     from hertzwerk.runtime.studies.comparison.comparison_result import Compared
     from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated
@@ -179,7 +179,7 @@ def _compared(
 
 
 def _request(
-    model: Model, faults: list[Fault], *, measured: Any, columns: Sequence[str], noise: Sequence[str], **how: Any
+    model: EngineModel, faults: list[Fault], *, measured: Any, columns: Sequence[str], noise: Sequence[str], **how: Any
 ) -> ComparisonRequest | None:
     """Return what is compared; None with its faults appended."""
     from hertzwerk.runtime.engine.solution.history import units_of

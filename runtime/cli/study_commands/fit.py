@@ -26,7 +26,7 @@ from hertzwerk.runtime.cli.target_options import (
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, line, reports_bad_input
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.studies.fitting.fit_result import Fitted
     from hertzwerk.runtime.studies.fitting.law_ranking import Ranking
     from hertzwerk.runtime.studies.fitting.moments.moment_fit import FittedMoments
@@ -310,7 +310,7 @@ def _ranges(free: Sequence[str], faults: list[Fault]) -> dict[str, str | None]:
 
 
 def _arguments(
-    model: Model,
+    model: EngineModel,
     values: dict[str, str],
     inputs: dict[str, str],
     faults: list[Fault],

@@ -26,7 +26,7 @@ from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.inputs.sampled_functions import Unresolved, fault_of, sampled
 from hertzwerk.runtime.engine.inputs.time_series import BETWEEN, Samples
 from hertzwerk.runtime.engine.model.binding import Value, named_values, read_state
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.signal import DEGREE, Signal, constant
 from hertzwerk.runtime.engine.run.run_request import read_duration
 
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 Input: TypeAlias = Any
 """Value of an input, as this module's docstring lists them."""
 Duration: TypeAlias = str | float | None
-AnyModel = TypeVar("AnyModel", bound=Model)
+AnyModel = TypeVar("AnyModel", bound=EngineModel)
 HOW = r"(?P<how>\?[^:]*)?"
 COLUMN = re.compile(rf"(?P<file>[^?]+\.[A-Za-z]+){HOW}:(?P<column>[^:]+?)(?::(?P<between>\w+))?")
 FILE = re.compile(rf"(?P<file>[^?]+\.csv){HOW}", re.IGNORECASE)
@@ -45,7 +45,7 @@ FORMS = 'a value such as "0.5 N m", "FILE.csv:column", Samples(times, values, un
 
 
 def signals_of(
-    model: Model, inputs: Mapping[str, Input] | None, seconds: float, faults: list[Fault]
+    model: EngineModel, inputs: Mapping[str, Input] | None, seconds: float, faults: list[Fault]
 ) -> dict[str, Signal]:
     """Return the signals of a model's inputs; faults are appended.
 

@@ -18,12 +18,12 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.inputs.input_values import COLUMN, FILE, input_text, located, signal_of
 from hertzwerk.runtime.engine.model.binding import Value, read, read_state
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import si_of, si_text
 from hertzwerk.runtime.engine.model.signal import Signal
 
 SCALE = ".scale"
-AnyModel = TypeVar("AnyModel", bound=Model)
+AnyModel = TypeVar("AnyModel", bound=EngineModel)
 
 
 class Labels(tuple[str, ...]):
@@ -76,20 +76,20 @@ class Choices:
 NO_CHOICES = Choices()
 
 
-def units_of_inputs(model: Model) -> dict[str, str]:
+def units_of_inputs(model: EngineModel) -> dict[str, str]:
     """Return the SI unit text of what rows may have of inputs: each, and its factor."""
     units = {name: si_text(unit) for name, (unit, _) in model.inputs.items()}
     return {**units, **{f"{name}{SCALE}": "" for name in units}}
 
 
-def numbers_of(model: Model, values: Mapping[str, Value]) -> dict[str, float]:
+def numbers_of(model: EngineModel, values: Mapping[str, Value]) -> dict[str, float]:
     """Return the values of a row in SI, without the labels of choices."""
     labels = {name for name, value in values.items() if isinstance(value, str) and name in model.inputs}
     return {name: si_of(model, name, value) for name, value in values.items() if name not in labels}
 
 
 def read_choices(
-    model: Model, over: Mapping[str, Any], seconds: float, faults: list[Fault]
+    model: EngineModel, over: Mapping[str, Any], seconds: float, faults: list[Fault]
 ) -> tuple[dict[str, Any], Choices]:
     """Return what is varied with the labels of choices, and those; faults are appended.
 
@@ -118,7 +118,7 @@ def located_choices(given: Any, folder: Path) -> Any:
 
 
 def read_rows(
-    model: Model, rows: Sequence[Mapping[str, Any]], seconds: float
+    model: EngineModel, rows: Sequence[Mapping[str, Any]], seconds: float
 ) -> tuple[list[dict[str, Value]], Choices]:
     """Return the rows of many runs with labels, and their choices; raises InputError with every fault."""
     faults: list[Fault] = []

@@ -42,7 +42,7 @@ from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.system.interrupt import defer_interrupts
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.model.signal import Schedule
 
 GRID = 16  # points of a window
@@ -64,7 +64,7 @@ class Reference:
     window: tolerance -> integrators to all points of the window and to its end.
     """
 
-    model: Model
+    model: EngineModel
     layouts: Layouts
     window: Callable[[float], tuple[Any, Any]]
     ends: Any
@@ -72,7 +72,7 @@ class Reference:
     tally: Tally
 
 
-def reference(model: Model, layouts: Layouts, method: str) -> Reference:
+def reference(model: EngineModel, layouts: Layouts, method: str) -> Reference:
     """Build the integrators of a model with "cvodes" or "idas"."""
     right = written_flow(model)
     sizes = {"t": 1, "h": 1, "mode": model.k, "m": model.nm, "c": model.nc, "scale": layouts.trial.sizes["y"]}

@@ -17,7 +17,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.generated_text import text_of
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 CONTACTS, MOTION = "contact_readings", "readings"  # functions of the module
@@ -27,7 +27,7 @@ ARGUMENTS = {CONTACTS: "t q u z m friction c", MOTION: "t q u a touching multipl
 class Rows(Protocol):
     """Protocol of a run's histories as readings need them: states by rows, and what holds there."""
 
-    model: Model
+    model: EngineModel
     rows: np.ndarray
     p: np.ndarray | None
 
@@ -74,7 +74,7 @@ class Readings:
 
 
 @per_model
-def readings_of(model: Model) -> Readings:
+def readings_of(model: EngineModel) -> Readings:
     """Derive the readings of a model; raises InputError for one without its scene."""
     module = model.reading_module()
     states = (*model.coordinates, *model.speeds, *model.memory)
@@ -88,7 +88,7 @@ def readings_of(model: Model) -> Readings:
 class Units(dict[str, str]):
     """SI unit text of histories by name: those of every run are listed, readings found on request."""
 
-    def __init__(self, listed: Mapping[str, str], model: Model) -> None:
+    def __init__(self, listed: Mapping[str, str], model: EngineModel) -> None:
         super().__init__(listed)
         self._model = model
 
@@ -189,14 +189,14 @@ def _mapped(history: Rows, asked: Reading, given: Mapping[str, np.ndarray]) -> n
 
 
 @per_model
-def _constants(model: Model) -> Callable[..., list[np.ndarray]]:
+def _constants(model: EngineModel) -> Callable[..., list[np.ndarray]]:
     p = ca.SX.sym("p", len(model.parameters))
     function = ca.Function("constants", [p], [ca.densify(readings_of(model).module.constants(p))])
     return lambda values: [np.array(function(values)).ravel()]
 
 
 @per_model
-def _function(model: Model, name: str, result: int) -> Rowwise:
+def _function(model: EngineModel, name: str, result: int) -> Rowwise:
     """Return one result of a function: what else the function has is not computed."""
     module = readings_of(model).module
     sizes = {

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from hertzwerk.derive.common.faults import Fault, shown, unknown
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.model.binding import Value, read, read_parameters, read_state
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.ranges import Range, read_range
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units
 
@@ -31,13 +31,13 @@ class Free(Range):
     value: float
 
 
-def quantities(model: Model) -> dict[str, str]:
+def quantities(model: EngineModel) -> dict[str, str]:
     """Return the SI unit text of every parameter and initial state, "" of a number."""
     units = si_units(model)
     return {name: units[name] for name in (*model.parameters, *model.joints.coordinates, *model.joints.speeds)}
 
 
-def read_quantity(model: Model, name: str, value: Value, where: str, faults: list[Fault]) -> float:
+def read_quantity(model: EngineModel, name: str, value: Value, where: str, faults: list[Fault]) -> float:
     """Return a value of a parameter or initial state in SI; nan with faults appended."""
     if name not in model.parameters:
         si, fault = read_state(where, model.joints.units[name], value)
@@ -51,7 +51,7 @@ def read_quantity(model: Model, name: str, value: Value, where: str, faults: lis
 
 
 def read_free(
-    model: Model, given: object, faults: list[Fault], *, argument: str = "free", decades: float = DECADES
+    model: EngineModel, given: object, faults: list[Fault], *, argument: str = "free", decades: float = DECADES
 ) -> tuple[Free, ...]:
     """Read what is searched, by name, or names alone; bad input is appended to `faults`.
 
@@ -76,7 +76,7 @@ def read_free(
     return tuple(found)
 
 
-def _one(model: Model, name: str, given: object, where: str, unit: str, faults: list[Fault]) -> Free | None:
+def _one(model: EngineModel, name: str, given: object, where: str, unit: str, faults: list[Fault]) -> Free | None:
     port = model.parameters.get(name)
     value = si_of(model, name, (port.default, port.unit)) if port is not None else math.nan
     asked_log = given == "log"
@@ -128,7 +128,7 @@ def _ends(where: str, given: object, faults: list[Fault]) -> tuple[tuple[Value, 
     return None
 
 
-def _end(model: Model, name: str, value: Value, where: str, faults: list[Fault]) -> float:
+def _end(model: EngineModel, name: str, value: Value, where: str, faults: list[Fault]) -> float:
     """Return an end of a range in SI; one at an open end of the law's is no fault."""
     si = si_of(model, name, value)
     rows = _limits(model, name)
@@ -137,11 +137,11 @@ def _end(model: Model, name: str, value: Value, where: str, faults: list[Fault])
     return read_quantity(model, name, value, where, faults)
 
 
-def _limits(model: Model, name: str) -> list[tuple[str, str, float | None, float | None, bool, bool, str]]:
+def _limits(model: EngineModel, name: str) -> list[tuple[str, str, float | None, float | None, bool, bool, str]]:
     return [row for row in model.module.LIMITS if row[0] == name and row[1] == "defined"]
 
 
-def _ranges_of_law(model: Model, name: str) -> tuple[float, float]:
+def _ranges_of_law(model: EngineModel, name: str) -> tuple[float, float]:
     """Return the range [SI] in which all laws of a parameter are defined; infinite where they say nothing."""
     rows = _limits(model, name)
     low = max((row[2] for row in rows if row[2] is not None), default=-math.inf)
@@ -149,7 +149,7 @@ def _ranges_of_law(model: Model, name: str) -> tuple[float, float]:
     return low, high
 
 
-def _off_open_ends(model: Model, name: str, low: float, high: float) -> tuple[float, float]:
+def _off_open_ends(model: EngineModel, name: str, low: float, high: float) -> tuple[float, float]:
     step = INSIDE * (high - low)
     for _, _, lower, upper, lower_open, upper_open, _ in _limits(model, name):
         low = low + step if lower_open and low == lower else low

@@ -79,7 +79,7 @@ class Declaration:
         return known[coordinates]
 
 
-class Model:
+class EngineModel:
     """Model of a scene.
 
     `declaration` is its origin; a saved run, or a generated module by itself, has none.
@@ -173,7 +173,7 @@ class Model:
         return Declared(self.parameters, self.module.LIMITS, self.module.SUM_LIMITS)
 
     @cached_property
-    def joints(self) -> Model:
+    def joints(self) -> EngineModel:
         """Model by the joints' coordinates, in which starts are given: itself, unless in absolute coordinates."""
         module = self.module
         if module.JOINT_COORDINATES is None:
@@ -186,9 +186,9 @@ class Model:
         given["scales"] = module.joint_scales
         if module.JOINT_CONSTRAINTS:
             given["constraints"] = module.joint_constraints
-        return Model(with_tables(**given))
+        return EngineModel(with_tables(**given))
 
-    def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
+    def without_redundancy(self, dependent: tuple[Dependent, ...]) -> EngineModel:
         """Return the model with these redundant constraints relaxed in every step; itself if none."""
         return _with_dependent(self, dependent).with_signals(self.signals) if dependent else self
 
@@ -404,21 +404,21 @@ class Model:
 
 
 def _restored(
-    kind: type[Model],
+    kind: type[EngineModel],
     name: str,
     text: str,
     tables: Mapping[str, Any],
     declaration: Declaration | None,
     dependent: tuple[Dependent, ...],
     signals: Mapping[str, Signal] | None = None,
-) -> Model:
+) -> EngineModel:
     """Return a model that was pickled: by its text, or of a saved run by its tables."""
     return kind(module_of(name, text) if text else SimpleNamespace(**tables), declaration, dependent, signals)
 
 
 @per_model
-def _with_dependent(model: Model, dependent: tuple[Dependent, ...]) -> Model:
-    return Model(model.module, model.declaration, dependent)
+def _with_dependent(model: EngineModel, dependent: tuple[Dependent, ...]) -> EngineModel:
+    return EngineModel(model.module, model.declaration, dependent)
 
 
 _INPUTS = {

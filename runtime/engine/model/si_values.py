@@ -7,19 +7,19 @@ from collections.abc import Mapping
 
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.runtime.engine.model.binding import Value, read
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 NUMBER = parse_unit("1")  # unit of what no model declares
 
 
 @per_model
-def si_units(model: Model) -> Mapping[str, str]:
+def si_units(model: EngineModel) -> Mapping[str, str]:
     """Return the SI unit text of every parameter and state, "" of a number."""
     return {name: si_text(unit) for name, unit in _texts(model).items()}
 
 
-def si_of(model: Model, name: str, value: Value) -> float:
+def si_of(model: EngineModel, name: str, value: Value) -> float:
     """Return the value of a parameter, state or input in SI; nan where it cannot be read as one."""
     try:
         number, unit, _ = read(value)
@@ -31,19 +31,19 @@ def si_of(model: Model, name: str, value: Value) -> float:
 
 
 @per_model
-def latch_units(model: Model) -> Mapping[str, str]:
+def latch_units(model: EngineModel) -> Mapping[str, str]:
     """Return the unit text of what a contact in progress keeps of its onset."""
     return {row[0]: row[1] for row in model.module.LATCHES}
 
 
 @per_model
-def _units(model: Model) -> Mapping[str, Unit]:
+def _units(model: EngineModel) -> Mapping[str, Unit]:
     """Return the unit of every parameter, state, latch and input as the model declares it."""
     inputs = {name: unit for name, (unit, _) in model.inputs.items()}
     return {name: parse_unit(text) for name, text in {**_texts(model), **latch_units(model), **inputs}.items()}
 
 
-def _texts(model: Model) -> dict[str, str]:
+def _texts(model: EngineModel) -> dict[str, str]:
     """Return the unit text of every parameter and state as the model declares it."""
     return {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}
 

@@ -14,7 +14,7 @@ from hertzwerk.runtime.engine.integration.loop.chunk import Ending, chunk, march
 from hertzwerk.runtime.engine.integration.loop.near_list import listing
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.engine.model.caller import Callers
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import Compiled
 from hertzwerk.runtime.engine.solution.step_observers import Needs, finders
@@ -39,7 +39,9 @@ class Engine:
     march: Callable[..., Ending]
 
 
-def engine_for(model: Model, method: str, compiled: Compiled, poll: Callable[[], object] = lambda: None) -> Engine:
+def engine_for(
+    model: EngineModel, method: str, compiled: Compiled, poll: Callable[[], object] = lambda: None
+) -> Engine:
     """Return the engine of a model and method, compiled if requested.
 
     poll: called meanwhile. Raises InputError without a compiler, and what `poll` raises.
@@ -57,7 +59,7 @@ def engine_for(model: Model, method: str, compiled: Compiled, poll: Callable[[],
 
 
 @per_model
-def _engine(model: Model, method: str) -> Engine:
+def _engine(model: EngineModel, method: str) -> Engine:
     tables = tuple(table() for table in METHODS[method])
     near = listing(model, tables)
     made = integrator(model, tables) if near is None else integrator(near, tables[:1])
@@ -74,7 +76,7 @@ def _engine(model: Model, method: str) -> Engine:
     return Engine(made, Callers(made.begin), counters, Code(chunk(made, called=name), chosen), march)
 
 
-def compile_together(models: Iterable[tuple[Model, str]]) -> None:
+def compile_together(models: Iterable[tuple[EngineModel, str]]) -> None:
     """Compile what runs of models by methods have built as one program, in which methods share functions.
 
     A model is without redundant constraints, as the one of `History.engine`. What fails to compile stays as it is.
@@ -85,7 +87,7 @@ def compile_together(models: Iterable[tuple[Model, str]]) -> None:
         code.native = Callers(native)
 
 
-def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0, needs: Needs = Needs.ENDS) -> bool:
+def prepare(model: EngineModel, method: str, compiled: Compiled, ahead: float = 0.0, needs: Needs = Needs.ENDS) -> bool:
     """Build what runs of a model need before they are made side by side; return whether to compile.
 
     As `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. What finds what is

@@ -10,8 +10,8 @@ from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.engine.solution.checkpoint import Checkpoint, digest
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 # How a run may have ended that goes on where it is asked for more: any other would end so again.
 CONTINUABLE = (
@@ -26,7 +26,7 @@ CONTINUABLE = (
 )
 
 
-def parameters_of(run: Solution, model: Model) -> dict[str, tuple[float, str]]:
+def parameters_of(run: EngineSolution, model: EngineModel) -> dict[str, tuple[float, str]]:
     """Return the parameters of a run that differ from the model's own."""
     ports = model.parameters
     return {
@@ -36,7 +36,7 @@ def parameters_of(run: Solution, model: Model) -> dict[str, tuple[float, str]]:
     }
 
 
-def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
+def resumable(run: EngineSolution, model: EngineModel, *, saved: bool) -> Checkpoint:
     """Return the checkpoint of a run; raises InputError where it cannot be continued."""
     faults, kept = [], run.checkpoint
     if saved:

@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.engine.model.caller import Callers
-from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 CONSTANT = "constant speed of "  # what the drive says of itself
@@ -16,7 +16,7 @@ TIMES = (0.37, 1.7, 23.0, 1.1e3, 1.3e6)  # over the speed at the start: when it 
 SAME = 1e-9  # relative
 
 
-def drive_speed(model: Model, bound: BoundParameters) -> float | None:
+def drive_speed(model: EngineModel, bound: BoundParameters) -> float | None:
     """Return the angular speed [rad/s] of a scene's only drive; None where it varies, or there are others."""
     if [kind for _, kind, _ in model.module.EFFECTS].count("drive") != 1 or model.smooth:
         return None  # none, several, or as an input says
@@ -35,7 +35,7 @@ def drive_speed(model: Model, bound: BoundParameters) -> float | None:
     return begin if same else None
 
 
-def drive_angle(model: Model) -> str | None:
+def drive_angle(model: EngineModel) -> str | None:
     """Return the name of the angle of a scene's only drive, 0 at the start.
 
     None where it turns at no constant speed.
@@ -47,7 +47,7 @@ def drive_angle(model: Model) -> str | None:
     return joint if "." in joint else f"{joint}.angle"
 
 
-def drive_rate(model: Model, bound: BoundParameters) -> float | None:
+def drive_rate(model: EngineModel, bound: BoundParameters) -> float | None:
     """Return the rate [rad/s] of `drive_angle`, negative where it falls; None where it stands still."""
     speed = drive_speed(model, bound)
     if speed is None:
@@ -67,13 +67,13 @@ def drive_rate(model: Model, bound: BoundParameters) -> float | None:
     return math.copysign(speed, float(turned @ begin @ axis))
 
 
-def _axis(model: Model, drive: str) -> int | None:
+def _axis(model: EngineModel, drive: str) -> int | None:
     """Return the row of LANDMARKS with the axis of a drive that turns."""
     rows = enumerate(model.module.LANDMARKS)
     return next((i for i, (part, kind, *_) in rows if part == drive and kind == "turn_drive"), None)
 
 
-def _driven(model: Model, bound: BoundParameters, t: float) -> np.ndarray:
+def _driven(model: EngineModel, bound: BoundParameters, t: float) -> np.ndarray:
     """Return the coordinates at a time [s] where nothing but the drive moves."""
     if not model.has_function("placed"):
         return _still(model)
@@ -82,7 +82,7 @@ def _driven(model: Model, bound: BoundParameters, t: float) -> np.ndarray:
 
 
 @per_model
-def _speeds(model: Model) -> Callers:
+def _speeds(model: EngineModel) -> Callers:
     """Build the function c -> speeds [rad/s] of the bodies where nothing but the drive moves.
 
     A column at the start, and at TIMES over the largest speed there.
@@ -106,7 +106,7 @@ def _speeds(model: Model) -> Callers:
     return Callers(ca.Function("drive_speeds", [c], [ca.horzcat(begin, *later)]))
 
 
-def _still(model: Model) -> np.ndarray:
+def _still(model: EngineModel) -> np.ndarray:
     """Return coordinates zero, quaternions of no rotation."""
     q = np.zeros(model.nq)
     q[list(model.quaternions)] = 1

@@ -7,19 +7,19 @@ from contextlib import suppress
 
 import numpy as np
 
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.single_run import Trace
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.error_scales import Scales
 from hertzwerk.runtime.engine.solution.impacts import Impact
 
 
-def compared_histories(model: Model) -> tuple[str, ...]:
+def compared_histories(model: EngineModel) -> tuple[str, ...]:
     """Return the names of the histories whose differences follow the error in `differences`."""
     return (*model.coordinates, *model.speeds, *(f"{pair}.normal_force" for pair in model.pairs))
 
 
-def differences(model: Model, scales: Scales, one: Trace, other: Trace, n: int) -> np.ndarray:
+def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n: int) -> np.ndarray:
     """Return the differences (n, 1 + m) of two runs at the first n times at which they are compared.
 
     The first column is the error of one if the other is true, that of its state (`scales.error`) or of an impact that

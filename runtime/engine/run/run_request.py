@@ -17,7 +17,7 @@ from hertzwerk.runtime.engine.integration.loop.near_list import listing
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH, METHODS, SUNDIALS
 from hertzwerk.runtime.engine.model.binding import Value, plain_value, read_time
 from hertzwerk.runtime.engine.model.free_quantities import quantities
-from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units
 from hertzwerk.runtime.engine.model.signal import digest_of
@@ -89,7 +89,7 @@ class Settings:
     def _stated_limits(self) -> list[tuple[str, float | None]]:
         return [("max_steps", self.max_steps), ("max_events", self.max_events), ("wall_time", self.wall_time)]
 
-    def check(self, model: Model) -> None:
+    def check(self, model: EngineModel) -> None:
         """Raise InputError for input that is bad whatever the parameters of the run."""
         faults = self.faults()
         times_of(self.grid, read_duration(model, {}, self.duration, faults), faults)
@@ -97,7 +97,7 @@ class Settings:
         if faults:
             raise InputError(model.name, faults)
 
-    def sensitivity_faults(self, model: Model) -> list[Fault]:
+    def sensitivity_faults(self, model: EngineModel) -> list[Fault]:
         """Return the faults of the names of derivatives."""
         asked = self.sensitivities
         if isinstance(asked, str) or not isinstance(asked, Sequence):
@@ -162,7 +162,7 @@ def read_accuracy(value: object) -> Request | None:
     return Request(float(value)) if is_real(value) else None  # type: ignore[arg-type]  # a real number
 
 
-def steps_faults(what: str, method: str, model: Model) -> list[Fault]:
+def steps_faults(what: str, method: str, model: EngineModel) -> list[Fault]:
     """Return the fault of what follows the steps of a run that has none of ours, or lists near pairs."""
     if method not in SUNDIALS:
         if method not in METHODS or listing(model, tuple(table() for table in METHODS[method])) is None:
@@ -197,7 +197,7 @@ class RunRequest:
 
 
 def read(
-    model: Model,
+    model: EngineModel,
     settings: Settings,
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
@@ -240,7 +240,7 @@ def read(
 
 
 def check(
-    model: Model,
+    model: EngineModel,
     settings: Settings,
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
@@ -250,7 +250,7 @@ def check(
     read(model, settings, parameters, initial, before)
 
 
-def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> list[Fault]:
+def input_faults(model: EngineModel, seconds: float, before: Sequence[Fault] = ()) -> list[Fault]:
     """Return the faults of inputs without a value, or whose values do not cover the run or are too rough.
 
     seconds    duration of the run
@@ -280,7 +280,7 @@ def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> 
 
 
 @per_model
-def _remembered(_: Model) -> dict[Hashable, RunRequest]:
+def _remembered(_: EngineModel) -> dict[Hashable, RunRequest]:
     """Inputs read before, by `_key`."""
     return {}
 
@@ -297,7 +297,7 @@ def _key(value: object) -> Hashable:
 
 
 def read_duration(
-    model: Model, parameters: Mapping[str, Value], duration: str | float | None, faults: list[Fault]
+    model: EngineModel, parameters: Mapping[str, Value], duration: str | float | None, faults: list[Fault]
 ) -> float:
     """Return a duration [s], that of revolutions with these parameters; faults are appended."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
@@ -317,7 +317,7 @@ def read_duration(
     return math.nan
 
 
-def duration_follows(model: Model, names: Sequence[str], duration: object) -> bool:
+def duration_follows(model: EngineModel, names: Sequence[str], duration: object) -> bool:
     """Return whether a duration, such as "2 rev", changes with a parameter."""
     if not isinstance(duration, str):
         return False
@@ -336,7 +336,9 @@ def _angle(text: str) -> float | None:
     return unit.to_si(value) if unit.dimensionless and unit.angle == 1 else None
 
 
-def _time_to_turn(model: Model, parameters: Mapping[str, Value], angle: float, text: str, faults: list[Fault]) -> float:
+def _time_to_turn(
+    model: EngineModel, parameters: Mapping[str, Value], angle: float, text: str, faults: list[Fault]
+) -> float:
     """Return the time [s] in which the drive of a scene turns through an angle [rad]."""
     bound = model.check(parameters)[0]
     if bound is None:

@@ -10,14 +10,14 @@ import numpy as np
 
 from hertzwerk.runtime.engine.integration.loop.automatic_compilation import Code
 from hertzwerk.runtime.engine.integration.step.layout import RELEASED
-from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.solution.contact_watch import Lasting
 from hertzwerk.runtime.engine.solution.history import History, constraint_force
 
 SMALL = 0.01  # share of a dissipation below which a number says no more
 
 
-def unchecked(model: Model) -> tuple[str, ...]:
+def unchecked(model: EngineModel) -> tuple[str, ...]:
     """Return what a model runs on purpose: inconsistent effects, velocities against its positions."""
     return (
         *(
@@ -31,7 +31,7 @@ def unchecked(model: Model) -> tuple[str, ...]:
     )
 
 
-def open_forces(model: Model, bound: BoundParameters, q: np.ndarray) -> Iterator[str]:
+def open_forces(model: EngineModel, bound: BoundParameters, q: np.ndarray) -> Iterator[str]:
     """Yield a warning of redundant constraints at a start, whose forces the motion leaves undetermined."""
     if not model.nl:
         return
@@ -42,7 +42,7 @@ def open_forces(model: Model, bound: BoundParameters, q: np.ndarray) -> Iterator
         yield f"redundant constraints leave these forces undetermined; those of least norm are given: {', '.join(names)}"
 
 
-def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) -> Iterator[str]:
+def too_fast(model: EngineModel, limits: np.ndarray, tally: Mapping[str, np.ndarray]) -> Iterator[str]:
     """Yield one warning of contacts faster than the limits [m/s] of their laws (materials with a density)."""
     if not tally["over"].any():
         return
@@ -56,7 +56,7 @@ def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) 
     )
 
 
-def lost_grip(model: Model, bound: BoundParameters, history: History) -> Iterator[str]:
+def lost_grip(model: EngineModel, bound: BoundParameters, history: History) -> Iterator[str]:
     """Yield a warning of surfaces that roll where they would slip or part, at the kept times."""
     if not (model.rolling and len(history.t)):
         return
@@ -80,7 +80,7 @@ def lost_grip(model: Model, bound: BoundParameters, history: History) -> Iterato
                    f"more than {limit:.3g}: it would slip")  # fmt: skip
 
 
-def released(model: Model, first: History) -> Iterator[str]:
+def released(model: EngineModel, first: History) -> Iterator[str]:
     """Yield a warning of surfaces that overlap at the start while they open, where their law would pull."""
     for pair in (pair for pair, mode in zip(model.pairs, first.part("mode")[0], strict=True) if mode == RELEASED):
         yield (
@@ -97,7 +97,7 @@ def floored(count: int, floor: float) -> Iterator[str]:
     yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law took for the approach speed"
 
 
-def left_law(model: Model, found: Sequence[Lasting], ends: History) -> Iterator[str]:
+def left_law(model: EngineModel, found: Sequence[Lasting], ends: History) -> Iterator[str]:
     """Yield one warning of contacts that left their damping law, with their share of what it dissipates."""
     if not found:
         return

@@ -19,7 +19,7 @@ from hertzwerk.runtime.engine.integration.loop.tally import tally
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.built_engine import Engine, engine_for
 from hertzwerk.runtime.engine.run.recorder import BLOCK, ENDS, Grid, Recorder, Sampled, Steps
 from hertzwerk.runtime.engine.run.run_request import Limits, RunRequest, Settings
@@ -52,7 +52,7 @@ class Check:
 class SingleRun:
     """A run but for its tolerance and scales."""
 
-    model: Model
+    model: EngineModel
     method: str
     engine: Engine
     request: RunRequest
@@ -261,7 +261,7 @@ class SingleRun:
 
 
 def set_up(
-    model: Model,
+    model: EngineModel,
     settings: Settings,
     given: RunRequest,
     start: Resume | None = None,
@@ -303,7 +303,7 @@ class Trace:
     build_s: float
 
 
-def _locked(model: Model, history: History) -> str:
+def _locked(model: EngineModel, history: History) -> str:
     """Return the joints and contacts whose force is not unique at the end; empty where all are."""
     if model.nr == model.k:
         return ""
@@ -314,5 +314,5 @@ def _locked(model: Model, history: History) -> str:
     return ", ".join(dict.fromkeys(found)) if least <= CLOSE else ""
 
 
-def _deepest(model: Model, history: History) -> str:
+def _deepest(model: EngineModel, history: History) -> str:
     return ", ".join(f"{pair} at penetration {history[f'{pair}.penetration'][-1]:.4g} m" for pair in model.pairs)

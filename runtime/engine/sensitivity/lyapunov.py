@@ -28,7 +28,7 @@ from hertzwerk.runtime.engine.sensitivity.tangent import ARGUMENTS, Directions, 
 from hertzwerk.runtime.engine.solution.averages import TRANSIENT, Average, estimate
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 INTERVALS = 240  # of a run, in which local exponents are taken
@@ -117,7 +117,7 @@ def lyapunov(
 
 
 @per_model
-def depended_on(model: Model) -> np.ndarray:
+def depended_on(model: EngineModel) -> np.ndarray:
     """Return whether each state (ny,) is of the motion: no memory that nothing depends on."""
     given = model.symbols(ARGUMENTS)
     parts = ca.vertcat(rates(model)(*given), watched(model)(*given))
@@ -127,7 +127,7 @@ def depended_on(model: Model) -> np.ndarray:
 
 
 @per_model
-def constrained(model: Model) -> Any:
+def constrained(model: EngineModel) -> Any:
     """Build the function of what stays zero: constraints, their rates, norms of quaternions less 1."""
     t, y, _, _, c, _ = given = model.symbols(ARGUMENTS)
     q, u, _ = model.parts(y)
@@ -154,7 +154,7 @@ def _free(
     return found
 
 
-def _is_constrained(model: Model) -> bool:
+def _is_constrained(model: EngineModel) -> bool:
     return bool(model.nl or model.quaternions)
 
 

@@ -18,7 +18,7 @@ from hertzwerk.runtime.engine.solution.history import units_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 NODES = 4  # of Gauss in a step: order 8, as the steps' own
 LEVEL = 1e-9  # of a history's largest value: jumps below are rounding
@@ -60,7 +60,7 @@ class OutputDerivatives:
     run    with its steps
     """
 
-    def __init__(self, run: Solution, sensitivities: Sensitivities) -> None:
+    def __init__(self, run: EngineSolution, sensitivities: Sensitivities) -> None:
         self.run, self.of = run, sensitivities
         self._samples: Samples | None = None
 

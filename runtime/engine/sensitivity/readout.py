@@ -17,7 +17,7 @@ from hertzwerk.runtime.engine.solution.history import acceleration_of, constrain
 from hertzwerk.runtime.engine.solution.impacts import distances, penetrations
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 OF_PAIR = ("gap", "gap_rate", "penetration", "normal_force", "sliding_velocity")
@@ -29,7 +29,7 @@ class Readout:
 
     name: str
 
-    def __call__(self, model: Model) -> Any:
+    def __call__(self, model: EngineModel) -> Any:
         """Build the function; raises KeyError for an unknown history."""
         given = model.symbols(ARGUMENTS)
         value = Expressions(model, given)[self.name]
@@ -39,7 +39,7 @@ class Readout:
 class Expressions:
     """Expressions of histories by name, in a state under its modes; KeyError for an unknown one."""
 
-    def __init__(self, model: Model, given: list[Any]) -> None:
+    def __init__(self, model: EngineModel, given: list[Any]) -> None:
         self.model = model
         self.t, self.y, self.mode, self.m, self.c, self.p = given
         self.q, self.u, self.z = model.parts(self.y)

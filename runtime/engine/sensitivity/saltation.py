@@ -35,7 +35,7 @@ from hertzwerk.runtime.engine.solution.history import part_of_step
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 GUARDS = ("gap", "gap_rate", "force", "margin", "event")
@@ -312,11 +312,11 @@ def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
 
 
 @per_model
-def _rates(model: Model) -> Rowwise:
+def _rates(model: EngineModel) -> Rowwise:
     return Rowwise(model.with_pieces(flow(model).rates, 4), constant=4)
 
 
-def _parts(model: Model) -> tuple[list[Any], dict[str, Any]]:
+def _parts(model: EngineModel) -> tuple[list[Any], dict[str, Any]]:
     """Arguments of `watched`, and expressions in them by name."""
     t, y, mode, m, c, _ = given = model.symbols(ARGUMENTS)
     ends = written_flow(model).at(t, y, mode, m, c)
@@ -330,7 +330,7 @@ def _parts(model: Model) -> tuple[list[Any], dict[str, Any]]:
 
 
 @per_model
-def watched_columns(model: Model) -> dict[str, slice]:
+def watched_columns(model: EngineModel) -> dict[str, slice]:
     """Rows of `watched` by name."""
     found, start = {}, 0
     for name, part in _parts(model)[1].items():
@@ -339,14 +339,14 @@ def watched_columns(model: Model) -> dict[str, slice]:
 
 
 @per_model
-def watched(model: Model) -> Any:
+def watched(model: EngineModel) -> Any:
     """Build the function of everything that a jump depends on."""
     given, parts = _parts(model)
     return ca.Function("watched", given, [ca.vertcat(*map(ca.vec, parts.values()))])
 
 
 @per_model
-def rested(model: Model) -> Any:
+def rested(model: EngineModel) -> Any:
     """Build the function of the state (ny) whose sticking pairs are at rest."""
     t, y, mode, m, c, _ = given = model.symbols(ARGUMENTS)
     slips = m[model.nm - model.ns :]

@@ -25,7 +25,7 @@ from hertzwerk.runtime.engine.integration.events.effect_events import jump
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.free_quantities import quantities
-from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.si_values import ratio
 from hertzwerk.runtime.engine.sensitivity.changes_along_run import follow
@@ -50,7 +50,7 @@ OF_IMPACT = ("t", "speed", "peak_force", "peak_penetration")
 
 
 def start_changes(
-    model: Model, bound: BoundParameters, initial: Mapping[str, Value], names: tuple[str, ...]
+    model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], names: tuple[str, ...]
 ) -> np.ndarray:
     """Return the changes (nq + nu, P) of the start with parameters, or initial states of the joints.
 
@@ -76,18 +76,18 @@ def start_changes(
 
 
 @per_model
-def _start_by_parameters(model: Model) -> Callers:
+def _start_by_parameters(model: EngineModel) -> Callers:
     p = ca.SX.sym("p", len(model.parameters))
     start = ca.vertcat(*map(ca.SX, model.module.start(p)))
     return Callers(ca.Function("start_by_p", [p], [ca.densify(ca.jacobian(start, p))]))
 
 
 @per_model
-def _jumped(model: Model) -> Callers:
+def _jumped(model: EngineModel) -> Callers:
     return Callers(jump(model))
 
 
-def _difference(model: Model, bound: BoundParameters, initial: Mapping[str, Value], name: str) -> np.ndarray:
+def _difference(model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], name: str) -> np.ndarray:
     parameters, joints = list(model.parameters), model.joints
     now = dict(zip(parameters, bound.p, strict=True))
     if name not in now:

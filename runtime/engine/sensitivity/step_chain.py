@@ -32,7 +32,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
     from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.sensitivity.tangent import Directions
     from hertzwerk.runtime.engine.solution.history import History
 
@@ -84,7 +84,7 @@ class Link:
 
 
 @per_model
-def link(_: Model, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Link:
+def link(_: EngineModel, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Link:
     """Return the link of an integrator's steps by these of its methods with these columns."""
     steps = [
         _explicit(integrator, table, contacts, columns)
@@ -228,7 +228,7 @@ def _implicit(integrator: Integrator, contacts: Contacts, columns: Columns) -> A
 
 
 @per_model
-def _stage(model: Model, contacts: Contacts, columns: Columns) -> Any:
+def _stage(model: EngineModel, contacts: Contacts, columns: Columns) -> Any:
     """Build the function (t, (y, S), mode, m, c, M, dc, pace) -> rates of (y, S), by the pace."""
     t, y, mode, m, c = model.symbols("t y mode m c")
     made = _changes(model, contacts, columns)
@@ -240,7 +240,7 @@ def _stage(model: Model, contacts: Contacts, columns: Columns) -> Any:
 
 
 @per_model
-def _changes(model: Model, contacts: Contacts, columns: Columns) -> Any:
+def _changes(model: EngineModel, contacts: Contacts, columns: Columns) -> Any:
     """Build the function (t, y, mode, m, c, S, M, dc) -> rates of S: of two ways the shorter.
 
     Forward along the columns costs each of them some times the rates; by Jacobians it is little but their nonzeros.
@@ -289,7 +289,7 @@ def along(maps: np.ndarray, before: np.ndarray) -> np.ndarray:
 
 
 @per_model
-def code(model: Model, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Code:
+def code(model: EngineModel, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Code:
     """Return the chain's function, to be called as it is or compiled."""
     return Code(_chain(link(model, integrator, methods, columns)), bitwise=False)
 
@@ -488,7 +488,7 @@ def later(
 
 
 @per_model
-def _rowwise(model: Model, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Rowwise:
+def _rowwise(model: EngineModel, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Rowwise:
     x, row, linear, controls, dc = _arguments(integrator, columns)
     row = ca.MX.sym("row", 1 + row.numel())  # its kind first
     both, column = ca.MX.sym("both", controls.numel() + dc.numel()), ca.MX.sym("x", x.numel())

@@ -18,7 +18,7 @@ from hertzwerk.runtime.engine.model.caller import Callers, Rowwise
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 PARTS = ("t", "y", "mode", "m")
@@ -74,7 +74,7 @@ class Directions:
         return int(self.dp.shape[1])
 
 
-def directions_of(model: Model, p: np.ndarray, c: np.ndarray, dp: np.ndarray) -> Directions:
+def directions_of(model: EngineModel, p: np.ndarray, c: np.ndarray, dp: np.ndarray) -> Directions:
     """Return the directions (np, P) with the change of the constants."""
     (to_p,) = _constants_by_parameters(model)(p)
     sizes = np.abs(p) @ (dp != 0)
@@ -82,12 +82,12 @@ def directions_of(model: Model, p: np.ndarray, c: np.ndarray, dp: np.ndarray) ->
 
 
 @per_model
-def _constants_by_parameters(model: Model) -> Callers:
+def _constants_by_parameters(model: EngineModel) -> Callers:
     p = ca.SX.sym("p", len(model.parameters))
     return Callers(ca.Function("constants_by_p", [p], [ca.densify(ca.jacobian(ca.SX(model.module.constants(p)), p))]))
 
 
-def tangent(build: Callable[[Model], Any], history: History, rows: np.ndarray, directions: Directions) -> Tangent:
+def tangent(build: Callable[[EngineModel], Any], history: History, rows: np.ndarray, directions: Directions) -> Tangent:
     """Return value and derivatives at rows (n, ns) of a run.
 
     build    returns the function (t, y, mode, m, c, p) -> column of a model
@@ -105,7 +105,7 @@ def tangent(build: Callable[[Model], Any], history: History, rows: np.ndarray, d
 
 
 @per_model
-def rowwise(model: Model, build: Callable[[Model], Any], count: int) -> Rowwise:
+def rowwise(model: EngineModel, build: Callable[[EngineModel], Any], count: int) -> Rowwise:
     """Return the function of value and derivatives that `tangent` calls row by row."""
     *rest, c, p = model.symbols(ARGUMENTS)
     _, y, _, m = rest
@@ -125,7 +125,7 @@ def rowwise(model: Model, build: Callable[[Model], Any], count: int) -> Rowwise:
 
 
 @per_model
-def rates(model: Model) -> Any:
+def rates(model: EngineModel) -> Any:
     """Return the function of dy/dt (ny)."""
     given = model.symbols(ARGUMENTS)
     return ca.Function("rates", given, [written_flow(model).rates(*given[:-1])])

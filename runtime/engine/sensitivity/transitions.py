@@ -17,7 +17,7 @@ import numpy as np
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS, gap_rounding
 from hertzwerk.runtime.engine.model.caller import Rowwise
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.sensitivity.tangent import Directions, rates, tangent
 from hertzwerk.runtime.engine.solution.history import History
@@ -121,7 +121,7 @@ def _heads(history: History, events: np.ndarray) -> np.ndarray:
 
 
 @per_model
-def _rounding(model: Model) -> Rowwise:
+def _rounding(model: EngineModel) -> Rowwise:
     return Rowwise(gap_rounding(model), constant=3)
 
 

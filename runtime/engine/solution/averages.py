@@ -20,7 +20,7 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.model.binding import read_time
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.error_scales import Scales
     from hertzwerk.runtime.engine.solution.impacts import Impact
     from hertzwerk.runtime.engine.solution.interval_sums import Sums
@@ -122,7 +122,7 @@ class Run:
     tolerance     local, relative to `scales`
     """
 
-    model: Model
+    model: EngineModel
     findings: Findings
     scales: Scales
     tolerance: float

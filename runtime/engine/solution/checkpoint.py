@@ -18,7 +18,7 @@ from hertzwerk.runtime.engine.model.signal import digest_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.chunk import Ending
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 @dataclass(frozen=True)
@@ -52,19 +52,19 @@ class Checkpoint:
         return cls(Resume(state, bool(about["whole"])), dict(about["layout"]), about["model"], initial)
 
 
-def checkpoint_of(model: Model, ending: Ending, initial: Mapping[str, Value]) -> Checkpoint | None:
+def checkpoint_of(model: EngineModel, ending: Ending, initial: Mapping[str, Value]) -> Checkpoint | None:
     """Return the checkpoint of a run; None where the method does not expose its state."""
     if ending.resume is None:
         return None
     return Checkpoint(ending.resume, dict(layouts(model).state.sizes), digest(model), dict(initial))
 
 
-def digest(model: Model) -> str:
+def digest(model: EngineModel) -> str:
     """Return the digest of a generated module's text, and of the values of its inputs."""
     return "-".join((_text_digest(model), *(given[:32] for given in [digest_of(model.signals)] if given)))
 
 
 @per_model
-def _text_digest(model: Model) -> str:
+def _text_digest(model: EngineModel) -> str:
     file = getattr(model.module, "__file__", None) or ""
     return hashlib.sha256("".join(linecache.getlines(file)).encode()).hexdigest()[:32]

@@ -19,7 +19,7 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import slips_
 from hertzwerk.runtime.engine.solution.impacts import KINDS, Impact, peaks
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 TOGETHER = 256  # contacts of a run whose peaks are found at once
@@ -71,7 +71,7 @@ class Watch:
     again.
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: EngineModel) -> None:
         self.model = model
         self.view: History  # of the last row
         self.open: dict[int, Contacts] = {}  # one that is not over, by pair
@@ -125,7 +125,7 @@ class LastingContacts:
     A contact is a row: its onset [s], approach speed [m/s], largest ratio of gap rate to that, dissipation [J].
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: EngineModel) -> None:
         self._model, self._latched = model, [(pair, row) for row, (*_, pair) in enumerate(model.module.LATCHES)]
         self._booked = list(model.module.DISSIPATED) if model.has_ledger else []
         self._open: dict[int, np.ndarray] = {}  # contacts that are not over, by pair, with what was booked at the onset

@@ -12,7 +12,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.history import History
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
 NORMS = {"norm8": 8, "norm32": 32}  # even orders of smooth stand-ins for the largest magnitude
@@ -36,7 +36,7 @@ class Extremes(NamedTuple):
 class Samples:
     """Histories of a run over times `t` (n,) that divide every step into an even number of parts."""
 
-    def __init__(self, run: Solution, wanted: int = SAMPLES) -> None:
+    def __init__(self, run: EngineSolution, wanted: int = SAMPLES) -> None:
         self.run = run
         ends = np.unique(run.t)  # an event may leave two rows at its time
         self._steps = np.diff(ends)

@@ -16,7 +16,7 @@ import numpy as np
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 GUESS = {
@@ -50,7 +50,7 @@ class Scales:
 
 
 def error(
-    model: Model,
+    model: EngineModel,
     scales: Scales,
     y: np.ndarray,
     reference: np.ndarray,
@@ -98,12 +98,12 @@ def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndar
     return found, (np.maximum(first, -reach) + np.minimum(last, reach)) / 2
 
 
-def departure(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+def departure(model: EngineModel, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """Return the largest scaled difference of the coordinates alone."""
     return _largest(model.nq, scales, y, reference)
 
 
-def rounding(model: Model, scales: Scales, y: np.ndarray) -> float:
+def rounding(model: EngineModel, scales: Scales, y: np.ndarray) -> float:
     """Return the error that one rounding of the largest of the states y (n, ny) makes."""
     n = model.nq + model.nu
     return float(np.finfo(float).eps * np.max(np.abs(y[:, :n]) / scales.state[:n], initial=0.0))
@@ -115,13 +115,13 @@ def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np
     return found
 
 
-def of_parameters(model: Model, bound: BoundParameters) -> Scales:
+def of_parameters(model: EngineModel, bound: BoundParameters) -> Scales:
     """Return the scales that the scene states."""
     *parts, scene = model.evaluate("scales", bound.p)
     return Scales(np.concatenate(parts), scene)
 
 
-def of_run(model: Model, stated: Scales, rough: Callable[[Scales, Sizes], object]) -> Scales:
+def of_run(model: EngineModel, stated: Scales, rough: Callable[[Scales, Sizes], object]) -> Scales:
     """Return the stated scales where they are sound, elsewhere the sizes that occur in a rough run.
 
     rough    makes a run with some scales and shows it to a `Sizes`

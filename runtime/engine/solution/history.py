@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_
 from hertzwerk.runtime.engine.model.binding import si_of_all
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.derived_histories import Units, evaluate
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -52,7 +52,7 @@ class History(Histories):
 
     def __init__(
         self,
-        model: Model,
+        model: EngineModel,
         rows: np.ndarray,
         controls: np.ndarray,
         integrator: Integrator | None,
@@ -72,14 +72,17 @@ class History(Histories):
 
     @classmethod
     def stored(
-        cls, model: Model, histories: Mapping[str, np.ndarray], rates: Mapping[str, np.ndarray] = MappingProxyType({})
+        cls,
+        model: EngineModel,
+        histories: Mapping[str, np.ndarray],
+        rates: Mapping[str, np.ndarray] = MappingProxyType({}),
     ) -> History:
         """Restore saved histories, with rates where they are those of steps; there are no rows behind them."""
         history = cls(model, np.zeros((0, 0)), np.zeros(0), None)
         history._values, history.rates = dict(histories), dict(rates)
         return history
 
-    def with_model(self, model: Model) -> History:
+    def with_model(self, model: EngineModel) -> History:
         """Return saved histories with the model that they are of."""
         return History.stored(model, self._values, self.rates)
 
@@ -376,7 +379,7 @@ class History(Histories):
 
     def by_method(
         self,
-        function: Callable[[Model, Integrator, int], Rowwise],
+        function: Callable[[EngineModel, Integrator, int], Rowwise],
         rows: np.ndarray,
         *tables: np.ndarray,
         controls: np.ndarray | None = None,
@@ -422,7 +425,7 @@ class History(Histories):
 
 
 @per_model
-def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
+def units_of(model: EngineModel, stored: tuple[str, ...] | None) -> Units:
     """Return the SI unit text by name; `stored`: names of a saved run, None where there are functions."""
     units = {"t": "s", **model.units}
     for name in model.speeds:
@@ -444,37 +447,37 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
     return Units(units, model)
 
 
-def unknown_histories(model: Model, names: Iterable[str]) -> list[Fault]:
+def unknown_histories(model: EngineModel, names: Iterable[str]) -> list[Fault]:
     """Return the faults of names that no history of a model has, readings included."""
     units = units_of(model, None)
     return [unknown("history", name, units.everything) for name in names if name not in units]
 
 
 @per_model
-def rowwise(model: Model, function: str, constant: int) -> Rowwise:
+def rowwise(model: EngineModel, function: str, constant: int) -> Rowwise:
     """Return a model's function of a state and, as the last argument, c; that one is constant."""
     return Rowwise(model.with_pieces(model.function(function), constant), constant=constant)
 
 
 @per_model
-def _gap_of(model: Model, j: int) -> Rowwise:
+def _gap_of(model: EngineModel, j: int) -> Rowwise:
     given = model.symbols("t q u c")
     found = [x[j] for x in model.function("gaps").call(given)]
     return Rowwise(ca.Function("gap_of", given, found), constant=3)
 
 
 @per_model
-def _constraint_forces(model: Model) -> Rowwise:
+def _constraint_forces(model: EngineModel) -> Rowwise:
     return Rowwise(model.with_pieces(flow(model).holding, 4), constant=4)
 
 
 @per_model
-def _settling(model: Model) -> Rowwise:
+def _settling(model: EngineModel) -> Rowwise:
     return Rowwise(model.with_pieces(flow(model).settling, 4), constant=4)
 
 
 @per_model
-def _output_rates(model: Model) -> Rowwise:
+def _output_rates(model: EngineModel) -> Rowwise:
     t, q, u, c = model.symbols("t q u c")
     x, at, moves = ca.vertcat(q, u), *(ca.SX.sym(name, model.nq + model.nu) for name in ("x", "moves"))
     rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q, u), ca.vertcat(1, moves))
@@ -483,13 +486,13 @@ def _output_rates(model: Model) -> Rowwise:
 
 
 @per_model
-def part_of_step(_: Model, integrator: Integrator, method: int) -> Rowwise:
+def part_of_step(_: EngineModel, integrator: Integrator, method: int) -> Rowwise:
     """Return the function (state, controls, h) -> trial of a step of a method."""
     return Rowwise(integrator.step(method), constant=1)
 
 
 @per_model
-def _in_trial(_: Model, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]:
+def _in_trial(_: EngineModel, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]:
     """Return the columns of state and trial that correspond."""
     state, trial = integrator.layouts.state, integrator.layouts.trial
     shared = [name for name in trial.sizes if name in state.sizes]
@@ -506,7 +509,7 @@ def friction_force(slip: str) -> str:
     return f"{grip}.{name.replace('slip', 'friction_force').replace('turning', 'moment')}"
 
 
-def _in_two_directions(model: Model) -> dict[str, list[int]]:
+def _in_two_directions(model: EngineModel) -> dict[str, list[int]]:
     """Return the slips of each grip in two directions, by their common name: `floor.slip`."""
     groups = groups_of(grips_of(model))
     return {model.slips[group[0]][0].rpartition("_")[0]: group for group in groups if len(group) > 1}

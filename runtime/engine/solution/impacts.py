@@ -16,7 +16,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 PEAK = 2e-4  # of a step: last move of a root, over which the value is followed by its rate, to about 1e-9
@@ -61,7 +61,7 @@ def peaks(history: History, controls: np.ndarray, pairs: np.ndarray, tops: np.nd
 
 
 @per_model
-def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
+def crest(model: EngineModel, integrator: Integrator, method: int) -> Rowwise:
     """Build the function that finds the crest of a value in the step between two rows.
 
     (controls, state, upper, asked) -> values at the row, at the next, and at the crest, -inf where there is none.
@@ -158,13 +158,13 @@ def _narrowed() -> Any:
     return ca.Function("narrowed", [search, value, h], [after, ca.if_else(value == 0, 0, value * move / 2)])
 
 
-def penetrations(model: Model, at: dict[str, Any], mode: Any, c: Any) -> Any:
+def penetrations(model: EngineModel, at: dict[str, Any], mode: Any, c: Any) -> Any:
     """Return the penetration of every pair [m], an expression (k,) in the parts of a state and the modes."""
     gap = distances(model, at, c)
     return ca.if_else(ca.logic_and(mode != FLIGHT, gap < 0), -gap, 0)
 
 
-def distances(model: Model, at: dict[str, Any], c: Any) -> Any:
+def distances(model: EngineModel, at: dict[str, Any], c: Any) -> Any:
     """Return the gap of every pair [m], an expression (k,) in the parts of a state.
 
     The event function G of round surfaces is their gap to first order only: that of two spheres is an output, that of

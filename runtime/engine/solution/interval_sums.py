@@ -15,7 +15,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 
@@ -67,7 +67,7 @@ class Sums:
         return {name: x.tolist() if isinstance(x, np.ndarray) else x for name, x in asdict(self).items()}
 
     @classmethod
-    def saved(cls, about: Mapping[str, Any], model: Model) -> Self:
+    def saved(cls, about: Mapping[str, Any], model: EngineModel) -> Self:
         """Restore the sums of a saved run."""
         widths = {"impulse": model.k, "largest": model.k, "memory": model.nz}
         tables = {name: np.array(about[name]).reshape(len(about[name]), width) for name, width in widths.items()}
@@ -81,7 +81,7 @@ class Summing:
     where that is curved, it is evaluated at two points between them.
     """
 
-    def __init__(self, model: Model, interval: float, until: float, begin: float = 0.0) -> None:
+    def __init__(self, model: EngineModel, interval: float, until: float, begin: float = 0.0) -> None:
         count = int((until - begin) / interval * (1 + 1e-12))
         self._model, self._interval, self._marks = model, interval, begin + interval * np.arange(count + 1)
         self._impulse, self._largest = np.zeros((count + 1, model.k)), np.zeros((count + 1, model.k))
@@ -195,7 +195,7 @@ def _inner_forces(start: History, end: History, h: np.ndarray, j: int) -> np.nda
 
 
 @per_model
-def inner(model: Model, j: int) -> Rowwise:
+def inner(model: EngineModel, j: int) -> Rowwise:
     """Build the function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES and beside the ends.
 
     Coordinates are interpolated by quintics, other states by cubics.
@@ -218,7 +218,7 @@ def inner(model: Model, j: int) -> Rowwise:
     return Rowwise(ca.Function("inner", [c, t, y0, d0, y1, d1, m, h], [ca.cse(ca.vertcat(*forces))]), constant=0)
 
 
-def _second(model: Model, t: Any, y: Any, dy: Any, c: Any) -> Any:
+def _second(model: EngineModel, t: Any, y: Any, dy: Any, c: Any) -> Any:
     """Return the second derivatives of the coordinates."""
     nq, nu = model.nq, model.nu
     at = [ca.SX.sym(name, size) for name, size in (("t", 1), ("q", nq), ("u", nu))]

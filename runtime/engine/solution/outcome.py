@@ -27,7 +27,7 @@ from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 LAST = 200  # rows examined
@@ -60,7 +60,7 @@ def _method_for_steps(method: str, history: History) -> str:
 
 
 @per_model
-def _fastest(model: Model) -> Rowwise:
+def _fastest(model: EngineModel) -> Rowwise:
     return Rowwise(method_choice.fastest(model), constant=1)
 
 

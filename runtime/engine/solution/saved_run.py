@@ -17,7 +17,7 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.solution.history import acceleration_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 FORMAT = "hertzwerk run 1"
@@ -72,7 +72,9 @@ def rates(history: History) -> np.ndarray:
     return np.hstack([coordinates, memory, history.output_rates(), history.part("force_rate")])
 
 
-def rates_by_name(rates: np.ndarray | None, model: Model, histories: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+def rates_by_name(
+    rates: np.ndarray | None, model: EngineModel, histories: Mapping[str, np.ndarray]
+) -> dict[str, np.ndarray]:
     """Return saved rates by their histories' names, those that are histories too; none without steps."""
     if rates is None:
         return {}

@@ -17,7 +17,7 @@ from hertzwerk.runtime.engine.accuracy.error_estimate import ErrorEstimate
 from hertzwerk.runtime.engine.model.binding import Value, si_of_all
 from hertzwerk.runtime.engine.model.derived_histories import readings_of
 from hertzwerk.runtime.engine.model.generated_text import with_tables
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution import saved_run
 from hertzwerk.runtime.engine.solution.averages import Average, Run, averages
 from hertzwerk.runtime.engine.solution.checkpoint import Checkpoint
@@ -35,7 +35,7 @@ CHECKPOINT = "checkpoint"  # name in a file, beside the histories
 RATES = "rates"  # likewise, of a run with its steps
 SAMPLE = 1000  # rows from which the size of a CSV is estimated
 
-__all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
+__all__ = ["EngineSolution", "ErrorEstimate", "History", "Impact", "Statistics"]
 
 
 @dataclass(frozen=True)
@@ -58,14 +58,14 @@ class Statistics:
 
 
 @dataclass(frozen=True, eq=False)
-class Solution(Histories):
+class EngineSolution(Histories):
     """Result of a run, a mapping from names to histories over `run.t`, in SI.
 
     `run["guide.travel"]` is one, `run["guide.travel", "mm"]` in a unit of one's own, `list(run)` has the names,
     `run.units[name]` the SI unit.
     """
 
-    model_type: ClassVar[type[Model]] = Model  # of saved runs
+    model_type: ClassVar[type[EngineModel]] = EngineModel  # of saved runs
     history: History = field(repr=False)
     ends: History = field(repr=False)  # the first and the last of its rows are the run's
     findings: Findings = field(repr=False)
@@ -99,7 +99,7 @@ class Solution(Histories):
         return {name: value for name, value in vars(self).items() if name != "shared_results"}
 
     @property
-    def model(self) -> Model:
+    def model(self) -> EngineModel:
         """The model that was run."""
         return self.history.model
 
@@ -157,7 +157,7 @@ class Solution(Histories):
         """
         return replace(self, history=self.history.with_names(names))
 
-    def with_model(self, model: Model) -> Self:
+    def with_model(self, model: EngineModel) -> Self:
         """Return a saved run with the functions of its model, by which pictures show the ideal mechanism too."""
         return replace(self, history=self.history.with_model(model))
 
@@ -179,7 +179,7 @@ class Solution(Histories):
         """Every state at the end, SI."""
         return {name: float(self.ends[name][-1]) for name in self.states}
 
-    def with_steps(self) -> Solution:
+    def with_steps(self) -> EngineSolution:
         """Return the run with its accepted steps, where it has them or can be made again; else itself."""
         return self
 

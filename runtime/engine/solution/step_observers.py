@@ -25,7 +25,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
     from hertzwerk.runtime.engine.model.caller import Rowwise
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
     from hertzwerk.runtime.engine.solution.impacts import Impact
 
@@ -47,7 +47,7 @@ class Needs(enum.Flag):
 EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
 
 
-def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Rowwise]:
+def finders(model: EngineModel, integrator: Integrator, needs: Needs) -> list[Rowwise]:
     """Return the functions that find what is needed in runs by the integrator's first method."""
     peaks = bool(needs & (Needs.IMPACTS | Needs.STEPS))
     found: list[Rowwise] = []
@@ -119,7 +119,7 @@ class Findings:
 
     def __init__(
         self,
-        model: Model,
+        model: EngineModel,
         method: str,
         *,
         needs: Needs,
@@ -142,7 +142,7 @@ class Findings:
     @classmethod
     def saved(
         cls,
-        model: Model,
+        model: EngineModel,
         impacts: Sequence[Impact],
         chosen: Sequence[Choice],
         sums: Sums,

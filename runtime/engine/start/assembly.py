@@ -24,7 +24,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, EngineModel
 
     Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ TOGETHER = 40  # most constraints in a dependent group: with more, choosing amon
 
 
 def assemble(
-    model: Model, bound: BoundParameters, q: Array, u: Array, given: Collection[str]
+    model: EngineModel, bound: BoundParameters, q: Array, u: Array, given: Collection[str]
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates (nq,), speeds (nu,) of the joints with loops and journals closed, and faults.
 
@@ -74,7 +74,7 @@ def assemble(
 
 
 def assemble_at(
-    model: Model, bound: BoundParameters, q: Array, u: Array, given: Collection[str], seats: Array
+    model: EngineModel, bound: BoundParameters, q: Array, u: Array, given: Collection[str], seats: Array
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates, speeds and faults with journals at rest at the eccentricities `seats` [m].
 
@@ -88,7 +88,7 @@ def assemble_at(
     return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
 
 
-def closed_near(model: Model, bound: BoundParameters, q: Array, t: float, *, centred: bool = False) -> Array:
+def closed_near(model: EngineModel, bound: BoundParameters, q: Array, t: float, *, centred: bool = False) -> Array:
     """Return the position at a time t [s] with closed loops that Gauss-Newton steps from q (nq,) lead to.
 
     centred: also with the journals in the middle of their bushes.
@@ -99,13 +99,13 @@ def closed_near(model: Model, bound: BoundParameters, q: Array, t: float, *, cen
     return _closed(loops, q, list(range(model.nq)), loops.at(q).size)
 
 
-def journals(model: Model) -> list[int]:
+def journals(model: EngineModel) -> list[int]:
     """Return the rows of the outputs that vanish in closed clearances: all eccentricities."""
     return [row for rows in model.journals.values() for row in rows]
 
 
 @per_model
-def eccentricities(model: Model) -> Any:
+def eccentricities(model: EngineModel) -> Any:
     """Return the CasADi function (t, q, u, c) -> eccentricities of all journals, and their rates."""
     t, q, *_ = at = model.symbols("t q u c")
     e = model.function("outputs")(*at)[journals(model)]
@@ -141,14 +141,14 @@ def _with_closing_change(
     return tuple(replace(fault, remedy=f"{way}; {fault.remedy}") for fault in faults)
 
 
-def undetermined(model: Model, bound: BoundParameters, q: Array) -> tuple[str, ...]:
+def undetermined(model: EngineModel, bound: BoundParameters, q: Array) -> tuple[str, ...]:
     """Return the redundant constraints at a position, whose forces the motion leaves undetermined."""
     unclosed = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5
     return tuple(name for name, is_open in zip(model.constraints, unclosed, strict=True) if is_open)
 
 
 @np.errstate(all="ignore")
-def dependent(model: Model, bound: BoundParameters, q: Array) -> tuple[Dependent, ...]:
+def dependent(model: EngineModel, bound: BoundParameters, q: Array) -> tuple[Dependent, ...]:
     """Return groups of constraints that are dependent at all positions within reach, not just at q.
 
     Nearby positions are tried: at a singular one, such as a change point, constraints are dependent that are not
@@ -176,7 +176,7 @@ def dependent(model: Model, bound: BoundParameters, q: Array) -> tuple[Dependent
     return tuple(groups)
 
 
-def _nearby(model: Model, bound: BoundParameters, q: Array) -> Iterator[tuple[float, Array]]:
+def _nearby(model: EngineModel, bound: BoundParameters, q: Array) -> Iterator[tuple[float, Array]]:
     """Yield times and positions around a start that the mechanism can reach."""
     _, _, jacobian, _, size, _ = _Loops(model, bound).at(q)
     reach = _reach(model, jacobian)
@@ -237,10 +237,10 @@ class _Loops:
     Those of closed clearances are included for a `whole` model; their eccentricities are `seats` [m], None for zero.
     """
 
-    model: Model
+    model: EngineModel
     bound: BoundParameters
     t: float = 0.0
-    whole: Model | None = None
+    whole: EngineModel | None = None
     seats: Array | None = None
 
     @cached_property
@@ -307,7 +307,7 @@ class _Loops:
 
 
 @per_model
-def residuals(model: Model, whole: Model | None) -> Any:
+def residuals(model: EngineModel, whole: EngineModel | None) -> Any:
     """Build the function (t, q, u, c) -> constraints of the joints' `model`, rates, derivatives: see `At`.
 
     Those of closed clearances are included for a `whole` model.
@@ -323,7 +323,7 @@ def residuals(model: Model, whole: Model | None) -> Any:
 
 
 @per_model
-def judged(model: Model, whole: Model | None) -> Callers:
+def judged(model: EngineModel, whole: EngineModel | None) -> Callers:
     """Build the function (t, q, u, c, scales of u) -> residuals, and how large they may be: see `At`."""
     given, scale, units = (
         model.symbols("t q u c"),
@@ -336,7 +336,7 @@ def judged(model: Model, whole: Model | None) -> Callers:
     return Callers(ca.Function("judged", [*given, scale], [*found, *sizes]))
 
 
-def _rows(model: Model, whole: Model | None) -> tuple[tuple[str, str], ...]:
+def _rows(model: EngineModel, whole: EngineModel | None) -> tuple[tuple[str, str], ...]:
     """Return name and unit of every constraint; of a `whole` model those of closed clearances too."""
     closed = () if whole is None else tuple(whole.module.OUTPUTS[i] for i in journals(whole))
     return (*model.module.CONSTRAINTS, *closed)
@@ -398,7 +398,7 @@ def _tries(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Iterator
         yield _closed(loops, q + np.where(np.isin(np.arange(len(q)), unknown), shift, 0.0), unknown, size)
 
 
-def _norms(model: Model, q: Array) -> Array:
+def _norms(model: EngineModel, q: Array) -> Array:
     """Return the gradients (n, nq) of the quaternions' norms."""
     rows = np.zeros((len(model.quaternions), model.nq))
     for row, i in zip(rows, model.quaternions, strict=True):
@@ -469,7 +469,7 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
     return u, _under_determined("speeds", *free)
 
 
-def _reach(model: Model, jacobian: Array) -> Array:
+def _reach(model: EngineModel, jacobian: Array) -> Array:
     """Return how far coordinates move in a mechanism: a radian, or the displacement by one."""
     return np.array([1.0 if model.units[name] == "rad" else np.max(np.abs(jacobian)) for name in model.coordinates])
 

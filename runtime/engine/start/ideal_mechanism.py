@@ -25,7 +25,7 @@ from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.start.assembly import journals
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Array = NDArray[np.float64]
 
@@ -60,7 +60,7 @@ class IdealMotion:
         return self.acceleration[:, self.speeds.index(speed)]
 
 
-def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Array) -> IdealMotion | None:
+def ideal_motion(model: EngineModel, times: Sequence[float] | Array, q: Array, c: Array) -> IdealMotion | None:
     """Follow the ideal mechanism through increasing times from an approximate position q (nq,).
 
     c (nc,) are the model's constants for the run's parameters. None where eccentricities and constraints do not
@@ -82,12 +82,12 @@ def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Arra
     return IdealMotion(wanted, q_rows, u_rows, a_rows, tuple(model.coordinates), tuple(model.speeds))
 
 
-def has_clearance(model: Model) -> bool:
+def has_clearance(model: EngineModel) -> bool:
     """Return whether some pair models a joint with clearance."""
     return bool(model.journals or model.guides)
 
 
-def unknown_because(model: Model) -> str:
+def unknown_because(model: EngineModel) -> str:
     """Explain why geometry alone does not determine the ideal motion; empty where it may."""
     if not has_clearance(model):
         return "it has no joint with clearance"
@@ -116,7 +116,7 @@ class _Closure:
     nu: int
 
     @classmethod
-    def of(cls, model: Model) -> _Closure:
+    def of(cls, model: EngineModel) -> _Closure:
         """Build the closure equations of a model that has as many of them as speeds."""
         outputs, rates = model.function("outputs"), model.function("coordinate_rates")
         t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))

@@ -19,7 +19,7 @@ import numpy as np
 from hertzwerk.runtime.engine.start.pair_values import pair_values, values_by_kind
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 LIMIT = 5.0  # times the scene's speed: impacts in mechanisms are up to 2 or 3 times as fast as their drives
 UNDAMPED = 1e12  # m/s, approach speed at which damping laws vanish: only stiffness acts
@@ -52,7 +52,7 @@ class Intrusion:
         return allowed
 
 
-def intrusions(model: Model, bound: BoundParameters, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:
+def intrusions(model: EngineModel, bound: BoundParameters, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:
     """Return the pairs that overlap deeply at coordinates q (nq,) and speeds u (nu,), t = 0."""
     if not model.k:
         return ()
@@ -82,14 +82,14 @@ def intrusions(model: Model, bound: BoundParameters, q: np.ndarray, u: np.ndarra
     return tuple(deep)
 
 
-def _accelerations(model: Model, pairs: list[int], given: dict[str, Any], forces: np.ndarray) -> np.ndarray:
+def _accelerations(model: EngineModel, pairs: list[int], given: dict[str, Any], forces: np.ndarray) -> np.ndarray:
     """Return the second derivatives of gaps under generalised forces [m/s^2]."""
     a, *_ = model.evaluate("accelerations", *(given[x] for x in "tqu"), forces, given["c"])
     return pair_values(model, "gap_accelerations", pairs, given | {"a": a})[0]
 
 
 def _depth(
-    model: Model, bound: BoundParameters, q: np.ndarray, u: np.ndarray, j: int, gap: float
+    model: EngineModel, bound: BoundParameters, q: np.ndarray, u: np.ndarray, j: int, gap: float
 ) -> tuple[float, float]:
     """Return the depth of a pair [m] and the derivative of its gap by depth.
 
@@ -105,7 +105,7 @@ def _depth(
     return eccentricity - eccentricity / slope, slope
 
 
-def _sizes(model: Model, bound: BoundParameters) -> dict[str, float]:
+def _sizes(model: EngineModel, bound: BoundParameters) -> dict[str, float]:
     """Return the plausible penetrations [m] of pairs that have a size.
 
     That is the clearance, or half the smaller radius.
@@ -121,7 +121,7 @@ def _sizes(model: Model, bound: BoundParameters) -> dict[str, float]:
     }
 
 
-def _scene_speed(model: Model, bound: BoundParameters, rate: float, acceleration: float, depth: float) -> float:
+def _scene_speed(model: EngineModel, bound: BoundParameters, rate: float, acceleration: float, depth: float) -> float:
     """Return the characteristic speed of a scene [m/s]; 0 where it has none.
 
     The largest of its scale, of the rate of the gap and of the speed that loads reach over the depth.

@@ -12,12 +12,12 @@ from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 INPUTS = {"gaps": "t q u c", "gap_accelerations": "t q u a c", "contact": "t q u z m c"}
 
 
-def pair_values(model: Model, name: str, pairs: Sequence[int], given: Mapping[str, Any]) -> list[np.ndarray]:
+def pair_values(model: EngineModel, name: str, pairs: Sequence[int], given: Mapping[str, Any]) -> list[np.ndarray]:
     """Return results of "gaps" or "gap_accelerations" for some pairs (n,), by rising numbers.
 
     given    inputs of the whole model by name
@@ -27,7 +27,7 @@ def pair_values(model: Model, name: str, pairs: Sequence[int], given: Mapping[st
 
 
 def values_by_kind(
-    model: Model, name: str, pairs: Sequence[int], given: Mapping[str, Any]
+    model: EngineModel, name: str, pairs: Sequence[int], given: Mapping[str, Any]
 ) -> Iterator[tuple[list[int], np.ndarray, list[np.ndarray]]]:
     """Yield the pairs of a kind, the rows of u that each works on, and tables of results (n, size)."""
     inputs = INPUTS[name].split()
@@ -54,7 +54,7 @@ def values_by_kind(
 
 
 @per_model
-def _of_kind(model: Model, name: str, kind: str) -> Rowwise:
+def _of_kind(model: EngineModel, name: str, kind: str) -> Rowwise:
     """Return a function (c, own entries) -> results of one pair of a kind."""
     row = next(members[1:] for members in model.members if members[0] == kind)
     sizes = dict(zip("quzma", map(len, [*row, row[1]]), strict=True)) | {"t": 1, "c": model.nc}

@@ -21,7 +21,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.start.assembly import RANK, assemble_at, eccentricities
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
     from hertzwerk.runtime.engine.start.assembly import Array
 
 REPETITIONS = 100
@@ -54,7 +54,7 @@ class _Seat:
 
 
 def seat(
-    model: Model, bound: BoundParameters, q: Array, u: Array, given: Collection[str]
+    model: EngineModel, bound: BoundParameters, q: Array, u: Array, given: Collection[str]
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates (nq,), speeds (nu,) of the joints with journals seated, and faults.
 
@@ -88,7 +88,7 @@ def seat(
     return q, u, (_no_seat("their seats do not converge: the direction of their forces changes with their position"),)
 
 
-def closed_forces(model: Model, bound: BoundParameters, q: Array, u: Array) -> tuple[Array, bool]:
+def closed_forces(model: EngineModel, bound: BoundParameters, q: Array, u: Array) -> tuple[Array, bool]:
     """Return the forces [N] on journals as closed joints, and whether they are undetermined.
 
     They act along the eccentricities, caused by loads, gravity, inertia and drives at t = 0, in coordinates and
@@ -114,7 +114,7 @@ def closed_forces(model: Model, bound: BoundParameters, q: Array, u: Array) -> t
     return multipliers / sizes, bool(rank < len(own))
 
 
-def _initial_seats(model: Model, bound: BoundParameters, q: Array, u: Array) -> list[_Seat]:
+def _initial_seats(model: EngineModel, bound: BoundParameters, q: Array, u: Array) -> list[_Seat]:
     """Return the journals with initial depths."""
     there = 0.0, *model.placed(bound, q, u), bound.c
     e = np.array(eccentricities(model)(*there)[0]).ravel()
@@ -127,21 +127,21 @@ def _initial_seats(model: Model, bound: BoundParameters, q: Array, u: Array) -> 
     return seats
 
 
-def _elastic_force(model: Model, bound: BoundParameters, q: Array, u: Array, pair: str) -> float:
+def _elastic_force(model: EngineModel, bound: BoundParameters, q: Array, u: Array, pair: str) -> float:
     """Return the normal force [N] of a pair at constant gap."""
     z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
     return float(model.evaluate(f"contact_{pair}", 0.0, *model.placed(bound, q, u), z, m, bound.c)[2][0])
 
 
 @per_model
-def _moves(model: Model) -> Any:
+def _moves(model: EngineModel) -> Any:
     """Return the CasADi function (t, q, u, c) -> Jacobian of the eccentricities' rates, applied forces."""
     _, _, u, _ = at = model.symbols("t q u c")
     return ca.Function("moves", at, [ca.jacobian(eccentricities(model)(*at)[1], u), model.function("applied")(*at)])
 
 
 @per_model
-def _second_rates(model: Model) -> Any:
+def _second_rates(model: EngineModel) -> Any:
     """Return the CasADi function (t, q, u, a, c) -> second derivatives of the eccentricities."""
     t, q, u, c = at = model.symbols("t q u c")
     (a,) = model.symbols("a")

@@ -12,7 +12,7 @@ import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.runtime.engine.model.binding import Value, named_values, plain_value, read_state
-from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, Model
+from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, EngineModel
 from hertzwerk.runtime.engine.model.si_values import latch_units
 from hertzwerk.runtime.engine.start.pair_values import pair_values
 from hertzwerk.runtime.engine.start.stated_start import as_stated
@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.start.stated_start import as_stated
 AnyValue = TypeVar("AnyValue", bound=Value)
 
 
-def split_values(model: Model, values: Mapping[str, AnyValue]) -> tuple[dict[str, AnyValue], dict[str, AnyValue]]:
+def split_values(model: EngineModel, values: Mapping[str, AnyValue]) -> tuple[dict[str, AnyValue], dict[str, AnyValue]]:
     """Split values by name into parameters and initial states of the joints.
 
     A name that is neither is left among the parameters.
@@ -31,7 +31,7 @@ def split_values(model: Model, values: Mapping[str, AnyValue]) -> tuple[dict[str
 
 
 def stated_values(
-    model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None, faults: list[Fault]
+    model: EngineModel, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None, faults: list[Fault]
 ) -> tuple[dict[str, Value], dict[str, Value]]:
     """Return parameters and initial states, which may stand among the parameters too; faults are appended."""
     own, states = split_values(model, _plain("parameters", parameters, faults))
@@ -47,7 +47,7 @@ def _plain(where: str, values: Mapping[str, Value] | None, faults: list[Fault]) 
 
 @np.errstate(all="ignore")  # what is not finite is a fault, or an outcome
 def start_of(
-    model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: Sequence[Fault] = ()
+    model: EngineModel, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: Sequence[Fault] = ()
 ) -> tuple[BoundParameters, np.ndarray, np.ndarray]:
     """Return the bound numbers, q (nq,) and u (nu,) that a run would start from.
 
@@ -64,7 +64,7 @@ def start_of(
 
 
 def read_start(
-    model: Model, bound: BoundParameters | None, initial: Mapping[str, Value], faults: list[Fault]
+    model: EngineModel, bound: BoundParameters | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return q and u at the start; bad input is appended to `faults`.
 
@@ -75,7 +75,7 @@ def read_start(
 
 
 def assembled(
-    whole: Model, bound: BoundParameters | None, initial: Mapping[str, Value], faults: list[Fault]
+    whole: EngineModel, bound: BoundParameters | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the start in joint coordinates: loops closed, journals centred where possible, or seated."""
     model = whole.joints
@@ -130,7 +130,7 @@ def assembled(
 
 @np.errstate(all="ignore")
 def overlaps(
-    model: Model, bound: BoundParameters, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
+    model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
 ) -> tuple[list[Fault], tuple[str, ...]]:
     """Return a fault for each pair that overlaps too deeply at the start, and warnings of the others.
 
@@ -158,7 +158,7 @@ def overlaps(
     return faults, tuple(warnings)
 
 
-def _separating_change(model: Model, bound: BoundParameters, initial: Mapping[str, Value], pair: str) -> str:
+def _separating_change(model: EngineModel, bound: BoundParameters, initial: Mapping[str, Value], pair: str) -> str:
     """Suggest the coordinate whose least change, in the scene's scales, separates a pair's surfaces."""
     joints, j = model.joints, model.pairs.index(pair)
     stated, still = assembled(model, bound, initial, [])
@@ -206,7 +206,7 @@ def _least_change(gap: Callable[[float], float], size: float) -> float | None:
     return opened
 
 
-def dependent(model: Model, bound: BoundParameters, q: np.ndarray) -> tuple[Dependent, ...]:
+def dependent(model: EngineModel, bound: BoundParameters, q: np.ndarray) -> tuple[Dependent, ...]:
     """Return groups of redundant constraints, valid from a start on."""
     if not model.nl:
         return ()

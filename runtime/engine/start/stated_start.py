@@ -11,10 +11,10 @@ from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 
-def as_stated(model: Model, bound: BoundParameters) -> tuple[np.ndarray, np.ndarray] | None:
+def as_stated(model: EngineModel, bound: BoundParameters) -> tuple[np.ndarray, np.ndarray] | None:
     """Return q (nq,) and u (nu,) as a scene states them; None where they are to be found."""
     stated = _stated(model)
     if stated is None:
@@ -24,7 +24,7 @@ def as_stated(model: Model, bound: BoundParameters) -> tuple[np.ndarray, np.ndar
 
 
 @per_model
-def _stated(model: Model) -> Callers | None:
+def _stated(model: EngineModel) -> Callers | None:
     """Build the function (p, c) -> q, u, and whether they are closed; None where more is to be done."""
     module = model.module
     if module.GIVEN is None or module.SEATED or model.quaternions or model.joints is not model:

@@ -17,7 +17,7 @@ from hertzwerk.runtime.output.drawings.places import GROUND, Array, Places
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 LARGE, TURNED = 0.14, 0.4  # largest displacement drawn, of the size of the mechanism; largest change of a direction
 PHASES = 24  # positions of a period, whose paths are drawn
@@ -25,12 +25,14 @@ TRIAL = 1e-6  # amplitude by which the size of a shape is measured
 COLUMNS = 3
 
 
-def at_rest(model: Model, bound: BoundParameters, t: float, q: Array, caption: str, notes: Sequence[str]) -> Figure:
+def at_rest(
+    model: EngineModel, bound: BoundParameters, t: float, q: Array, caption: str, notes: Sequence[str]
+) -> Figure:
     """Draw a mechanism at coordinates q (nq,) and the time t [s] of its drives."""
     return picture.figure(Places.at(model, bound, t, q[None]), notes, caption=caption)
 
 
-def of_shapes(model: Model, bound: BoundParameters, t: float, q: Array, shapes: Mapping[str, Array]) -> Figure:
+def of_shapes(model: EngineModel, bound: BoundParameters, t: float, q: Array, shapes: Mapping[str, Array]) -> Figure:
     """Draw a cell for each complex shape (nq,), by title: at rest in q (nq,), faint its extreme positions."""
     cells = [_Vibration(model, bound, t, q).places(shape) for shape in shapes.values()]
     return sheet(cells, list(shapes), faint=(PHASES // 4, 3 * PHASES // 4), columns=COLUMNS)
@@ -40,7 +42,7 @@ def of_shapes(model: Model, bound: BoundParameters, t: float, q: Array, shapes: 
 class _Vibration:
     """Vibrations of a mechanism about q (nq,)."""
 
-    model: Model
+    model: EngineModel
     bound: BoundParameters
     t: float
     q: Array

@@ -20,24 +20,24 @@ from hertzwerk.runtime.output.plots.title import differences, differences_of, ti
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 PANEL = (6.6, 4.7)  # largest size of the mechanism, inches
 DPI = 160
 
 
-def of_run(run: Solution) -> Figure:
+def of_run(run: EngineSolution) -> Figure:
     """Draw the mechanism of a run, at its start and later; raises InputError for a saved run."""
     return figure(Places.over(run), notes_on(run), differences(run))
 
 
-def notes_on(run: Solution) -> tuple[str, ...]:
+def notes_on(run: EngineSolution) -> tuple[str, ...]:
     """Return the outcome and warnings that a picture of a run must show."""
     return (*(() if run.outcome.finished else (f"{run.outcome.name}: {run.outcome.message}",)), *run.warnings)
 
 
-def of_start(model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None) -> Figure:
+def of_start(model: EngineModel, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None) -> Figure:
     """Draw a mechanism at its start; raises InputError."""
     places = Places.at_start(model, parameters, initial)
     return figure(places, unchecked(model), differences_of(model, parameters or {}, initial or {}))

@@ -14,8 +14,8 @@ from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 Array = NDArray[np.float64]
 
@@ -62,7 +62,7 @@ class Places:
     origins (n, bodies, 3) [m], rotations (n, bodies, 3, 3).
     """
 
-    model: Model
+    model: EngineModel
     t: Array
     bodies: tuple[str, ...]
     landmarks: tuple[Landmark, ...]
@@ -71,7 +71,7 @@ class Places:
 
     @classmethod
     def at_start(
-        cls, model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None
+        cls, model: EngineModel, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None
     ) -> Places:
         """Return the places at t = 0, loops closed; raises InputError."""
         from hertzwerk.runtime.engine.start.start_values import start_of
@@ -82,14 +82,14 @@ class Places:
         return cls.at(model, bound, 0.0, q[None])
 
     @classmethod
-    def at(cls, model: Model, bound: BoundParameters, t: float, positions: Array) -> Places:
+    def at(cls, model: EngineModel, bound: BoundParameters, t: float, positions: Array) -> Places:
         """Return the places at coordinates (n, nq) and the time t [s] of drives; their own times count them."""
         poses = [model.evaluate("poses", t, q, bound.c) for q in positions]
         origins, rotations = (np.array(part) for part in zip(*poses, strict=True))
         return cls._of(model, bound.p, np.arange(float(len(poses))), origins, rotations)
 
     @classmethod
-    def over(cls, run: Solution, also: Array | None = None) -> Places:
+    def over(cls, run: EngineSolution, also: Array | None = None) -> Places:
         """Return the places over a run, between its accepted steps.
 
         Of a run too long to be made again, at its rows. `also`: further times [s] of a run with steps. Raises
@@ -113,7 +113,7 @@ class Places:
         return cls._of(run.model, run.model.bind(given).p, times[good], positions[good], rotations[good])
 
     @classmethod
-    def _of(cls, model: Model, p: Array, t: Array, positions: Array, rotations: Array) -> Places:
+    def _of(cls, model: EngineModel, p: Array, t: Array, positions: Array, rotations: Array) -> Places:
         """Return the places; raises InputError where the mechanism is too large to be drawn."""
         n, bodies = len(t), model.module.BODIES
         ground = np.zeros((n, 1, 3)), np.broadcast_to(np.eye(3), (n, 1, 3, 3))
@@ -169,12 +169,12 @@ class Places:
         return [mark for mark in self.landmarks if mark.body == body]
 
 
-def landmarks_of(model: Model, p: Array) -> tuple[Landmark, ...]:
+def landmarks_of(model: EngineModel, p: Array) -> tuple[Landmark, ...]:
     """Return the landmarks of a model with its parameters p (np,), SI."""
     return tuple(map(_landmark, model.module.LANDMARKS, model.landmarks(p)))
 
 
-def _without_functions(model: Model) -> InputError:
+def _without_functions(model: EngineModel) -> InputError:
     found, remedy = "a saved run, which holds no functions", f"simulate again, or load({model.name!r}).draw()"
     return InputError(
         model.name, [Fault("draw", found, "a model that `load` returned, a run that `simulate` did", remedy)]

@@ -19,7 +19,7 @@ from hertzwerk.runtime.system.atomic_files import scratch_folder
 from hertzwerk.runtime.system.result_folder import new_file_faults
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 FPS = 25.0
 
@@ -35,7 +35,7 @@ class Film:
 
 
 def animate(
-    run: Solution,
+    run: EngineSolution,
     path: Path,
     *,
     fps: float = FPS,

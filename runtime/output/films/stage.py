@@ -34,7 +34,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 SLIDING = 1e-9  # of the fastest: slower surfaces have no direction
 
@@ -182,7 +182,7 @@ class Layout:
 class Stage:
     """A figure whose shapes `show` moves to the instant of a frame."""
 
-    run: Solution
+    run: EngineSolution
     clock: Clock
     curves: Curves
     drawing: Drawing
@@ -190,7 +190,7 @@ class Stage:
     papers: list[MovingPaper] = field(default_factory=list)
 
     @classmethod
-    def of(cls, run: Solution, clock: Clock) -> Stage:
+    def of(cls, run: EngineSolution, clock: Clock) -> Stage:
         """Set the stage of a run that has its functions; raises InputError for a saved one."""
         curves = Curves.of(run)
         times = clock.times

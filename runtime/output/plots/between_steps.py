@@ -9,7 +9,7 @@ import numpy as np
 from hertzwerk.runtime.engine.solution.history import acceleration_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 FLIGHT, CONTACT = 0.0, 1.0  # modes of a pair, as they are saved
@@ -119,7 +119,7 @@ class BetweenSteps:
         return self._changed
 
 
-def _speed_of(model: Model, name: str) -> str:
+def _speed_of(model: EngineModel, name: str) -> str:
     """Name the speed of a coordinate; empty where it has none of its own."""
     scalar_parts = [each for i, each in enumerate(model.coordinates) if i not in model.quaternions]
     place = scalar_parts.index(name) if name in scalar_parts else len(model.speeds)

@@ -18,7 +18,7 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.history import History
     from hertzwerk.runtime.engine.solution.impacts import Impact
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
 
 Array = NDArray[np.float64]
@@ -52,13 +52,13 @@ class Curves:
     run: with its steps, where they were kept or the run could be made again.
     """
 
-    run: Solution
+    run: EngineSolution
     t: Array
     sampled: History | BetweenSteps | Rows
     time: Scale
 
     @classmethod
-    def of(cls, run: Solution) -> Curves:
+    def of(cls, run: EngineSolution) -> Curves:
         """Sample a run between its accepted steps and through its impacts, once for all of its pictures.
 
         A run that kept a grid is made again for them; a saved one, or a very long one, has only its rows.
@@ -69,7 +69,7 @@ class Curves:
         return found
 
     @classmethod
-    def _sampled(cls, run: Solution) -> Curves:
+    def _sampled(cls, run: EngineSolution) -> Curves:
         run = run.with_steps()
         if not len(run.t):
             raise ValueError(
@@ -188,7 +188,7 @@ def _cubic(knots: Array, values: Array, slopes: Array, t: Array) -> Array:
     return found
 
 
-def impact_curves(run: Solution, impact: Impact) -> tuple[Array, Array, Array]:
+def impact_curves(run: EngineSolution, impact: Impact) -> tuple[Array, Array, Array]:
     """Return time since the onset [s], normal force [N] and penetration [m] of one impact."""
     end = end_of(impact, run)
     if has_steps(run):

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
-def films(model: Model) -> dict[str, str]:
+def films(model: EngineModel) -> dict[str, str]:
     """Return the lubrication effect of each pair that has one."""
     oils = [(name, text) for name, kind, text in model.module.EFFECTS if kind == "lubrication"]
     return {

@@ -13,7 +13,7 @@ from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.history import History
     from hertzwerk.runtime.engine.solution.impacts import Impact
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 Array = NDArray[np.float64]
 
@@ -25,17 +25,17 @@ NEAR_PEAK = 16  # between the samples beside the largest
 IMPACT_BINS = 1000  # parts of a run in which a picture shows one impact of each pair
 
 
-def has_steps(run: Solution) -> bool:
+def has_steps(run: EngineSolution) -> bool:
     """Return whether a run is known between its rows, which are its steps."""
     return run.history.steps or bool(run.history.rates)
 
 
-def between(run: Solution, times: Array) -> History | BetweenSteps:
+def between(run: EngineSolution, times: Array) -> History | BetweenSteps:
     """Return histories of a run between its steps, at times [s]: by its method, or a saved run by Hermite."""
     return run.at(times) if run.history.integrator is not None else BetweenSteps(run.history, times)
 
 
-def dense(run: Solution) -> History | BetweenSteps:
+def dense(run: EngineSolution) -> History | BetweenSteps:
     """Return histories of a run with its steps, fine enough for smooth pictures with every peak."""
     steps = _Steps(run)
     times = np.unique(np.concatenate([*steps.resolved(), np.linspace(run.t[0], run.t[-1], EVEN)]))
@@ -43,7 +43,7 @@ def dense(run: Solution) -> History | BetweenSteps:
     return between(run, np.unique(peaks))
 
 
-def hardest(run: Solution) -> list[Impact]:
+def hardest(run: EngineSolution) -> list[Impact]:
     """Return the hardest impact of each pair in every part of a run that a picture resolves."""
     part = max(run.t_end - run.t_start, 1e-300) / IMPACT_BINS
     found: dict[tuple[str, int], Impact] = {}
@@ -54,7 +54,7 @@ def hardest(run: Solution) -> list[Impact]:
     return list(found.values())
 
 
-def end_of(impact: Impact, run: Solution) -> float:
+def end_of(impact: Impact, run: EngineSolution) -> float:
     """Return the time [s] at which a contact ends, or the run does before."""
     last = float(run.t[-1])
     return last if impact.duration is None else min(impact.t + impact.duration, last)
@@ -63,7 +63,7 @@ def end_of(impact: Impact, run: Solution) -> float:
 class _Steps:
     """Steps of a run and the curves that pictures show of them, in parts of what a picture resolves."""
 
-    def __init__(self, run: Solution) -> None:
+    def __init__(self, run: EngineSolution) -> None:
         model = run.model
         names = (*model.coordinates, *model.speeds, *model.outputs, *(f"{pair}.normal_force" for pair in model.pairs))
         self._run, self._t = run, run.t
@@ -112,7 +112,7 @@ class _Steps:
         return off
 
 
-def _hardest_rows(run: Solution) -> Iterator[int]:
+def _hardest_rows(run: EngineSolution) -> Iterator[int]:
     """Yield the row with the largest force of each of the hardest impacts."""
     for impact in hardest(run):
         begin, stop = np.searchsorted(run.t, (impact.t, end_of(impact, run)))
@@ -120,7 +120,7 @@ def _hardest_rows(run: Solution) -> Iterator[int]:
             yield int(begin) + int(np.argmax(run[f"{impact.contact}.normal_force"][begin:stop]))
 
 
-def _near_peaks(run: Solution, found: History | BetweenSteps) -> Iterator[Array]:
+def _near_peaks(run: EngineSolution, found: History | BetweenSteps) -> Iterator[Array]:
     """Yield times between the samples, and the steps, beside the largest sampled force of an impact."""
     t, steps, last = found.t, run.t, len(run.t) - 1
     for impact in hardest(run):
@@ -138,7 +138,7 @@ def _near_peaks(run: Solution, found: History | BetweenSteps) -> Iterator[Array]
 class Rows:
     """Histories of a run of which only rows are known, with onset, peak and end of each contact."""
 
-    def __init__(self, run: Solution) -> None:
+    def __init__(self, run: EngineSolution) -> None:
         self._run = run
         within = [impact for impact in hardest(run) if impact.t <= run.t[-1]]  # rows may end sooner than the run
         inside = [np.searchsorted(run.t, (impact.t, end_of(impact, run))) for impact in within]
@@ -166,5 +166,5 @@ class Rows:
         return values
 
 
-def _middle(impact: Impact, run: Solution) -> float:
+def _middle(impact: Impact, run: EngineSolution) -> float:
     return (impact.t + end_of(impact, run)) / 2

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 NOTE = 9  # points, of the text below the panels
 LEGEND_ROOM = 22  # points between a panel and its title
@@ -31,7 +31,7 @@ RESTS = 1e-2  # of the curves: less motion of the ideal mechanism is not what a 
 CONSTANT = 1e-12  # relative: less change than this is rounding, and not drawn
 
 
-def caption(figure: Figure, run: Solution, subtitle: str, notes: Sequence[str] = ()) -> None:
+def caption(figure: Figure, run: EngineSolution, subtitle: str, notes: Sequence[str] = ()) -> None:
     """Write title and differences from the scene; below the panels outcome, warnings and notes."""
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.model, subtitle), differences(run))

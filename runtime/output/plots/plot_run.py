@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from hertzwerk.runtime.engine.solution.impacts import Impact
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 UNRESOLVED = "the rows that were kept do not resolve the first impact,\nwhose peak is {:.4g} {}"
 KINDS = {"m": ("Position", "Speed", "Acceleration"), "rad": ("Angle", "Angular speed", "Angular acceleration"),
@@ -53,7 +53,7 @@ PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mech
 Panel: TypeAlias = Callable[["Axes", Curves], object]
 
 
-def plot(run: Solution, *names: str) -> Figure:
+def plot(run: EngineSolution, *names: str) -> Figure:
     """Draw the overview of a run, one contact pair's page, or other histories by name.
 
     Raises KeyError for an unknown name.
@@ -65,7 +65,7 @@ def plot(run: Solution, *names: str) -> Figure:
     return histories(run, *names)
 
 
-def histories(run: Solution, *names: str) -> Figure:
+def histories(run: EngineSolution, *names: str) -> Figure:
     """Draw a panel for each named history; raises KeyError for an unknown name."""
     curves = Curves.of(run)
     values = [curves[name] for name in names]
@@ -79,19 +79,19 @@ def histories(run: Solution, *names: str) -> Figure:
     return figure
 
 
-def overview(run: Solution) -> Figure:
+def overview(run: EngineSolution) -> Figure:
     """Draw motion, contact forces and energy of a run, beside the ideal mechanism where there is one."""
     return _overview(Curves.of(run))
 
 
-def pair(run: Solution, name: str) -> Figure:
+def pair(run: EngineSolution, name: str) -> Figure:
     """Draw one contact pair: journal path or gap, force, first impact; raises KeyError for another name."""
     if name not in run.model.pairs:
         raise KeyError(f"{name!r} is no contact pair; there are {', '.join(run.model.pairs)}")
     return _pair(Curves.of(run), name)
 
 
-def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
+def pages(run: EngineSolution) -> dict[str, Callable[[Path], None]]:
     """Sample a run; return functions that save the overview and each pair's page as PNG, by name."""
     _ = Curves.of(run).ideal
 
@@ -309,7 +309,7 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     arrangement.legend_below(axis, columns=2)
 
 
-def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
+def _first_impact(axis: Axes, run: EngineSolution, impact: Impact | None) -> None:
     if impact is None:
         empty_panel(axis, "no impact")
         return
@@ -327,7 +327,7 @@ def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
     axis.set_xlabel(f"time [{time.unit}] since {onset}; approach speed {impact.speed:.4g} m/s")
 
 
-def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
+def _loop(axis: Axes, run: EngineSolution, impact: Impact | None) -> None:
     if impact is None:
         empty_panel(axis, "")
         return

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 MOST = 12  # differences that are listed
 BOLD, SMALL = 9.4, 13.5  # characters on an inch, of the title and of the line below it
@@ -22,18 +22,18 @@ TITLE, LINE = 0.24, 0.17  # inches of a line
 MARGIN = 0.06  # inches above
 
 
-def title_of(model: Model, subtitle: str) -> str:
+def title_of(model: EngineModel, subtitle: str) -> str:
     """Return the name of a scene and what a picture shows of it."""
     return ": ".join(filter(None, (model.name, subtitle)))
 
 
-def differences(run: Solution) -> str:
+def differences(run: EngineSolution) -> str:
     """Describe the variation of the scene, and the parameters and initial states that are not its own."""
     initial = {} if run.checkpoint is None else run.checkpoint.initial
     return differences_of(run.model, parameters_of(run, run.model), initial)
 
 
-def differences_of(model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value]) -> str:
+def differences_of(model: EngineModel, parameters: Mapping[str, Value], initial: Mapping[str, Value]) -> str:
     """Describe a variation of a scene, and parameters and initial states given in place of its own."""
     changes = [f"{name} = {_text(value)}" for name, value in (*parameters.items(), *initial.items())]
     variation = model.declaration

@@ -11,10 +11,10 @@ from hertzwerk.runtime.output.reports.html_table import number_text, table, unit
 from hertzwerk.runtime.system.versions import versions
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
-def model_page(model: Model, origin: Origin | None = None) -> str:
+def model_page(model: EngineModel, origin: Origin | None = None) -> str:
     """Return the page of a scene at its own parameters; nothing is simulated."""
     from hertzwerk.runtime.output.drawings import picture
 

@@ -30,17 +30,17 @@ from hertzwerk.runtime.system.versions import versions
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 MOST = 200  # rows of a table of impacts
 OF_IMPACT = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m"}
 
 
 def run_page(
-    run: Solution,
+    run: EngineSolution,
     *,
-    model: Model | None = None,
+    model: EngineModel | None = None,
     origin: Origin | None = None,
     whole: str = "run.impacts",
     sensitivities: Mapping[str, Any] | None = None,
@@ -78,7 +78,7 @@ def run_page(
     return page("run", name, summary, top, [section for section in sections if section is not None], made)
 
 
-def call_of(run: Solution) -> str:
+def call_of(run: EngineSolution) -> str:
     """Return the call in Python that repeats a run."""
     model, told = run.model, {}
     target, variation = repr(model.name), model.declaration
@@ -97,12 +97,12 @@ def call_of(run: Solution) -> str:
     return f"simulate(load({load}), {', '.join(f'{name}={value!r}' for name, value in asked.items())})"
 
 
-def _outcome(run: Solution) -> Markup:
+def _outcome(run: EngineSolution) -> Markup:
     outcome = run.outcome
     return verdict(outcome.name.replace("_", " "), outcome.finished, outcome.message, outcome.remedy)
 
 
-def _facts(run: Solution) -> Markup:
+def _facts(run: EngineSolution) -> Markup:
     statistics, error = run.statistics, run.error
     found = {
         "time simulated": _quantity(run.t_end - run.t_start, "s"),
@@ -117,17 +117,17 @@ def _facts(run: Solution) -> Markup:
     return facts(found)
 
 
-def _horizon(run: Solution) -> str:
+def _horizon(run: EngineSolution) -> str:
     until = None if run.error is None else run.error.horizon
     return "the whole run" if until is None else f"until {_quantity(until, 's')}"
 
 
-def _heed(run: Solution) -> Section | None:
+def _heed(run: EngineSolution) -> Section | None:
     texts = [*run.warnings, *run.advice]
     return Section("Warnings", bullets(texts)) if texts else None
 
 
-def _pictures(run: Solution, declared: Model) -> list[Markup]:
+def _pictures(run: EngineSolution, declared: EngineModel) -> list[Markup]:
     from hertzwerk.runtime.output.drawings import picture as drawing
     from hertzwerk.runtime.output.plots import plot_run
 
@@ -145,7 +145,7 @@ def _pictures(run: Solution, declared: Model) -> list[Markup]:
     ]
 
 
-def _accuracy(run: Solution) -> Section:
+def _accuracy(run: EngineSolution) -> Section:
     error, told = run.error, []
     if error is None or run.accuracy is None:
         told.append(f"One run at the local tolerance {brief(run.tolerance, 2)}; its error was not estimated.")
@@ -182,7 +182,7 @@ def _accuracy(run: Solution) -> Section:
     return Section("Accuracy and cost", joined([paragraphs(told), counts, choices]))
 
 
-def _impacts(run: Solution, whole: str) -> Section:
+def _impacts(run: EngineSolution, whole: str) -> Section:
     impacts = run.impacts
     if not impacts:
         return Section("Impacts", paragraphs(["There are none."]))
@@ -210,7 +210,7 @@ def _impacts(run: Solution, whole: str) -> Section:
     return Section("Impacts", joined([paragraphs([told]), table(heads, rows)]))
 
 
-def _averages(run: Solution) -> Markup:
+def _averages(run: EngineSolution) -> Markup:
     rows: list[list[Cell]] = [
         [a.name, a.mean, a.half_width, unit_markup(a.unit), a.blocks or None, a.reason] for a in run.averages()
     ]
@@ -221,7 +221,7 @@ def _averages(run: Solution) -> Markup:
     return joined([paragraphs([told]), table(heads, rows)])
 
 
-def _states(run: Solution) -> Section:
+def _states(run: EngineSolution) -> Section:
     units: Mapping[str, str] = run.model.units
     rows: list[list[Cell]] = [
         [name, value, run.final[name], unit_markup(units[name])] for name, value in run.initial.items()
@@ -232,7 +232,7 @@ def _states(run: Solution) -> Section:
     return Section("States", joined([paragraphs(told), table(heads, rows, digits=8)]))
 
 
-def _sensitivities(run: Solution, found: Mapping[str, Any], whole: str) -> Section:
+def _sensitivities(run: EngineSolution, found: Mapping[str, Any], whole: str) -> Section:
     """Return the derivatives of final states and impacts by each name."""
     units, known, parts = run.model.units, quantities(run.model), list[Markup]()
     for name, told in found.items():

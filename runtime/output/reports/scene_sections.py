@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from hertzwerk.derive.exchange.readable_equations.readable_record import Equation, Readable
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
-def readable_of(model: Model) -> tuple[Readable | None, str]:
+def readable_of(model: EngineModel) -> tuple[Readable | None, str]:
     """Return the equations of a model for people; else None, and why there are none."""
     if model.declaration is None:
         return None, f"A saved run holds no declaration of its scene; load({model.name!r}).equations() shows them."
@@ -35,7 +35,7 @@ def drawn(draw: Callable[[], Figure], name: str, label: str) -> Markup:
     return guarded(f"The picture {name}", lambda: picture(svg_of(draw()), f"picture-{name}", label, label))
 
 
-def effects(model: Model, readable: Readable | None) -> Section:
+def effects(model: EngineModel, readable: Readable | None) -> Section:
     """Effects of a scene with their laws; sources where the equations are at hand."""
     refused = dict(model.module.UNCHECKED)
     sources = {} if readable is None else {effect.name: effect.source for effect in readable.effects}
@@ -53,7 +53,7 @@ def effects(model: Model, readable: Readable | None) -> Section:
     return Section("Effects", table(columns, rows))
 
 
-def parameters(model: Model, values: Mapping[str, tuple[float, str]], readable: Readable | None) -> Section:
+def parameters(model: EngineModel, values: Mapping[str, tuple[float, str]], readable: Readable | None) -> Section:
     """Values of all parameters; those that are not the model's own stand out, with its value beside."""
     own = {name: (port.default, port.unit) for name, port in model.parameters.items()}
     symbols = {} if readable is None else {symbol.name: _symbol(symbol.latex) for symbol in readable.parameters}

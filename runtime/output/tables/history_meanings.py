@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from hertzwerk.derive.common.plain_table import table
 from hertzwerk.runtime.engine.model.derived_histories import readings_of
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.history import acceleration_of, constraint_force, friction_force, units_of
 
 _WORDS = {  # by the last part of a name, or by the one before an axis: meaning, without what it is of
@@ -72,7 +72,7 @@ class Histories(tuple[Entry, ...]):
         return [(entry.name, entry.unit, entry.meaning) for entry in self]
 
 
-def entries(model: Model) -> Histories:
+def entries(model: EngineModel) -> Histories:
     """Return all histories of a model: those of every run, then the readings, where it has its scene."""
     units = units_of(model, None)
     return Histories(
@@ -80,7 +80,7 @@ def entries(model: Model) -> Histories:
     )
 
 
-def meaning_of(model: Model, name: str) -> str:
+def meaning_of(model: EngineModel, name: str) -> str:
     """Return what a history is, in a few words."""
     if name in ("t", "energy"):
         return "time" if name == "t" else _ENERGY

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.model.si_values import unit_at
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.output.tables.history_meanings import meaning_of
 from hertzwerk.runtime.output.tables.labelled_table import Column, LabelledTable
 from hertzwerk.runtime.system.versions import versions
 
 
-def history_table(run: Solution) -> LabelledTable:
+def history_table(run: EngineSolution) -> LabelledTable:
     """Return every history of a run over its times, with parameters and outcome."""
     model, units = run.model, run.history.units
     columns = {name: Column(run[name], units[name], meaning_of(model, name)) for name in ("t", *run)}
@@ -26,7 +26,7 @@ def history_table(run: Solution) -> LabelledTable:
     return LabelledTable("t", columns, {**about, **given})
 
 
-def _parameter(run: Solution, name: str) -> str:
+def _parameter(run: EngineSolution, name: str) -> str:
     """Return a parameter as text that `simulate` takes, with every digit."""
     value, unit = run.parameters[name]
     read = parse_unit(unit)

@@ -12,11 +12,11 @@ from hertzwerk.derive.common.plain_table import OTHER, heading, table, titled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 
-def of_model(model: Model, picture: Figure) -> Markup:
+def of_model(model: EngineModel, picture: Figure) -> Markup:
     """Return a model with the picture of its start."""
     image = io.BytesIO()
     picture.savefig(image, format="png", dpi=80)
@@ -33,7 +33,7 @@ def of_model(model: Model, picture: Figure) -> Markup:
 SHOWN = 8  # impacts of a run
 
 
-def of_run(run: Solution, given: Mapping[str, tuple[float, str]]) -> Markup:
+def of_run(run: EngineSolution, given: Mapping[str, tuple[float, str]]) -> Markup:
     """Return outcome, warnings, given parameters, and the first impacts of a run."""
     first, *rest = str(run).split("\n")
     name = run.outcome.name

@@ -11,7 +11,7 @@ from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredTable, Measu
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.run.run_request import Accuracy
 from hertzwerk.runtime.engine.solution.history import units_of
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_comparison_request
@@ -33,7 +33,7 @@ class Comparison(Compared):
 
 
 def compare(
-    target: Solution | Target,
+    target: EngineSolution | Target,
     data: Measurement | MeasuredTable,
     *,
     map: Mapping[str, str] | None = None,
@@ -70,7 +70,7 @@ def compare(
         **{"accuracy": accuracy, "tolerance": tolerance, "method": method},
     }
     given: dict[str, Any] = {name: value for name, value in of_run.items() if value is not None}
-    run = target if isinstance(target, Solution) else None
+    run = target if isinstance(target, EngineSolution) else None
     if run is not None and given:
         raise InputError("compare", [Fault(", ".join(given), "values beside a run", "none: it has its own")])
     model = run.model if run is not None else load(cast("Target", target))

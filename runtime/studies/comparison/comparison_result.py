@@ -14,7 +14,7 @@ from hertzwerk.runtime.studies.comparison.signal_statistics import by_chance
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.inputs.measurement_csv import Array
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.studies.comparison.alignment import Alignment
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
     from hertzwerk.runtime.studies.comparison.residuals import Residual
@@ -62,7 +62,7 @@ class Compared:
     warnings    what to heed before the numbers are believed
     """
 
-    solution: Solution
+    solution: EngineSolution
     request: ComparisonRequest
     alignment: Alignment
     horizon: float

@@ -17,7 +17,7 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.studies.comparison.instrument import Instrument
 
 Array = NDArray[np.float64]
@@ -39,7 +39,9 @@ class FilteredRun:
     t, values    centres (m,) of cells `spacing` [s] long, and what is seen there, shape (m, names)
     """
 
-    def __init__(self, run: Solution, names: Sequence[str], instrument: Instrument | None, spacing: float) -> None:
+    def __init__(
+        self, run: EngineSolution, names: Sequence[str], instrument: Instrument | None, spacing: float
+    ) -> None:
         self._run, self._names, self._instrument = run, tuple(names), instrument
         self.spacing = spacing if instrument is None else instrument.spacing
         settling = 0.0 if instrument is None else instrument.settling

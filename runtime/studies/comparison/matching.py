@@ -25,7 +25,7 @@ from hertzwerk.runtime.studies.comparison.spectra import series_of, spectrum_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.inputs.measurement_csv import Array
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
 
 INTERVALS = 240  # of the times beyond the horizon, where the run has no period
@@ -35,7 +35,7 @@ PER_SAMPLE = 4  # cells of an unfiltered run in a measured step
 SEED = 0  # of the noise added to the run before statistics
 
 
-def match(run: Solution, asked: ComparisonRequest) -> Compared:
+def match(run: EngineSolution, asked: ComparisonRequest) -> Compared:
     """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
     if not run.history.steps:
         found, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
@@ -57,7 +57,7 @@ def match(run: Solution, asked: ComparisonRequest) -> Compared:
     return Compared(run, asked, alignment, known, signals, outside, tuple(_warnings(run, asked, alignment, outside)))
 
 
-def horizon_of(run: Solution) -> float:
+def horizon_of(run: EngineSolution) -> float:
     """Return the time [s] up to which trajectories are compared; a run's end where nothing is known.
 
     Its own error stays within a tenth of what a valid trajectory may have, so as not to be taken for a difference.
@@ -104,7 +104,7 @@ def _signal(
     return Signal(channel, t, measured, run, int(np.sum(~there)), residual, spectrum, statistics, why)
 
 
-def _warnings(run: Solution, asked: ComparisonRequest, alignment: Alignment, outside: int) -> Iterator[str]:
+def _warnings(run: EngineSolution, asked: ComparisonRequest, alignment: Alignment, outside: int) -> Iterator[str]:
     """Yield what to heed before the numbers are believed."""
     step = float(np.median(np.diff(asked.measurement.times)))
     if not run.outcome.finished:

@@ -31,7 +31,7 @@ from hertzwerk.runtime.studies.comparison.comparison_request import Channel, rea
 from hertzwerk.runtime.studies.fitting.impact_numbers import IMPACTS, impact_units, of_impacts, onsets, parts_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.simulation import Solution
 
@@ -68,7 +68,7 @@ class Observed:
     """
 
     name: str
-    model: Model
+    model: EngineModel
     parameters: Mapping[str, Value]
     initial: Mapping[str, Value]
     table: Measurement | MeasuredImpacts
@@ -159,7 +159,7 @@ def _numbered(values: Array, numbers: Array, otherwise: float) -> Array:
 
 
 def read_experiments(
-    model: Model,
+    model: EngineModel,
     data: object,
     *,
     map: Mapping[str, str] | None,
@@ -210,7 +210,7 @@ def read_experiments(
 
 
 def _observed(
-    model: Model,
+    model: EngineModel,
     experiment: Experiment,
     where: str,
     map: Mapping[str, str] | None,
@@ -294,7 +294,7 @@ def mapped_columns(table: Columns | None, map: Mapping[str, str] | None, by_impa
 
 
 def _duration(
-    model: Model,
+    model: EngineModel,
     table: Measurement | MeasuredImpacts | None,
     duration: str | float | None,
     latest: float,

@@ -33,7 +33,7 @@ from hertzwerk.runtime.studies.fitting.predictions import Forward
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Array = NDArray[np.float64]
 
@@ -71,7 +71,7 @@ class FitRequest:
 
 
 def read_fit(
-    model: Model,
+    model: EngineModel,
     data: object,
     free: object,
     *,

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.engine.solution.history import units_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 Array = NDArray[np.float64]
 
@@ -28,7 +28,7 @@ REBOUND = "rebound."
 PER_STEP = 8  # places in a step between which a largest value is sought
 
 
-def impact_units(model: Model) -> dict[str, str]:
+def impact_units(model: EngineModel) -> dict[str, str]:
     """Return the SI unit text of what impacts can be compared by, by name."""
     whats = {**OF_IMPACT, **{f"{REBOUND}{name}": unit for name, unit in units_of(model, None).items() if name != "t"}}
     return {
@@ -44,13 +44,13 @@ def parts_of(name: str) -> tuple[str, str]:
     return pair.removeprefix("."), what
 
 
-def onsets(run: Solution, name: str) -> Array:
+def onsets(run: EngineSolution, name: str) -> Array:
     """Return the onsets [s] of the impacts that a name counts."""
     pair, _ = parts_of(name)
     return np.array([impact.t for impact in run.impacts if pair in ("", impact.contact)])
 
 
-def of_impacts(run: Solution, name: str, by: Sensitivities | None = None) -> Array:
+def of_impacts(run: EngineSolution, name: str, by: Sensitivities | None = None) -> Array:
     """Return one number of each impact (impacts,), or its derivatives (impacts, P) by all names, SI."""
     pair, what = parts_of(name)
     chosen = [i for i, impact in enumerate(run.impacts) if not pair or impact.contact == pair]
@@ -61,7 +61,7 @@ def of_impacts(run: Solution, name: str, by: Sensitivities | None = None) -> Arr
     return np.array([getattr(run.impacts[i], what) for i in chosen], dtype=float)
 
 
-def _rebounds(run: Solution, history: str, onsets: list[float], by: Sensitivities | None) -> Array:
+def _rebounds(run: EngineSolution, history: str, onsets: list[float], by: Sensitivities | None) -> Array:
     """Return the largest values of a history between onsets [s], or their derivatives by all names.
 
     A largest value within an interval changes as the history does at its time. The last impact has none: the run may end before.

@@ -21,7 +21,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.derive.common.markup import joined
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.derive.common.plain_table import heading, table
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.studies.fitting.fit_result import Fitted
 from hertzwerk.runtime.studies.fitting.fitting import (
@@ -51,7 +51,7 @@ def split_laws(text: str) -> list[str]:
     return [part.strip() for part in parts]
 
 
-def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[str, Model], list[Fault]]:
+def law_variants(model: EngineModel, laws: Mapping[str, Sequence[str]]) -> tuple[dict[str, EngineModel], list[Fault]]:
     """Return a model with every combination of laws, by what says which, and what is wrong with them."""
     faults: list[Fault] = []
     given = laws.values() if isinstance(laws, Mapping) else ()
@@ -60,7 +60,7 @@ def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[
         return {}, [Fault("laws", shown(laws), expected)]
     if model.declaration is None:
         return {}, [*without_scene("laws", model.module.SOURCE, model.name).faults]
-    variants: dict[str, Model] = {}
+    variants: dict[str, EngineModel] = {}
     many = [effect for effect, each in laws.items() if len(each) > 1]
     if not many:
         faults.append(Fault("laws", shown(dict(laws)), "two or more of an effect"))
@@ -80,7 +80,7 @@ def law_variants(model: Model, laws: Mapping[str, Sequence[str]]) -> tuple[dict[
 
 
 def read_laws(
-    variants: Mapping[str, Model], data: object, free: object, how: Mapping[str, Any], faults: list[Fault]
+    variants: Mapping[str, EngineModel], data: object, free: object, how: Mapping[str, Any], faults: list[Fault]
 ) -> dict[str, FitRequest]:
     """Return the fit that is asked of every variant; raises InputError with every fault.
 
@@ -109,7 +109,7 @@ def read_laws(
     return request
 
 
-def _names(model: Model) -> set[str]:
+def _names(model: EngineModel) -> set[str]:
     return {*model.parameters, *model.joints.coordinates, *model.joints.speeds}
 
 

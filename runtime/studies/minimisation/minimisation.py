@@ -140,7 +140,7 @@ class _Bound:
 
 
 def _ranges(
-    model: plain.Model, over: object, start: Mapping[str, Value] | None, faults: list[Fault]
+    model: plain.EngineModel, over: object, start: Mapping[str, Value] | None, faults: list[Fault]
 ) -> tuple[Free, ...]:
     """Return the ranges, with values to begin with; bad input is appended to `faults`."""
     ranges = read_free(model, over, faults, argument="over", decades=math.inf)
@@ -188,7 +188,7 @@ def _bounds(constraints: object, named: Mapping[str, str], faults: list[Fault]) 
 class _Problem:
     """Everything a minimisation computes."""
 
-    model: plain.Model
+    model: plain.EngineModel
     goal: Formula
     bounds: tuple[_Bound, ...]
     ranges: tuple[Free, ...]

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, TypeVar
 from hertzwerk.runtime.system.interrupt import raise_interrupts
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 Case = TypeVar("Case")
 Row = TypeVar("Row")
-Run = TypeVar("Run", bound="Solution")
+Run = TypeVar("Run", bound="EngineSolution")
 
 
 def until_stopped(

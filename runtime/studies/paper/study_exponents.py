@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_comparison import ExponentUnit
     from hertzwerk.runtime.analysis.effect_study.output_errors import Measurement
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 EXPONENTS = (1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0)
 FEW = (1.0, 1.5, 2.0)
@@ -78,7 +78,7 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     exponents = FEW if quick else EXPONENTS
     impacts = _impacts(exponents)
     progress(0.1)
-    drawn: dict[float, Solution] = {}
+    drawn: dict[float, EngineSolution] = {}
     model = crank_with(None)
 
     def row(n: float) -> tuple[float, Measurement, int]:
@@ -94,10 +94,10 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
 
 def _impacts(exponents: tuple[float, ...]) -> list[Impact]:
     from hertzwerk.runtime.engine.model.build import build, exponent_unit, impact_trials
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
     trial = next(trial for trial in impact_trials() if trial.law.name == "lankarani_nikravesh")
-    model, found = Model(build(trial.scene)), []
+    model, found = EngineModel(build(trial.scene)), []
     for n in exponents:
         values: dict[str, Value] = {
             "mass": f"{MASS!r} kg",
@@ -118,7 +118,9 @@ def _impacts(exponents: tuple[float, ...]) -> list[Impact]:
     return found
 
 
-def _page(impacts: list[Impact], rows: list[tuple[float, Measurement, int]], drawn: Mapping[float, Solution]) -> Page:
+def _page(
+    impacts: list[Impact], rows: list[tuple[float, Measurement, int]], drawn: Mapping[float, EngineSolution]
+) -> Page:
     return Page(
         title="Hertz's stiffness with n from 1 to 2, its number kept",
         paragraphs=(
@@ -203,7 +205,7 @@ def _impact_chart(impacts: list[Impact]) -> Chart:
     )  # fmt: skip
 
 
-def _crank_chart(rows: list[tuple[float, Measurement, int]], drawn: Mapping[float, Solution]) -> Chart:
+def _crank_chart(rows: list[tuple[float, Measurement, int]], drawn: Mapping[float, EngineSolution]) -> Chart:
     done = [(n, found) for n, found, _ in rows if len(found.numbers) == len(OUTPUTS)]
     n, exponent = np.array([row[0] for row in done]), Axis("exponent n")
     parted = [f"{x:g}" for x, found in done if found.past_horizon]

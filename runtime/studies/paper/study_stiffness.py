@@ -42,7 +42,7 @@ from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_comparison import ForceCurve
     from hertzwerk.runtime.analysis.effect_study.output_errors import Measurement
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 FITTED = "lankarani_nikravesh_cylinders"
 LAWS = (
@@ -129,7 +129,7 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     laws, n = _laws()
     progress(0.1)
     ridden = [law for law in laws if law.name in (FEW if quick else LAWS)]
-    drawn: dict[str, Solution] = {}
+    drawn: dict[str, EngineSolution] = {}
 
     def row(law: Law) -> Ride:
         ride, kept = _ride(law, f"{FITTED}(n={n:.4g})" if law.name == FITTED else law.name)
@@ -180,7 +180,7 @@ def fitted_exponent(forces: Array) -> float:
     return round(float(np.polyfit(np.log(DEPTHS[chosen]), np.log(forces[chosen]), 1)[0]), 4)
 
 
-def _ride(law: Law, text: str) -> tuple[Ride, Solution | None]:
+def _ride(law: Law, text: str) -> tuple[Ride, EngineSolution | None]:
     try:
         model = crank_with(text)
         found = measure(model, {})
@@ -275,7 +275,7 @@ def _force_chart(laws: Sequence[Law]) -> Chart:
     )  # fmt: skip
 
 
-def _crank_charts(rides: Sequence[Ride], drawn: Mapping[str, Solution]) -> tuple[Chart, ...]:
+def _crank_charts(rides: Sequence[Ride], drawn: Mapping[str, EngineSolution]) -> tuple[Chart, ...]:
     """Draw peak force and penetration by law, and the force of some laws over time."""
     done = [(ride.law, ride.measurement) for ride in rides if ride.measurement is not None and ride.measurement.numbers]
     done.sort(key=lambda pair: pair[1].numbers["peak_force"].value)

@@ -33,7 +33,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_rows, units_of_inputs
 from hertzwerk.runtime.engine.model.binding import Value
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import si_units
 from hertzwerk.runtime.engine.run.output_times import Grid
 from hertzwerk.runtime.engine.run.run_request import (
@@ -342,7 +342,7 @@ class Batch:
 
     def __init__(
         self,
-        model: Model,
+        model: EngineModel,
         sets: Design | Sequence[Mapping[str, Value]],
         settings: Mapping[str, Any],
         outputs: Sequence[Output],
@@ -400,7 +400,7 @@ class Batch:
                 yield from done
 
 
-def _first_a_number(model: Model, rows: Iterable[list[Row]]) -> Iterator[list[Row]]:
+def _first_a_number(model: EngineModel, rows: Iterable[list[Row]]) -> Iterator[list[Row]]:
     """Yield rows; raise InputError where the first of all shows that an output is not a number."""
     first = True
     for some in rows:
@@ -411,7 +411,7 @@ def _first_a_number(model: Model, rows: Iterable[list[Row]]) -> Iterator[list[Ro
         yield some
 
 
-def _check(model: Model, faults: list[Fault], functions: Mapping[str, Own]) -> None:
+def _check(model: EngineModel, faults: list[Fault], functions: Mapping[str, Own]) -> None:
     faults += [
         Fault(f"functions[{name!r}]", repr(function), "a name, and a function of the Solution")
         for name, function in functions.items()

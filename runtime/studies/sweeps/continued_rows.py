@@ -19,7 +19,7 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, shown
 from hertzwerk.runtime.engine.inputs.inputs_by_row import numbers_of
 from hertzwerk.runtime.engine.model.binding import Value
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import latch_units, si_of
 from hertzwerk.runtime.studies.sweeps.batch import Batch
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
@@ -100,7 +100,7 @@ class Grid(Sequence[Sequence[int]]):
 class Chains:
     """Rows in the order in which they follow each other."""
 
-    model: Model
+    model: EngineModel
     sets: Design
     rows: Sequence[Sequence[int]]
 
@@ -140,14 +140,14 @@ class Chains:
         return {name: (float(value), unit) for (name, unit), value in values if value > 0 or name not in latches}
 
 
-def state_units(model: Model) -> dict[str, str]:
+def state_units(model: EngineModel) -> dict[str, str]:
     """Return the units of what is handed on: coordinates, speeds, latches of contacts in progress."""
     states = {name: model.units[name] for name in (*model.coordinates, *model.speeds)}
     return {**states, **latch_units(model)}
 
 
 def read_chains(
-    model: Model,
+    model: EngineModel,
     sets: Design,
     over: Mapping[str, object],
     continued: object,

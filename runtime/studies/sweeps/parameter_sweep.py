@@ -39,7 +39,7 @@ from hertzwerk.runtime.engine.run.run_request import (
     read_duration,
 )
 from hertzwerk.runtime.engine.solution.outcome import Outcome
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start.start_values import split_values, stated_values
 from hertzwerk.runtime.loading import Target, load
 from hertzwerk.runtime.studies.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
@@ -174,7 +174,7 @@ def sweep(
     grid: str | int | None = None,
     histories: Sequence[str] = (),
     continued: str | None = None,
-    functions: Mapping[str, Callable[[Solution], float]] | None = None,
+    functions: Mapping[str, Callable[[EngineSolution], float]] | None = None,
     duration: str | float | None = None,
     accuracy: Accuracy | None = None,
     tolerance: float | None = None,
@@ -291,7 +291,7 @@ def _definition(
     target: object,
     spread: Mapping[str, Any],
     asked: Mapping[str, Any],
-    functions: Mapping[str, Callable[[Solution], float]],
+    functions: Mapping[str, Callable[[EngineSolution], float]],
 ) -> tuple[dict[str, Any], Keys]:
     """Return what is computed as plain data, and the keys of its rows; raises InputError."""
     model, kept, text = plan.model, plan.row_arrays, text_of(plan.model.module)
@@ -407,7 +407,7 @@ class Plan:
     choices    what rows choose their inputs among
     """
 
-    model: plain.Model
+    model: plain.EngineModel
     design: Design
     varied: Mapping[str, str]
     outputs: Sequence[Output]
@@ -461,7 +461,7 @@ class Plan:
             raise first
 
 
-def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults: list[Fault]) -> dict[str, str]:
+def _varied(model: plain.EngineModel, over: object, fixed: Mapping[str, Value], faults: list[Fault]) -> dict[str, str]:
     """Return the units of the names that are varied; bad input is appended to `faults`."""
     units = {name: unit for name, unit in si_units(model).items() if name not in model.memory} | units_of_inputs(model)
     names = list(over) if isinstance(over, Mapping) else []
@@ -475,18 +475,20 @@ def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults
 
 
 def outputs_of(
-    model: plain.Model, names: Sequence[str], functions: object, varied: Mapping[str, str], faults: list[Fault]
+    model: plain.EngineModel, names: Sequence[str], functions: object, varied: Mapping[str, str], faults: list[Fault]
 ) -> list[Output]:
     """Return the requested outputs; bad input is appended to `faults`."""
     if functions is not None and not isinstance(functions, Mapping):
-        faults.append(Fault("functions", shown(functions), "a dictionary of functions of the Solution"))
+        faults.append(Fault("functions", shown(functions), "a dictionary of functions of the EngineSolution"))
         functions = None
     none = isinstance(names, Sequence) and not names and not functions
     found = finals(model) if none else chosen(model, names, faults)
     taken = {*varied, *TEXTS, *(name for output in found for name in output.columns)}
     for name, function in (functions or {}).items():
         if not (isinstance(name, str) and name and callable(function)):
-            faults.append(Fault(f"functions[{name!r}]", shown(function), "a name, and a function of the Solution"))
+            faults.append(
+                Fault(f"functions[{name!r}]", shown(function), "a name, and a function of the EngineSolution")
+            )
         elif name in taken:
             faults.append(Fault(f"functions[{name!r}]", "the name of another column", "a name of its own"))
         else:

@@ -18,7 +18,7 @@ from hertzwerk.runtime.engine.model.free_quantities import read_quantity
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import as_text
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ def written(text: str) -> Distribution | None:
     return None if kind is None or len(values) != len(fields(kind)) else kind(*values)
 
 
-def distribution_of(model: Model, name: str, given: object, faults: list[Fault]) -> Any:
+def distribution_of(model: EngineModel, name: str, given: object, faults: list[Fault]) -> Any:
     """Return SciPy's distribution of a parameter or initial state in SI; None with faults appended.
 
     given    a distribution, or its text
@@ -179,7 +179,7 @@ def distribution_of(model: Model, name: str, given: object, faults: list[Fault])
     return None if len(faults) > before else given.frozen(**si)
 
 
-def _si_of(model: Model, name: str, part: str, value: Value, given: Distribution, faults: list[Fault]) -> float:
+def _si_of(model: EngineModel, name: str, part: str, value: Value, given: Distribution, faults: list[Fault]) -> float:
     """Return one value of a distribution in SI; nan with faults appended."""
     where = f"{name}, {part}"
     if part in given.factors:
@@ -191,7 +191,7 @@ def _si_of(model: Model, name: str, part: str, value: Value, given: Distribution
     return _width(model, name, where, value, given, faults)
 
 
-def _width(model: Model, name: str, where: str, value: Value, given: Distribution, faults: list[Fault]) -> float:
+def _width(model: EngineModel, name: str, where: str, value: Value, given: Distribution, faults: list[Fault]) -> float:
     """Return a difference of values of a parameter in SI: it has the unit, but not the limits."""
     declared = model.parameters[name].unit
     try:
@@ -207,7 +207,7 @@ def _width(model: Model, name: str, where: str, value: Value, given: Distributio
 
 
 def read_distributions(
-    model: Model, uncertain: object, known: Mapping[str, str], faults: list[Fault]
+    model: EngineModel, uncertain: object, known: Mapping[str, str], faults: list[Fault]
 ) -> dict[str, Any]:
     """Return SciPy's distributions by name, in SI; bad input is appended to `faults`."""
     from hertzwerk.derive.common.faults import unknown

@@ -171,7 +171,7 @@ def _sample_faults(sample: object, indices: object) -> list[Fault]:
     return faults
 
 
-def refused_by_sweep(model: plain.Model, asked: Mapping[str, Any], workers: int | None) -> list[Fault]:
+def refused_by_sweep(model: plain.EngineModel, asked: Mapping[str, Any], workers: int | None) -> list[Fault]:
     """Return the faults that `sweep` finds in its arguments; nothing is computed."""
     nobody = 0 if workers is None or (isinstance(workers, int) and workers > 0) else workers
     try:

@@ -162,7 +162,7 @@ def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments,
 def test_a_second_signal_later_drops_even_that(tmp_path, monkeypatch):
     """Whoever does not want what there is to be written gets away as well, and no half of it is left."""
     (tmp_path / "sitecustomize.py").write_text(
-        "import time\nfrom hertzwerk.runtime.engine.solution.solution import Solution\nSolution.save = lambda *_: time.sleep(100)\n"
+        "import time\nfrom hertzwerk.runtime.engine.solution.solution import EngineSolution\nEngineSolution.save = lambda *_: time.sleep(100)\n"
     )
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     ended = signalled(tmp_path, LONG, BAR, signal.SIGINT, again=3.0)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from hertzwerk.runtime.analysis.hard_cases.case import METHODS, HardCase, Known, Source, final
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 TURNED = -31.750597186986102  # rad, of two windows after 10 s
 
@@ -24,13 +24,13 @@ EVEN = "nothing turns it but itself: energy and momentum of a parallelogram"
 def closed(within: float) -> Known:
     """Expect closed loops over the accepted steps."""
 
-    def opening(run: Solution) -> float:
+    def opening(run: EngineSolution) -> float:
         return max(float(np.max(np.abs(run[name]))) for name in run.model.constraints)
 
     return Known("largest opening", opening, 0.0, within, "", "closed loops")
 
 
-def _apart(run: Solution) -> float:
+def _apart(run: EngineSolution) -> float:
     return float(np.abs(run["first_pair.moment"] - run["second_pair.moment"]).max())
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Known, Source, final, impact, largest
 from hertzwerk.runtime.analysis.hard_cases.closed_forms import damping_ratio, oscillator, peak_of_oscillator
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 MU, G, RATE, BEYOND = 0.5, 9.81, 20.0, 1.05
 CIRCLE = MU * G * math.sqrt(BEYOND**2 - 1) / RATE  # m/s
@@ -20,7 +20,7 @@ PRESSED = 0.2 * (1 + oscillator(1e6, 1.0, damping_ratio(0.5), pulls=False)[0])  
 INERTIA, DRILLING, ROLLING, SPIN, ROLL = 0.4 * 0.02**2, 2e-3, 1e-3, 40.0, 21.0  # per mass
 
 
-def _spin_left(run: Solution) -> float:
+def _spin_left(run: EngineSolution) -> float:
     """Return how far angular speeds are off what the normal force has left of them [rad/s]."""
     pressed = run["flight.y_speed"] - run["flight.y_speed"][0] + G * run.t
     spin, roll = (np.maximum(start - arm / INERTIA * pressed, 0) for start, arm in ((SPIN, DRILLING), (ROLL, ROLLING)))
@@ -28,7 +28,7 @@ def _spin_left(run: Solution) -> float:
     return float(np.abs(np.hypot(spin, roll) - found).max())
 
 
-def _first_slip_after_stick(run: Solution) -> float:
+def _first_slip_after_stick(run: EngineSolution) -> float:
     """Return the time [s] at which the floor first slips after it stuck, while it touches."""
     slips, touches = np.abs(run["floor.slip"]) > 0, run["floor.normal_force"] > 0
     found = np.flatnonzero(~slips[:-1] & slips[1:] & touches[:-1])
@@ -39,7 +39,7 @@ def _slips_at(expected: float, within: float, source: str = STICKS) -> Known:
     return Known("onset of slip", _first_slip_after_stick, expected, within, "s", source)
 
 
-def _peaks_beside_their_speeds(run: Solution) -> float:
+def _peaks_beside_their_speeds(run: EngineSolution) -> float:
     """Return how far peak forces are off those by their approach speeds, at most, as a part."""
     K, m, rate, tilt, g = (run.parameters[name][0] for name in ("stiffness", "mass", "damping_rate", "tilt", "gravity"))
     load = m * g * math.cos(tilt)

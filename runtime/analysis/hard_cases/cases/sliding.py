@@ -12,7 +12,7 @@ from hertzwerk.runtime.analysis.hard_cases.case import EXPLICIT, IMPLICIT, METHO
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 G, START, LAYER = 9.81, 0.01, 1e-7
 DRIVE = 0.6 * 1.001 * G  # N: of the block of 1 kg and its carriage of 1 g, down an incline of 3 in 4
@@ -60,11 +60,11 @@ def _way(mu: float) -> float:
 
 
 def _of_corners(
-    count: int, what: str, of: Callable[[Solution, str, np.ndarray], np.ndarray], within: float, unit: str
+    count: int, what: str, of: Callable[[EngineSolution, str, np.ndarray], np.ndarray], within: float, unit: str
 ) -> Known:
     """Expect the largest value over rows with a touching corner, which Coulomb's law keeps at or below 0."""
 
-    def largest(run: Solution) -> float:
+    def largest(run: EngineSolution) -> float:
         values = (of(run, f"corner_{i}", run[f"corner_{i}.slip"] == 0) for i in range(count + 1))
         modes = (run[f"corner_{i}.mode"] == 1 for i in range(count + 1))
         return max(float(np.max(value, where=mode, initial=0.0)) for value, mode in zip(values, modes, strict=True))

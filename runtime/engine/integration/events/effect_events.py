@@ -18,7 +18,7 @@ from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 LANDING = 1e-2  # of the tolerance: accuracy of an event, in units of its size
 ROUNDINGS = 4  # of the time and of the margin
@@ -68,7 +68,7 @@ def time_to_event(run: Mapping[str, Any], end: Mapping[str, Any], t: Any) -> Any
 
 
 @per_model
-def jump(model: Model) -> Any:
+def jump(model: EngineModel) -> Any:
     """Return the function (t, y, c, levels (ne)) -> y after the events with margins up to their levels.
 
     Each happens at most once; one may bring about another.

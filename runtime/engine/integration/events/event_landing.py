@@ -73,7 +73,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 NUDGE_EVALUATIONS = 4
 MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
@@ -81,7 +81,7 @@ JUST_BEHIND = 1e4  # roundings of the time: shorter than any first step of a con
 MOVED = ("t", "y", "dy", *END_PARTS)  # the parts of a state that a step moves
 
 
-def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
+def settle(model: EngineModel, vectors: Layouts, table: Table, right: Flow) -> Any:
     """Build the function (state, controls, next, verdict) -> state of a step with accepted error.
 
     MX, lazy where most steps need nothing. `right` follows the modes.
@@ -160,7 +160,7 @@ def _if(condition: Any, function: Any, otherwise: float, *arguments: Any) -> Any
     return ca.Function.if_else("branch", function, constant)(condition, *arguments)
 
 
-def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
+def _aim(model: EngineModel, vectors: Layouts, table: Table) -> Any:
     """Build the function that returns theta of a step's first event and a move delta [s] of its end.
 
     Arguments: state, controls, next, verdict, theta of the first gap, of the first other ending, floors. delta leads
@@ -191,14 +191,14 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     return ca.Function("aim", asked, ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)]))
 
 
-def _jumps(model: Model, mode: Any) -> Any:
+def _jumps(model: EngineModel, mode: Any) -> Any:
     """Return 1 where a contact may end with its gap, at a force other than zero; None without such laws."""
     ends = 1 - ends_with_force(model)
     return any_of(ends * (mode == CONTACT)) if ca.mmax(ends) else None
 
 
 @per_model
-def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
+def _nudge(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     """Build the function that moves the end of a step by delta [s].
 
     (state, controls, next, verdict, delta, floors) -> (next, verdict, floors).
@@ -212,7 +212,7 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("moved", [*arguments, delta, ca.MX.sym("floors", 2 * model.k)], outputs)
 
 
-def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> Any:
+def _without_pull(model: EngineModel, vectors: Layouts, right: Flow, decide: Any) -> Any:
     """Build the function that retakes a step within which a force pulls or a released contact closes.
 
     Arguments: whether it may, state, controls, next, verdict, floors, state and switched as decided, which it returns, and what
@@ -230,7 +230,7 @@ def _without_pull(model: Model, vectors: Layouts, right: Flow, decide: Any) -> A
     return ca.Function.if_else("without_pull", ca.Function("cut", given, cut), kept)
 
 
-def _lowest(model: Model, vectors: Layouts) -> Any:
+def _lowest(model: EngineModel, vectors: Layouts) -> Any:
     """Build the function that returns the part of a step at which a contact may pull.
 
     Arguments: state, controls, next, decided; results: part, NO_EVENT if there is none, and (k each) the level below which a force pulls that ends,
@@ -248,7 +248,7 @@ def _lowest(model: Model, vectors: Layouts) -> Any:
     return ca.Function("lowest", arguments, ca.cse([*map(ca.densify, results)]))
 
 
-def _below(model: Model, vectors: Layouts, right: Flow) -> Any:
+def _below(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     """Build the function that returns 1 if a force or an opening speed is below zero within a step.
 
     Arguments: state, controls, next, and the results of `lowest`. A force within its tolerance at the step's start has faded, as
@@ -272,7 +272,7 @@ def _below(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("below", [*arguments, theta, *levels], [found])
 
 
-def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
+def _decide(model: EngineModel, vectors: Layouts, table: Table) -> Any:
     """Build the function (state, controls, next, verdict, theta, delta, floors) -> (state, switched).
 
     Accepts the step or retakes it to its first event. switched: 1 if a pair changes its mode or an effect its state, so that

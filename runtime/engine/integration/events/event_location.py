@@ -30,7 +30,7 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 GAP = ("gap", "gap_rate", "gap_acceleration")
 ROUNDINGS = 4  # times the bound of a gap's rounding: locating an event takes a few operations more
@@ -50,7 +50,7 @@ NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the 
 NO_EVENT = 2.0  # theta beyond every step
 
 
-def floors(model: Model, at: Mapping[str, Any], c: Any) -> Any:
+def floors(model: EngineModel, at: Mapping[str, Any], c: Any) -> Any:
     """Return the bounds of rounding of gaps and gap rates (2 k) in a state."""
     if not model.k:
         return ca.DM(0, 1)
@@ -58,7 +58,9 @@ def floors(model: Model, at: Mapping[str, Any], c: Any) -> Any:
     return ca.vertcat(*gap_rounding(model)(at["t"], q, u, c))
 
 
-def tolerances(model: Model, run: Mapping[str, Any], at: Mapping[str, Any], known: Any = None) -> tuple[Any, Any, Any]:
+def tolerances(
+    model: EngineModel, run: Mapping[str, Any], at: Mapping[str, Any], known: Any = None
+) -> tuple[Any, Any, Any]:
     """Return the landing tolerances of a gap (k) [m], a gap rate (k) [m/s] and a force (k) [N].
 
     A hundredth of the tolerance, but not below rounding: a gap is rounded with the coordinates and lengths it is a
@@ -93,7 +95,7 @@ def _landing(run: Mapping[str, Any], t: Any, gap_rate: Any) -> Any:
 
 
 def far_apart(
-    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
+    model: EngineModel, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
 ) -> Any:
     """Return 1 for pairs in flight so far apart that no event is possible in the step.
 
@@ -126,7 +128,12 @@ def unresolved(run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end:
 
 
 def no_event_possible(
-    model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
+    model: EngineModel,
+    run: Mapping[str, Any],
+    mode: Any,
+    start: Mapping[str, Any],
+    end: Mapping[str, Any],
+    pairs: list[int],
 ) -> Any:
     """Return 1 for pairs to which no event is possible in a step nor just behind it.
 
@@ -152,25 +159,25 @@ def no_event_possible(
     return clear * (margins_positive(model, mode, start, end) if model.ns else 1)
 
 
-def pulls(model: Model, force: Any) -> Any:
+def pulls(model: EngineModel, force: Any) -> Any:
     """Return 1 (k) where a force is negative and the law ends its contact there, not with the gap."""
     return ends_with_force(model) * (force < 0)
 
 
-def ends_with_force(model: Model) -> Any:
+def ends_with_force(model: EngineModel) -> Any:
     """Return 1 (k) for pairs whose law ends a contact at zero force, 0 where it ends with the gap."""
     releases = model.module.RELEASES
     return ca.DM([float(rule == "force") for rule in releases])
 
 
-def rubs_till_it_pulls(model: Model) -> list[float]:
+def rubs_till_it_pulls(model: EngineModel) -> list[float]:
     """Return 1 (k) for pairs whose set-valued friction ends where their law begins to pull."""
     ends = ends_with_force(model)
     return [float(j in rubbing(model) and not ends[j]) for j in range(model.k)]
 
 
 def dips(
-    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]
+    model: EngineModel, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]
 ) -> list[tuple[Any, Any]]:
     """Return, for force and opening speed, the part of a step at which it is least, and what it is there.
 
@@ -200,7 +207,7 @@ def dips(
 
 
 @per_model
-def polynomials(model: Model, layouts: Layouts) -> Any:
+def polynomials(model: EngineModel, layouts: Layouts) -> Any:
     """Build the function of the gap polynomials over a step and their suspicions.
 
     (state, controls, next, floors) ->
@@ -233,7 +240,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
 
 
 @per_model
-def endings(model: Model, layouts: Layouts) -> Any:
+def endings(model: EngineModel, layouts: Layouts) -> Any:
     """Build the function of the cubics of the force, opening speed and margins.
 
     (state, controls, next, floors) -> bernstein (6, n), margin (n), doubt (n). A mode also ends, before the gap opens, where one of these falls
@@ -267,7 +274,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
 
 
 def _beside_pairs(
-    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], found: Any
+    model: EngineModel, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], found: Any
 ) -> Any:
     """Return whether the modes of pairs end (k), followed by whether frictions change and events happen."""
     if model.ns:
@@ -276,7 +283,7 @@ def _beside_pairs(
 
 
 def _endings(
-    model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any
+    model: EngineModel, start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any
 ) -> list[Any]:
     """Return, for force and opening speed: falls below zero, values and rates at both ends, tolerance.
 
@@ -298,7 +305,7 @@ def _endings(
 
 
 def _slipping(
-    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]
+    model: EngineModel, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]
 ) -> tuple[Any, list[Any], Any]:
     """Return, for the slip and stick margins (ns): falls below zero, cubic's coefficients, tolerance.
 

@@ -40,7 +40,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.step.explicit_step import Flow
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Parts = dict[str, Any]  # of a vector, by name
 
@@ -51,7 +51,7 @@ UNTURNED = 10.0  # times the bound of its rounding: slip in two directions, a th
 FINITE = 1e300  # larger sums of magnitudes, and nan, are not finite
 
 
-def next_modes(model: Model, mode: Any, end: Parts, landed: Any, tolerance: tuple[Any, Any, Any]) -> Any:
+def next_modes(model: EngineModel, mode: Any, end: Parts, landed: Any, tolerance: tuple[Any, Any, Any]) -> Any:
     """Return the modes (k) after a step from `mode` to `end`; landed: the step was cut to an event."""
     gap, rate, acceleration = end["gap"], end["gap_rate"], end["gap_acceleration"]
     tol, _, tol_force = tolerance
@@ -69,7 +69,7 @@ def next_modes(model: Model, mode: Any, end: Parts, landed: Any, tolerance: tupl
     return ca.if_else(mode == FLIGHT, from_flight, ca.if_else(mode == CONTACT, from_contact, from_released))
 
 
-def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[Any, Any]:
+def latch(model: EngineModel, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[Any, Any]:
     """Return the latches after the onsets (k), and how many approach speeds were raised to the floor."""
     pairs = [pair for _, _, pair in model.module.LATCHES]
     if not pairs:
@@ -81,7 +81,7 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
 
 
 @per_model
-def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
+def switch(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     """Build the function (before, after, controls) -> state `after` with its mode changes carried out.
 
     The derivatives follow the new modes; the ledger, bristles and slips are updated, and states at events.
@@ -139,7 +139,7 @@ def _since_zero(after: Parts, breaks: Any) -> Any:
     return ca.fmin(ca.mmax(late), NEAR * after["h_contact"])
 
 
-def enter(model: Model, vectors: Layouts, right: Flow) -> Any:
+def enter(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     """Build the function (state, controls) -> state that goes on with the pieces that it has been given.
 
     What depends on the inputs is evaluated anew: derivatives, forces, margins; events that they bring about happen.
@@ -171,7 +171,7 @@ def enter(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("enter", [state, controls], [switch(model, vectors, right)(after, after, controls)])
 
 
-def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
+def begin(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     """Build the function (t, q, u, latches, controls) -> initial state.
 
     Overlapping pairs are in contact, or released where their law would pull. Positive latches are kept.
@@ -206,7 +206,7 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("begin", given, [state], ["t", "q", "u", "latches", "controls"], ["state"])
 
 
-def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
+def _first(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     """Build the function (t, controls, mode, m, y, unsettled, floored) -> initial state under given modes."""
     t, unsettled, floored = (vectors.kind.sym(name) for name in ("t", "unsettled", "floored"))
     controls = vectors.controls.symbol("controls", vectors.kind)
@@ -245,7 +245,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("first", [t, controls, mode, m, y, unsettled, floored], [vectors.state.join(start)])
 
 
-def _slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tolerance: list[Any]) -> Sequence[Any]:
+def _slip_tolerances(model: EngineModel, run: Parts, m: Any, at: Parts, tolerance: list[Any]) -> Sequence[Any]:
     """Return the tolerances of speeds and forces of the pairs with set-valued friction.
 
     Of speeds in two directions they give the slip its size, beside which rounding turns friction: where they are rounding, they are larger.
@@ -280,7 +280,7 @@ def _closing(rate: Any, acceleration: Any) -> Any:
     return (rate < 0) + (rate == 0) * (acceleration < 0) > 0
 
 
-def _reset_bristles(model: Model, y: Any, mode: Any) -> Any:
+def _reset_bristles(model: EngineModel, y: Any, mode: Any) -> Any:
     """Return the state with the bristles of ended contacts reset."""
     y = type(y)(y)
     for row, j in model.module.BRISTLES:
@@ -289,7 +289,7 @@ def _reset_bristles(model: Model, y: Any, mode: Any) -> Any:
     return y
 
 
-def _book_stored_energy(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:
+def _book_stored_energy(model: EngineModel, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:
     """Return the state with the stored energy of ended contacts booked as dissipated.
 
     It is booked back where a released contact resumes.

@@ -36,7 +36,7 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 TOGETHER = 5  # rounds in which all violating pairs change; nearly always enough
 ONE_BY_ONE = 3  # rounds per pair in which the first one changes
@@ -45,7 +45,7 @@ AT_REST = 1.5 * AHEAD  # of the landing tolerance: sliding velocity in two direc
 
 
 @per_model
-def resolve_slips(model: Model) -> Any:
+def resolve_slips(model: EngineModel) -> Any:
     """Return the CasADi function of the state (m, y) after stick and slip are resolved.
 
     Its third result is 1 where they could not be.
@@ -93,7 +93,7 @@ def rounds(n: int, together: Any, single: Any) -> Any:
     return ca.Function("settled", arguments[:-1], [now[0], now[2]])
 
 
-def _problem(model: Model) -> Any:
+def _problem(model: EngineModel) -> Any:
     """Build the function (arguments of `resolve_slips`) -> W, b, open, sliding, initial slips and bounds.
 
     open: pairs in contact that do not slide; b includes the friction of the others.
@@ -163,7 +163,7 @@ def first_of(changes: Any) -> Any:
 
 
 @per_model
-def settled_slips(model: Model) -> Any:
+def settled_slips(model: EngineModel) -> Any:
     """Return the function (arguments of `resolve_slips`) -> (slips (n), busy) of a fed model."""
     n = model.ns
     t, y, mode, m, c = model.symbols("t y mode m c")
@@ -180,7 +180,7 @@ def settled_slips(model: Model) -> Any:
     return ca.Function("settled", asking, list(found.call([*asking[:5], *begin.call(asking)])))
 
 
-def _fed_round(model: Model, *, one: bool) -> Any:
+def _fed_round(model: EngineModel, *, one: bool) -> Any:
     """Build one round of pivoting of a fed model.
 
     (t, y, mode, m, c, open, slack, slip, let go, busy) -> (slip, let go, busy), as `_round`, with limits and accelerations under the
@@ -208,7 +208,7 @@ def _fed_round(model: Model, *, one: bool) -> Any:
     return ca.Function("round", arguments, ca.cse([*map(ca.densify, results)]))
 
 
-def _ahead(model: Model) -> Any:
+def _ahead(model: EngineModel) -> Any:
     """Build the function (arguments of `resolve_slips`, directions (n)) -> slips (n).
 
     Of pairs with two tangents; those that slid and go on keep theirs.
@@ -223,7 +223,7 @@ def _ahead(model: Model) -> Any:
     return ca.Function("ahead", given, [ca.densify(found)])
 
 
-def at_rest(model: Model) -> Any:
+def at_rest(model: EngineModel) -> Any:
     """Build the function (t, y, mode, m, c, slip (n)) -> (m, y): set slips, stop sticking pairs."""
     (t, y, mode, m, c), slip = model.symbols("t y mode m c"), ca.SX.sym("slip", model.ns)
     q, u, z = model.parts(y)
@@ -238,7 +238,7 @@ def at_rest(model: Model) -> Any:
     return ca.Function("at_rest", [t, y, mode, m, c, slip], [new, ca.if_else(ca.mmax(now.sticks), moved, y)])
 
 
-def _work(model: Model, now: Grips) -> Any:
+def _work(model: EngineModel, now: Grips) -> Any:
     """Rates (nz, n) of the ledger per newton of each friction, of joints too."""
     found = ca.SX(now.power)
     for i, (name, *_) in zip(joints(model, now), model.rubbing, strict=True):

@@ -27,7 +27,7 @@ from hertzwerk.runtime.engine.integration.tableaux.methods import Table
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 FINISH = "finish"  # name of the function that completes an attempt, by an event or a rejection
@@ -45,7 +45,7 @@ class Integrator:
     begin: Any  # (t, q, u, latches, controls) -> state
     attempt: Any  # (state, controls) -> state
     enter: Any  # (state, controls) -> state with other pieces of the inputs; None without inputs
-    model: Model
+    model: EngineModel
     tables: tuple[Table, ...]
     requested: tuple[Table, ...] = ()
     with_choice: Callable[[], Integrator] | None = None
@@ -66,7 +66,7 @@ class Integrator:
         return self._steps[method]
 
 
-def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
+def integrator(model: EngineModel, tables: tuple[Table, ...]) -> Integrator:
     """Build the attempt of a model with a method of one table, or of two to choose from (`method_choice`).
 
     With two, the attempt steps by the first and watches for stiffness; `with_choice` chooses in every step. For closed
@@ -82,7 +82,9 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     return replace(_integrator(model, tables[:1], tables, first), requested=asked, with_choice=with_choice)
 
 
-def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing) -> Integrator:
+def _integrator(
+    model: EngineModel, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing
+) -> Integrator:
     """Build an attempt that steps by some (`taken`) of a method's tables."""
     vectors, right = layouts(model), flow(model)
     # called with MX, so that one branch of each is evaluated; SX would evaluate all
@@ -117,7 +119,7 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
 
 
 @per_model
-def _completions(model: Model, table: Table) -> tuple[Any, Any, Any]:
+def _completions(model: EngineModel, table: Table) -> tuple[Any, Any, Any]:
     """Return the functions that complete a step that is NEAR, SPECIAL, REJECTED."""
     vectors = layouts(model)
     special = settle(model, vectors, table, flow(model))

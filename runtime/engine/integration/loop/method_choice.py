@@ -27,7 +27,7 @@ from hertzwerk.runtime.engine.integration.step.layout import CALM, SUSPECT, layo
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
 STIFF = 3.0  # step x rate: an explicit method of order 5 is stable up to 3.3, of order 8 up to 6
@@ -51,7 +51,7 @@ class Choosing(Enum):
 
 
 def choice(
-    model: Model,
+    model: EngineModel,
     contacts: Contacts,
     old: Mapping[str, Any],
     run: Mapping[str, Any],
@@ -91,7 +91,7 @@ def choice(
 
 
 def suspicion(
-    model: Model,
+    model: EngineModel,
     contacts: Contacts,
     old: Mapping[str, Any],
     run: Mapping[str, Any],
@@ -138,7 +138,7 @@ def suspicion(
     }
 
 
-def _fading(model: Model, end: Mapping[str, Any], run: Mapping[str, Any]) -> Any:
+def _fading(model: EngineModel, end: Mapping[str, Any], run: Mapping[str, Any]) -> Any:
     """Return the summed rates [1/s] at which effects' states fade by themselves: their part of -tr J."""
     t, q, u, c = model.symbols("t q u c")
     rates = model.function("coordinate_rates")(t, q, u, c)
@@ -147,7 +147,7 @@ def _fading(model: Model, end: Mapping[str, Any], run: Mapping[str, Any]) -> Any
     return -ca.Function("own", [t, q, u, c], [own])(*at)
 
 
-def fastest(model: Model) -> Any:
+def fastest(model: EngineModel) -> Any:
     """Build the function (state, controls) -> step times fastest rate, and sliding velocities [m/s]."""
     given, (old, run) = layouts(model).symbols("state controls")
     at = (old["mode"], old["m"], run["c"])

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
-def listing(model: Model, tables: tuple[Table, ...]) -> NearModel | None:
+def listing(model: EngineModel, tables: tuple[Table, ...]) -> NearModel | None:
     """Return the model by which runs of a method list near pairs; None where they list none.
 
     Implicit steps need derivatives of all pairs.

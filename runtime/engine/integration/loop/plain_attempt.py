@@ -41,7 +41,7 @@ from hertzwerk.runtime.system.interrupt import poll
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 LARGE = 5000  # operations
@@ -57,7 +57,7 @@ def lean(name: str, given: Any, results: Any, *names: Any) -> Any:
     return made if made.n_instructions() > LARGE else ca.Function(name, given, ca.cse(results), *names)
 
 
-def pairs_by_polynomial(model: Model, contacts: Contacts) -> list[int]:
+def pairs_by_polynomial(model: EngineModel, contacts: Contacts) -> list[int]:
     """Return the pairs whose gap polynomials are checked in every step of a class.
 
     Those in contact, and all where there is only one.
@@ -66,7 +66,7 @@ def pairs_by_polynomial(model: Model, contacts: Contacts) -> list[int]:
 
 
 @per_model
-def no_event_of_any_pair(model: Model, vectors: Layouts) -> Any:
+def no_event_of_any_pair(model: EngineModel, vectors: Layouts) -> Any:
     """Build the function (state, controls, next) -> 1 if no pair can have an event in the step."""
     given, (old, run, end) = vectors.symbols("state controls next")
     clear = all_of(no_event_possible(model, run, old["mode"], old, end, list(range(model.k))))
@@ -74,7 +74,7 @@ def no_event_of_any_pair(model: Model, vectors: Layouts) -> Any:
 
 
 def advance(
-    model: Model, vectors: Layouts, table: Table, contacts: Contacts, choosing: Choosing = Choosing.NONE
+    model: EngineModel, vectors: Layouts, table: Table, contacts: Contacts, choosing: Choosing = Choosing.NONE
 ) -> Any:
     """Build the function (state, controls) -> (next, verdict) of attempts with these contacts.
 
@@ -122,7 +122,7 @@ def advance(
 
 
 def _judged(
-    model: Model,
+    model: EngineModel,
     vectors: Layouts,
     table: Table,
     contacts: Contacts,

@@ -17,7 +17,7 @@ from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Tally:
 
 
 @per_model
-def tally(model: Model) -> Tally:
+def tally(model: EngineModel) -> Tally:
     """Build the tally of a model."""
     vectors, balance, pairs = layouts(model), ("moved", "error", "size"), ("open", "begun", "over", "fastest")
     sizes = {"start": 4} | dict.fromkeys(balance, 1) if model.has_ledger else {}
@@ -58,7 +58,7 @@ def tally(model: Model) -> Tally:
     return Tally(layout, Callers(first), add)
 
 
-def _energies(model: Model, at: dict[str, Any]) -> Any:
+def _energies(model: EngineModel, at: dict[str, Any]) -> Any:
     """Return the energies (4) of a state as booked [J]: kinetic, potential, dissipated, put in."""
     z = at["y"][model.nq + model.nu :]
     booked = (
@@ -68,7 +68,7 @@ def _energies(model: Model, at: dict[str, Any]) -> Any:
     return ca.densify(ca.vertcat(at["kinetic"], at["potential"], *booked))
 
 
-def _balance(model: Model, at: dict[str, Any], was: dict[str, Any]) -> dict[str, Any]:
+def _balance(model: EngineModel, at: dict[str, Any], was: dict[str, Any]) -> dict[str, Any]:
     """Return the energy balance with one more state."""
     if not model.has_ledger:
         return {}

@@ -21,14 +21,14 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 FOLLOWED = 3.0  # step x rate up to which explicit steps follow a direction: dopri5 is stable up to 3.3, dop853 up to 6
 PASSING = -1.0  # pressure of a run that takes implicit steps for a direction that turns, and not because they save any (see `method_choice`)
 
 
 @per_model
-def turning_rate(model: Model) -> Any:
+def turning_rate(model: EngineModel) -> Any:
     """Build the function (state, controls) -> fastest rate [1/s] of directions, see `Grips.turning`."""
     given, (old, run) = layouts(model).symbols("state controls")
     t, y, mode, m, c = (*(old[name] for name in ("t", "y", "mode", "m")), run["c"])
@@ -38,12 +38,12 @@ def turning_rate(model: Model) -> Any:
     return ca.Function("turning_rate", given, [ca.cse(rate)], ["state", "controls"], ["rate"])
 
 
-def passes_by_implicit_steps(model: Model, tables: tuple[Table, ...]) -> bool:
+def passes_by_implicit_steps(model: EngineModel, tables: tuple[Table, ...]) -> bool:
     """Return whether a method begins with explicit steps, and directions may turn too fast for them."""
     return isinstance(tables[0], RungeKutta) and bool(directed(model))
 
 
-def implicit_near_rest(model: Model, tables: tuple[Table, ...], taken: tuple[Table, ...], *, alone: bool) -> Any:
+def implicit_near_rest(model: EngineModel, tables: tuple[Table, ...], taken: tuple[Table, ...], *, alone: bool) -> Any:
     """Build the function (state, controls) -> state that goes on implicitly where directions turn fast.
 
     If that table is not among `taken`, the status SUSPECT requests it. A step that failed is tried again by its own method.

@@ -16,7 +16,7 @@ import casadi as ca
 
 from hertzwerk.runtime.engine.integration.many_pairs.vectorised import Alike, Kind
 from hertzwerk.runtime.engine.model.generated_text import with_tables
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 # Places of a kind of pairs for each of n bodies: of n spheres fewer than 7.47 n pairs can touch (Kuperberg, Schramm, Math. Res. Lett. 1 (1994) 339).
@@ -50,13 +50,13 @@ class Family:
         return range(self.number, self.number + len(self.rows))
 
 
-class NearModel(Model):
+class NearModel(EngineModel):
     """Model whose pairs are places for the near ones of a whole model.
 
     The numbers of the pairs in its places are among its constants.
     """
 
-    def __init__(self, whole: Model, families: Sequence[Family]) -> None:
+    def __init__(self, whole: EngineModel, families: Sequence[Family]) -> None:
         self.whole, self.families = whole, families
         places = [family for family in families for _ in range(family.count)]
         module, (_, _, rows) = whole.module, contacts_by_kind(whole)
@@ -192,19 +192,19 @@ class NearModel(Model):
 FORESEEN = 0.5  # of half the skin: the way to the end of a step foreseen; within it a curve may go further
 
 
-def _release(model: Model, pair: int) -> str:
+def _release(model: EngineModel, pair: int) -> str:
     return str(model.module.RELEASES[pair])
 
 
 @per_model
-def _latches(model: Model) -> list[list[str]]:
+def _latches(model: EngineModel) -> list[list[str]]:
     """Return what is latched for each pair."""
     latches = model.module.LATCHES
     return [[latches[row][0].rpartition(".")[2] for row in rows] for rows in latch_rows(model)]
 
 
 @per_model
-def latch_rows(model: Model) -> list[list[int]]:
+def latch_rows(model: EngineModel) -> list[list[int]]:
     """Return the rows of the latches of each pair."""
     found: list[list[int]] = [[] for _ in model.pairs]
     for row, (_, _, pair) in enumerate(model.module.LATCHES):
@@ -212,7 +212,7 @@ def latch_rows(model: Model) -> list[list[int]]:
     return found
 
 
-def _by_kind(model: Model, inputs: str, results: Callable[..., Any]) -> Alike:
+def _by_kind(model: EngineModel, inputs: str, results: Callable[..., Any]) -> Alike:
     """Return results of all pairs by the kinds of the module's FAMILIES.
 
     results    (family, own entries of the inputs, as SX) -> results of a pair
@@ -235,12 +235,12 @@ def _by_kind(model: Model, inputs: str, results: Callable[..., Any]) -> Alike:
     return alike.with_results([[*range(kind.one.numel_out(0))] for kind in kinds])
 
 
-def _of(model: Model, function: str, family: str) -> Any:
+def _of(model: EngineModel, function: str, family: str) -> Any:
     return getattr(model.module, f"{function}_of_{family}")
 
 
 @per_model
-def contacts_by_kind(model: Model) -> tuple[Alike, list[list[int]], list[list[int]]]:
+def contacts_by_kind(model: EngineModel) -> tuple[Alike, list[list[int]], list[list[int]]]:
     """Return the contacts of all pairs by kind; of each the rows of its forces and of its memory.
 
     A pair's results are its forces, rates of memory, normal force and range; inputs t, q, u, own latches, c.
@@ -263,7 +263,7 @@ def contacts_by_kind(model: Model) -> tuple[Alike, list[list[int]], list[list[in
 
 
 @per_model
-def gaps_by_kind(model: Model) -> Alike:
+def gaps_by_kind(model: EngineModel) -> Alike:
     """Return gaps and their rates of all pairs by kind."""
 
     def both(family: str, *given: Any) -> Any:
@@ -274,17 +274,17 @@ def gaps_by_kind(model: Model) -> Alike:
 
 
 @per_model
-def _accelerations(model: Model) -> Alike:
+def _accelerations(model: EngineModel) -> Alike:
     return _by_kind(model, "t q u a c", lambda family, *given: ca.SX(_of(model, "gap_accelerations", family)(*given)))
 
 
 @per_model
-def _energies(model: Model) -> Alike:
+def _energies(model: EngineModel) -> Alike:
     return _by_kind(model, "t q u c", lambda family, *given: ca.SX(_of(model, "stored_energy", family)(*given)))
 
 
 @per_model
-def distances_by_kind(model: Model) -> Alike:
+def distances_by_kind(model: EngineModel) -> Alike:
     """Return the distances of the surfaces of all pairs by kind: outputs, or gaps where there is none."""
     first = {family: members[0][0] for family, members in model.module.FAMILIES}
 
@@ -297,7 +297,7 @@ def distances_by_kind(model: Model) -> Alike:
     return _by_kind(model, "t q u c", distance)
 
 
-_FUNCTIONS: dict[str, tuple[Callable[[Model], Alike], tuple[float, ...]]] = {
+_FUNCTIONS: dict[str, tuple[Callable[[EngineModel], Alike], tuple[float, ...]]] = {
     "gaps": (gaps_by_kind, (APART, 0)),
     "gap_accelerations": (_accelerations, (0,)),
     "stored": (_energies, (0,)),
@@ -306,14 +306,14 @@ _FUNCTIONS: dict[str, tuple[Callable[[Model], Alike], tuple[float, ...]]] = {
 
 
 @per_model
-def distances(model: Model) -> Any:
+def distances(model: EngineModel) -> Any:
     """Return the function (t, q, u, c) -> distances (k) of the surfaces of all pairs (MX)."""
     given = model.symbols("t q u c", ca.MX)
     return ca.Function("distances", given, distances_by_kind(model).results(given))
 
 
 @per_model
-def near_model(model: Model) -> NearModel | None:
+def near_model(model: EngineModel) -> NearModel | None:
     """Return the model with places for near pairs; None where it would not pay, or is not possible."""
     if not _possible(model):
         return None
@@ -330,7 +330,7 @@ def near_model(model: Model) -> NearModel | None:
     return NearModel(model, families) if model.k >= WORTH * place else None
 
 
-def _possible(model: Model) -> bool:
+def _possible(model: EngineModel) -> bool:
     """Return whether the model has nothing of which no more than places for pairs are known."""
     others = (
         *(
@@ -350,7 +350,7 @@ def _possible(model: Model) -> bool:
     return len({tuple(of) for of in _latches(model)}) == 1
 
 
-def _bodies(model: Model) -> list[tuple[int, int] | None]:
+def _bodies(model: EngineModel) -> list[tuple[int, int] | None]:
     """Return the two bodies of each pair whose centres bound its distance.
 
     -1 stands for the ground; None where the motion of centres is no bound.

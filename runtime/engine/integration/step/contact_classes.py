@@ -15,7 +15,7 @@ from hertzwerk.runtime.engine.integration.step.layout import CONTACT, FLIGHT, RE
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Contacts: TypeAlias = tuple[int, ...] | None  # the pairs in contact; BY_MODE: those whose mode says so
 BY_MODE: Final = None
@@ -24,7 +24,7 @@ ALONE = 10  # most pairs with a class each: every class is built and compiled, w
 LARGE = 1000  # instructions of all those classes beyond which there are none
 
 
-def contact_classes(model: Model) -> tuple[Contacts, ...]:
+def contact_classes(model: EngineModel) -> tuple[Contacts, ...]:
     """Return the contacts of the classes IN_FLIGHT, IN_CONTACT, ... in order."""
     alone = tuple((j,) for j in range(model.k if _have_classes(model) else 0))
     several = () if model.k == len(alone) <= 1 else (BY_MODE,)
@@ -32,7 +32,7 @@ def contact_classes(model: Model) -> tuple[Contacts, ...]:
 
 
 @per_model
-def _have_classes(model: Model) -> bool:
+def _have_classes(model: EngineModel) -> bool:
     """Return whether each pair has a class.
 
     A model of many or large ones would take too long to build and to compile.
@@ -46,7 +46,7 @@ def _have_classes(model: Model) -> bool:
     )
 
 
-def class_of(model: Model, mode: Any) -> Any:
+def class_of(model: EngineModel, mode: Any) -> Any:
     """Return the class of the next attempt under modes (k).
 
     Single-contact classes require that no other pair is released.
@@ -61,12 +61,12 @@ def class_of(model: Model, mode: Any) -> Any:
     return ca.if_else(ca.mmax(touching), in_contact, IN_FLIGHT)
 
 
-def modes(model: Model, contacts: tuple[int, ...]) -> Any:
+def modes(model: EngineModel, contacts: tuple[int, ...]) -> Any:
     """Return the constant modes (k) of a class whose contacts are known, with no pair released."""
     return ca.DM([CONTACT if j in contacts else FLIGHT for j in range(model.k)])
 
 
-def active_contacts(model: Model, contacts: Contacts, mode: Any) -> Iterator[tuple[int, Any, Any]]:
+def active_contacts(model: EngineModel, contacts: Contacts, mode: Any) -> Iterator[tuple[int, Any, Any]]:
     """Yield (number, contact function, condition) of every pair that may be in contact under modes (k).
 
     The condition is the constant 1 for a pair certainly in contact.

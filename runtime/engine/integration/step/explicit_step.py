@@ -34,7 +34,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 ARGUMENTS = "t y mode m c"
 """Arguments of the functions of a step: time, state, and the pairs' modes, latches and constants."""
@@ -110,14 +110,14 @@ class Flow:
         return dict(zip(ENDS, self.ends(t, y, mode, m, c), strict=True))
 
 
-def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
+def flow(model: EngineModel, contacts: Contacts = BY_MODE) -> Flow:
     """Return the right-hand side of a model with the forces of these contacts."""
     if calls_parts(model) and contacts in (BY_MODE, ()):
         return _flow_of_calls(model, contacts)
     return written_flow(model, contacts)
 
 
-def calls_parts(model: Model) -> bool:
+def calls_parts(model: EngineModel) -> bool:
     """Return whether the right-hand side calls its parts, contacts as vectors: pays off for many."""
     return (
         layouts(model).kind is ca.MX and not (model.nl or model.ne or model.loads) and contact_forces(model) is not None
@@ -125,7 +125,7 @@ def calls_parts(model: Model) -> bool:
 
 
 @per_model
-def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
+def _flow_of_calls(model: EngineModel, contacts: Contacts) -> Flow:
     """Build the right-hand side from functions that it calls, of contacts by the pairs that touch."""
     t, y, mode, _, c = given = model.symbols(ARGUMENTS, ca.MX)
     q, u, _ = model.parts(y)
@@ -184,13 +184,13 @@ def _flow_of_calls(model: Model, contacts: Contacts) -> Flow:
     )
 
 
-def written_flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
+def written_flow(model: EngineModel, contacts: Contacts = BY_MODE) -> Flow:
     """Return the right-hand side with every pair written out (SX), for derivatives."""
     return _flow(model, contacts if model.k else ())  # without pairs all classes are one
 
 
 @per_model
-def _flow(model: Model, contacts: Contacts) -> Flow:
+def _flow(model: EngineModel, contacts: Contacts) -> Flow:
     t, q, u, z, mode, m, c = model.symbols("t q u z mode m c")
     y = ca.vertcat(q, u, z)
     f = model.function("applied")(t, q, u, c)
@@ -270,7 +270,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     )
 
 
-def _energies(model: Model, contacts: Contacts, mode: Any, at: tuple[Any, ...]) -> tuple[Any, Any]:
+def _energies(model: EngineModel, contacts: Contacts, mode: Any, at: tuple[Any, ...]) -> tuple[Any, Any]:
     """Return kinetic and potential energy [J] at (t, q, u, c), springs and touching surfaces included."""
     if not model.has_ledger:
         return ca.SX(0, 1), ca.SX(0, 1)

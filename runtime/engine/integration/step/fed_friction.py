@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAI
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 ITERATIONS = 8  # of Newton's method, quadratic within a sign of every reaction
 SETTLED = 1e-9  # of the terms of a sliding acceleration: most that a solution leaves
@@ -44,7 +44,7 @@ class Solved:
     settled: Any
 
 
-def solved(model: Model, grip: Grips, t: Any, q: Any, u: Any, f: Any, c: Any) -> Solved:
+def solved(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, f: Any, c: Any) -> Solved:
     """Solve for the frictions of grips beside all other generalised forces f."""
     slides = ca.if_else(grip.sticks, 0, grip.slipping())
     f = f + ca.mtimes(grip.pushing, slides)
@@ -59,19 +59,19 @@ def solved(model: Model, grip: Grips, t: Any, q: Any, u: Any, f: Any, c: Any) ->
     return Solved(held, friction, f, pressing, rate, terms, left <= 0)
 
 
-def booked(model: Model, grip: Grips, friction: Any) -> Any:
+def booked(model: EngineModel, grip: Grips, friction: Any) -> Any:
     """Return the rates (nz) of the ledger by frictions of pairs; joints' are booked with the loads."""
     own, found = joints(model, grip), ca.SX(friction)
     found[own] = 0
     return ca.mtimes(grip.power, found)
 
 
-def joints(model: Model, grip: Grips) -> list[int]:
+def joints(model: EngineModel, grip: Grips) -> list[int]:
     """Return which grips are those of joints."""
     return [i for i, place in enumerate(grip.places) if pairs_of(model)[place] == NO_PAIR]
 
 
-def _pressing(model: Model, grip: Grips, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
+def _pressing(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
     found, own = ca.SX.ones(len(grip.places)), joints(model, grip)
     if own:
         found[own] = model.function("rubbing")(t, q, u, reactions, c)[1]
@@ -79,7 +79,7 @@ def _pressing(model: Model, grip: Grips, t: Any, q: Any, u: Any, reactions: Any,
 
 
 @per_model
-def _sticking(model: Model, n: int) -> Any:
+def _sticking(model: EngineModel, n: int) -> Any:
     """Return the function of the forces (n) of what sticks, and of the accelerations without loads.
 
     Arguments: t, q, u, f, along, across, drift, sticks, c. Accelerations and reactions are linear in the forces without loads (`unloaded`),
@@ -129,21 +129,21 @@ def _solved(matrix: Any, right: Any) -> Any:
     return ca.horzcat(*columns)
 
 
-def _loads(model: Model, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
+def _loads(model: EngineModel, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
     """Loads (nf, K) per magnitude."""
     given = model.symbols("reactions")[0]
     slopes = ca.jacobian(model.function("loads")(t, q, u, given, c), given)[:, list(model.carried)]
     return ca.sparsify(ca.substitute(slopes, given, reactions))
 
 
-def _others(model: Model, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
+def _others(model: EngineModel, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
     """Loads (nf, K) per magnitude but for those of the frictions that slide in joints."""
     still = ca.SX(reactions)
     still[[place for *_, place in model.rubbing]] = 0
     return _loads(model, t, q, u, still, c)
 
 
-def certificate(model: Model, grip: Grips, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
+def certificate(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
     """Return the pivots (n + K) of the certificate that there is one solution: positive where there is."""
     n, count = len(grip.places), len(model.carried)
     f, by = model.symbols("f reactions")

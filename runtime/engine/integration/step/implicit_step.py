@@ -40,7 +40,7 @@ from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import ITER
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 CONVERGED = 0.05  # of the tolerance: iteration error allowed in a stage
 ROUNDING = 1e-3  # of that: smaller changes need not contract
@@ -56,12 +56,12 @@ LARGE = 2000  # instructions of the right-hand sides of all classes beyond which
 
 
 @per_model
-def uses_calls(model: Model) -> bool:
+def uses_calls(model: EngineModel) -> bool:
     """Return whether steps call functions instead of inlining them; pays off for large models."""
     return bool(sum(flow(model, contacts).rates.n_instructions() for contacts in contact_classes(model)) > LARGE)
 
 
-def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
+def linearised(model: EngineModel, contacts: Contacts = BY_MODE) -> Any:
     """Return the function (t, y, mode, m, c) -> derivatives J (ny, ny) and dt (ny) of the right-hand side.
 
     The right-hand side is `explicit.flow` of the same contacts. The chain rule is applied contact by contact, so that
@@ -73,7 +73,7 @@ def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
 
 
 @per_model
-def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
+def _linearised_by_calls(model: EngineModel, contacts: Contacts) -> Any:
     """Build the function `linearised` (MX) from functions shared by all classes of attempts."""
     t, y, mode, m, c = given = model.symbols(ARGUMENTS, ca.MX)
     f, df = _applied_derivatives(model)(t, y, c)
@@ -90,7 +90,7 @@ def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
 
 
 @per_model
-def _applied_derivatives(model: Model) -> Any:
+def _applied_derivatives(model: EngineModel) -> Any:
     """Build the CasADi function (t, y, c) -> applied forces and their derivatives by (y, t)."""
     t, y, c = model.symbols("t y c")
     q, u, _ = model.parts(y)
@@ -99,7 +99,7 @@ def _applied_derivatives(model: Model) -> Any:
 
 
 @per_model
-def _contact_derivatives(model: Model, pair: str) -> Any:
+def _contact_derivatives(model: EngineModel, pair: str) -> Any:
     """Build the function (t, y, m, c, active) -> force of a pair and derivatives by (y, t).
 
     The derivatives are those of the force and of the rates of z; all are 0 unless active.
@@ -113,7 +113,7 @@ def _contact_derivatives(model: Model, pair: str) -> Any:
 
 
 @per_model
-def _motion_derivatives(model: Model) -> Any:
+def _motion_derivatives(model: EngineModel) -> Any:
     """Build the function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by forces f."""
     t, y, f, c = model.symbols("t y f c")
     q, u, _ = model.parts(y)
@@ -131,7 +131,7 @@ def _motion_derivatives(model: Model) -> Any:
 
 
 def _implicit_derivatives(
-    model: Model, t: Any, q: Any, u: Any, c: Any, x: Any, f: Any, a: Any, multipliers: Any
+    model: EngineModel, t: Any, q: Any, u: Any, c: Any, x: Any, f: Any, a: Any, multipliers: Any
 ) -> tuple[Any, Any]:
     """Differentiate the accelerations by x and f implicitly, from the equations that they solve.
 
@@ -150,7 +150,7 @@ def _implicit_derivatives(
 
 
 @per_model
-def _linearised(model: Model, contacts: Contacts) -> Any:
+def _linearised(model: EngineModel, contacts: Contacts) -> Any:
     t, y, mode, m, c = arguments = model.symbols(ARGUMENTS)
     q, u, z = model.parts(y)
     x = ca.vertcat(y, t)
@@ -201,7 +201,7 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
 
 
 def _linearised_with_friction(
-    model: Model, grip: Grips, given: list[Any], of_given: list[Any], dz: Any, arguments: list[Any]
+    model: EngineModel, grip: Grips, given: list[Any], of_given: list[Any], dz: Any, arguments: list[Any]
 ) -> Any:
     """Build `linearised` of a large model; given: forces and grips, and their derivatives by (y, t).
 
@@ -242,7 +242,7 @@ def _linearised_with_friction(
     return ca.Function("linearised", outer, results, ARGUMENTS.split(), ["J", "dt"])
 
 
-def _linearised_fed(model: Model, grip: Grips, f: Any, df: Any, dz: Any, arguments: list[Any]) -> Any:
+def _linearised_fed(model: EngineModel, grip: Grips, f: Any, df: Any, dz: Any, arguments: list[Any]) -> Any:
     """Build `linearised` of a fed model; f, df, dz: of all but friction, and derivatives by (y, t)."""
     t, y, _, _, c = arguments
     q, u, _ = model.parts(y)
@@ -271,7 +271,7 @@ def _linearised_fed(model: Model, grip: Grips, f: Any, df: Any, dz: Any, argumen
     return ca.Function("linearised", arguments, results, ARGUMENTS.split(), ["J", "dt"])
 
 
-def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
+def sliding(model: EngineModel, contacts: Contacts = BY_MODE) -> Any:
     """Return the function (t, y, dy, mode, m, c) -> sliding velocities v (n) [m/s], dv/dt, dv/dy.
 
     0 for pairs not in contact; pairs whose sliding ends with an event (set-valued friction) are left out.
@@ -280,7 +280,7 @@ def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
 
 
 @per_model
-def _sliding(model: Model, contacts: Contacts) -> Any:
+def _sliding(model: EngineModel, contacts: Contacts) -> Any:
     t, y, mode, m, c = model.symbols(ARGUMENTS)
     dy = ca.SX.sym("dy", y.numel())
     q, u, z = model.parts(y)
@@ -333,7 +333,7 @@ class Stepper:
         return {"t": t + h, "y": y1, **end, "error": norm}
 
 
-def stepper(model: Model, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: Contacts) -> Stepper:
+def stepper(model: EngineModel, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: Contacts) -> Stepper:
     """Return the step of a method with the contacts of `right`."""
     return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq)
 

@@ -17,7 +17,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,7 +136,7 @@ END_PARTS = (
 
 
 @per_model
-def layouts(model: Model) -> Layouts:
+def layouts(model: EngineModel) -> Layouts:
     """Return the layouts for a model.
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate,

@@ -19,14 +19,14 @@ from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 LADDER = (1, 4, 16, 64, 256, 1024)  # pairs of a kind that are evaluated, where no more are in contact
 SPARSE = 16  # times a rung: pairs of a kind from which it is one: each adds 40 kB of C
 
 
 @per_model
-def of_pairs(model: Model, name: str) -> Any:
+def of_pairs(model: EngineModel, name: str) -> Any:
     """Return a function of the module with results for each pair, by operations on vectors (MX)."""
     if isinstance(model, NearModel):
         return model.of_places(name)
@@ -34,7 +34,7 @@ def of_pairs(model: Model, name: str) -> Any:
 
 
 @per_model
-def stored_energies(model: Model) -> Any:
+def stored_energies(model: EngineModel) -> Any:
     """Return the function (t, q, u, c) -> elastic energies (k) [J] of the pairs (MX)."""
     if isinstance(model, NearModel):
         return model.of_places("stored")
@@ -43,7 +43,7 @@ def stored_energies(model: Model) -> Any:
 
 
 @per_model
-def energies_of_bodies(model: Model) -> Any:
+def energies_of_bodies(model: EngineModel) -> Any:
     """Return the function (t, q, u, c) -> kinetic and potential energy [J] without that of the pairs."""
     given = model.symbols("t q u c")
     return ca.Function("energies", given, model.function("energy").call(given)[:2])
@@ -70,7 +70,7 @@ class ContactForces:
 
 
 @per_model
-def contact_forces(model: Model) -> ContactForces | None:
+def contact_forces(model: EngineModel) -> ContactForces | None:
     """Build the functions of the contacts of many pairs; None where pairs are not alike."""
     if isinstance(model, NearModel):
         return _OfPlaces(model).functions()
@@ -100,7 +100,7 @@ class _Evaluation:
 
     _sparse = SPARSE
 
-    def __init__(self, model: Model, found: Alike, rows: list[tuple[int, ...]]) -> None:
+    def __init__(self, model: EngineModel, found: Alike, rows: list[tuple[int, ...]]) -> None:
         self._model, self._alike, self._rows = model, found, rows
         self._nf = model.function("applied").numel_out(0)
         self._places = [places for _, places, _ in self._kinds(found)]

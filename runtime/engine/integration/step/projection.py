@@ -15,7 +15,7 @@ from hertzwerk.runtime.engine.integration.step.rounding_errors import STATE, bou
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 ITERATIONS = 2  # Newton's: the residual after a step is small, its square below rounding
 RUNAWAY = 1e3  # speeds over their scales: near a position in which a driven mechanism locks they grow without bound
@@ -53,7 +53,7 @@ class Closing:
         return y, closed * (ca.mmax(ca.fabs(y[self.speeds]) / run["scale"][self.speeds]) < RUNAWAY)
 
 
-def closing(model: Model) -> Closing | None:
+def closing(model: EngineModel) -> Closing | None:
     """Return the projection of a model; None for a tree."""
     if not model.nl:
         return None
@@ -62,7 +62,7 @@ def closing(model: Model) -> Closing | None:
 
 
 @per_model
-def _closed(model: Model) -> Any:
+def _closed(model: EngineModel) -> Any:
     """Build the function (t, y, c) -> (projected y, residuals, their rounding bounds, their rates (nl))."""
     constraints, project = model.function("constraints"), model.function("projection")
     called = (1 + ITERATIONS) * project.n_instructions() > CALLED
@@ -81,7 +81,7 @@ def _closed(model: Model) -> Any:
 
 
 @per_model
-def _along(model: Model) -> Any:
+def _along(model: EngineModel) -> Any:
     """Build the function (t, y, error (ny), c) -> error projected onto the constraints' tangent space."""
     t, y, c = model.symbols("t y c")
     error = ca.SX.sym("error", y.numel())

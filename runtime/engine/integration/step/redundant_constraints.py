@@ -19,12 +19,12 @@ import casadi as ca
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 OUT = 1e20  # softness of a relaxed constraint
 
 
-def relax_redundant(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Any]]:
+def relax_redundant(model: EngineModel) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Any]]:
     """Return (start, run) -> run with the constraints relaxed that are redundant at the step's start."""
     if not model.dependent:
         return lambda start, run: run
@@ -40,7 +40,7 @@ def relax_redundant(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, A
 
 
 @per_model
-def _softness(model: Model) -> Any:
+def _softness(model: EngineModel) -> Any:
     """Build the function (t, q, c, scales of speeds (nu), length) -> softness of each constraint (nl)."""
     t, q, u, c = model.symbols("t q u c")
     size, length = ca.SX.sym("size", model.nu), ca.SX.sym("length")

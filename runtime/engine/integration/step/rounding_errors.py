@@ -21,7 +21,7 @@ from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 EPS = 2.0**-52
 EXACT = {ca.OP_NEG, ca.OP_FABS, ca.OP_TWICE, ca.OP_CONST, ca.OP_ASSIGN}  # operations that round nothing
@@ -35,7 +35,7 @@ def time_rounding(t: Any, rate: Any) -> Any:
 
 
 @per_model
-def gap_rounding(model: Model) -> Any:
+def gap_rounding(model: EngineModel) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
     if isinstance(model, NearModel):
         return model.at_places("rounding", _of_kinds(gaps_by_kind(model.whole), STATE), (0, 0))

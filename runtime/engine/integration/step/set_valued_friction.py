@@ -40,7 +40,7 @@ from hertzwerk.runtime.engine.integration.step.rounding_errors import time_round
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Parts = Mapping[str, Any]
 
@@ -141,12 +141,12 @@ def _ahead(velocity: Any, slip: Any) -> Any:
     return ca.if_else(size > 0, velocity + (reached - along) * way, 0)
 
 
-def pairs_of(model: Model) -> list[int]:
+def pairs_of(model: EngineModel) -> list[int]:
     """Return the pairs with set-valued friction in the order of their slips, once for each tangent."""
     return [pair for _, _, pair in model.slips]
 
 
-def grips_of(model: Model) -> list[str]:
+def grips_of(model: EngineModel) -> list[str]:
     """Return the name of the grip of each slip (ns)."""
     return [name.rpartition(".")[0] for name, *_ in model.slips]
 
@@ -156,17 +156,17 @@ def turns(slip: str) -> bool:
     return slip.rpartition(".")[2].startswith("turning")
 
 
-def rubbing(model: Model) -> list[int]:
+def rubbing(model: EngineModel) -> list[int]:
     """Return the pairs with set-valued friction, of which sliding has modes."""
     return [pair for name, _, pair in model.slips if not turns(name) and pair != NO_PAIR]
 
 
-def at_slips(model: Model, of_pairs: Any, of_joints: Any) -> Any:
+def at_slips(model: EngineModel, of_pairs: Any, of_joints: Any) -> Any:
     """Return a quantity of the pairs (k) for each slip (ns), and of joints another."""
     return ca.vertcat(*(of_joints if j == NO_PAIR else of_pairs[j] for j in pairs_of(model)))
 
 
-def touching(model: Model, mode: Any) -> Any:
+def touching(model: EngineModel, mode: Any) -> Any:
     """Return for each slip (ns) whether its surfaces touch under the pairs' modes (k); those of joints do."""
     return at_slips(model, mode == CONTACT, ca.SX(1))
 
@@ -176,7 +176,9 @@ def groups_of(grips: Sequence[str]) -> list[list[int]]:
     return [[i for i, other in enumerate(grips) if other == grip] for grip in dict.fromkeys(grips)]
 
 
-def slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> tuple[Any, Any]:
+def slip_tolerances(
+    model: EngineModel, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any
+) -> tuple[Any, Any]:
     """Return the tolerances (ns each) of velocities and forces at a landing, from those of pairs (k).
 
     What sticks holds the forces of all pairs, and is as uncertain as the most uncertain one. Those of turning follow by
@@ -196,7 +198,7 @@ def slip_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, 
     )
 
 
-def sticking(model: Model, m: Any) -> Any:
+def sticking(model: EngineModel, m: Any) -> Any:
     """Return for each slip (ns) whether it is one of a grip that sticks or is apart."""
     slips = m[slips_in(model)]
     found = slips == STICK
@@ -208,17 +210,17 @@ def sticking(model: Model, m: Any) -> Any:
     return found
 
 
-def slips_in(model: Model) -> slice:
+def slips_in(model: EngineModel) -> slice:
     """Return the slice of the slips in m."""
     return slice(model.nm - model.ns, model.nm)
 
 
-def may_slip(model: Model, contacts: Contacts) -> bool:
+def may_slip(model: EngineModel, contacts: Contacts) -> bool:
     """Return whether a pair with set-valued friction is among the contacts of a class."""
     return bool(model.ns) and (contacts is BY_MODE or any(j in contacts or j == NO_PAIR for j in pairs_of(model)))
 
 
-def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Grips:
+def grips(model: EngineModel, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Grips:
     """Evaluate the friction quantities (SX) of the pairs in the contacts of a class."""
     columns, slips, stuck = [], m[slips_in(model)], sticking(model, m)
     places = [i for i, j in enumerate(pairs_of(model)) if contacts is BY_MODE or j in contacts or j == NO_PAIR]
@@ -237,7 +239,7 @@ def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c
 
 
 @per_model
-def pair_grip(model: Model, j: int) -> Any:
+def pair_grip(model: EngineModel, j: int) -> Any:
     """Return the function (t, y, m, c) -> fields of `Grips` of one pair.
 
     In order: along, power, sliding, holding, velocity, drift, each for every tangent.
@@ -251,7 +253,7 @@ def pair_grip(model: Model, j: int) -> Any:
     return ca.Function("grip", [t, y, m, c], ca.cse(results))
 
 
-def pair_grips(model: Model, j: int, *given: Any) -> tuple[Any, Any, Any, Any, Any]:
+def pair_grips(model: EngineModel, j: int, *given: Any) -> tuple[Any, Any, Any, Any, Any]:
     """Return velocity (n), along (nf, n), power (nz, n), sliding and holding (n) of a pair's n slips.
 
     given: (t, q, u, z, m, c).
@@ -266,7 +268,7 @@ def pair_grips(model: Model, j: int, *given: Any) -> tuple[Any, Any, Any, Any, A
 
 
 @per_model
-def joint_grips(model: Model) -> Any:
+def joint_grips(model: EngineModel) -> Any:
     """Return the function (t, y, m, c) -> fields of `Grips` of the frictions of joints.
 
     With across and pushing. Their work is the ledger's, which has what presses them.
@@ -286,7 +288,7 @@ def joint_grips(model: Model) -> Any:
 
 
 @per_model
-def forces(model: Model, n: int) -> Any:
+def forces(model: EngineModel, n: int) -> Any:
     """Return the CasADi function of the friction forces lambda (n) [N] along the tangents.
 
     Arguments: t, q, u, f, along, drift, slipping (n), sticks (n), c. f: all other generalised forces; slipping: the
@@ -303,7 +305,7 @@ def forces(model: Model, n: int) -> Any:
     return ca.Function("friction", arguments, [ca.cse(ca.if_else(sticks, found, slides))])
 
 
-def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
+def mobility(model: EngineModel, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
     """Return the changes (nu, n) of the speeds by a unit impulse along each tangent."""
     f = ca.SX.sym("f", along.shape[0])
     a = model.function("unloaded" if model.fed else "accelerations").call([t, q, u, f, c])[0]
@@ -334,13 +336,13 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 # -- modes and events --------------------------------------------------------------------------------------------------
 
 
-def margin_tolerances(model: Model, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
+def margin_tolerances(model: EngineModel, run: Parts, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
     """Return each margin's tolerance (ns) at a landing: a speed if slipping, a ratio if sticking."""
     rate, force = slip_tolerances(model, run, m, at, tol_rate, tol_force)
     return ca.if_else(sticking(model, m), force / positive(at["grip_force"]), rate)
 
 
-def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
+def turned(model: EngineModel, m: Any, friction: Any, margin: Any) -> Any:
     """Turn slips in two directions to those of sliding, but near rest; return m and if one turned.
 
     Margins are speeds along slips: they are evaluated anew where one turned.
@@ -357,7 +359,7 @@ def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
 
 
 def undecided_and_breaking(
-    model: Model, mode: Any, m: Any, margin: Any, margin_rate: Any, small: Any, was: Any
+    model: EngineModel, mode: Any, m: Any, margin: Any, margin_rate: Any, small: Any, was: Any
 ) -> tuple[Any, Any]:
     """Return which pairs (n) have an undecided direction of sliding, and which sticking pairs break loose.
 
@@ -371,12 +373,12 @@ def undecided_and_breaking(
     return asked, touches * (1 - fresh) * sticks * (margin < -BREAKS * small)
 
 
-def directed(model: Model) -> list[list[int]]:
+def directed(model: EngineModel) -> list[list[int]]:
     """Return the places of each grip among the slips that may slide in two directions, or more."""
     return [group for group in groups_of(grips_of(model)) if len(group) > 1]
 
 
-def unresolved_grips(model: Model, run: Parts, start: Parts, end: Parts, h: Any) -> Any:
+def unresolved_grips(model: EngineModel, run: Parts, start: Parts, end: Parts, h: Any) -> Any:
     """Return how badly a step of h [s] resolves margins; above 1 it has to be shorter.
 
     Sliding in two directions turns the faster the slower it is. An implicit step from rest takes that rate for all of its course, and
@@ -395,7 +397,7 @@ def unresolved_grips(model: Model, run: Parts, start: Parts, end: Parts, h: Any)
     return worst
 
 
-def _unresolved_hold(model: Model, run: Parts, start: Parts, end: Parts, h: Any) -> Any:
+def _unresolved_hold(model: EngineModel, run: Parts, start: Parts, end: Parts, h: Any) -> Any:
     """Return the same for the margins (ns) of what sticks, 0 for all others.
 
     What sticks has not let go in between where its change is that of its rates. A margin is a ratio, and falls the steeper the nearer a
@@ -420,7 +422,7 @@ def _unresolved_hold(model: Model, run: Parts, start: Parts, end: Parts, h: Any)
     return ca.if_else(held, error / (least + time_rounding(end["t"], ca.fabs(rates[0]) + ca.fabs(rates[1]))), 0)
 
 
-def margins_ahead(model: Model, mode: Any, m: Any, end: Parts, time: Any) -> Any:
+def margins_ahead(model: EngineModel, mode: Any, m: Any, end: Parts, time: Any) -> Any:
     """Return which margins (ns) stay positive for a time [s] after a step.
 
     They go on as at its end; 1 for pairs apart. That of a pair that sticks falls the steeper the nearer its contact is to its opening: it may not.
@@ -430,7 +432,7 @@ def margins_ahead(model: Model, mode: Any, m: Any, end: Parts, time: Any) -> Any
     return ca.if_else(touching(model, mode), ahead * (1 - of_pairs * sticking(model, m)), 1)
 
 
-def margins_positive(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
+def margins_positive(model: EngineModel, mode: Any, start: Parts, end: Parts) -> Any:
     """Return 1 if no margin comes near zero in a step."""
     touches, clear = touching(model, mode), ca.SX(1)
     for coefficient in margins(start, end):

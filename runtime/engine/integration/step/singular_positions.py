@@ -24,7 +24,7 @@ from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import Rung
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.step.layout import Layout
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 NEARBY = 0.05  # independent part of a constraint's square below which a singular position may be near
 MARGIN = 0.25  # of the gap between two nodes: distance that the position keeps from both
@@ -32,7 +32,7 @@ REACH = 2.0  # steps: distance below which none is implicit; with 1, esdirk stil
 AT_ONCE = 0.25  # of the first node: a position this close to the start of a step counts as passed
 
 
-def time_to_singular(model: Model, t: Any, q: Any, dq: Any, c: Any) -> Any:
+def time_to_singular(model: EngineModel, t: Any, q: Any, dq: Any, c: Any) -> Any:
     """Return the time [s] (1) until a constraint becomes dependent on others, or FAR; (0) for a tree.
 
     The independent remainder of a constraint is a square: near zero its root falls linearly.

@@ -15,20 +15,20 @@ from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import Rung
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
 INLINED = 3000  # instructions of all stages of a step; more are called: inlined they take long to build and to compile
 Take: TypeAlias = Callable[[Mapping[str, Any], Mapping[str, Any], Any], dict[str, Any]]
 
 
-def stages_inlined(model: Model, table: Table, contacts: Contacts) -> bool:
+def stages_inlined(model: EngineModel, table: Table, contacts: Contacts) -> bool:
     """Return whether a step contains its stages; else each calls the right-hand side."""
     if not isinstance(table, RungeKutta):
         return not implicit_step.uses_calls(model)
     return bool(table.stages * explicit_step.flow(model, contacts).rates.n_instructions() <= INLINED)
 
 
-def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
+def stepper(model: EngineModel, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
     """Return (start, run, h) -> trial: one step of h [s] with the forces of these contacts.
 
     `seen` as in `explicit.explicit_step`.

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredImpacts, MeasuredTable, Measurement
 from hertzwerk.runtime.engine.model.binding import Value, named_values
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.averages import TRANSIENT, seconds
 from hertzwerk.runtime.engine.solution.history import units_of
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.solution.step_observers import INTERVALS
 from hertzwerk.runtime.engine.start.start_values import split_values
 from hertzwerk.runtime.studies.comparison.comparison_request import (
@@ -85,7 +85,7 @@ class _Sight(Protocol):
         """Return statistics of what was measured after a start [s]."""
 
     def of(
-        self, run: Solution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
+        self, run: EngineSolution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
     ) -> SeriesStatistics:
         """Return statistics of a run after its transient [s]."""
 
@@ -108,7 +108,7 @@ class _OverTime:
         return series_statistics(self.times[kept], samples, moments, interval)
 
     def of(
-        self, run: Solution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
+        self, run: EngineSolution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
     ) -> SeriesStatistics:
         seen = FilteredRun(run, [c.history for c in self.channels], self._request.instrument, self._spacing)
         start = max(seen.start, run.t_start + _transient(skip, run.t_end - run.t_start))
@@ -133,7 +133,7 @@ class _OfImpacts:
         )
 
     def of(
-        self, run: Solution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
+        self, run: EngineSolution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
     ) -> SeriesStatistics:
         times = [onsets(run, channel.history) for channel in self.channels]
         values = [_noisy(of_impacts(run, channel.history)[:, None], (channel,))[:, 0] for channel in self.channels]
@@ -164,23 +164,23 @@ class SeriesMoments:
     skip: float | None
     values: Mapping[str, Value]
     measured: SeriesStatistics
-    _last: tuple[Solution, SeriesStatistics] | None = field(default=None, repr=False)
+    _last: tuple[EngineSolution, SeriesStatistics] | None = field(default=None, repr=False)
 
-    def functions(self) -> dict[str, Callable[[Solution], float]]:
+    def functions(self) -> dict[str, Callable[[EngineSolution], float]]:
         """Return functions of a run for a sweep: statistics and their deviations, by the names of `columns`."""
-        both: dict[str, Callable[[Solution], float]] = {}
+        both: dict[str, Callable[[EngineSolution], float]] = {}
         for k, (name, deviation) in enumerate(map(columns, self.names)):
             both[name] = partial(self._value, k)
             both[deviation] = partial(self._deviation, k)
         return both
 
-    def _value(self, k: int, run: Solution) -> float:
+    def _value(self, k: int, run: EngineSolution) -> float:
         return float(self._of(run).values[k])
 
-    def _deviation(self, k: int, run: Solution) -> float:
+    def _deviation(self, k: int, run: EngineSolution) -> float:
         return float(self._of(run).deviations[k])
 
-    def _of(self, run: Solution) -> SeriesStatistics:
+    def _of(self, run: EngineSolution) -> SeriesStatistics:
         last = self._last  # another thread may put its own
         if last is None or last[0] is not run:
             last = self._last = run, self.sight.of(run, self.moments, self.skip, self.interval)
@@ -197,7 +197,7 @@ def _transient(skip: float | None, span: float) -> float:
 
 
 def read_series(
-    model: Model, names: Sequence[str], series: Sequence[MeasuredSeries], values: object, faults: list[Fault]
+    model: EngineModel, names: Sequence[str], series: Sequence[MeasuredSeries], values: object, faults: list[Fault]
 ) -> tuple[SeriesMoments, ...]:
     """Return statistics of each series by names COLUMN.KIND; bad input is appended to `faults`.
 
@@ -234,7 +234,7 @@ def read_series(
     return tuple(found) if len(faults) == wrong else ()
 
 
-def _sight(model: Model, series: MeasuredSeries, faults: list[Fault]) -> _Sight | None:
+def _sight(model: EngineModel, series: MeasuredSeries, faults: list[Fault]) -> _Sight | None:
     """Return a measured table beside what it is of; bad input is appended to `faults`."""
     if not isinstance(series.map, Mapping | None):
         faults.append(Fault("map", shown(series.map), 'histories by column, such as {"force": "floor.normal_force"}'))
@@ -274,7 +274,7 @@ def _impacts(channels: tuple[Channel, ...], faults: list[Fault]) -> _OfImpacts |
 
 
 def _moments(
-    model: Model,
+    model: EngineModel,
     names: Sequence[str],
     labels: Sequence[str],
     sight: _Sight,
@@ -329,7 +329,7 @@ def _kind_faults(
             yield Fault(label, found, "another statistic, such as norm8")
 
 
-def _period(model: Model, values: object) -> float | None:
+def _period(model: EngineModel, values: object) -> float | None:
     """Return the period [s] of all drives; None without one, or where a sweep will refuse values."""
     try:
         parameters, _ = split_values(model, values if isinstance(values, Mapping) else {})

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.runtime.engine.model.binding import Value, read_state, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.ranges import Range, hypercube
 from hertzwerk.runtime.studies.comparison.series_moments import QUANTILE
 from hertzwerk.runtime.studies.fitting.fit_result import Estimates, FittedValue, Goodness
@@ -133,7 +133,7 @@ class FittedMoments(Estimates):
 class MomentFitRequest:
     """Request for a fit of moments; raises nothing: `read_moment_fit` checks."""
 
-    model: Model
+    model: EngineModel
     free: tuple[Free, ...]
     moments: tuple[Moment, ...]
     half_widths: tuple[str, ...]  # names of the columns with half the width of a run's own 95 % interval, empty without
@@ -171,7 +171,7 @@ class MomentFitRequest:
 
 
 def read_moment_fit(
-    model: Model,
+    model: EngineModel,
     moments: object,
     free: object,
     how: Mapping[str, Any],

@@ -22,7 +22,7 @@ from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.inputs.inputs_by_row import Choices, Labels
 from hertzwerk.runtime.engine.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.engine.model.build import derive_digest, file_of, law_files, located_target
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.ranges import Range, RangeValues, ValueWithUnit
 from hertzwerk.runtime.engine.model.signal import digest_of
 from hertzwerk.runtime.engine.run.run_request import read_duration
@@ -78,7 +78,7 @@ def versions() -> dict[str, str]:
     }
 
 
-def target_of(target: object, model: Model) -> dict[str, Any]:
+def target_of(target: object, model: EngineModel) -> dict[str, Any]:
     """Return the scene of a model and its variation as plain data; no target where it was made in Python."""
     origin = model.declaration
     laws = {} if origin is None else dict(origin.laws)
@@ -184,7 +184,9 @@ def _summary(value: Any) -> str:
 class Keys:
     """Keys of rows by their values; `about`: what is the same for all, plain data."""
 
-    def __init__(self, model: Model, settings: Mapping[str, Any], about: Mapping[str, Any], choices: Choices) -> None:
+    def __init__(
+        self, model: EngineModel, settings: Mapping[str, Any], about: Mapping[str, Any], choices: Choices
+    ) -> None:
         self._model, self._duration, self._choices = model, settings["duration"], choices
         others = {**about, **{name: value for name, value in settings.items() if name != "duration"}}
         self._same = hashlib.sha256(f"{sorted(others.items())!r}\n".encode())
@@ -202,7 +204,7 @@ class Keys:
         return whole.hexdigest()[:32]
 
 
-def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Sequence[Any]:
+def _numbers(model: EngineModel, values: Mapping[str, Value], duration: Any) -> Sequence[Any]:
     """Return everything a run of these values depends on in SI, or as given where that cannot be read."""
     parameters, initial = split_values(model, values)
     faults: list[Fault] = []

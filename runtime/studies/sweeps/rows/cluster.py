@@ -26,7 +26,7 @@ from distributed.comm import get_address_host_port
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.runtime.engine.model.generated_text import text_of
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import LIBRARIES, versions
 from hertzwerk.runtime.studies.sweeps.rows.row import Row
 from hertzwerk.runtime.studies.sweeps.rows.row_engine import EngineLostError, every_row
@@ -151,7 +151,7 @@ def _packed(job: Job) -> bytes:
     if not text_of(model.module):
         fault = Fault("client", "a model whose generated text is not known", "a model that `load` returned")
         raise InputError(model.name, [fault])
-    bare = replace(job, model=Model(model.module, dependent=model.dependent), stop=LocalFlag())
+    bare = replace(job, model=EngineModel(model.module, dependent=model.dependent), stop=LocalFlag())
     functions = [output.function for output in job.outputs if output.function is not None]
     try:
         with _by_value(functions):

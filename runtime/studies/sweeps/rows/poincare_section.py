@@ -25,8 +25,8 @@ from hertzwerk.runtime.engine.run.drive_speed import drive_angle, drive_rate
 from hertzwerk.runtime.engine.solution.history import units_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 PHASE = "phase"
 DIRECTIONS = {"rising": (1,), "falling": (-1,), "both": (1, -1)}
@@ -56,7 +56,7 @@ class Section:
         value = f"{self.value:.17g} {self.unit}".removesuffix(" 1")
         return f"{self.name} = {value}{'' if self.steady else f' {self.direction}'}"
 
-    def returns(self, model: Model, bound: BoundParameters, begin: float, end: float) -> np.ndarray:
+    def returns(self, model: EngineModel, bound: BoundParameters, begin: float, end: float) -> np.ndarray:
         """Return the times [s] after `begin`, up to `end`, of a steady section; raises InputError."""
         rate = self._rate(model, bound)
         turns = (rate * np.array([begin, end]) - self.value) / math.copysign(TURN, rate)
@@ -64,7 +64,7 @@ class Section:
         times = (math.copysign(TURN, rate) * np.arange(first, last + 1) + self.value) / rate
         return np.minimum(times, end)
 
-    def _rate(self, model: Model, bound: BoundParameters) -> float:
+    def _rate(self, model: EngineModel, bound: BoundParameters) -> float:
         """Return the rate [rad/s] of a steady angle; raises InputError where it stands still."""
         period = model.period(bound) if self.name == PHASE else None
         rate = TURN / period if period is not None else drive_rate(model, bound) if self.name != PHASE else None
@@ -72,7 +72,7 @@ class Section:
             raise InputError(model.name, [Fault("section", f"{self.name}, which stands still", "an angle that turns")])
         return rate
 
-    def crossings(self, run: Solution, begin: float) -> np.ndarray:
+    def crossings(self, run: EngineSolution, begin: float) -> np.ndarray:
         """Return the times [s] after `begin` of a run with its steps at which the history crosses the value."""
         history, t = run.history, run.t
         first = max(int(np.searchsorted(t, begin, side="right")) - 1, 0)
@@ -90,7 +90,7 @@ class Section:
         after: np.ndarray = times[times > begin + EDGE * (t[-1] - begin)]
         return after
 
-    def _located(self, run: Solution, times: np.ndarray, values: np.ndarray) -> np.ndarray:
+    def _located(self, run: EngineSolution, times: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the crossings [s] between samples of the history at increasing times."""
         place = (values - self.value) / TURN if self.unit == "rad" else np.where(values >= self.value, 0.5, -0.5)
         level = np.floor(place)
@@ -109,7 +109,7 @@ class Section:
 
 
 def _zeros(
-    run: Solution, name: str, target: np.ndarray, low: np.ndarray, high: np.ndarray, sign: np.ndarray
+    run: EngineSolution, name: str, target: np.ndarray, low: np.ndarray, high: np.ndarray, sign: np.ndarray
 ) -> np.ndarray:
     """Return the times between `low` and `high` at which a history is at its target, to the last digits.
 
@@ -137,7 +137,7 @@ def _zeros(
     return found
 
 
-def read_section(model: Model, text: object, faults: list[Fault]) -> Section | None:
+def read_section(model: EngineModel, text: object, faults: list[Fault]) -> Section | None:
     """Read the text of a section; bad input is appended to `faults`."""
     written = _WRITTEN.fullmatch(text) if isinstance(text, str) else None
     if written is None:
@@ -158,7 +158,7 @@ def read_section(model: Model, text: object, faults: list[Fault]) -> Section | N
     return Section(name, si, unit, direction or "rising", name in steady)
 
 
-def _steady(model: Model) -> Iterator[tuple[str, str]]:
+def _steady(model: EngineModel) -> Iterator[tuple[str, str]]:
     """Yield the angles that are known before a run, with their unit."""
     driven = drive_angle(model)
     if driven is not None:

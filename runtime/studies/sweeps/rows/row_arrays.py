@@ -20,8 +20,8 @@ from hertzwerk.runtime.studies.sweeps.rows.row import Packed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import Model
-    from hertzwerk.runtime.engine.solution.solution import Solution
+    from hertzwerk.runtime.engine.model.model import EngineModel
+    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 SECTION, HISTORIES, END = "section", "histories", "end"
 WHOLE = 1e-9  # relative: a number of periods this close to a whole one counts as whole
@@ -42,7 +42,7 @@ class Times:
         known = [times for times in (self.section, self.grid) if times is not None]
         return np.unique(np.concatenate([np.zeros(0), *known]))
 
-    def arrays(self, run: Solution) -> dict[str, Packed]:
+    def arrays(self, run: EngineSolution) -> dict[str, Packed]:
         """Return the arrays of a run, of a shorter one as far as it got."""
         return self.row_arrays.of(run, self)
 
@@ -80,7 +80,7 @@ class RowArrays:
         """Parts of a run that they are computed from, beside its states at times that are known before."""
         return Needs.ENDS if self.section is None or self.section.steady else Needs.STEPS
 
-    def times(self, model: Model, parameters: Mapping[str, Value]) -> Times:
+    def times(self, model: EngineModel, parameters: Mapping[str, Value]) -> Times:
         """Return the times of a row; raises InputError with every fault."""
         faults: list[Fault] = []
         seconds = read_duration(model, parameters, self.duration, faults)
@@ -108,7 +108,7 @@ class RowArrays:
             section = self.section.returns(model, bound, begin, seconds)
         return Times(self, begin, section, None if grid is None else grid[grid >= begin])
 
-    def of(self, run: Solution, times: Times) -> dict[str, Packed]:
+    def of(self, run: EngineSolution, times: Times) -> dict[str, Packed]:
         """Return the arrays of a run with these times; see `Times.arrays`."""
         found = {}
         if self.section is not None:
@@ -121,7 +121,7 @@ class RowArrays:
             found[END] = Packed.of(end)
         return found
 
-    def _packed(self, run: Solution, times: np.ndarray) -> Packed:
+    def _packed(self, run: EngineSolution, times: np.ndarray) -> Packed:
         reached = times[times <= run.t_end]
         if not len(reached):
             return Packed.of(np.zeros((0, 1 + len(self.units))))
@@ -143,7 +143,7 @@ def _in_degrees(section: str) -> str:
 
 
 def read_row_arrays(
-    model: Model,
+    model: EngineModel,
     *,
     section: object,
     histories: object,
@@ -167,7 +167,7 @@ def read_row_arrays(
     return RowArrays(units, place, grid, after, duration, end)  # type: ignore[arg-type]
 
 
-def _units(model: Model, names: object, faults: list[Fault]) -> dict[str, str]:
+def _units(model: EngineModel, names: object, faults: list[Fault]) -> dict[str, str]:
     """Return the units of the histories that are kept, by default of coordinates and speeds."""
     if isinstance(names, str) or not isinstance(names, Sequence):
         faults.append(Fault("histories", shown(names), 'a list of names, such as ["guide.travel", "guide.speed"]'))

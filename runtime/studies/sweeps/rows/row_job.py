@@ -14,7 +14,7 @@ from typing import Any, Protocol, TypeAlias
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, numbers_of
 from hertzwerk.runtime.engine.model.binding import Value
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.built_engine import prepare
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError
@@ -98,7 +98,7 @@ class Job:
     compiled    whether they are, once prepared
     """
 
-    model: Model
+    model: EngineModel
     settings: Settings
     outputs: list[Output]
     row_arrays: RowArrays | None = None
@@ -252,7 +252,7 @@ class Job:
 
 
 def _sent(
-    model: Model,
+    model: EngineModel,
     settings: Settings,
     outputs: list[tuple[str, Own | None]],
     kept: RowArrays | None,

@@ -16,7 +16,7 @@ import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, shown, unknown
 from hertzwerk.runtime.engine.model.free_quantities import quantities
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import ratio
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import (
     NoDerivativeError,
@@ -103,13 +103,13 @@ def own(name: str, function: Callable[[Solution], float]) -> Output:
     return Output({name: ""}, Needs.STEPS, of, function)
 
 
-def named(model: Model, outputs: Sequence[tuple[str, Callable[[Solution], float] | None]]) -> list[Output]:
+def named(model: EngineModel, outputs: Sequence[tuple[str, Callable[[Solution], float] | None]]) -> list[Output]:
     """Return outputs by their names and, of the user's own, functions."""
     there = {output.name: output for output in (*of_every_run(model), *_known(model))}
     return [_output_of(model, there, name) if function is None else own(name, function) for name, function in outputs]
 
 
-def _output_of(model: Model, there: Mapping[str, Output], name: str) -> Any:
+def _output_of(model: EngineModel, there: Mapping[str, Output], name: str) -> Any:
     """Return the output of a name, of a reading too, which is derived then; None where there is none."""
     if DERIVATIVE.fullmatch(name):
         return _derivative(model, there, name)
@@ -119,7 +119,7 @@ def _output_of(model: Model, there: Mapping[str, Output], name: str) -> Any:
     return _reduced(history, units_of(model, None)[history], kind)
 
 
-def _derivative(model: Model, there: Mapping[str, Output], name: str) -> Output | None:
+def _derivative(model: EngineModel, there: Mapping[str, Output], name: str) -> Output | None:
     """Return the output of a derivative, "d(OUTPUT)/d(NAME)"; None where there is none."""
     above, to = DERIVATIVE.fullmatch(name).groups()  # type: ignore[union-attr]
     of, units = _output_of(model, there, above), quantities(model)
@@ -133,7 +133,7 @@ def _derivative(model: Model, there: Mapping[str, Output], name: str) -> Output 
     return Output({name: ratio(of.columns[above], units[to])}, Needs.STEPS, one, derived=(above, to))
 
 
-def _derivative_faults(model: Model, there: Mapping[str, Output], name: str) -> list[Fault]:
+def _derivative_faults(model: EngineModel, there: Mapping[str, Output], name: str) -> list[Fault]:
     """Return the faults of the name of a derivative."""
     above, to = DERIVATIVE.fullmatch(name).groups()  # type: ignore[union-attr]
     units = quantities(model)
@@ -147,12 +147,12 @@ def _derivative_faults(model: Model, there: Mapping[str, Output], name: str) -> 
     return faults
 
 
-def known(model: Model) -> dict[str, Output]:
+def known(model: EngineModel) -> dict[str, Output]:
     """Return every output that a model has, by name."""
     return {output.name: output for output in _known(model)}
 
 
-def chosen(model: Model, names: object, faults: list[Fault]) -> list[Output]:
+def chosen(model: EngineModel, names: object, faults: list[Fault]) -> list[Output]:
     """Return the outputs of these names; bad input is appended to `faults`."""
     if isinstance(names, str) or not isinstance(names, Sequence):
         faults.append(
@@ -180,7 +180,7 @@ def derived_by(outputs: Sequence[Output]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(output.derived[1] for output in outputs if output.derived))
 
 
-def text_behind(model: Model, outputs: Sequence[Output], histories: Sequence[str]) -> str:
+def text_behind(model: EngineModel, outputs: Sequence[Output], histories: Sequence[str]) -> str:
     """Return the text beside the model's own that outputs, or other histories, may be computed by."""
     units = units_of(model, None)
     split = (
@@ -193,17 +193,17 @@ def text_behind(model: Model, outputs: Sequence[Output], histories: Sequence[str
     return units.text_behind(units.everything if own else asked)
 
 
-def of_every_run(model: Model) -> list[Output]:
+def of_every_run(model: EngineModel) -> list[Output]:
     """Return contacts, peak force, energy residual, error and cost, which every run has a column for."""
     return [*_of_contacts(None), _ENERGY_RESIDUAL, *_OF_RUN]
 
 
-def finals(model: Model) -> list[Output]:
+def finals(model: EngineModel) -> list[Output]:
     """Return every state at the end."""
     return [_final(f"final.{name}", name, unit) for name, unit in model.units.items()]
 
 
-def _known(model: Model) -> Iterator[Output]:
+def _known(model: EngineModel) -> Iterator[Output]:
     yield from finals(model)
     for name in model.memory:
         for end, title in POWERS.items():

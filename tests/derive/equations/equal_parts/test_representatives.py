@@ -37,7 +37,7 @@ from hertzwerk.derive.equations.equal_parts.equal_declarations import alike
 from hertzwerk.derive.laws import coulomb, flores, power, smooth_coulomb
 from hertzwerk.derive.program.emit.module_text import emit
 from hertzwerk.runtime.engine.model.generated_text import module_of
-from hertzwerk.runtime.engine.model.model import _INPUTS, Model
+from hertzwerk.runtime.engine.model.model import _INPUTS, EngineModel
 from reference.scenes import balls, spheres_in_box
 
 M, J, R = Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 1e-3), Parameter("radius", "m", 0.05)
@@ -136,7 +136,9 @@ def models(name):
     """Model of the kinds, and that of all parts, each derived by itself."""
     made = SCENES[name]()
     found = alike(made)
-    return Model(module_of("kinds", generate(made))), Model(module_of("each", emit(derive(found.scene), "")))
+    return EngineModel(module_of("kinds", generate(made))), EngineModel(
+        module_of("each", emit(derive(found.scene), ""))
+    )
 
 
 def values(model, name, given, c):

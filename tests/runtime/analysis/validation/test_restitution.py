@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from hertzwerk.runtime.analysis.validation.restitution import GRID, Impact, Study, own_unit, simulated
 from hertzwerk.runtime.engine.model.build import build, impact_trials
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from reference.closed_forms import FACTORS, exact_factor, factor, restitution
 
 TRIALS = {trial.law.name: trial for trial in impact_trials()}
@@ -131,7 +131,7 @@ def test_laws_without_e_against_another_integrator(study, name, drag):
 def test_mass_speed_and_stiffness_do_not_matter(name, value):
     """Five decades of stiffness, three of mass, one of speed: the same comes out, for the same e or the same number of the law's own."""
     trial = TRIALS[name]
-    model = Model(build(trial.scene))
+    model = EngineModel(build(trial.scene))
     found = []
     for impact in (Impact(), Impact(mass=0.02, speed=7.0, stiffness=3e10), Impact(mass=40, speed=0.3, stiffness=5e4)):
         unit = 1.0 if trial.recommended is not None else own_unit(trial, impact)

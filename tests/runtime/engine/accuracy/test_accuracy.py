@@ -33,7 +33,7 @@ from hertzwerk.runtime.engine.run import accurate_run
 from hertzwerk.runtime.engine.run.single_run import SingleRun
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.outcome import unreachable
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from reference.slider_crank import SliderCrank, reference
 
 FAR = 0.010  # s
@@ -396,10 +396,10 @@ def test_the_run_is_bitwise_that_of_its_tolerance_and_survives_saving(judged, tm
         plain = simulate(run.model, duration=FAR, tolerance=run.tolerance, method=run.method)
         assert np.array_equal(run.history.rows, plain.history.rows)
         assert plain.error is plain.accuracy is None
-    loaded = Solution.load(run.save(tmp_path / "run.npz"))
+    loaded = EngineSolution.load(run.save(tmp_path / "run.npz"))
     assert np.array_equal(loaded.error.values, run.error.values)
     assert loaded.error.numbers == run.error.numbers
-    assert Solution.load(plain.save(tmp_path / "plain.npz")).error is None
+    assert EngineSolution.load(plain.save(tmp_path / "plain.npz")).error is None
     assert f"error {run.error}" in str(run)
     kept = simulate(run.model, duration=FAR, accuracy=run.accuracy, method=run.method, grid=[0.002, FAR])
     assert np.array_equal(kept.history.rows, plain.at(np.array([0.002, FAR])).rows)

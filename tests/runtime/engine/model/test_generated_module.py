@@ -15,7 +15,7 @@ from hertzwerk.runtime import Model
 from hertzwerk.runtime.engine.model.generated_text import module_of
 from hertzwerk.runtime.engine.model.regenerate import generated_names
 from hertzwerk.runtime.engine.solution import saved_run
-from hertzwerk.runtime.engine.solution.solution import Solution
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 TEXT = Path(pendulum.__file__).read_text(encoding="utf-8")
 ALTERED = {
@@ -88,7 +88,7 @@ def test_no_table_is_taken_for_empty_where_it_is_missing():
 def test_a_saved_run_with_tables_of_another_format_is_refused(tmp_path, monkeypatch):
     run = simulate(load("pendulum"), duration="1 ms", tolerance=1e-6)
     now = run.save(tmp_path / "now.npz")
-    assert Solution.load(now).model.slips == ()
+    assert EngineSolution.load(now).model.slips == ()
     for form in ("hertzwerk module 0", None):
         pack = saved_run.packed
 
@@ -100,7 +100,7 @@ def test_a_saved_run_with_tables_of_another_format_is_refused(tmp_path, monkeypa
         file = run.save(tmp_path / f"{form}.npz")
         monkeypatch.undo()
         with pytest.raises(InputError, match=f"tables in the format {form!r}"):
-            Solution.load(file)
+            EngineSolution.load(file)
 
 
 def test_a_scene_without_a_summary_has_a_title_without_a_gap():

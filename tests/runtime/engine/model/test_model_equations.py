@@ -10,7 +10,7 @@ from click.testing import CliRunner
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import load
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 OWN = """
 from dataclasses import replace
@@ -93,6 +93,6 @@ def test_a_model_of_a_built_in_scene_can_still_be_sent_to_another_process():
 
 
 def test_a_model_without_its_scene_says_what_to_do():
-    saved = Model(load("bouncing_ball").module)  # as Solution.load makes it
+    saved = EngineModel(load("bouncing_ball").module)  # as Solution.load makes it
     with pytest.raises(InputError, match=r"a model without its scene.*\n.*hertzwerk derive bouncing_ball --show"):
         saved.equations()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.runtime import Solution, load, simulate
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 RUNS = {
     "impacts": ("slider_crank", {"duration": "10 ms"}),
@@ -64,7 +64,7 @@ def test_a_saved_run_is_what_it_was(crank, tmp_path):
     twin = restored(saved)
     assert np.array_equal(twin["guide.travel"], saved["guide.travel"])
     assert (twin.impacts, str(twin)) == (saved.impacts, str(saved))
-    assert isinstance(twin.model, Model)
+    assert isinstance(twin.model, EngineModel)
 
 
 def travel(model):

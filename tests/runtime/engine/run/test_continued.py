@@ -12,11 +12,11 @@ from click.testing import CliRunner
 from hertzwerk.runtime import InputError, Solution, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import build_hard_scene
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 built = cache(load)  # with its functions, for all tests here
 TOLERANCE = 1e-8
-INCLINES = {name: Model(build_hard_scene(name)) for name in ("incline_lugre", "incline_coulomb")}
+INCLINES = {name: EngineModel(build_hard_scene(name)) for name in ("incline_lugre", "incline_coulomb")}
 
 
 def model(name):

@@ -31,7 +31,7 @@ from hertzwerk.runtime import Solution, load, simulate, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.model.generated_text import module_of, text_of
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.dense_output import Samples
 from hertzwerk.runtime.engine.solution.history import History
 
@@ -283,7 +283,7 @@ def test_all_names_are_told_and_used_wherever_a_history_is(rattling, tmp_path):
 
 
 def test_a_module_alone_says_where_readings_come_from():
-    alone = Model(module_of("alone", text_of(load("pendulum").module)))
+    alone = EngineModel(module_of("alone", text_of(load("pendulum").module)))
     run = simulate(alone, duration="10 ms", tolerance=1e-6)
     with pytest.raises(KeyError, match=r"load the scene, of derive/scenes/pendulum\.py, and simulate"):
         run["hinge.reaction_x"]

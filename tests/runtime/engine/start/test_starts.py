@@ -28,7 +28,7 @@ from hertzwerk.derive.scenes.four_bar_clearance import scene as with_one
 from hertzwerk.derive.scenes.slider_crank_three_clearances import scene as with_three
 from hertzwerk.runtime import load, simulate, simulate_many
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.start.start_values import assembled, overlaps, start_of
 from hertzwerk.runtime.engine.start.stated_start import as_stated
 from reference import scenes
@@ -317,11 +317,11 @@ def test_overlaps_of_many_spheres_are_those_of_pairs_written_out_and_looked_at_o
         "flight_5.z": "51 mm",
     }
     tables = {name: x for name, x in vars(model.module).items() if not name.startswith("__")}
-    written = Model(SimpleNamespace(**{**tables, "FAMILIES": ()}))
+    written = EngineModel(SimpleNamespace(**{**tables, "FAMILIES": ()}))
     calls = []
-    evaluate = Model.evaluate
+    evaluate = EngineModel.evaluate
     monkeypatch.setattr(
-        Model, "evaluate", lambda self, name, *given: calls.append(name) or evaluate(self, name, *given)
+        EngineModel, "evaluate", lambda self, name, *given: calls.append(name) or evaluate(self, name, *given)
     )
     found = []
     for each in (model, written):

@@ -34,7 +34,7 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import build_hard_scene
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.picture import PANEL
 from hertzwerk.runtime.output.drawings.places import Places
@@ -201,7 +201,7 @@ def test_friction_is_that_of_its_law_and_acts_against_the_slip(crank):
 
 def test_friction_that_holds_a_body_has_its_arrow_too():
     """A block on an incline of 3 in 4: it slides, stops, and is held by 3/5 of its weight, uphill."""
-    run = simulate(Model(build_hard_scene("incline_coulomb")), duration="0.2 s", tolerance=1e-8,
+    run = simulate(EngineModel(build_hard_scene("incline_coulomb")), duration="0.2 s", tolerance=1e-8,
                    parameters={"friction_coefficient": 2.0, "static_coefficient": 2.0})  # fmt: skip
     stage = stage_of(run, 9)
     assert run["surface.sliding_velocity"][-1] == pytest.approx(0, abs=1e-12)

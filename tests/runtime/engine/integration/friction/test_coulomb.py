@@ -35,7 +35,7 @@ from hertzwerk.derive.scenes import slider_crank
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.step import implicit_step
 from hertzwerk.runtime.engine.model.generated_text import with_tables
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 pytestmark = pytest.mark.by_turns(7)  # methods and sizes that run the same code
 
@@ -398,7 +398,7 @@ def oscillator(mu_k, mu_s, load_force=10.0, spring=100.0):
         poses=lambda t, q, c: (ca.vertcat(q, 0, 0), ca.SX([1, 0, 0, 0, 1, 0, 0, 0, 1])),
         outputs=lambda t, q, u, c: none,
     )  # fmt: skip
-    return Model(module)
+    return EngineModel(module)
 
 
 @pytest.mark.parametrize("method", [*METHODS, CVODES, IDAS])

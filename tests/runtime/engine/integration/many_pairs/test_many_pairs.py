@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.integration.step.implicit_step import DIVERGED
 from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import esdirk54, rodas5p
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from reference import closed_forms, scenes
 
 pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
@@ -51,7 +51,7 @@ def test_a_class_for_each_pair_changes_no_number(monkeypatch, method, gap):
     options = {"tolerance": 1e-7, "method": method, "compiled": False}
     own = hit(row(4), gap, **options)
     monkeypatch.setattr(classes, "ALONE", 0)
-    masked = hit(Model(row(4).module), gap, **options)
+    masked = hit(EngineModel(row(4).module), gap, **options)
     first, second, third, several = 2.0, 3.0, 4.0, 5.0
     assert ({first, several} if gap == CLOSE else {first, second, third}) <= set(part(own, "class")[:, 0])
     assert set(part(masked, "class")[:, 0]) == {0.0, 1.0, 2.0}
@@ -144,7 +144,7 @@ def test_pairs_that_are_not_asked_change_no_bit(monkeypatch, gap):
     options = {"tolerance": 1e-7, "compiled": False}
     lean = hit(row(4), gap, **options)
     monkeypatch.setattr("hertzwerk.runtime.engine.integration.loop.plain_attempt.pairs_by_polynomial", every_pair)
-    asked = hit(Model(row(4).module), gap, **options)
+    asked = hit(EngineModel(row(4).module), gap, **options)
     assert np.array_equal(lean.history.rows, asked.history.rows)
 
 
@@ -164,7 +164,7 @@ def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
 
     for name, mark in zip(names, MARKS, strict=True):
         setattr(module, f"contact_{name}", marked(getattr(module, f"contact_{name}"), mark))
-    model = Model(module)
+    model = EngineModel(module)
     (table,) = (table() for table in METHODS[method])
     for contacts in contact_classes(model):
         step = advance(model, layouts(model), table, contacts)
@@ -191,7 +191,7 @@ def linear(B):
         scales=lambda p: (ca.SX.ones(n), ca.SX.ones(n), ca.SX(0, 1), ca.SX.ones(4)),
         applied=lambda t, q, u, c: ca.mtimes(ca.DM(B), u),
     )
-    return Model(model.module)
+    return EngineModel(model.module)
 
 
 @pytest.mark.parametrize("table", [rodas5p(), esdirk54()], ids=lambda table: table.name)

@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.integration.step.many_contacts import LADDER, SPARSE, contact_forces, of_pairs
 from hertzwerk.runtime.engine.integration.step.rounding_errors import STATE, bounds, gap_rounding
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from reference import scenes
 
 
@@ -243,6 +243,6 @@ def test_called_stages_give_the_run_of_inlined_ones(name, monkeypatch):
     """The same operations in the same order, but what `cse` finds over several stages."""
     inlined = simulate(load(name), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False)
     monkeypatch.setattr(stepper, "INLINED", 0)
-    called = simulate(Model(load(name).module), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False)
+    called = simulate(EngineModel(load(name).module), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False)
     assert called.statistics.steps == inlined.statistics.steps
     assert called.history.part("y") == pytest.approx(inlined.history.part("y"), rel=1e-11, abs=1e-13)

@@ -42,7 +42,7 @@ from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import (
     rodas5p,
 )
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
-from hertzwerk.runtime.engine.model.model import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.built_engine import engine_for
 from hertzwerk.runtime.engine.solution.error_scales import of_parameters
 from hertzwerk.runtime.system.interrupt import defer_interrupts
@@ -309,7 +309,7 @@ def block(slope, friction, layer):
         applied=lambda t, q, u, c: ca.vertcat(9.81 * math.sin(slope), -normal),
         contact_surface=contact_surface,
     )
-    return Model(module)
+    return EngineModel(module)
 
 
 @pytest.mark.parametrize("method", [*IMPLICIT, "auto"])
@@ -391,7 +391,7 @@ def test_a_constrained_motion_is_the_same_by_calls(swung, method, monkeypatch):
     options = {"duration": "0.3 s", "tolerance": 1e-8, "method": method, "compiled": False}
     written = simulate(swung, **options)
     monkeypatch.setattr(implicit, "LARGE", 0)
-    called = simulate(Model(swung.module, swung.declaration), **options)
+    called = simulate(EngineModel(swung.module, swung.declaration), **options)
     assert called.statistics.steps == pytest.approx(written.statistics.steps, abs=2)
     ends = [run.history.part("y")[-1, : swung.nq] for run in (called, written)]
     assert ends[0] == pytest.approx(ends[1], abs=1e-7)
