@@ -99,8 +99,8 @@ def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list
         faults.append(Fault("target", shown(target), expected))
     if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
         faults.append(Fault("without", shown(without), "a list of names of effects"))
-    given = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
-    if not all(isinstance(name, str) and isinstance(law, str) for name, law in given):
+    pairs = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
+    if not all(isinstance(name, str) and isinstance(law, str) for name, law in pairs):
         faults.append(Fault("laws", shown(laws), 'laws by the names of effects, such as {"floor": "flores"}'))
     if not isinstance(coordinates, str | None):
         faults.append(Fault("coordinates", shown(coordinates), '"tree", "absolute" or "auto"'))
@@ -157,14 +157,14 @@ def _varied(
     """Return the model of a variation of a model's scene, its inputs with their values; raises InputError."""
     of = model.declared_for("without, laws or coordinates")
     gone, changed = (*of.without, *without), {**dict(of.laws), **laws}
-    found = load(of.target, without=gone, laws=changed, coordinates=coordinates or of.coordinates)
-    return found.with_signals({name: signal for name, signal in model.signals.items() if name in found.inputs})
+    varied = load(of.target, without=gone, laws=changed, coordinates=coordinates or of.coordinates)
+    return varied.with_signals({name: signal for name, signal in model.signals.items() if name in varied.inputs})
 
 
 def _public(model: plain.EngineModel) -> Model:
     """Return a model with histories and pictures, which shares everything that is built."""
     if isinstance(model, Model):
         return model
-    found = Model(model.module, model.declaration, model.dependent, model.signals)
-    found.known = model.known
-    return found
+    public = Model(model.module, model.declaration, model.dependent, model.signals)
+    public.known = model.known
+    return public

@@ -138,8 +138,8 @@ def simulate(
         sensitivities=sensitivities,
     )
     model, faults = load(target), progress_faults(progress)
-    given = stated_values(model, parameters, initial, faults)
-    return solve(model, settings, *given, inputs, before=faults, progress=progress)
+    values = stated_values(model, parameters, initial, faults)
+    return solve(model, settings, *values, inputs, before=faults, progress=progress)
 
 
 def solve(
@@ -176,10 +176,10 @@ def solving(
     began = time.perf_counter()
     # 2. bound, 3. start
     model, faults = with_input_values(model, inputs, settings.duration, parameters)
-    given, times = read(model, settings, parameters, initial, [*before, *faults])
+    run_inputs, times = read(model, settings, parameters, initial, [*before, *faults])
     # 4. run
-    run = set_up(model, settings, given, needs=needs, began=began)
-    tolerance, asked = settings.tolerance, settings.request or ACCURACY
+    run = set_up(model, settings, run_inputs, needs=needs, began=began)
+    tolerance, request = settings.tolerance, settings.request or ACCURACY
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     yield
@@ -190,12 +190,12 @@ def solving(
         trace = run.trace(tolerance, scales, times, progress=progress)
         yield
         # 5. solution
-        found = _solution_of(run, trace, scales, build_s)
+        solution = _solution_of(run, trace, scales, build_s)
     else:
-        ladder_result = run_to_accuracy(run, scales, times, asked, progress)
+        ladder_result = run_to_accuracy(run, scales, times, request, progress)
         yield
-        found = _solution_of(run, ladder_result.run.data, scales, build_s, asked, ladder_result)
-    return found.with_sensitivities(*settings.sensitivities)
+        solution = _solution_of(run, ladder_result.run.data, scales, build_s, request, ladder_result)
+    return solution.with_sensitivities(*settings.sensitivities)
 
 
 def _solution_of(
@@ -203,21 +203,21 @@ def _solution_of(
     trace: Trace,
     scales: Scales,
     build_s: float,
-    asked: Request | None = None,
+    request: Request | None = None,
     ladder_result: LadderResult[Trace] | None = None,
 ) -> Solution:
     """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
     model, bound, counted = run.model, run.request.bound, trace.counted
     if trace.ending.error is not None and not counted["steps"]:
         raise trace.ending.error
-    found: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
     result = run.outcome(trace)
-    if ladder_result is not None and asked is not None:
-        result, found = verdict_of(run, ladder_result, asked, result)
+    if ladder_result is not None and request is not None:
+        result, warnings = verdict_of(run, ladder_result, request, result)
     if trace.ending.status == FINISHED and trace.balance is not None:
         result = (
             not_closed(
-                trace.balance.unclosed, asked.error if asked else trace.tolerance, trace.tolerance, counted["steps"]
+                trace.balance.unclosed, request.error if request else trace.tolerance, trace.tolerance, counted["steps"]
             )
             or result
         )
@@ -227,7 +227,7 @@ def _solution_of(
         findings=trace.findings,
         outcome=result,
         duration=run.request.seconds,
-        accuracy=None if asked is None else asked.error,
+        accuracy=None if request is None else request.error,
         tolerance=trace.tolerance,
         method=run.method,
         compiled=trace.compiled,
@@ -252,7 +252,7 @@ def _solution_of(
             *lost_grip(model, bound, trace.recorded.history),
             *too_fast(model, run.request.speed_limits, trace.tally),
             *uncompiled(run.engine.code),
-            *found,
+            *warnings,
         ),
         scales=scales,
         energy_residual=None if trace.balance is None else trace.balance.residual,
@@ -312,37 +312,37 @@ class Solution(plain_solution.EngineSolution):
         """
         began = time.perf_counter()
         live = self.model if target is None else load(target)
-        kept = resumable(self, live, saved=target is None and self.history.integrator is None)
+        checkpoint = resumable(self, live, saved=target is None and self.history.integrator is None)
         whole = self.duration if duration is None else duration
         settings = Settings(whole, None, self.tolerance, self.method, compiled, grid, max_steps, max_events, wall_time)
-        given, times = read(live, settings, parameters_of(self, live), kept.initial)
-        if given.seconds <= self.t_end:
-            found, expected = f"{given.seconds:g} s", f"more than the {self.t_end:g} s that the run reached"
-            raise InputError(live.name, [Fault("duration", found, expected, "it is of the whole motion")])
-        run = set_up(live, settings, given, kept.resume, began=began)
+        run_inputs, times = read(live, settings, parameters_of(self, live), checkpoint.initial)
+        if run_inputs.seconds <= self.t_end:
+            actual, expected = f"{run_inputs.seconds:g} s", f"more than the {self.t_end:g} s that the run reached"
+            raise InputError(live.name, [Fault("duration", actual, expected, "it is of the whole motion")])
+        run = set_up(live, settings, run_inputs, checkpoint.resume, began=began)
         build_s = time.perf_counter() - began
         rest = None if times is None else times[times >= run.begin]
         trace = run.trace(self.tolerance, self.scales, rest, progress=progress)
         before = "" if self.error is None else f"; that of the run before was {self.error} at its end"
-        told = f"goes on from t = {run.begin:.9g} s at the tolerance {self.tolerance:.2g} of the run before, without an estimate of its error{before}"
+        note = f"goes on from t = {run.begin:.9g} s at the tolerance {self.tolerance:.2g} of the run before, without an estimate of its error{before}"
         part = _solution_of(run, trace, self.scales, build_s)
-        return replace(part, warnings=(*part.warnings, told))
+        return replace(part, warnings=(*part.warnings, note))
 
     def with_steps(self) -> Solution:
         """Return the run with every accepted step: itself, or one made again that is bitwise the same.
 
         Itself too where only its rows are left: of a saved run, a continuation, or more than 100,000 steps.
         """
-        kept, many = self.checkpoint, self.statistics.steps > REPEATABLE
-        if self.history.steps or self.history.integrator is None or kept is None or self.t_start > 0 or many:
+        checkpoint, many = self.checkpoint, self.statistics.steps > REPEATABLE
+        if self.history.steps or self.history.integrator is None or checkpoint is None or self.t_start > 0 or many:
             return self
-        given = parameters_of(self, self.model)
+        parameters = parameters_of(self, self.model)
         tried = max(self.statistics.steps, self.statistics.rejected + self.statistics.retaken)
         settings = Settings(self.duration, None, self.tolerance, self.method, max_steps=tried + 1)
-        inputs, _ = read(self.model, settings, given, kept.initial)
-        found = set_up(self.model, settings, inputs).trace(self.tolerance, self.scales, None).recorded.history
-        rows = found.rows[found.t <= self.t_end]
-        history = History(self.model, rows, found.controls, found.integrator, p=found.p, beside=self.history.beside)
+        inputs, _ = read(self.model, settings, parameters, checkpoint.initial)
+        steps = set_up(self.model, settings, inputs).trace(self.tolerance, self.scales, None).recorded.history
+        rows = steps.rows[steps.t <= self.t_end]
+        history = History(self.model, rows, steps.controls, steps.integrator, p=steps.p, beside=self.history.beside)
         return replace(self, history=history)
 
     def sensitivities(self, *names: str) -> Sensitivities:
@@ -367,10 +367,10 @@ class Solution(plain_solution.EngineSolution):
         """
         if not isinstance(history, str) or history not in self:
             self[history]
-        found = self.derivatives
-        if found is None or name not in found.names:
-            found = self.sensitivities(name)
-        return found.history_of(history, name, None if self.history.steps else self.t)
+        derivatives = self.derivatives
+        if derivatives is None or name not in derivatives.names:
+            derivatives = self.sensitivities(name)
+        return derivatives.history_of(history, name, None if self.history.steps else self.t)
 
     def with_sensitivities(self, *names: str) -> Solution:
         """Return the run with its `derivatives` by some names, or with a warning that says why not."""
@@ -379,8 +379,8 @@ class Solution(plain_solution.EngineSolution):
         try:
             return replace(self, derivatives=self.sensitivities(*names))
         except InputError as error:
-            told = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
-            return replace(self, warnings=(*self.warnings, told))
+            reason = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
+            return replace(self, warnings=(*self.warnings, reason))
 
     def lyapunov(self, count: int = 1) -> Lyapunov:
         """Return the largest Lyapunov exponents, from the variational equations, through impacts.
@@ -394,16 +394,16 @@ class Solution(plain_solution.EngineSolution):
         history, bound, initial = self._from_its_start("Lyapunov exponents")
         return lyapunov(history, bound, frozenset(initial), self.scales.state, count, compiled=self.compiled)
 
-    def _from_its_start(self, what: str) -> tuple[History, BoundParameters, Mapping[str, Value]]:
+    def _from_its_start(self, subject: str) -> tuple[History, BoundParameters, Mapping[str, Value]]:
         """Return steps, parameters and given initial states of a run from its start; raises InputError."""
-        run, kept = self.with_steps(), self.checkpoint
-        faults = steps_faults(what, self.method, self.model)
-        if not faults and (not run.history.steps or kept is None or self.t_start > 0):
+        run, checkpoint = self.with_steps(), self.checkpoint
+        faults = steps_faults(subject, self.method, self.model)
+        if not faults and (not run.history.steps or checkpoint is None or self.t_start > 0):
             expected = f"a run from its start, with its steps; of at most {REPEATABLE:,} where it is to be made again"
-            faults.append(Fault(what, "a run without its steps or start", expected, "simulate(..., grid=None)"))
-        if faults or kept is None:
+            faults.append(Fault(subject, "a run without its steps or start", expected, "simulate(..., grid=None)"))
+        if faults or checkpoint is None:
             raise InputError(self.model.name, faults)
-        return run.history, self.model.bind(parameters_of(self, self.model)), kept.initial
+        return run.history, self.model.bind(parameters_of(self, self.model)), checkpoint.initial
 
     def _repr_html_(self) -> str:
         return notebook.of_run(self, parameters_of(self, self.model))

@@ -35,10 +35,10 @@ class _Commands(click.Group):
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
         if name in FILES and name not in self.commands:
             there = vars(import_module(f"hertzwerk.runtime.cli.{FILES[name]}")).values()
-            found = next(found for found in there if isinstance(found, click.Command) and found.name == name)
-            if any((each.metavar or str(each.name).upper()).strip("[].") == "TARGET" for each in found.params):
-                found.help = f"{cleandoc(str(found.help))}\n\n{TARGET}"
-            self.add_command(found)
+            command = next(command for command in there if isinstance(command, click.Command) and command.name == name)
+            if any((each.metavar or str(each.name).upper()).strip("[].") == "TARGET" for each in command.params):
+                command.help = f"{cleandoc(str(command.help))}\n\n{TARGET}"
+            self.add_command(command)
         return super().get_command(context, name)
 
 

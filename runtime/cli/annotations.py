@@ -56,23 +56,25 @@ def faults_as_remarks(error: InputError) -> Iterator[Remark]:
     """Yield the faults of files that cannot be audited."""
     for fault in error.faults:
         places = [*_FILE.finditer(fault.where)] or [*_FILE.finditer(error.subject)]
-        found = places[-1] if places else None
-        file = Path(found["file"].strip()) if found else None
-        line = int(found["line"]) if found and found["line"] else _line(file, re.findall(r"\w+", fault.where)[::-1], "")
+        place = places[-1] if places else None
+        file = Path(place["file"].strip()) if place else None
+        line = int(place["line"]) if place and place["line"] else _line(file, re.findall(r"\w+", fault.where)[::-1], "")
         yield Remark("input", fault.where, f"found {fault.found}; expected {fault.expected}", file, line)
 
 
-def github(found: Sequence[Remark]) -> str:
+def github(notes: Sequence[Remark]) -> str:
     """Return remarks as workflow commands, one a line."""
     lines = []
-    for remark in found:
+    for remark in notes:
         where = {} if remark.file is None else {"file": _relative(remark.file), "line": remark.line}
-        told = ",".join(f"{name}={_escaped(value, ':,')}" for name, value in {**where, "title": remark.title}.items())
-        lines.append(f"::{RULES[remark.rule][0]} {told}::{_escaped(remark.text)}")
+        properties = ",".join(
+            f"{name}={_escaped(value, ':,')}" for name, value in {**where, "title": remark.title}.items()
+        )
+        lines.append(f"::{RULES[remark.rule][0]} {properties}::{_escaped(remark.text)}")
     return "\n".join(lines)
 
 
-def sarif(found: Sequence[Remark]) -> str:
+def sarif(notes: Sequence[Remark]) -> str:
     """Return remarks as one log of the Static Analysis Results Interchange Format."""
     from hertzwerk.version import __version__
 
@@ -87,7 +89,7 @@ def sarif(found: Sequence[Remark]) -> str:
                 for file in [remark.file] if file is not None
             ],
         }
-        for remark in found
+        for remark in notes
     ]  # fmt: skip
     driver = {"name": "hertzwerk", "version": __version__, "rules": rules}
     schema = "https://json.schemastore.org/sarif-2.1.0.json"
@@ -98,14 +100,14 @@ def sarif(found: Sequence[Remark]) -> str:
 FORMATS = {"github": github, "sarif": sarif}
 
 
-def _line(file: Path | None, names: Sequence[str], what: str) -> int:
+def _line(file: Path | None, names: Sequence[str], entry: str) -> int:
     """Return the line that declares the first name that a file has; of a law in TOML its part."""
     text = file.read_text(encoding="utf-8", errors="replace") if file is not None and file.is_file() else ""
     lines = text.splitlines()
     for name in names if file is not None and file.suffix == ".toml" else ():
         for i, line in enumerate(lines):
             if re.match(rf"\s*name\s*=\s*[\"']{re.escape(name)}[\"']", line):
-                parts = (k for k, part in enumerate(lines[i:], i) if re.match(rf"\s*{re.escape(what)}\s*=", part))
+                parts = (k for k, part in enumerate(lines[i:], i) if re.match(rf"\s*{re.escape(entry)}\s*=", part))
                 return next(parts, i) + 1
     try:
         nodes = list(ast.walk(ast.parse(text if file is not None and file.suffix == ".py" else "")))
@@ -114,9 +116,11 @@ def _line(file: Path | None, names: Sequence[str], what: str) -> int:
     calls: dict[object, int] = {}
     for node in nodes:
         if isinstance(node, ast.Call):
-            given = [*node.args[:1], *(word.value for word in node.keywords if word.arg == "name")]
+            arguments = [*node.args[:1], *(word.value for word in node.keywords if word.arg == "name")]
             calls |= {
-                arg.value: max(node.lineno, calls.get(arg.value, 1)) for arg in given if isinstance(arg, ast.Constant)
+                arg.value: max(node.lineno, calls.get(arg.value, 1))
+                for arg in arguments
+                if isinstance(arg, ast.Constant)
             }
     return next((calls[name] for name in names if name in calls), 1)
 

@@ -42,8 +42,8 @@ def continue_run(
     before, request = _read(folder)
     limits = limits_of(max_steps, wall_time, faults)
     if sensitivities:
-        found = f"{', '.join(sensitivities)}, of a run that goes on"
-        faults.append(Fault("--sensitivity", found, "a run from its start", "run the whole without --continue"))
+        actual = f"{', '.join(sensitivities)}, of a run that goes on"
+        faults.append(Fault("--sensitivity", actual, "a run from its start", "run the whole without --continue"))
     stopping.stage("building")
     model = load(
         request["target"],
@@ -56,8 +56,8 @@ def continue_run(
     faults += [*_differences(before, model, request, target, **others), *unknown_histories(model, histories)]
     spacing = grid if grid is not None else request["grid"]
     if grid is None and spacing is not None and spacing.isdecimal() and duration is not None:
-        found = f"{spacing} points over {before.duration:g} s, of the run before"
-        faults.append(Fault("--grid", found, "points or a spacing for the longer motion", 'such as --grid "0.1 ms"'))
+        actual = f"{spacing} points over {before.duration:g} s, of the run before"
+        faults.append(Fault("--grid", actual, "points or a spacing for the longer motion", 'such as --grid "0.1 ms"'))
     if faults:
         raise InputError(f"--continue {folder}", faults)
     solution = before.continued(duration, target=model, grid=grid_of(spacing), progress=stopping, **limits)
@@ -96,8 +96,8 @@ def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
         request = {**{name: request[name] for name in names}, "inputs": request.get("inputs", [])}
         return Solution.load(folder / "states.npz"), request
     except (OSError, ValueError, KeyError, TypeError) as error:
-        found = f"{folder}: {type(error).__name__}: {error}"
-        raise InputError("--continue", [Fault("--continue", found, "a folder that `hertzwerk run` wrote")]) from error
+        actual = f"{folder}: {type(error).__name__}: {error}"
+        raise InputError("--continue", [Fault("--continue", actual, "a folder that `hertzwerk run` wrote")]) from error
 
 
 def _laws(texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
@@ -126,7 +126,7 @@ def _differences(
     faults: list[Fault] = []
     if target is not None:
         target = located_target(target, Path.cwd())
-    asked = {
+    options = {
         "TARGET": (target, request["target"]),
         "--input": ([located(text, Path.cwd()) for text in inputs] or None, request["inputs"]),
         "--without": (sorted(without) or None, sorted(request["without"])),
@@ -138,9 +138,9 @@ def _differences(
         "--method": (method, before.method),
     }
     faults += [
-        Fault(option, str(given), f"{had or 'none'}, as of the run there", REMEDY)
-        for option, (given, had) in asked.items()
-        if given is not None and given != had
+        Fault(option, str(now), f"{had or 'none'}, as of the run there", REMEDY)
+        for option, (now, had) in options.items()
+        if now is not None and now != had
     ]
     if accuracy is not None:
         expected = f"none: a run goes on at its tolerance, {before.tolerance:.2g}, without an estimate"
@@ -168,10 +168,10 @@ def _value_differences(before: Solution, model: EngineModel, values: Mapping[str
         if other:
             value, unit = before.parameters[name]
             faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", REMEDY))
-    given = before.checkpoint.initial if before.checkpoint is not None else {}
+    stated = before.checkpoint.initial if before.checkpoint is not None else {}
     faults += [
-        Fault(f"--set {name}", text, f"{given.get(name, 'the start of the model')}, as of the run there", REMEDY)
+        Fault(f"--set {name}", text, f"{stated.get(name, 'the start of the model')}, as of the run there", REMEDY)
         for name, text in initial.items()
-        if given.get(name) != text
+        if stated.get(name) != text
     ]
     return faults

@@ -29,10 +29,10 @@ def definition(
     if target.endswith(".toml"):
         from hertzwerk.runtime.cli.design_file import read_definition
 
-        given = [f"--{name.replace('_', '-')}" for name, value in options.items() if value not in (None, (), False)]
-        if given:
-            found, expected = f"{', '.join(given)} beside it", "the whole definition there"
-            raise InputError(target, [Fault(target, found, expected)])
+        stated = [f"--{name.replace('_', '-')}" for name, value in options.items() if value not in (None, (), False)]
+        if stated:
+            actual, expected = f"{', '.join(stated)} beside it", "the whole definition there"
+            raise InputError(target, [Fault(target, actual, expected)])
         arguments = read_definition(Path(target), function, required)
         from hertzwerk.runtime.loading import load
 
@@ -49,25 +49,25 @@ def definition(
 
 def _of_run(varied: Variation, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
     """Return the arguments of the runs, by default the scenario's."""
-    given = {"parameters": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
-    return {**given, **run_settings(varied.target, **options)}
+    arguments = {"parameters": varied.values(faults), "inputs": assignments("--input", varied.inputs, faults) or None}
+    return {**arguments, **run_settings(varied.target, **options)}
 
 
 def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> dict[str, str]:
     """Parse texts FORMULA SIGN VALUE, the sign kept with the value; malformed ones are faults."""
-    found = {}
+    values = {}
     for text in texts:
         place = min((text.index(part) for part in sign.split() if part in text), default=0)
-        if not place or text[:place].strip() in found:
+        if not place or text[:place].strip() in values:
             faults.append(
                 Fault(option, repr(text), f"a formula and its bound, once: FORMULA {' or '.join(sign.split())} VALUE")
             )
         else:
-            found[text[:place].strip()] = text[place:]
-    return found
+            values[text[:place].strip()] = text[place:]
+    return values
 
 
-def keep(found: Propagated | Minimum, folder: Path, name: str) -> list[str]:
+def keep(result: Propagated | Minimum, folder: Path, name: str) -> list[str]:
     """Write the record and the picture of a result into a folder; return what could not be made."""
     from hertzwerk.runtime.cli.run_folder import record_text
     from hertzwerk.runtime.cli.target_options import command_line
@@ -75,7 +75,7 @@ def keep(found: Propagated | Minimum, folder: Path, name: str) -> list[str]:
     from hertzwerk.runtime.system.result_folder import failures_of
     from hertzwerk.runtime.system.versions import versions
 
-    content = {**found.record(), "command": command_line(), "versions": versions()}
+    content = {**result.record(), "command": command_line(), "versions": versions()}
     folder.mkdir(parents=True, exist_ok=True)
     write(folder / f"{name}.json", record_text(content).encode(), overwrite=True)
-    return failures_of(f"{name}.png", lambda: found.plot().savefig(folder / f"{name}.png"))
+    return failures_of(f"{name}.png", lambda: result.plot().savefig(folder / f"{name}.png"))

@@ -26,8 +26,8 @@ class StudyFolder:
     While the study goes on it holds rows/, with its request and the sweeps; at the end the page too.
     """
 
-    def __init__(self, name: str, out: Path | None, asked: dict[str, Any], *, begun: bool = False) -> None:
-        self._name, self._out, self._request = f"{name}-study", out, asked
+    def __init__(self, name: str, out: Path | None, request: dict[str, Any], *, begun: bool = False) -> None:
+        self._name, self._out, self._request = f"{name}-study", out, request
         self.path = out if begun else None
 
     def rows(self) -> Path:

@@ -59,8 +59,8 @@ def _of_record(name: str, command: str, folder: Path, _: str | None) -> str:
     try:
         return make(record, folder, _origin(record, str(record.get("command", f"hertzwerk {command}"))))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
-        found = f"{folder / name}.json: {type(error).__name__}: {error}"
-        raise InputError("report", [Fault("RUN", found, f"a record that `hertzwerk {command}` wrote")]) from error
+        actual = f"{folder / name}.json: {type(error).__name__}: {error}"
+        raise InputError("report", [Fault("RUN", actual, f"a record that `hertzwerk {command}` wrote")]) from error
 
 
 def _of_sweep(folder: Path, _: str | None) -> str:

@@ -34,7 +34,7 @@ def summary(solution: EngineSolution, *, averages: bool = False) -> dict[str, An
 
     averages: include them.
     """
-    statistics, error, found = solution.statistics, solution.error, _derivatives(solution)
+    statistics, error, derivatives = solution.statistics, solution.error, _derivatives(solution)
     return {
         "scene": solution.model.name,
         "outcome": solution.outcome.name,
@@ -62,14 +62,14 @@ def summary(solution: EngineSolution, *, averages: bool = False) -> dict[str, An
         "warnings": list(solution.warnings),
         "advice": list(solution.advice),
         **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
-        **({"sensitivities": found.record(solution.states, solution.t_end)} if found is not None else {}),
+        **({"sensitivities": derivatives.record(solution.states, solution.t_end)} if derivatives is not None else {}),
     }
 
 
 def _derivatives(solution: EngineSolution) -> Sensitivities | None:
     """Return the derivatives that were requested of a run."""
-    found: Sensitivities | None = getattr(solution, "derivatives", None)
-    return found
+    derivatives: Sensitivities | None = getattr(solution, "derivatives", None)
+    return derivatives
 
 
 def record(solution: EngineSolution) -> dict[str, Any]:
@@ -321,11 +321,16 @@ def _write_derivatives(solution: EngineSolution, path: Path) -> None:
         return
     histories = [*solution.states, *(f"{pair}.normal_force" for pair in solution.model.pairs)]
     times = None if solution.history.steps else solution.t
-    found = [of.history_of(history, name, times) for name in of.names for history in histories]
-    header = ",".join(["t [s]", *(f"{each.name} [{each.unit}]" for each in found)])
+    columns = [of.history_of(history, name, times) for name in of.names for history in histories]
+    header = ",".join(["t [s]", *(f"{each.name} [{each.unit}]" for each in columns)])
     text = io.StringIO()
     np.savetxt(
-        text, np.column_stack([solution.t, *(each.values for each in found)]), "%.17g", ",", header=header, comments=""
+        text,
+        np.column_stack([solution.t, *(each.values for each in columns)]),
+        "%.17g",
+        ",",
+        header=header,
+        comments="",
     )
     write_atomically(path, text.getvalue().encode())
 

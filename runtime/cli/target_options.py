@@ -199,9 +199,9 @@ class Variation:
         from hertzwerk.runtime.engine.start.start_values import split_values
         from hertzwerk.runtime.simulation import solve
 
-        given = self.values(faults)
+        values = self.values(faults)
         model = self.model(faults, settings.faults)
-        parameters, initial = split_values(model, given)
+        parameters, initial = split_values(model, values)
         faults += unknown_histories(model, histories)
         model = with_inputs(model, self.inputs, settings.duration, parameters, faults)
         begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
@@ -250,12 +250,12 @@ def with_inputs(
     faults: list[Fault],
 ) -> AnyModel:
     """Return a model with the values of --input for runs of a duration; faults are appended."""
-    given = assignments("--input", texts, faults)
-    if not given:
+    values = assignments("--input", texts, faults)
+    if not values:
         return model
     from hertzwerk.runtime.engine.inputs.input_values import with_input_values
 
-    model, wrong = with_input_values(model, given, duration, parameters)
+    model, wrong = with_input_values(model, values, duration, parameters)
     faults += wrong
     return model
 
@@ -292,16 +292,16 @@ def table_faults(file: Path | None) -> list[Fault]:
 
 def assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
     """Parse NAME=VALUE texts; malformed and repeated ones are appended to `faults`."""
-    found: dict[str, str] = {}
+    values: dict[str, str] = {}
     for text in texts:
         name, equals, value = (part.strip() for part in text.partition("="))
         if not (name and equals and value):
             faults.append(Fault(option, repr(text), "NAME=VALUE"))
-        elif name in found:
+        elif name in values:
             faults.append(Fault(option, f"{name} twice", "one value per name"))
         else:
-            found[name] = value
-    return found
+            values[name] = value
+    return values
 
 
 def number(text: str) -> Any:
@@ -320,8 +320,8 @@ def command_line() -> str:
         name = str(option.name)
         if context.get_parameter_source(name) is not ParameterSource.COMMANDLINE:
             continue
-        given = context.params[name]
-        values = list(given) if isinstance(given, tuple) else [given]
+        value = context.params[name]
+        values = list(value) if isinstance(value, tuple) else [value]
         if isinstance(option, click.Option):
             values = (
                 [option.opts[0]] if option.is_flag else [word for value in values for word in (option.opts[0], value)]

@@ -129,9 +129,9 @@ def line(label: str, text: str) -> None:
         click.echo(f"{'':14}{line}".rstrip())
 
 
-def report_damage(*found: str) -> None:
+def report_damage(*damages: str) -> None:
     """Print what was found damaged among kept rows, and was computed again; empty texts are nothing."""
-    for text in filter(None, found):
+    for text in filter(None, damages):
         line("damage", text)
 
 

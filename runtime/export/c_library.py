@@ -73,7 +73,7 @@ def functions(model: EngineModel, made: Integrator, outputs: Sequence[str], name
     """Generate the functions of a model's export; raises InputError for an output that none can give."""
     counting, joints = tally(model), model.joints
     engine = made.model  # without what its constraints repeat
-    found = {
+    by_name = {
         "begin": made.begin,
         "attempt": made.attempt,
         "enter": made.enter or enter(engine, made.layouts, flow(engine)),
@@ -84,24 +84,24 @@ def functions(model: EngineModel, made: Integrator, outputs: Sequence[str], name
         "observed": observed(model, made, outputs),
     }
     if made.with_choice is not None:
-        found["attempt_choosing"] = made.with_choice().attempt
+        by_name["attempt_choosing"] = made.with_choice().attempt
     if joints is not model:
-        found["placed"] = model.function("placed")
+        by_name["placed"] = model.function("placed")
     if model.module.GIVEN is not None:
-        found["loops"] = residuals(joints, model)
+        by_name["loops"] = residuals(joints, model)
     if counting.layout.size:
-        found |= {"tallied": counting.first.function, "tally": counting.add}
+        by_name |= {"tallied": counting.first.function, "tally": counting.add}
     if model.nr > model.k:
-        found["least_margin"] = _least_margin(engine, made)
-    listed = [_named(each, function) for each, function in found.items()]
+        by_name["least_margin"] = _least_margin(engine, made)
+    listed = [_named(each, function) for each, function in by_name.items()]
     work = {part: max(getattr(f, f"sz_{part}")() for f in listed) for part in ("arg", "res", "iw", "w")}
-    absent = [f"static int {each}({_ARGUMENTS}) {{ {_UNUSED} return 1; }}" for each in ALL if each not in found]
-    return Functions("\n".join([_alone(c_text(listed, name)), *absent]), work, tuple(found))
+    absent = [f"static int {each}({_ARGUMENTS}) {{ {_UNUSED} return 1; }}" for each in ALL if each not in by_name]
+    return Functions("\n".join([_alone(c_text(listed, name)), *absent]), work, tuple(by_name))
 
 
 def observed(model: EngineModel, made: Integrator, outputs: Sequence[str]) -> Any:
     """Build the function (state, controls, p) -> values of histories; raises InputError."""
-    given, (at, run) = made.layouts.symbols("state controls")
+    arguments, (at, run) = made.layouts.symbols("state controls")
     (p,) = model.symbols("p")
     expressions = Expressions(model, [at["t"], at["y"], at["mode"], at["m"], run["c"], p])
     if not model.inputs:  # as the last step left them; inputs may have changed since
@@ -123,22 +123,22 @@ def observed(model: EngineModel, made: Integrator, outputs: Sequence[str]) -> An
             faults.append(Fault(f"output {name}", f"{value.numel()} values", "one", "name its parts"))
     if faults:
         raise InputError(model.name, faults)
-    return ca.Function("observed", [*given, p], [ca.cse(ca.vertcat(ca.SX(0, 1), *values))])
+    return ca.Function("observed", [*arguments, p], [ca.cse(ca.vertcat(ca.SX(0, 1), *values))])
 
 
 def _least_margin(model: EngineModel, made: Integrator) -> Any:
     """Build the function (state, controls) -> least margin of the reactions that loads depend on."""
-    given, (at, run) = made.layouts.symbols("state controls")
+    arguments, (at, run) = made.layouts.symbols("state controls")
     margins = flow(model).settling.call([at["t"], at["y"], at["mode"], at["m"], run["c"]])[0]  # type: ignore[union-attr]
-    return ca.Function("least_margin", given, [ca.mmin(margins)])
+    return ca.Function("least_margin", arguments, [ca.mmin(margins)])
 
 
 def _named(name: str, function: Any) -> Any:
     """Return a function under another name."""
     if function.name() == name:
         return function
-    given = function.mx_in()
-    return ca.Function(name, given, function.call(given, True, False))
+    arguments = function.mx_in()
+    return ca.Function(name, arguments, function.call(arguments, True, False))
 
 
 _ARGUMENTS = "const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem"
@@ -151,16 +151,16 @@ def _alone(text: str) -> str:
     """Return what CasADi generated as static functions, without those that describe sizes."""
     text = re.sub(rf"\({re.escape(_ARGUMENTS)}\) ?\{{", f"({_ARGUMENTS}) {{\n  {_UNUSED}", text)
 
-    def kept(found: re.Match[str]) -> str:
-        return f"static {found[1]}" if found[1].split("{")[0].strip().endswith(f"({_ARGUMENTS})") else ""
+    def static(match: re.Match[str]) -> str:
+        return f"static {match[1]}" if match[1].split("{")[0].strip().endswith(f"({_ARGUMENTS})") else ""
 
-    text = _EXPORTED.sub(kept, text)
+    text = _EXPORTED.sub(static, text)
     text = re.sub(r"^(casadi_real|casadi_int|void) (casadi_\w+\()", r"static \1 \2", text, flags=re.MULTILINE)
     text = re.sub(r"^#ifdef __cplusplus\n.*?^#endif\n", "", text, flags=re.MULTILINE | re.DOTALL)
     text = re.sub(
         r"^/\* Symbol visibility in DLLs \*/\n#ifndef.*?^#endif\n\n", "", text, flags=re.MULTILINE | re.DOTALL
     )
-    return _SPARSITY.sub(lambda found: found[0] if len(re.findall(rf"\b{found[1]}\b", text)) > 2 else "", text)
+    return _SPARSITY.sub(lambda match: match[0] if len(re.findall(rf"\b{match[1]}\b", text)) > 2 else "", text)
 
 
 def write(request: ExportRequest, folder: Path) -> str:
@@ -184,14 +184,14 @@ def level(text: str) -> str:
     return "-O1" if len(text) > LARGE else "-O2"
 
 
-def library(found: Contents, name: str) -> dict[str, str]:
+def library(export: Contents, name: str) -> dict[str, str]:
     """Return the files of a library by name; `name` begins its functions."""
-    made = functions(found.model, found.made, [row.name for row in found.outputs], f"{name}_")
-    words = {**_words(found, name), "level": level(made.text)}
-    constants = _constants(found, made.work)
+    made = functions(export.model, export.made, [row.name for row in export.outputs], f"{name}_")
+    words = {**_words(export, name), "level": level(made.text)}
+    constants = _constants(export, made.work)
     driver = template("driver.c", words)
     include = f'#include <math.h>\n#include <string.h>\n\n#include "{name}.h"\n'
-    tables = _tables(found, name)
+    tables = _tables(export, name)
     head = f"/* {name}: written by `hertzwerk export`. Functions that CasADi generated, tables, and a driver. */\n"
     return {
         f"{name}.h": template("library.h", words),
@@ -221,15 +221,15 @@ def number(value: float) -> str:
     return repr(float(value))
 
 
-def _words(found: Contents, name: str) -> dict[str, str]:
+def _words(export: Contents, name: str) -> dict[str, str]:
     upper = name.upper()
     counts = {
-        "PARAMETERS": found.parameters,
-        "STARTS": found.starts,
-        "STATES": found.states,
-        "OUTPUTS": found.outputs,
-        "INPUTS": found.inputs,
-        "PAIRS": found.pairs,
+        "PARAMETERS": export.parameters,
+        "STARTS": export.starts,
+        "STATES": export.states,
+        "OUTPUTS": export.outputs,
+        "INPUTS": export.inputs,
+        "PAIRS": export.pairs,
     }
     outcomes = {
         "STEP_TOO_SMALL": layout.STEP_TOO_SMALL,
@@ -244,13 +244,13 @@ def _words(found: Contents, name: str) -> dict[str, str]:
         "n": name,
         "N": upper,
         "name": name,
-        "summary": comment(found.model.module.SUMMARY),
+        "summary": comment(export.model.module.SUMMARY),
         "origin": f" of hertzwerk {versions()['hertzwerk']}",
-        "parameter": found.parameters[0].name if found.parameters else "",
-        "duration": number(found.seconds),
-        "part": f"{found.seconds / 100:.3g}",
-        "method": found.method,
-        "tolerance": number(found.tolerance),
+        "parameter": export.parameters[0].name if export.parameters else "",
+        "duration": number(export.seconds),
+        "part": f"{export.seconds / 100:.3g}",
+        "method": export.method,
+        "tolerance": number(export.tolerance),
         "counts": "\n".join(f"    {upper}_{each} = {len(rows)}," for each, rows in counts.items()).rstrip(","),
         "listing": "\n".join(line for each, rows in counts.items() for line in _listed(each.lower(), rows)),
         "texts": "\n".join(
@@ -278,23 +278,23 @@ def _listed(title: str, rows: tuple[Row, ...]) -> list[str]:
     ]
 
 
-def _constants(found: Contents, work: Mapping[str, int]) -> str:
-    model, layouts = found.model, found.made.layouts
+def _constants(export: Contents, work: Mapping[str, int]) -> str:
+    model, layouts = export.model, export.made.layouts
     joints, counting = model.joints, tally(model).layout
     quaternions = len(joints.quaternions)
-    rows, unknowns = len(found.loops) + quaternions, max(joints.nq, joints.nu)
+    rows, unknowns = len(export.loops) + quaternions, max(joints.nq, joints.nu)
     limited = "speed_limits" if model.speed_limited else ""
     floor = list(model.parameters).index("approach_floor") if "approach_floor" in model.parameters else -1
     integers = {
-        **{"N_PARAMETERS": len(found.parameters), "N_STARTS": len(found.starts), "N_OUTPUTS": len(found.outputs)},
-        **{"N_INPUTS": len(found.inputs), "N_PAIRS": len(found.pairs), "N_PIECES": model.npieces, "WIDTH": WIDTH},
+        **{"N_PARAMETERS": len(export.parameters), "N_STARTS": len(export.starts), "N_OUTPUTS": len(export.outputs)},
+        **{"N_INPUTS": len(export.inputs), "N_PAIRS": len(export.pairs), "N_PIECES": model.npieces, "WIDTH": WIDTH},
         **{"N_STATE": layouts.state.size, "N_CONTROLS": layouts.controls.size, "N_TALLY": counting.size},
-        **{"N_Y": len(found.states), "N_C": model.nc, "N_Q_ALL": model.nq, "N_U_ALL": model.nu},
-        **{"N_Q": joints.nq, "N_U": joints.nu, "N_QUATERNIONS": quaternions, "N_LOOPS": len(found.loops)},
-        **{"N_CLOSED": joints.nl if found.loops else 0, "N_ROWS": rows, "N_UNKNOWNS": unknowns},
+        **{"N_Y": len(export.states), "N_C": model.nc, "N_Q_ALL": model.nq, "N_U_ALL": model.nu},
+        **{"N_Q": joints.nq, "N_U": joints.nu, "N_QUATERNIONS": quaternions, "N_LOOPS": len(export.loops)},
+        **{"N_CLOSED": joints.nl if export.loops else 0, "N_ROWS": rows, "N_UNKNOWNS": unknowns},
         **{"N_LATCHES": len(model.latches), "N_LIMITS": len(_limits(model))},
         **{"N_SPEED_LIMITS": model.k if limited else 0, "IS_PLACED": int(joints is not model)},
-        **{"CAN_ASSEMBLE": int(found.follows), "HAS_MARGINS": int(model.nr > model.k), "FLOOR_PARAMETER": floor},
+        **{"CAN_ASSEMBLE": int(export.follows), "HAS_MARGINS": int(model.nr > model.k), "FLOOR_PARAMETER": floor},
         **{f"SIZE_{part.upper()}": max(size, 5 if part in ("arg", "res") else 0) for part, size in work.items()},
         **{f"AT_{name.upper()}": layouts.state.places[name] for name in IN_STATE},
         **{f"AT_{name.upper()}": layouts.controls.places[name] for name in IN_CONTROLS},
@@ -303,9 +303,9 @@ def _constants(found: Contents, work: Mapping[str, int]) -> str:
         **{name: int(getattr(layout, name)) for name in STATUSES},
     }
     numbers = {
-        **{"TOLERANCE": found.tolerance, "LEAST_TOLERANCE": LEAST, "MAX_STEPS": MAX_STEPS, "MAX_EVENTS": MAX_EVENTS},
+        **{"TOLERANCE": export.tolerance, "LEAST_TOLERANCE": LEAST, "MAX_STEPS": MAX_STEPS, "MAX_EVENTS": MAX_EVENTS},
         **{"PATIENCE": PATIENCE, "CLOSE": CLOSE, "CLOSED": CLOSED, "RANK": RANK, "DEEP": DEEP},
-        "APPROACH_FLOOR": found.floor,
+        "APPROACH_FLOOR": export.floor,
     }
     lines = ["#define ROOM(n) ((n) > 0 ? (n) : 1) /* C has no array of no length */", "", "enum {"]
     lines += [f"    {name} = {value}," for name, value in integers.items()]
@@ -323,14 +323,14 @@ def _limits(model: EngineModel) -> list[tuple[str, float, float, int]]:
     ]
 
 
-def _tables(found: Contents, name: str) -> str:
+def _tables(export: Contents, name: str) -> str:
     tables = {
-        "parameter_rows": found.parameters,
-        "start_rows": found.starts,
-        "state_rows": found.states,
-        "output_rows": found.outputs,
-        "input_rows": found.inputs,
-        "pair_rows": found.pairs,
+        "parameter_rows": export.parameters,
+        "start_rows": export.starts,
+        "state_rows": export.states,
+        "output_rows": export.outputs,
+        "input_rows": export.inputs,
+        "pair_rows": export.pairs,
     }
     lines = ["", "typedef struct { const char *name, *unit; double value; const char *meaning; } row;"]
     for table, rows in tables.items():
@@ -341,10 +341,10 @@ def _tables(found: Contents, name: str) -> str:
         lines += ["", f"static const row {table}[] = {{", ",\n".join(cells) or "    {0, 0, 0, 0}", "};"]
     listed = ", ".join(f"{{{len(rows)}, {table}}}" for table, rows in tables.items())
     lines += ["", f"static const struct {{ int count; const row *rows; }} tables[] = {{{listed}}};"]
-    parameters = [row.name for row in found.parameters]
+    parameters = [row.name for row in export.parameters]
     limits = [
         f"    {{{parameters.index(limited)}, {number(low)}, {number(high)}, {kind}}}"
-        for limited, low, high, kind in _limits(found.model)
+        for limited, low, high, kind in _limits(export.model)
     ]
     lines += [
         "",
@@ -352,11 +352,11 @@ def _tables(found: Contents, name: str) -> str:
         "static const struct { int parameter; double lower, upper; int is_open; } limits[] = {",
         ",\n".join(limits) or "    {0, 0, 0, 0}",
         "};",
-        _array("double", "fallback_scales", [number(value) for value in found.scales]),
-        _array("int", "is_stated", [str(int(value)) for value in found.stated]),
-        _array("int", "was_given", [str(int(value)) for value in found.requested]),
-        _array("int", "loop_is_length", [str(int(unit != "1")) for unit in found.loops]),
-        _array("int", "quaternions", [str(i) for i in found.model.joints.quaternions]),
+        _array("double", "fallback_scales", [number(value) for value in export.scales]),
+        _array("int", "is_stated", [str(int(value)) for value in export.stated]),
+        _array("int", "was_given", [str(int(value)) for value in export.requested]),
+        _array("int", "loop_is_length", [str(int(unit != "1")) for unit in export.loops]),
+        _array("int", "quaternions", [str(i) for i in export.model.joints.quaternions]),
     ]
     return "\n".join(lines)
 

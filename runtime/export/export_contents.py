@@ -95,24 +95,24 @@ def contents(request: ExportRequest) -> Contents:
     if faults:
         raise InputError("export", faults)
     model = with_zero_inputs(model)
-    given, _ = read(model, settings, request.parameters, request.initial)
-    run = set_up(model, settings, given, needs=Needs.ENDS)
+    run_inputs, _ = read(model, settings, request.parameters, request.initial)
+    run = set_up(model, settings, run_inputs, needs=Needs.ENDS)
     tolerance = settings.tolerance
     if tolerance is None:
         solution = solve(model, settings, request.parameters, request.initial, needs=Needs.ENDS)
         if not solution.outcome.finished:
-            found = f"{solution.outcome.name}: {solution.outcome.message}"
+            actual = f"{solution.outcome.name}: {solution.outcome.message}"
             way_out = f"{solution.outcome.remedy or 'another accuracy or duration'}; or a local --tolerance, without an estimate"
-            raise InputError(model.name, [Fault("accuracy", found, "a run that reaches it", way_out)])
+            raise InputError(model.name, [Fault("accuracy", actual, "a run that reaches it", way_out)])
         tolerance, scales = solution.tolerance, solution.scales
     else:
         scales = run.scales(tolerance)
     joints = model.joints
-    q, u = assembled(model, given.bound, request.initial, [])
+    q, u = assembled(model, run_inputs.bound, request.initial, [])
     names = (*joints.coordinates, *joints.speeds)
     found_by_assembly = model.module.GIVEN is not None
     said = {*(model.module.GIVEN if found_by_assembly else names)}
-    numbers = dict(zip(model.parameters, map(float, given.bound.p), strict=True))  # exponents of units among them
+    numbers = dict(zip(model.parameters, map(float, run_inputs.bound.p), strict=True))  # exponents of units among them
     signals = {name: float(model.signals[name](np.zeros(1))[0]) for name in model.inputs}
     loops = joints.module.CONSTRAINTS if found_by_assembly else ()
     closed = [model.module.OUTPUTS[i] for i in journals(model)] if found_by_assembly else []
@@ -121,13 +121,13 @@ def contents(request: ExportRequest) -> Contents:
         made=run.engine.integrator,
         parameters=tuple(
             Row(name, _si(port.unit, numbers), float(value), port.meaning, _shown(port.unit))
-            for (name, port), value in zip(model.parameters.items(), given.bound.p, strict=True)
+            for (name, port), value in zip(model.parameters.items(), run_inputs.bound.p, strict=True)
         ),
         starts=tuple(
             Row(name, joints.units[name], float(value), f"{name} at the start")
             for name, value in zip(names, (*q, *u), strict=True)
         ),
-        states=_rows(model, tuple(model.units), [*given.q, *given.u, *np.zeros(model.nz)]),
+        states=_rows(model, tuple(model.units), [*run_inputs.q, *run_inputs.u, *np.zeros(model.nz)]),
         outputs=_rows(model, _outputs(model, request.outputs)),
         inputs=tuple(
             Row(name, _si(unit, numbers), signals[name], meaning or f"input {name}")
@@ -138,7 +138,7 @@ def contents(request: ExportRequest) -> Contents:
         requested=tuple(name in request.initial for name in names),
         scales=np.concatenate([scales.state, scales.scene]),
         loops=tuple(row[1] for row in (*loops, *closed)),
-        seconds=given.seconds,
+        seconds=run_inputs.seconds,
         tolerance=tolerance,
         method=settings.method,
         floor=APPROACH_FLOOR,
@@ -171,9 +171,10 @@ def _outputs(model: EngineModel, further: Sequence[str]) -> tuple[str, ...]:
 
 def _rows(model: EngineModel, names: Sequence[str], values: Sequence[float] | None = None) -> tuple[Row, ...]:
     units = units_of(model, None)
-    found = values if values is not None else np.zeros(len(names))
+    numbers = values if values is not None else np.zeros(len(names))
     return tuple(
-        Row(name, units[name], float(value), meaning_of(model, name)) for name, value in zip(names, found, strict=True)
+        Row(name, units[name], float(value), meaning_of(model, name))
+        for name, value in zip(names, numbers, strict=True)
     )
 
 

@@ -37,22 +37,22 @@ FLAGS = ("-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-fPIC")
 TIGHTER = 1e-2  # of the tolerance: that of the two runs whose difference is a directional derivative
 
 
-def description(found: Contents, name: str, token: str, fmi: int) -> str:
+def description(export: Contents, name: str, token: str, fmi: int) -> str:
     """Return the description of a unit whose code is called `name`."""
-    root = ElementTree.Element("fmiModelDescription", _head(found, name, token, fmi))
-    unit = ElementTree.SubElement(root, "CoSimulation", _abilities(found, name, fmi))
+    root = ElementTree.Element("fmiModelDescription", _head(export, name, token, fmi))
+    unit = ElementTree.SubElement(root, "CoSimulation", _abilities(export, name, fmi))
     if fmi == 2:
         files = ElementTree.SubElement(unit, "SourceFiles")
         for file in (f"{name}.c", "fmu.c"):
             ElementTree.SubElement(files, "File", name=file)
-    variables = list(_variables(found, fmi))
+    variables = list(_variables(export, fmi))
     units = ElementTree.SubElement(root, "UnitDefinitions")
     for text in dict.fromkeys(row.unit for _, _, row in variables if row.unit != "1"):
         _define(ElementTree.SubElement(units, "Unit", name=text), text, variables)
     categories = ElementTree.SubElement(root, "LogCategories")
     for category, meaning in CATEGORIES.items():
         ElementTree.SubElement(categories, "Category", name=category, description=meaning)
-    experiment = {"startTime": "0", "stopTime": repr(found.seconds), "tolerance": repr(found.tolerance)}
+    experiment = {"startTime": "0", "stopTime": repr(export.seconds), "tolerance": repr(export.tolerance)}
     ElementTree.SubElement(root, "DefaultExperiment", experiment)
     listed = ElementTree.SubElement(root, "ModelVariables")
     for reference, (how, start, row) in enumerate(variables):
@@ -91,11 +91,11 @@ def build_description(name: str) -> str:
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
 
-def _head(found: Contents, name: str, token: str, fmi: int) -> Attributes:
-    summary = found.model.module.SUMMARY
+def _head(export: Contents, name: str, token: str, fmi: int) -> Attributes:
+    summary = export.model.module.SUMMARY
     return {
         "fmiVersion": f"{fmi}.0",
-        "modelName": found.model.name,
+        "modelName": export.model.name,
         "guid" if fmi == 2 else "instantiationToken": token,
         "description": summary,
         "generationTool": f"hertzwerk {versions()['hertzwerk']}",
@@ -103,8 +103,8 @@ def _head(found: Contents, name: str, token: str, fmi: int) -> Attributes:
     }
 
 
-def _abilities(found: Contents, name: str, fmi: int) -> Attributes:
-    derivatives = "true" if found.inputs else "false"
+def _abilities(export: Contents, name: str, fmi: int) -> Attributes:
+    derivatives = "true" if export.inputs else "false"
     common = {"modelIdentifier": name, "canHandleVariableCommunicationStepSize": "true"}
     if fmi == 2:
         return {
@@ -123,26 +123,26 @@ def _abilities(found: Contents, name: str, fmi: int) -> Attributes:
     }
 
 
-def _variables(found: Contents, fmi: int) -> Iterator[tuple[Attributes, bool, Row]]:
+def _variables(export: Contents, fmi: int) -> Iterator[tuple[Attributes, bool, Row]]:
     """Yield (attributes, whether it has a start, row) of every variable by its value reference."""
     from hertzwerk.runtime.export.export_contents import Row
 
     fixed = {"causality": "parameter", "variability": "fixed", "initial": "exact"}
-    given = {"causality": "input", "variability": "continuous", **({"initial": "exact"} if fmi == 3 else {})}
+    attributes = {"causality": "input", "variability": "continuous", **({"initial": "exact"} if fmi == 3 else {})}
     yield {"causality": "independent", "variability": "continuous"}, False, Row("time", "s", 0.0, "time")
-    for row in found.parameters:
+    for row in export.parameters:
         yield fixed, True, row
-    for row in found.starts:
+    for row in export.starts:
         yield fixed, True, row._replace(name=f"start.{row.name}")
-    for row in (*found.states, *found.outputs):
+    for row in (*export.states, *export.outputs):
         jumps = row.name.rpartition(".")[2] in DISCRETE
         varies = "discrete" if jumps else "continuous"
         yield {"causality": "output", "variability": varies, "initial": "calculated"}, False, row
-    for row in found.inputs:
-        yield given, True, row
-    for row in found.inputs:
+    for row in export.inputs:
+        yield attributes, True, row
+    for row in export.inputs:
         yield (
-            given,
+            attributes,
             True,
             Row(f"{row.name}.rate", per_second(row.unit), 0.0, f"rate of {row.name}, with which it goes on"),
         )
@@ -168,38 +168,38 @@ def _whole(unit: Unit) -> Attributes | None:
     exponents = [exponent.constant for exponent in unit.exponents]
     if unit.free_names or any(exponent.denominator != 1 for exponent in (*exponents, unit.angle)):
         return None
-    found = {base: str(exponent) for base, exponent in zip(BASES, exponents, strict=True) if exponent}
-    return {**found, **({"rad": str(unit.angle)} if unit.angle else {})}
+    attributes = {base: str(exponent) for base, exponent in zip(BASES, exponents, strict=True) if exponent}
+    return {**attributes, **({"rad": str(unit.angle)} if unit.angle else {})}
 
 
 def faults(file: Path) -> list[Fault]:
     """Return the faults of a file to be written."""
-    found = new_file_faults("--fmu", file, "a unit is never overwritten: name another")
+    wrong = new_file_faults("--fmu", file, "a unit is never overwritten: name another")
     if file.suffix != ".fmu":
-        found.append(Fault("--fmu", str(file), "a file whose name ends in .fmu"))
-    return found + name_faults("--fmu", file.stem)
+        wrong.append(Fault("--fmu", str(file), "a file whose name ends in .fmu"))
+    return wrong + name_faults("--fmu", file.stem)
 
 
 def write(request: ExportRequest, file: Path) -> str:
     """Write the unit of a scene into a new file; return what it is. Raises InputError."""
-    found = contents(request)
-    repeated = sorted({row.name for row in found.parameters} & {row.name for row in (*found.states, *found.outputs)})
+    export = contents(request)
+    repeated = sorted({row.name for row in export.parameters} & {row.name for row in (*export.states, *export.outputs)})
     if repeated:
         fault = Fault("names", f"{', '.join(repeated)} twice", "parameters and histories of different names")
         raise InputError("export", [fault])
-    parts, binary = unit(found, file.stem, request.fmi)
+    parts, binary = unit(export, file.stem, request.fmi)
     write_atomically(file, archive(parts))
     return f"{file} (FMI {request.fmi}.0 for co-simulation, {binary})"
 
 
-def unit(found: Contents, name: str, fmi: int) -> tuple[dict[str, bytes], str]:
+def unit(export: Contents, name: str, fmi: int) -> tuple[dict[str, bytes], str]:
     """Return the files of a unit by their places in it, and what its binary is for."""
-    texts = library(found, name)
+    texts = library(export, name)
     token = str(uuid.UUID(hashlib.sha256(texts[f"{name}.c"].encode()).hexdigest()[:32]))
-    tight = max(TIGHTER * found.tolerance, LEAST)
+    tight = max(TIGHTER * export.tolerance, LEAST)
     words = {
         **{"n": name, "N": name.upper(), "name": name, "fmi": str(fmi), "token": token},
-        **{"duration": number(found.seconds), "derivative_tolerance": number(tight)},
+        **{"duration": number(export.seconds), "derivative_tolerance": number(tight)},
         "derivative_step": number(tight ** (1 / 3)),  # its square and the tolerance over it are alike
     }
     standard = template(f"fmi{fmi}.c", words)
@@ -208,7 +208,7 @@ def unit(found: Contents, name: str, fmi: int) -> tuple[dict[str, bytes], str]:
         f"{name}.c": texts[f"{name}.c"],
         "fmu.c": template("fmu.c", {"standard": standard, **words}),
     }
-    parts = {"modelDescription.xml": description(found, name, token, fmi)}
+    parts = {"modelDescription.xml": description(export, name, token, fmi)}
     parts |= {f"sources/{file}": text for file, text in sources.items()}
     if fmi == 3:
         parts["sources/buildDescription.xml"] = build_description(name)

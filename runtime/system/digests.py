@@ -24,12 +24,12 @@ def is_sealed(record: Mapping[str, Any]) -> bool:
 
 def read_sealed(path: Path) -> dict[str, Any]:
     """Return the record in a file; raises OSError, and ValueError for one that is not as it was written."""
-    found = json.loads(path.read_text(encoding="utf-8"))
-    if not isinstance(found, dict):
-        raise ValueError(f"found {type(found).__name__}")
-    if not is_sealed(found):
+    record = json.loads(path.read_text(encoding="utf-8"))
+    if not isinstance(record, dict):
+        raise ValueError(f"found {type(record).__name__}")
+    if not is_sealed(record):
         raise ValueError("another content than was written: its digest does not fit")
-    return found
+    return record
 
 
 def _digest(record: Mapping[str, Any]) -> str:

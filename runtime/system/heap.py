@@ -22,10 +22,10 @@ def available() -> float:
     """Return the memory that is left to new data [bytes], infinite where the system does not say."""
     try:
         lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
-        (found,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))
+        (kilobytes,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))
     except (OSError, ValueError):
         return math.inf
-    return 1024.0 * int(found)
+    return 1024.0 * int(kilobytes)
 
 
 def keep_freed() -> None:

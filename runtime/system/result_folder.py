@@ -21,15 +21,15 @@ def destination_fault(out: Path | None) -> Fault | None:
     )
     remedy = "name another: --out FOLDER" if out is None else ""
     try:
-        found = _hindrance(out)
+        hindrance = _hindrance(out)
     except OSError as error:  # a name too long, a loop of links
-        found = f"{str(out)[:60]}: {error.strerror}"
+        hindrance = f"{str(out)[:60]}: {error.strerror}"
     except ValueError as error:  # a zero byte
-        found = f"{str(out)!r}: {error}"
-    if found is None:
+        hindrance = f"{str(out)!r}: {error}"
+    if hindrance is None:
         return None
-    overwrites = found.endswith("other content")
-    return Fault(where, found, expected, "a run never overwrites another" if overwrites else remedy)
+    overwrites = hindrance.endswith("other content")
+    return Fault(where, hindrance, expected, "a run never overwrites another" if overwrites else remedy)
 
 
 def _hindrance(out: Path | None) -> str | None:
@@ -66,11 +66,11 @@ def unwritable(folder: Path) -> str | None:
         return f"{folder}, which cannot be written to ({error.strerror})"
 
 
-def as_path(where: str, given: object) -> Path:
+def as_path(where: str, path: object) -> Path:
     """Return the path that a user names; raises InputError for what is none."""
-    if isinstance(given, str | Path):
-        return Path(given)
-    raise InputError(where, [Fault(where, shown(given), "the path of a file or folder, as text or a Path")])
+    if isinstance(path, str | Path):
+        return Path(path)
+    raise InputError(where, [Fault(where, shown(path), "the path of a file or folder, as text or a Path")])
 
 
 def new_file_faults(where: str, path: Path, way_out: str = "", *, overwrite: bool = False) -> list[Fault]:

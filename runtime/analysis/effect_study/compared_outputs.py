@@ -64,14 +64,14 @@ def named(run: EngineSolution) -> tuple[Output, ...]:
     model, units = run.model, run.history.units
     speeds = _of_one_kind(model, model.speeds, "m/s")
     accelerations = tuple(acceleration_of(speed) for speed in speeds)
-    found = [
+    outputs = [
         Output("peak_acceleration", units[accelerations[0]], f"largest |acceleration| of {', '.join(speeds)}",
                lambda samples: samples.highest(lambda history: _largest(history, accelerations)), accelerations),
     ]  # fmt: skip
     if model.k:
-        found = [
+        outputs = [
             Output("peak_force", "N", "largest normal force of all pairs", _peak_force),
-            *found,
+            *outputs,
             Output("impact_rate", "1/s", "contacts begun per time", _impact_rate),
             Output("mean_peak_force", "N", "mean of the largest normal force of each contact", _mean_peak_force),
         ]
@@ -79,8 +79,8 @@ def named(run: EngineSolution) -> tuple[Output, ...]:
     if journals:
         parts = tuple(part for journal in journals for part in journal)
         meaning = "way of the pin or ball within its bearing" + (", all of them" if len(journals) > 1 else "")
-        found.append(Output("journal_path", "m", meaning, lambda samples: _way(samples, journals), parts))
-    return tuple(found)
+        outputs.append(Output("journal_path", "m", meaning, lambda samples: _way(samples, journals), parts))
+    return tuple(outputs)
 
 
 def averaged(run: EngineSolution) -> tuple[Output, ...]:
@@ -89,15 +89,15 @@ def averaged(run: EngineSolution) -> tuple[Output, ...]:
 
 
 def _average(average: Average) -> Output:
-    def found(run: EngineSolution) -> Average | None:
+    def computed(run: EngineSolution) -> Average | None:
         return next((other for other in run.averages() if other.name == average.name), None)
 
     def mean(samples: Samples) -> float | None:
-        there = found(samples.run)
+        there = computed(samples.run)
         return None if there is None else there.mean
 
     def half_width(run: EngineSolution) -> float | None:
-        there = found(run)
+        there = computed(run)
         return None if there is None else there.half_width
 
     return Output(average.name, average.unit, "mean after the transient", mean, half_width=half_width)
@@ -106,18 +106,18 @@ def _average(average: Average) -> Output:
 def chosen(run: EngineSolution, texts: Sequence[str]) -> tuple[tuple[Output, ...], list[Fault]]:
     """Return the outputs of these names, and faults for unknown ones."""
     own = {output.name: output for output in (*named(run), *averaged(run))}
-    found: dict[str, Output] = {}
+    outputs: dict[str, Output] = {}
     faults = []
     for text in texts:
         kind, _, name = text.partition(".")
         if text in own:
-            found[text] = own[text]
+            outputs[text] = own[text]
         elif kind not in _KINDS or not name:
             expected = f"one of {', '.join(own)}, or {', '.join(f'{kind}.NAME' for kind in _KINDS)} with a history"
             faults.append(Fault("--output", repr(text), expected))
         else:
-            found[text] = _of_history(run, kind, name)
-    return tuple(found.values()), faults
+            outputs[text] = _of_history(run, kind, name)
+    return tuple(outputs.values()), faults
 
 
 def unknown_outputs(model: EngineModel, texts: Sequence[str]) -> list[Fault]:
@@ -176,8 +176,8 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
     def speeds(history: History) -> np.ndarray:
         rates = history.output_rates()
         columns = ([model.outputs.index(part) for part in parts] for parts in journals)
-        found: np.ndarray = np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
-        return found
+        total: np.ndarray = np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
+        return total
 
     return fine.integral(speeds)
 

@@ -79,7 +79,7 @@ class Study:
 
     def record(self) -> dict[str, Any]:
         """Return the study as JSON."""
-        found = self.smallest
+        smallest = self.smallest
         return {
             "scene": self.scene,
             "outcome": self.outcome.name,
@@ -95,14 +95,14 @@ class Study:
             },
             "rows": [_record(row) for row in self.rows],
             "within": self.within,
-            "smallest": None if found is None else list(found.effects),
+            "smallest": None if smallest is None else list(smallest.effects),
             "smallest_found": None
-            if found is None
+            if smallest is None
             else {
-                "left_out": list(found.left_out),
-                "largest_change": found.change,
-                "scenes_tried": found.tried,
-                "all_tried": found.complete,
+                "left_out": list(smallest.left_out),
+                "largest_change": smallest.change,
+                "scenes_tried": smallest.tried,
+                "all_tried": smallest.complete,
                 "time_share": None if self.smallest_share is None else self.smallest_share.median,
             },
             "warnings": list(self.warnings),

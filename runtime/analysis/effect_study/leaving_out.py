@@ -75,8 +75,8 @@ def driven_start(
         np.max(np.abs(x - y)) > AGREE * max(1.0, float(np.max(np.abs(y)))) for x, y in zip(here, there, strict=True)
     ):
         return {}
-    found = [(joints.coordinates[i], q[i]) for i in q_free] + [(joints.speeds[i], u[i]) for i in u_free]
-    return {name: (float(value), joints.units[name]) for name, value in found}
+    added = [(joints.coordinates[i], q[i]) for i in q_free] + [(joints.speeds[i], u[i]) for i in u_free]
+    return {name: (float(value), joints.units[name]) for name, value in added}
 
 
 def _flat(results: Sequence[Any]) -> list[np.ndarray]:
@@ -166,13 +166,13 @@ def study_effects(
         rows.append(trials.row(effect))
         report(0.4 * (i + 1) / len(study.effects))
     going = {row.effect: frozenset((row.effect, *row.along_with)) for row in rows if not row.fault}
-    found = None
+    least = None
     if within is not None:
-        found = smallest(study.effects, within, going, lambda gone: trials.change(gone, within))
+        least = smallest(study.effects, within, going, lambda gone: trials.change(gone, within))
     report(0.7)
     cases = {effect: trials.cases[gone] for effect, gone in going.items()}
-    if found is not None and found.left_out:
-        cases[_SMALLEST] = trials.cases[frozenset(found.left_out)]
+    if least is not None and least.left_out:
+        cases[_SMALLEST] = trials.cases[frozenset(least.left_out)]
     timed = shares(
         Case(whole),
         cases,
@@ -188,7 +188,7 @@ def study_effects(
         outputs=wanted,
         numbers=measured.numbers,
         rows=tuple(replace(row, share=timed.get(row.effect)) for row in rows),
-        smallest=found,
+        smallest=least,
         smallest_share=timed.get(_SMALLEST),
         warnings=(
             *first.warnings,
@@ -251,13 +251,15 @@ class _Trials:
         try:
             gone, case = self._case(frozenset((effect,)))
             along_with = tuple(name for name in self._effects if name in gone and name != effect)
-            found, changes = self._measured(case)
+            measured, changes = self._measured(case)
         except InputError as error:
             return Row(effect, fault=f"cannot be left out: {'; '.join(map(str, error.faults))}")
         cost = cost_of(self.whole) - cost_of(case.model)
-        if not found.outcome.finished:
-            return Row(effect, along_with, cost, fault=f"without it {found.outcome.name}: {found.outcome.message}")
-        return Row(effect, along_with, cost, None, changes, notes=tuple(self._notes(case, found)))
+        if not measured.outcome.finished:
+            return Row(
+                effect, along_with, cost, fault=f"without it {measured.outcome.name}: {measured.outcome.message}"
+            )
+        return Row(effect, along_with, cost, None, changes, notes=tuple(self._notes(case, measured)))
 
     def change(self, gone: frozenset[str], within: float) -> float:
         """Return the largest change of an output without some effects, its error added.
@@ -267,12 +269,12 @@ class _Trials:
         """
         try:
             _, case = self._case(gone)
-            seen = self.bench.measure_once(case, self.outputs)
-            if seen is None:
+            numbers = self.bench.measure_once(case, self.outputs)
+            if numbers is None:
                 return math.inf
             known = {output.name: self.measured.numbers[output.name].value for output in self.outputs}
             largest = max(
-                (abs(seen[name] - value) / (abs(value) or math.inf) for name, value in known.items()), default=0.0
+                (abs(numbers[name] - value) / (abs(value) or math.inf) for name, value in known.items()), default=0.0
             )
             if largest > HOPELESS * within:
                 return largest
@@ -295,18 +297,20 @@ class _Trials:
         return gone, self.cases[gone]
 
     def _measured(self, case: Case) -> tuple[Measurement, dict[str, Change]]:
-        model, found = case.model, self.bench.measure(case, self.outputs)
-        if not found.outcome.finished:
-            return found, {}
+        model, measured = case.model, self.bench.measure(case, self.outputs)
+        if not measured.outcome.finished:
+            return measured, {}
         if self.bench.same_motion(self.run, model):
             same = Change(None, BELOW_ERROR, noise=0.0)
-            return found, {o.name: same if o.name in found.numbers else _missing_change(found, o) for o in self.outputs}
-        return found, {output.name: self._change(found, output) for output in self.outputs}
+            return measured, {
+                o.name: same if o.name in measured.numbers else _missing_change(measured, o) for o in self.outputs
+            }
+        return measured, {output.name: self._change(measured, output) for output in self.outputs}
 
-    def _change(self, found: Measurement, output: Output) -> Change:
-        if output.name not in found.numbers:
-            return _missing_change(found, output)
-        here, there = self.measured.numbers[output.name], found.numbers[output.name]
+    def _change(self, measured: Measurement, output: Output) -> Change:
+        if output.name not in measured.numbers:
+            return _missing_change(measured, output)
+        here, there = self.measured.numbers[output.name], measured.numbers[output.name]
         difference, noise = there.value - here.value, there.error + here.error
         size = abs(here.value)
         if abs(difference) <= noise:
@@ -315,7 +319,7 @@ class _Trials:
             return Change(None, NEW, f"it is {there.value:.3g} {output.unit} without it")
         return Change(difference / size, noise=noise / size)
 
-    def _notes(self, case: Case, found: Measurement) -> Iterator[str]:
+    def _notes(self, case: Case, measured: Measurement) -> Iterator[str]:
         model, joints, of_whole = case.model, case.model.joints, self.whole.joints
         freed = [
             name
@@ -329,11 +333,11 @@ class _Trials:
             yield f"without it {', '.join(freed)} are free, from the scene's own start: it may be another one than before"
         if self.bench.same_motion(self.run, model):
             yield "the equations of motion give the same accelerations without it, in every state of the run"
-        if found.past_horizon and not self.measured.past_horizon:
+        if measured.past_horizon and not self.measured.past_horizon:
             yield "without it runs at different tolerances part: its outputs are means of several runs"
-        if found.failed:
-            yield f"without it {len(found.failed)} of its runs did not finish and do not count: {'; '.join(found.failed)}"
+        if measured.failed:
+            yield f"without it {len(measured.failed)} of its runs did not finish and do not count: {'; '.join(measured.failed)}"
 
 
-def _missing_change(found: Measurement, output: Output) -> Change:
-    return Change(None, GONE, f"without it {found.lacking[output.name]}")
+def _missing_change(measured: Measurement, output: Output) -> Change:
+    return Change(None, GONE, f"without it {measured.lacking[output.name]}")

@@ -110,9 +110,14 @@ class Bench:
 
     def simulate(self, case: Case, eighths: int = 0, **options: Any) -> EngineSolution:
         """Run a case once; raises InputError, and KeyboardInterrupt where it was stopped."""
-        given = {**options, "duration": self.duration, "method": self.method, "tolerance": self.tolerance_of(eighths)}
+        settings = {
+            **options,
+            "duration": self.duration,
+            "method": self.method,
+            "tolerance": self.tolerance_of(eighths),
+        }
         parameters, initial = self._known(case.model)
-        run = simulate(case.model, parameters=parameters, initial={**case.start, **initial}, **given)
+        run = simulate(case.model, parameters=parameters, initial={**case.start, **initial}, **settings)
         if run.outcome.name == "interrupted":
             raise KeyboardInterrupt
         return run
@@ -153,16 +158,16 @@ class Bench:
             output.name: f"there is no {missing}" for output in outputs if (missing := output.missing(ladder[-1]))
         }
         further = (finished(eighths) for eighths in EIGHTHS if eighths not in used) if past else ()
-        found = []
+        values = []
         for run in chain(ladder, filter(None, further)):
             samples = Samples(run)
-            found.append({output.name: output.of(samples) for output in outputs if output.name not in lacking})
-        if past and len(found) not in STUDENT:
+            values.append({output.name: output.of(samples) for output in outputs if output.name not in lacking})
+        if past and len(values) not in STUDENT:
             return Measurement(failed[-1])
         numbers: dict[str, Number] = {}
         for output in outputs:
             if output.name not in lacking:
-                number = _number(output, [of[output.name] for of in found], ladder[-1], past=past)
+                number = _number(output, [of[output.name] for of in values], ladder[-1], past=past)
                 if isinstance(number, str):
                     lacking[output.name] = number
                 else:
@@ -176,9 +181,9 @@ class Bench:
         if not run.outcome.finished or any(output.missing(run) for output in outputs):
             return None
         samples = Samples(run)
-        found = {output.name: output.of(samples) for output in outputs}
-        values = {name: value for name, value in found.items() if value is not None}
-        return values if len(values) == len(found) else None
+        numbers = {output.name: output.of(samples) for output in outputs}
+        values = {name: value for name, value in numbers.items() if value is not None}
+        return values if len(values) == len(numbers) else None
 
     def _diverges(self, runs: Sequence[EngineSolution]) -> bool:
         """Return whether runs at the coarsest and at the finest tolerance end in different states."""
@@ -197,8 +202,8 @@ class Bench:
         if (whole.latches, whole.slips) != (model.latches, model.slips):
             return False
         y, speeds = run.history.part("y"), slice(whole.nq, whole.nq + whole.nu)
-        kept = [name for name in model.memory if name in whole.memory]
-        if len(kept) < model.nz:
+        shared = [name for name in model.memory if name in whole.memory]
+        if len(shared) < model.nz:
             return False
         memory = [whole.nq + whole.nu + whole.memory.index(name) for name in model.memory]
         states = np.hstack([y[:, : whole.nq + whole.nu], y[:, memory]])
@@ -206,10 +211,10 @@ class Bench:
         if model.inputs:
             columns = [WIDTH * list(whole.inputs).index(name) + k for name in model.inputs for k in range(WIDTH)]
             parts.append(run.history.part("pieces")[:, columns])
-        (found,) = _rates(model)(model.bind(self.parameters(model)).c, run.history.part("t"), states, *parts)
+        (rates,) = _rates(model)(model.bind(self.parameters(model)).c, run.history.part("t"), states, *parts)
         here = run.history.part("dy")[:, speeds]
         size = np.max(np.abs(here), axis=0, initial=0.0)
-        return bool(np.all(np.abs(found[:, speeds] - here) <= SAME * size))
+        return bool(np.all(np.abs(rates[:, speeds] - here) <= SAME * size))
 
 
 @per_model

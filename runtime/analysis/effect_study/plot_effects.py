@@ -196,9 +196,9 @@ def _captions(study: Study) -> list[str]:
     notes += [f"{row.effect}: {row.fault}" for row in study.rows if row.fault]
     notes += [f"{row.effect}: {note}" for row in study.rows for note in row.notes]
     if study.smallest is not None and study.within is not None:
-        kept = ", ".join(study.smallest.effects) or "no effect at all"
+        effects = ", ".join(study.smallest.effects) or "no effect at all"
         notes.append(
-            f"Smallest scene within {100 * study.within:g} % (dashed): {kept}. Names of what it leaves out are grey."
+            f"Smallest scene within {100 * study.within:g} % (dashed): {effects}. Names of what it leaves out are grey."
         )
     return notes + list(study.warnings)
 

@@ -62,6 +62,6 @@ def smallest(
         if not fitting:
             break
         gone = min(fitting, key=tried)
-    kept = tuple(name for name in effects if name not in gone)
+    remaining = tuple(name for name in effects if name not in gone)
     left_out = tuple(name for name in effects if name in gone)
-    return Smallest(kept, left_out, known[gone], len(known) - 1, complete)
+    return Smallest(remaining, left_out, known[gone], len(known) - 1, complete)

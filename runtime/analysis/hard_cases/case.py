@@ -132,7 +132,7 @@ def on_grid(
     def of(run: EngineSolution) -> float:
         from hertzwerk.runtime.simulation import simulate
 
-        kept = simulate(
+        again = simulate(
             run.model,
             duration=run.duration,
             tolerance=run.tolerance,
@@ -141,7 +141,7 @@ def on_grid(
             grid=times,
             compiled=False,
         )
-        return float(kept[name][index]) if list(kept.t) == list(times) else float("nan")
+        return float(again[name][index]) if list(again.t) == list(times) else float("nan")
 
     return Known(f"{name} on a grid", of, expected, within, _unit(name), source)
 

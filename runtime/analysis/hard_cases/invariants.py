@@ -54,25 +54,27 @@ class Measured:
 def measure(case: HardCase, method: str, run: EngineSolution) -> tuple[Measured, ...]:
     """Return every invariant of the case on a run of it."""
     broken = sum(int(np.sum(~np.isfinite(run.history.part(part)))) for part in ("y", "dy", *PAIR_PARTS))
-    found = [Measured(FINITE, broken, 0, "1", "entries of states, rates and contacts that are infinite or undefined")]
+    measured = [
+        Measured(FINITE, broken, 0, "1", "entries of states, rates and contacts that are infinite or undefined")
+    ]
     energies = Energies(run)
     tolerance, parts = (
         ENERGY_LIMIT * case.tolerance,
         f"initial energy {energies.initial:.3g} J, total work {energies.work:.3g} J",
     )
     note = f"largest |energy + dissipated - input - initial| over the sum of {parts}"
-    found.append(Measured(ENERGY, energies.residual / energies.scale, tolerance, "1", note))
+    measured.append(Measured(ENERGY, energies.residual / energies.scale, tolerance, "1", note))
     if not energies.driven:
         note = f"largest rise of the energy, which nothing drives, over the sum of {parts}"
-        found.append(Measured(RISING, energies.rise / energies.scale, tolerance, "1", note))
+        measured.append(Measured(RISING, energies.rise / energies.scale, tolerance, "1", note))
     if run.model.k:
-        found.append(_depth(energies, tolerance))
+        measured.append(_depth(energies, tolerance))
     tries = run.statistics.steps + run.statistics.rejected + run.statistics.retaken
-    found += [_known(known, run) for known in case.known]
+    measured += [_known(known, run) for known in case.known]
     bound = "theory" if method in case.theory else f"{MARGIN:g} times what was measured, + {EXTRA}"
     note = f"accepted {run.statistics.steps:,}, rejected {run.statistics.rejected:,}, retaken {run.statistics.retaken:,}; bound: {bound}"
-    found.append(Measured(STEPS, tries, case.most_tries(method), "1", note))
-    return tuple(found)
+    measured.append(Measured(STEPS, tries, case.most_tries(method), "1", note))
+    return tuple(measured)
 
 
 class Energies:

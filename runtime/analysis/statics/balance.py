@@ -61,9 +61,9 @@ def balance(
     """Evaluate the balance at q (nq,), with closed pairs (k,) [0 or 1], multipliers (nl,) and mu (n,)."""
     nu, nq, nl, k, n = model.nu, model.nq, model.nl, model.k, len(grip_pairs(model))
     shapes = ((nu,), (nl,), (nl, nu), (nu, n), (n, nu), (n,), (nu, nq), (nq, nu), (k,), (k, nu), (k,), (k,))
-    found = _balance(model)(t, q, closed, multipliers, mu, bound.c)
+    results = _balance(model)(t, q, closed, multipliers, mu, bound.c)
     force, loops, G, D, S, limit, slopes, moves, *contacts = (
-        np.asarray(x).reshape(shape) for x, shape in zip(found, shapes, strict=True)
+        np.asarray(x).reshape(shape) for x, shape in zip(results, shapes, strict=True)
     )
     own = list(followers(model))
     if own:
@@ -92,14 +92,14 @@ def drifting(model: EngineModel, bound: BoundParameters, t: float, q: Array) -> 
 
 def followed(model: EngineModel, bound: BoundParameters, t: float, q: Array) -> Array:
     """Return q (nq,) with states of effects at rest, as a motor's current, by Newton's method."""
-    own, found = list(followers(model)), q.copy()
+    own, at_rest = list(followers(model)), q.copy()
     for _ in range(FOLLOWED if own else 0):
-        rates, change = drift(model, bound, t, found)
+        rates, change = drift(model, bound, t, at_rest)
         step = np.linalg.lstsq(change[np.ix_(own, own)], -rates[own])[0]
         if not np.all(np.isfinite(step)):
             break
-        found[own] += step
-    return found
+        at_rest[own] += step
+    return at_rest
 
 
 def grip_pairs(model: EngineModel) -> tuple[int, ...]:
@@ -117,10 +117,10 @@ def grip_names(model: EngineModel) -> list[str]:
 
 def sizes_of(model: EngineModel, mu: Array) -> Array:
     """Return the size of each mu (n,): of a pair that may slide in two directions, that of all together."""
-    found = np.abs(mu)
+    sizes = np.abs(mu)
     for group in groups_of(grip_names(model)):
-        found[group] = gauge_of(mu[group])
-    return found
+        sizes[group] = gauge_of(mu[group])
+    return sizes
 
 
 def gauge_of(mu: Array) -> float:
@@ -143,8 +143,8 @@ def memory_of(model: EngineModel, mu: Array) -> Array:
 
 def bristles_of(model: EngineModel) -> Sequence[tuple[int, int]]:
     """Return the entry of the memory and the pair of every bristle or of its parts."""
-    found: Sequence[tuple[int, int]] = model.module.BRISTLES
-    return found
+    bristles: Sequence[tuple[int, int]] = model.module.BRISTLES
+    return bristles
 
 
 @per_model
@@ -162,8 +162,8 @@ def felt(model: EngineModel) -> tuple[int, ...]:
     forces = [model.function("applied")(t, q, u, c)]
     if model.has_function("loads"):
         forces.append(model.function("loads")(t, q, u, reactions, c))
-    found = ca.vertcat(ca.jacobian(ca.vertcat(*forces), q), change)
-    return tuple(sorted(set(found.sparsity().get_triplet()[1])))
+    jacobian = ca.vertcat(ca.jacobian(ca.vertcat(*forces), q), change)
+    return tuple(sorted(set(jacobian.sparsity().get_triplet()[1])))
 
 
 @per_model
@@ -233,11 +233,11 @@ def _balance(model: EngineModel) -> Callers:
 
 def limits(model: EngineModel, bound: BoundParameters, at: Balance) -> Array:
     """Return the limits of mu (n,): of friction forces [N], and of the deflection of bristles [m]."""
-    found = at.limit.copy()
-    if len(found) > model.ns:
+    bounds = at.limit.copy()
+    if len(bounds) > model.ns:
         sizes = model.evaluate("scales", bound.p)[2]
-        found[model.ns :] *= [sizes[row] for row, _ in bristles_of(model)]
-    return np.abs(found)
+        bounds[model.ns :] *= [sizes[row] for row, _ in bristles_of(model)]
+    return np.abs(bounds)
 
 
 def kernel(matrix: Array) -> Array:
@@ -246,5 +246,5 @@ def kernel(matrix: Array) -> Array:
         return np.eye(matrix.shape[1])
     _, sizes, ways = np.linalg.svd(matrix)
     rank = int(np.sum(sizes > RANK * max(float(sizes[0]), 1e-300))) if len(sizes) else 0
-    found: Array = ways[rank:].T
-    return found
+    basis: Array = ways[rank:].T
+    return basis

@@ -80,8 +80,8 @@ def parameters_at(model: EngineModel, held: EngineModel, parameters: Mapping[str
     """
     integrated = [name for name in model.coordinates if name not in held.coordinates] if t and held is not model else []
     if integrated:
-        found = f"t = {t:g} s, for which {', '.join(integrated)} would have to be integrated"
-        raise InputError(model.name, [Fault("at", found, "0 s, or drives whose position is given")])
+        actual = f"t = {t:g} s, for which {', '.join(integrated)} would have to be integrated"
+        raise InputError(model.name, [Fault("at", actual, "0 s, or drives whose position is given")])
     known = {
         name: value for name, value in parameters.items() if name in held.parameters or name not in model.parameters
     }
@@ -89,7 +89,7 @@ def parameters_at(model: EngineModel, held: EngineModel, parameters: Mapping[str
 
 
 def start_at(
-    model: EngineModel, held: EngineModel, given: Mapping[str, Value], initial: Mapping[str, Value], t: float
+    model: EngineModel, held: EngineModel, parameters: Mapping[str, Value], initial: Mapping[str, Value], t: float
 ) -> tuple[BoundParameters, Array]:
     """Return the numbers at a time t [s], and a position q (nq,) to search from; raises InputError.
 
@@ -97,14 +97,14 @@ def start_at(
     something is given for the time itself.
     """
     if held is model or not t or initial or not (held.nl or journals(held)):
-        bound, q, _ = start_of(held, given, initial)
+        bound, q, _ = start_of(held, parameters, initial)
         return bound, q
-    bound, q, _ = start_of(held, {**given, TIME: (0.0, "s")}, initial)
-    period = model.period(model.bind({name: value for name, value in given.items() if name in model.parameters}))
+    bound, q, _ = start_of(held, {**parameters, TIME: (0.0, "s")}, initial)
+    period = model.period(model.bind({name: value for name, value in parameters.items() if name in model.parameters}))
     for part in np.linspace(0, 1, FOLLOWED + 1)[1:]:
-        there = held.bind({**given, TIME: (part * (t % period if period else t), "s")})
+        there = held.bind({**parameters, TIME: (part * (t % period if period else t), "s")})
         q = closed_near(held, there, q, t, centred=bool(journals(held)))
-    return held.bind(given), q
+    return held.bind(parameters), q
 
 
 def drive_units(held: EngineModel) -> dict[str, str]:
@@ -195,15 +195,15 @@ class Equilibrium(Mapping[str, Value]):
         units, sizes = drive_units(model), model.evaluate("scales", self.bound.p)[0]
         grips = dict.fromkeys(grip_names(model), "m")
         grips |= {slip.rpartition(".")[0]: "N m" if turns(slip) else "N" for slip, *_ in model.slips}
-        found = [
+        rows = [
             ("coordinate", name, float(x) if abs(x) > ROUNDING * size else 0.0, model.units[name])
             for name, x, size in zip(model.coordinates, self.q, sizes, strict=False)
         ]
-        found += [("normal force", name, x, "N") for name, x in self.contacts.items()]
-        found += [("penetration", name, x, "m") for name, x in self.penetrations.items()]
-        found += [("drive", name, x + 0.0, units[name]) for name, x in self.drives.items()]  # -0 is 0
-        found += [("sticks", name, x, grips[name]) for name, x in self.sticking.items()]
-        return tuple(found)
+        rows += [("normal force", name, x, "N") for name, x in self.contacts.items()]
+        rows += [("penetration", name, x, "m") for name, x in self.penetrations.items()]
+        rows += [("drive", name, x + 0.0, units[name]) for name, x in self.drives.items()]  # -0 is 0
+        rows += [("sticks", name, x, grips[name]) for name, x in self.sticking.items()]
+        return tuple(rows)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -276,11 +276,11 @@ def equilibrium(
     model = inputs_at(model, inputs, t)
     still = held(model)
     still = model if still.module is model.module else still.with_signals(model.signals)
-    given = parameters_at(model, still, values, t)
+    at_time = parameters_at(model, still, values, t)
     if still is not model:  # what moves is held: its speeds are 0
         speeds = {*model.joints.speeds, *model.latches}
         wanted = {name: value for name, value in wanted.items() if name not in speeds}
-    bound, q = start_at(model, still, given, wanted, t)
+    bound, q = start_at(model, still, at_time, wanted, t)
     search = Search(still, bound, t)
     with np.errstate(all="ignore"):  # what is not finite is no equilibrium
         rest = search.nearest(q) if nearest else search.relaxed(q)
@@ -384,8 +384,8 @@ def _least_stiffness(model: EngineModel, search: Search, rest: Rest) -> tuple[fl
     least = float(np.linalg.eigvalsh((stiffness + stiffness.T) / 2)[0])
     moved = np.abs(free @ ways[open_].T) * search.scale[:, None]
     names = _coordinates_of(model, rest.balance.moves)
-    found = [names[i] for i in range(model.nu) if np.max(moved[i] / search.scale[i], initial=0.0) > SHARED**0.5]
-    return (0.0 if least >= -OPEN * float(sizes[0]) else -1.0), tuple(dict.fromkeys(found))
+    loose = [names[i] for i in range(model.nu) if np.max(moved[i] / search.scale[i], initial=0.0) > SHARED**0.5]
+    return (0.0 if least >= -OPEN * float(sizes[0]) else -1.0), tuple(dict.fromkeys(loose))
 
 
 def _indeterminate(model: EngineModel, search: Search, rest: Rest) -> tuple[str, ...]:
@@ -409,12 +409,12 @@ def _sticks(model: EngineModel, rest: Rest) -> list[int]:
 
 def _coordinates_of(model: EngineModel, moves: Array) -> list[str]:
     """Return the coordinate that each speed moves, or the orientation that it turns."""
-    found, turned = [], {i + k for i in model.quaternions for k in range(4)}
+    coordinates, turned = [], {i + k for i in model.quaternions for k in range(4)}
     for column in moves.T:
         row = int(np.argmax(np.abs(column)))
         name = model.coordinates[row]
-        found.append(f"{name.rpartition('.')[0]}.orientation" if row in turned else name)
-    return found
+        coordinates.append(f"{name.rpartition('.')[0]}.orientation" if row in turned else name)
+    return coordinates
 
 
 def _drives(model: EngineModel, bound: BoundParameters, t: float, rest: Rest) -> dict[str, float]:

@@ -134,12 +134,12 @@ class Search:
         drag = max(1.0 / stretch, least) / self.scale**2
         here, total = rest, np.zeros(self.model.nu)
         for _ in range(ITERATIONS):
-            found = self._iterate(here, drag, total)
-            if found is None:
+            step = self._iterate(here, drag, total)
+            if step is None:
                 return None
-            here, total = found[0], total + found[1]
+            here, total = step[0], total + step[1]
             self._decide(here, total)
-            if self._size(found[1]) <= SETTLED * max(1.0, self._size(total)):
+            if self._size(step[1]) <= SETTLED * max(1.0, self._size(total)):
                 return here, self._size(total)
         return None
 
@@ -148,12 +148,12 @@ class Search:
         here, total, no_drag = replace(rest, sticks=np.ones(rest.mu.size, dtype=bool)), 0.0, np.zeros(self.model.nu)
         settled = 0
         for _ in range(POLISH):
-            found = self._iterate(here, no_drag, no_drag)
-            if found is None or (total := total + self._size(found[1])) > within:
+            step = self._iterate(here, no_drag, no_drag)
+            if step is None or (total := total + self._size(step[1])) > within:
                 break
-            here = found[0]
+            here = step[0]
             settled = settled + 1 if self._balanced(here) else 0
-            if settled and (settled >= ROUNDS or self._size(found[1]) <= STEADY):
+            if settled and (settled >= ROUNDS or self._size(step[1]) <= STEADY):
                 return replace(here, converged=True)
         return rest
 
@@ -186,13 +186,13 @@ class Search:
         matrix[:nu, :nu] = np.where(np.abs(stiffness) < NONE * self.load, 0.0, stiffness) + np.diag(drag * unit**2)
         matrix[:nu, nu:], matrix[nu:, :nu] = -_significant(unit[:, None] * held), _significant(directions * unit)
         known = at.force + at.D[:, slides] @ rest.mu[slides] - drag * total
-        found = _solved(matrix, np.concatenate([unit * known, -at.loops, -at.S[sticks] @ total]))
-        if found is None:
+        solution = _solved(matrix, np.concatenate([unit * known, -at.loops, -at.S[sticks] @ total]))
+        if solution is None:
             return None
-        part = self._part(at, unit * found[:nu])
-        change, multipliers, mu = part * unit * found[:nu], rest.multipliers.copy(), rest.mu.copy()
-        multipliers += part * (found[nu : nu + loops] - multipliers)
-        mu[sticks] += part * (found[nu + loops :] - mu[sticks])
+        part = self._part(at, unit * solution[:nu])
+        change, multipliers, mu = part * unit * solution[:nu], rest.multipliers.copy(), rest.mu.copy()
+        multipliers += part * (solution[nu : nu + loops] - multipliers)
+        mu[sticks] += part * (solution[nu + loops :] - mu[sticks])
         mu[rest.closed[list(grip_pairs(self.model))] == 0] = 0.0
         moved = rest.q + at.moves @ change
         for i in self.model.quaternions:
@@ -259,8 +259,8 @@ def _solved(matrix: Array, right: Array) -> Array | None:
     rows = _sizes(np.abs(matrix).max(axis=1, initial=0.0))
     columns = _sizes(np.abs(matrix / rows[:, None]).max(axis=0, initial=0.0))
     scaled = matrix / rows[:, None] / columns
-    found: Array = np.linalg.lstsq(scaled, right / rows, rcond=1e-13)[0] / columns
-    return found
+    solution: Array = np.linalg.lstsq(scaled, right / rows, rcond=1e-13)[0] / columns
+    return solution
 
 
 def _sizes(largest: Array) -> Array:

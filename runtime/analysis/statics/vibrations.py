@@ -100,8 +100,8 @@ def _independent(free: Array, blocks: Sequence[NDArray[np.int64]]) -> list[int]:
 @per_model
 def _jacobian(model: EngineModel) -> Callers:
     function = linearised(model)
-    given = function.sx_in() if function.is_a("SXFunction") else function.mx_in()
-    return Callers(ca.Function("jacobian", given, [ca.densify(function(*given)[0])]))
+    arguments = function.sx_in() if function.is_a("SXFunction") else function.mx_in()
+    return Callers(ca.Function("jacobian", arguments, [ca.densify(function(*arguments)[0])]))
 
 
 @per_model
@@ -146,7 +146,7 @@ def _conditions(
 @per_model
 def _derivatives(model: EngineModel) -> Callers:
     """Build (t, q, u, z, m, c) -> derivatives of constraints, their rates, slips and coordinate rates."""
-    t, q, u, _, _, c = given = model.symbols("t q u z m c")
+    t, q, u, _, _, c = arguments = model.symbols("t q u z m c")
     none = ca.SX(0, 1)
     loops, rates = model.function("constraints")(t, q, u, c) if model.nl else (none, none)
     of_joints = (
@@ -154,11 +154,13 @@ def _derivatives(model: EngineModel) -> Callers:
         if model.rubbing
         else none
     )
-    sliding = [of_joints if j == NO_PAIR else pair_grips(model, j, *given)[0] for j in dict.fromkeys(pairs_of(model))]
+    sliding = [
+        of_joints if j == NO_PAIR else pair_grips(model, j, *arguments)[0] for j in dict.fromkeys(pairs_of(model))
+    ]
     x, s = ca.vertcat(q, u), ca.vertcat(none, *sliding)
     moves = ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u)
     results = [ca.jacobian(loops, q), ca.jacobian(rates, x), ca.jacobian(s, x), moves]
-    return Callers(ca.Function("derivatives", given, [ca.densify(x) for x in ca.cse(results)]))
+    return Callers(ca.Function("derivatives", arguments, [ca.densify(x) for x in ca.cse(results)]))
 
 
 @dataclass(frozen=True)
@@ -292,9 +294,9 @@ class Modes(Sequence[Mode]):
         return frame
 
     def __repr__(self) -> str:
-        found = ", ".join(f"{x:.5g}" for x in self.frequencies[:4])
+        listed = ", ".join(f"{x:.5g}" for x in self.frequencies[:4])
         more = ", ..." if len(self.frequencies) > 4 else ""
-        return f"<Modes {self.model.name}: {found or 'none that vibrates'}{more}{' Hz' if found else ''}{'' if self.stable else ', unstable'}>"
+        return f"<Modes {self.model.name}: {listed or 'none that vibrates'}{more}{' Hz' if listed else ''}{'' if self.stable else ', unstable'}>"
 
     def __str__(self) -> str:
         lines, units = [], self.model.units
@@ -336,11 +338,11 @@ def modes(
     equilibrium.
     """
     if isinstance(target, EngineSolution):
-        if any(given is not None for given in (parameters, initial, inputs)):
+        if any(argument is not None for argument in (parameters, initial, inputs)):
             raise InputError("modes", [Fault("parameters, initial", "values beside a run", "none: it has its own")])
         return _of_run(target, at)
     if isinstance(target, Equilibrium):
-        if any(given is not None for given in (at, parameters, initial, inputs)):
+        if any(argument is not None for argument in (at, parameters, initial, inputs)):
             raise InputError("modes", [Fault("at", "values beside an equilibrium", "none: it has its own")])
         return of_equilibrium(target)
     rest = equilibrium(target, parameters=parameters, initial=initial, inputs=inputs, at=0.0 if at is None else at)
@@ -369,16 +371,18 @@ def _of_run(run: EngineSolution, at: str | float | None) -> Modes:
     t = run.t_end if at is None else 0.0 if at == 0 else read_duration(model, {}, at, faults)
     if faults or not run.t_start <= t <= run.t_end:
         raise InputError(model.name, [Fault("at", shown(at), f"a time from {run.t_start:g} to {run.t_end:g} s")])
-    seen = run.at([t])
-    q, u, z = (np.array([seen[name][0] for name in names]) for names in (model.coordinates, model.speeds, model.memory))
-    mode = np.array([seen[f"{pair}.mode"][0] for pair in model.pairs])
-    slips = [seen[name][0] for name, *_ in model.slips]
-    m = np.array([*(seen[name][0] for name in model.latches), *slips])
+    state = run.at([t])
+    q, u, z = (
+        np.array([state[name][0] for name in names]) for names in (model.coordinates, model.speeds, model.memory)
+    )
+    mode = np.array([state[f"{pair}.mode"][0] for pair in model.pairs])
+    slips = [state[name][0] for name, *_ in model.slips]
+    m = np.array([*(state[name][0] for name in model.latches), *slips])
     defaults = {name: (port.default, port.unit) for name, port in model.parameters.items()}
-    given = {name: value for name, value in run.parameters.items() if value != defaults[name]}
+    parameters = {name: value for name, value in run.parameters.items() if value != defaults[name]}
     note = f"the equations are frozen at t = {t:g} s, where the motion is not at rest" if np.any(u) else ""
     model = inputs_at(model, None, t)
-    return _modes(model, model.bind(given), t, q, u, z, mode, m, (note,) if note else ())
+    return _modes(model, model.bind(parameters), t, q, u, z, mode, m, (note,) if note else ())
 
 
 def _modes(
@@ -398,7 +402,7 @@ def _modes(
     values = np.where(np.abs(values.real) <= NO_DAMPING * most, 1j * values.imag, values)
     values = np.where(np.abs(values) <= ZERO * most, 0.0, values)
     sizes = np.where(model.evaluate("scales", bound.p)[0] > 0, model.evaluate("scales", bound.p)[0], 1.0)
-    found, loose = [], np.zeros((0, model.nq))  # shapes that nothing holds: each has a place and a speed
+    vibrations, loose = [], np.zeros((0, model.nq))  # shapes that nothing holds: each has a place and a speed
     for value, vector in zip(values, vectors.T, strict=True):
         shape = (linear.T @ vector)[: model.nq]
         largest = int(np.argmax(np.abs(shape) / sizes)) if len(shape) else 0
@@ -409,12 +413,12 @@ def _modes(
                 loose = loose[:-1]
                 continue
         if value.imag >= 0:
-            found.append(Mode(complex(value), dict(zip(model.coordinates, map(complex, shape), strict=True))))
-    found.sort(key=lambda mode: (abs(mode.eigenvalue.imag), abs(mode.eigenvalue)))
+            vibrations.append(Mode(complex(value), dict(zip(model.coordinates, map(complex, shape), strict=True))))
+    vibrations.sort(key=lambda mode: (abs(mode.eigenvalue.imag), abs(mode.eigenvalue)))
     if linear.turns and np.any(u):
         of = ", ".join(model.coordinates[i] for i in linear.of if i < model.nq)
         notes = [*notes, f"its constraints turn: frequencies are those of {of}, and others by other coordinates"]
-    return Modes(model, bound, t, q, tuple(found), linear.A, tuple(notes))
+    return Modes(model, bound, t, q, tuple(vibrations), linear.A, tuple(notes))
 
 
 def _phasor(x: complex, unit: str = "1") -> str:

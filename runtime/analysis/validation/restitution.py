@@ -151,7 +151,10 @@ class Study:
                 [""] * len(curve.prescribed) if curve.closed is None else [f"{c:.17g}" for c in curve.closed]
             )
             rows = zip(curve.prescribed, curve.simulated, closed, strict=True)
-            lines += [f'{curve.law},"{curve.parameter}",{given:.17g},{out:.17g},{exact}' for given, out, exact in rows]
+            lines += [
+                f'{curve.law},"{curve.parameter}",{prescribed:.17g},{out:.17g},{exact}'
+                for prescribed, out, exact in rows
+            ]
         return "\n".join(lines) + "\n"
 
 
@@ -170,18 +173,18 @@ def study(progress: Callable[[float], object] | None = None) -> Study:
     return Study(tuple(taken), tuple(own))
 
 
-def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None) -> Curve:
-    """Simulate one law over its grid, or over `given`."""
+def curve(trial: Trial, grid: Array | None = None, impact: Impact | None = None) -> Curve:
+    """Simulate one law over its grid, or over `grid`."""
     from hertzwerk.runtime.engine.model.build import build
     from hertzwerk.runtime.engine.model.model import EngineModel
 
     impact = impact or Impact()
     takes_e = trial.recommended is not None
-    if given is None:
-        given = GRID if takes_e else OWN_GRID
+    if grid is None:
+        grid = GRID if takes_e else OWN_GRID
     unit = 1.0 if takes_e else own_unit(trial, impact)
     model = EngineModel(build(trial.scene))
-    closed = [trial.closed(float(e)) for e in given] if takes_e else []
+    closed = [trial.closed(float(e)) for e in grid] if takes_e else []
     at_one, at_zero = trial.limits
     law = trial.law
     return Curve(
@@ -189,8 +192,8 @@ def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None
         title=law.title,
         grade=law.grade,
         parameter="e" if takes_e else _own_text(trial),
-        prescribed=given,
-        simulated=np.array([simulated(model, trial, float(x) * unit, impact) for x in given]),
+        prescribed=grid,
+        simulated=np.array([simulated(model, trial, float(x) * unit, impact) for x in grid]),
         closed=None if not closed or None in closed else np.array(closed, dtype=float),
         recommended=trial.recommended,
         recommended_text=trial.recommended_text,

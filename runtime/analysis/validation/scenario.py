@@ -162,14 +162,14 @@ def _validated(subject: str, content: dict[str, Any], *, meant: bool = False) ->
     """
     faults: list[Fault] = []
     try:
-        found = Scenario.model_validate(content)
+        scenario = Scenario.model_validate(content)
     except ValidationError as error:
         faults = form_faults(error, Scenario)
     if meant:
         faults += _meaning_faults(content, {fault.where for fault in faults})
     if faults:
         raise InputError(subject, faults)
-    return found
+    return scenario
 
 
 def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
@@ -188,8 +188,8 @@ def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
     )
     duration = content.get("duration") if "duration" not in faulty else "1 s"
     inputs = content.get("inputs", {})
-    given = {k: v for k, v in inputs.items() if isinstance(v, str)} if isinstance(inputs, dict) else {}
-    model, wrong = with_input_values(model, given, duration, parameters)
+    texts = {k: v for k, v in inputs.items() if isinstance(v, str)} if isinstance(inputs, dict) else {}
+    model, wrong = with_input_values(model, texts, duration, parameters)
     try:
         check(model, Settings(duration, None, None), parameters, initial, wrong)
     except InputError as error:
@@ -214,8 +214,8 @@ def misfit(check: Check, units: Mapping[str, str]) -> Fault | None:
     else:
         unit = IMPACT_FIELDS[name.partition(".")[2]] if name else "1"
     text = check.expected if check.expected is not None else check.at_most or ""
-    value, given = parse_quantity(text)
-    if given.exponents != parse_unit(unit).exponents or given.mistaken_for(parse_unit(unit)):
-        remedy = rate_remedy(given, value) if given.mistaken_for(parse_unit(unit)) else ""
+    value, stated = parse_quantity(text)
+    if stated.exponents != parse_unit(unit).exponents or stated.mistaken_for(parse_unit(unit)):
+        remedy = rate_remedy(stated, value) if stated.mistaken_for(parse_unit(unit)) else ""
         return Fault(check.quantity, repr(text), f"a quantity in {unit}", remedy)
     return None

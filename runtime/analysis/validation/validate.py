@@ -79,8 +79,8 @@ def measure(solution: EngineSolution, quantity: str) -> float | None:
         value: float | None = getattr(solution.impacts[int(index)], field)
         return value
     history = solution[name]
-    found = {"final": history[-1], "max": np.max(history), "min": np.min(history), "largest": np.max(np.abs(history))}
-    return float(found[head])
+    by_kind = {"final": history[-1], "max": np.max(history), "min": np.min(history), "largest": np.max(np.abs(history))}
+    return float(by_kind[head])
 
 
 def _verdict(check: Check, measured: float | None) -> Verdict:

@@ -30,17 +30,17 @@ def conclusions(study: Study) -> list[str]:
 def warnings(study: Study) -> list[str]:
     """Return reservations about the numbers."""
     held = study.reference
-    found = []
+    reservations = []
     if study.shortened:
         known = "" if math.isinf(held.horizon) else f"; even to 1 % only until {seconds(held.horizon)}"
-        found.append(
+        reservations.append(
             f"after {seconds(float(held.t[-1]))} of {seconds(study.requested)} no method here knows the true trajectory well enough to measure "
             f"errors by{known}: errors are those at that time. Of longer runs statistics survive, single trajectories do not: run.averages()"
         )
     if not study.compiled:
-        found.append("there is no working C compiler: every time is that of CasADi's virtual machine")
-    found += [f"{method}: {message}" for method, message in _failures(study.rows).items()]
-    return [*found, *held.run.warnings]
+        reservations.append("there is no working C compiler: every time is that of CasADi's virtual machine")
+    reservations += [f"{method}: {message}" for method, message in _failures(study.rows).items()]
+    return [*reservations, *held.run.warnings]
 
 
 def rows(study: Study) -> list[tuple[str, ...]]:
@@ -56,9 +56,9 @@ def rows(study: Study) -> list[tuple[str, ...]]:
     return table
 
 
-def first_rows(held: Reference, found: Sequence[Row]) -> list[tuple[str, ...]]:
+def first_rows(held: Reference, runs: Sequence[Row]) -> list[tuple[str, ...]]:
     """Return the table of the runs of one method, each timed once."""
-    return [(*_numbers(held.least, row), _time(row), _ended(row)) for row in found]
+    return [(*_numbers(held.least, row), _time(row), _ended(row)) for row in runs]
 
 
 def _numbers(least: float, row: Row) -> tuple[str, ...]:
@@ -218,21 +218,22 @@ def _growth(study: Study) -> str:
 
 def _lyapunov(study: Study) -> list[str]:
     """Return what the largest exponent is, and how far its values in parts of the run spread."""
-    found = study.lyapunov
-    if found is None:
+    lyapunov = study.lyapunov
+    if lyapunov is None:
         return []
-    low, high = found.spread
-    meaning = "chaos, or an unstable motion" if found.chaotic else "neighbouring motions do not part exponentially"
+    low, high = lyapunov.spread
+    meaning = "chaos, or an unstable motion" if lyapunov.chaotic else "neighbouring motions do not part exponentially"
     return [
-        f"The largest Lyapunov exponent of the motion, from its variational equations, is {plain(found.law.rate)} +- {plain(found.law.deviation)} /s "
+        f"The largest Lyapunov exponent of the motion, from its variational equations, is "
+        f"{plain(lyapunov.law.rate)} +- {plain(lyapunov.law.deviation)} /s "
         f"over this time, from {plain(low)} to {plain(high)} /s in twelfths of it: {meaning}."
     ]
 
 
-def _exponent(found: Lyapunov | None) -> dict[str, Any] | None:
-    if found is None:
+def _exponent(lyapunov: Lyapunov | None) -> dict[str, Any] | None:
+    if lyapunov is None:
         return None
-    largest, law = found.exponents[0], found.law
+    largest, law = lyapunov.exponents[0], lyapunov.law
     return {
         "rate": law.rate,
         "deviation": law.deviation,
@@ -244,10 +245,10 @@ def _exponent(found: Lyapunov | None) -> dict[str, Any] | None:
     }
 
 
-def _failures(found: Iterable[Row]) -> dict[str, str]:
+def _failures(runs: Iterable[Row]) -> dict[str, str]:
     """Return the failures of runs, one message for each method."""
     failed: dict[str, str] = {}
-    for row in found:
+    for row in runs:
         if row.error is None and row.outcome not in (NOT_TRIED, *LATE):
             failed.setdefault(row.method, f"requested {row.accuracy:.0e}, {row.message}")
     return failed

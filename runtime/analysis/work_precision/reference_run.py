@@ -51,8 +51,8 @@ class Problem:
 
     def __call__(self, **options: Any) -> Solution:
         """Run once; raises InputError, and KeyboardInterrupt where the user stopped the run."""
-        given = {"duration": self.duration, "parameters": self.parameters, "initial": self.initial}
-        run = self.solve(self.model, **{**given, **options})
+        arguments = {"duration": self.duration, "parameters": self.parameters, "initial": self.initial}
+        run = self.solve(self.model, **{**arguments, **options})
         if run.outcome.name == "interrupted":
             raise KeyboardInterrupt
         return run
@@ -91,9 +91,9 @@ class Reference:
 
     def _along(self, run: Solution, measure: Callable[..., Array]) -> Array:
         reached = self.t <= run.t_end
-        found = np.full(len(self.t), np.nan)
-        found[reached] = measure(run.model, self.run.scales, states(run, self.t[reached]), self.y[reached])
-        return found
+        errors = np.full(len(self.t), np.nan)
+        errors[reached] = measure(run.model, self.run.scales, states(run, self.t[reached]), self.y[reached])
+        return errors
 
     @cached_property
     def floor(self) -> Array:
@@ -175,11 +175,11 @@ def reference(problem: Problem, progress: Callable[[float], object] = lambda _: 
         if len(runs) < 2:
             break
         t = _times(next(iter(runs.values()))) if t is None else t
-        found = {method: states(run, t) for method, run in runs.items()}
-        (one, a), (two, b) = found.items()
+        by_method = {method: states(run, t) for method, run in runs.items()}
+        (one, a), (two, b) = by_method.items()
         change = {
             method: at_end(difference(problem.model, runs[one].scales, y, before[method])) if method in before else 0.0
-            for method, y in found.items()
+            for method, y in by_method.items()
         }
         if change[one] > change[two]:
             (one, a), (two, b) = (two, b), (one, a)
@@ -189,7 +189,7 @@ def reference(problem: Problem, progress: Callable[[float], object] = lambda _: 
             best = Reference(runs[one], runs[two], t, a, b, tuple(levels))
         if apart <= AGREED:
             break
-        before = found
+        before = by_method
     if best is None:
         raise NoReferenceError(failed)
     return Reference(best.run, best.partner, best.t, best.y, best.other, tuple(levels))

@@ -110,22 +110,22 @@ class Study:
     @cached_property
     def times(self) -> dict[str, dict[float, float]]:
         """Least time [s] of each method's runs with an error within a level; no entry where there is none."""
-        found: dict[str, dict[float, float]] = {}
+        least: dict[str, dict[float, float]] = {}
         for method in self.methods:
             rows = [(row.error, row.time) for row in self.of(method) if row.error is not None and row.time is not None]
             by_level = {level: [time for error, time in rows if error <= level] for level in self.levels}
-            found[method] = {level: min(times) for level, times in by_level.items() if times}
-        return found
+            least[method] = {level: min(times) for level, times in by_level.items() if times}
+        return least
 
     @cached_property
     def cheapest(self) -> dict[float, str]:
         """Fastest method at each level that some method reaches."""
-        found = {}
+        cheapest = {}
         for level in self.levels:
             able = [method for method in self.methods if level in self.times[method]]
             if able:
-                found[level] = min(able, key=lambda method: self.times[method][level])
-        return found
+                cheapest[level] = min(able, key=lambda method: self.times[method][level])
+        return cheapest
 
     @cached_property
     def recommended(self) -> str | None:
@@ -143,14 +143,14 @@ class Study:
 
         Where errors are not measurable, for ten times less requested.
         """
-        found = {}
+        costs = {}
         for method in self.methods:
             measurable = self._measurable(method)
             cost = decade_cost([error for error, _, _ in measurable], [time for _, time, _ in measurable])
             rows = [row for row in self.of(method) if row.time and row.error is not None and row.error <= row.accuracy]
-            asked = decade_cost([row.accuracy for row in rows], [row.time or math.nan for row in rows])
-            found[method] = asked if cost is None else cost
-        return found
+            requested = decade_cost([row.accuracy for row in rows], [row.time or math.nan for row in rows])
+            costs[method] = requested if cost is None else cost
+        return costs
 
     @property
     def decade_cost(self) -> float | None:
@@ -169,11 +169,11 @@ class Study:
     def relative_times(self) -> dict[str, float | None]:
         """Time of each method over that of the recommended one, at the same levels on average."""
         best = self.times[self.recommended] if self.recommended else {}
-        found: dict[str, float | None] = {}
+        ratios: dict[str, float | None] = {}
         for method in self.methods:
             logs = [math.log(t / best[x]) for x, t in self.times[method].items() if x in best]
-            found[method] = math.exp(fmean(logs)) if logs else None
-        return found
+            ratios[method] = math.exp(fmean(logs)) if logs else None
+        return ratios
 
     @property
     def gain_of_compilation(self) -> float | None:
@@ -210,8 +210,8 @@ def study(
     Raises InputError for bad input, NoReferenceError where there is no reference.
     """
     held = reference(problem, lambda part: progress(FIRST[0] * part))
-    asked = held.run.duration
-    if held.known < asked:
+    requested = held.run.duration
+    if held.known < requested:
         problem = replace(problem, duration=held.known)
         held = reference(problem)
     series = [(method, compiled) for compiled in (False, True) for method in methods]
@@ -236,7 +236,7 @@ def study(
     return Study(
         problem=problem,
         reference=held,
-        requested=asked,
+        requested=requested,
         rows=tuple(sorted(rows, key=lambda row: places[row.method, row.compiled, row.accuracy])),
         growth=grows,
         lyapunov=exponent,
@@ -269,8 +269,8 @@ def _lyapunov(held: Reference) -> Lyapunov | None:
     runs = [run for run in (held.run, held.partner) if run.method in EXPLICIT or run.statistics.steps <= DEAR]
     if not runs:
         return None
-    found = min(runs, key=lambda run: (run.method not in EXPLICIT, run.statistics.steps)).lyapunov()
-    return None if found.reason else found
+    exponents = min(runs, key=lambda run: (run.method not in EXPLICIT, run.statistics.steps)).lyapunov()
+    return None if exponents.reason else exponents
 
 
 def decade_cost(errors: Sequence[float], times: Sequence[float]) -> float | None:

@@ -94,9 +94,9 @@ def _run(
     """Run the model in its scenario; raises InputError with `faults` and those of every option."""
     from hertzwerk.runtime.engine.run.run_request import Settings
 
-    given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
-    given |= {"accuracy": None, "tolerance": TOLERANCE} if accuracy is None else {}
-    settled = Settings(**given, grid=grid_of(grid))
+    stated = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
+    stated |= {"accuracy": None, "tolerance": TOLERANCE} if accuracy is None else {}
+    settled = Settings(**stated, grid=grid_of(grid))
     run = varied.solved(settled, faults, progress)
     if run.outcome.name == "interrupted":
         raise KeyboardInterrupt

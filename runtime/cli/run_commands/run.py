@@ -128,8 +128,8 @@ def run(
             solution, request = continue_run(folder, target, faults, stopping, **options)
         else:
             request = _request(target, options)
-            asked = dict(options)
-            solution = _simulate(Variation.taken(str(target), asked), faults, stopping, **asked)
+            settings = dict(options)
+            solution = _simulate(Variation.taken(str(target), settings), faults, stopping, **settings)
         solution = solution.with_histories(*options["histories"])
         request["command"] = command_line()
         if solution.outcome.name == "interrupted" and not solution.statistics.steps:
@@ -227,9 +227,9 @@ def _simulate(
     from hertzwerk.runtime.engine.run.run_request import Settings
 
     stopping.stage("building")
-    given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
+    stated = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
     limits = limits_of(max_steps, wall_time, faults)
-    settled = Settings(**given, grid=grid_of(grid), **limits, sensitivities=sensitivities)
+    settled = Settings(**stated, grid=grid_of(grid), **limits, sensitivities=sensitivities)
     return varied.solved(settled, faults, stopping, histories=histories, at_rest=start is not None)
 
 

@@ -71,7 +71,7 @@ def statics(out: Path | None, as_json: bool, **options: Any) -> int:
         for note in rest.notes:
             line("note", note)
     if rest.converged:
-        _draw(out, rest.plot, told=not as_json)
+        _draw(out, rest.plot, announced=not as_json)
     return GOOD if rest.converged else OTHER_OUTCOME
 
 
@@ -86,14 +86,14 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
     from hertzwerk.runtime.analysis.statics.vibrations import modes as modes_of
 
     rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
-    found = modes_of(rest) if rest.converged else None
+    vibrations = modes_of(rest) if rest.converged else None
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
 
         record = {
             "scene": rest.model.name,
             "equilibrium": rest.outcome.name,
-            "stable": found is not None and found.stable,
+            "stable": vibrations is not None and vibrations.stable,
             "modes": [
                 {
                     "eigenvalue": [mode.eigenvalue.real, mode.eigenvalue.imag],
@@ -101,37 +101,37 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
                     "damping_ratio": mode.damping_ratio if mode.eigenvalue else None,
                     "shape": {name: [x.real, x.imag] for name, x in mode.shape.items()},
                 }
-                for mode in found or ()
+                for mode in vibrations or ()
             ],
-            "notes": found.notes if found else rest.outcome.remedy,
+            "notes": vibrations.notes if vibrations else rest.outcome.remedy,
         }
         click.echo(json_text(record))
-    elif found is None:
+    elif vibrations is None:
         line(rest.model.name, rest.outcome.message)
         line("remedy", rest.outcome.remedy)
     else:
-        count = f"{len(found)} mode{'' if len(found) == 1 else 's'}"
+        count = f"{len(vibrations)} mode{'' if len(vibrations) == 1 else 's'}"
         line(rest.model.name, f"{rest.outcome.message}; {count}")
-        for number, mode in enumerate(found, 1):
+        for number, mode in enumerate(vibrations, 1):
             line(f"mode {number}", str(mode))
-        table(("mode", "coordinate", "amplitude", "unit", "phase [deg]"), list(_shapes(found)))
-        for note in found.notes:
+        table(("mode", "coordinate", "amplitude", "unit", "phase [deg]"), list(_shapes(vibrations)))
+        for note in vibrations.notes:
             line("note", note)
-    if found is None:
+    if vibrations is None:
         return OTHER_OUTCOME
-    if any(mode.eigenvalue for mode in found):
-        _draw(out, found.plot, told=not as_json)
+    if any(mode.eigenvalue for mode in vibrations):
+        _draw(out, vibrations.plot, announced=not as_json)
     return GOOD
 
 
-def _shapes(found: Modes) -> Iterator[tuple[str, ...]]:
+def _shapes(vibrations: Modes) -> Iterator[tuple[str, ...]]:
     """Yield mode, coordinate, amplitude, unit and phase [deg] of what moves in each mode."""
-    for number, mode in enumerate(found, 1):
+    for number, mode in enumerate(vibrations, 1):
         moving = [name for name, x in mode.shape.items() if abs(x) > MOVED]
         for i, name in enumerate(moving):
             x = mode.shape[name]
             phase = math.degrees(cmath.phase(x)) if abs(x.imag) > MOVED * abs(x) else 180.0 if x.real < 0 else 0.0
-            yield "" if i else str(number), name, f"{abs(x):.4g}", found.model.units[name], f"{phase:.4g}"
+            yield "" if i else str(number), name, f"{abs(x):.4g}", vibrations.model.units[name], f"{phase:.4g}"
 
 
 def _read(
@@ -151,16 +151,16 @@ def _read(
     model = varied.model(faults)
     parameters, initial = split_values(model, values)
     try:
-        given = assignments("--input", varied.inputs, faults)
-        found = equilibrium(model, parameters=parameters, initial=initial, inputs=given, at=at, nearest=nearest)
+        inputs = assignments("--input", varied.inputs, faults)
+        rest = equilibrium(model, parameters=parameters, initial=initial, inputs=inputs, at=at, nearest=nearest)
     except InputError as error:
         raise InputError(error.subject, [*faults, *error.faults]) from error
     if faults:
         raise InputError(model.name, faults)
-    return found
+    return rest
 
 
-def _draw(out: Path | None, picture: Callable[[], Figure], *, told: bool) -> None:
+def _draw(out: Path | None, picture: Callable[[], Figure], *, announced: bool) -> None:
     """Write a picture as PNG, if a file is given."""
     if out is None:
         return
@@ -169,5 +169,5 @@ def _draw(out: Path | None, picture: Callable[[], Figure], *, told: bool) -> Non
     content = io.BytesIO()
     picture().savefig(content, format="png", dpi="figure")
     path = write(out, content.getvalue(), overwrite=False)
-    if told:
+    if announced:
         line("written", str(path))

@@ -84,8 +84,8 @@ def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stra
     faults = []
     named = [bool(targets), laws, expr is not None]
     if sum(named) != 1:
-        found = "nothing to audit" if not any(named) else "several things at once"
-        faults.append(Fault("audit", found, "scenes, files or folders; or --laws; or --expr"))
+        actual = "nothing to audit" if not any(named) else "several things at once"
+        faults.append(Fault("audit", actual, "scenes, files or folders; or --laws; or --expr"))
     if stray and expr is None:
         faults.append(Fault("audit", "--unit, --value or --expect without --expr", "--expr TEXT beside them"))
     if alone:

@@ -49,9 +49,9 @@ def _list_histories(varied: Variation) -> int:
     model = varied.model(faults)
     if faults:
         raise InputError("list", faults)
-    found = entries(model)
+    histories = entries(model)
     for derived, title in SECTIONS:
-        rows = [(entry.name, entry.unit, entry.meaning) for entry in found if entry.derived == derived]
+        rows = [(entry.name, entry.unit, entry.meaning) for entry in histories if entry.derived == derived]
         click.echo(f"{model.name}: {title}")
         table(("history", "unit", "meaning"), rows)
     return GOOD
@@ -106,8 +106,8 @@ def derive(
     return GOOD
 
 
-def _refuse_beside_show(given: dict[str, bool]) -> None:
-    faults = [Fault("derive", option, "--show by itself, or with --json") for option, there in given.items() if there]
+def _refuse_beside_show(options: dict[str, bool]) -> None:
+    faults = [Fault("derive", option, "--show by itself, or with --json") for option, there in options.items() if there]
     if faults:
         raise InputError("derive", faults)
 
@@ -130,14 +130,14 @@ def _compare(modules: Sequence[Derived], folder: Path | None, *, everything: boo
 
     good = True
     for module in modules:
-        found = regenerate.difference(module, folder)
-        if found is None:
+        difference = regenerate.difference(module, folder)
+        if difference is None:
             line("consistent", f"{module.name}: the module in place is what the scene derives to")
             continue
         good = False
-        click.echo(found.diff, nl=False)
-        what = "accept" if found.diff else f"no module at {found.place}; write it"
-        line("different", f"{found.name}: {what} with `{found.accept}`")
+        click.echo(difference.diff, nl=False)
+        action = "accept" if difference.diff else f"no module at {difference.place}; write it"
+        line("different", f"{difference.name}: {action} with `{difference.accept}`")
     orphans = set(regenerate.generated_names()) - {module.name for module in modules} if everything else set()
     for name in sorted(orphans):
         line("different", f"{name}: a generated module without a scene; remove generated/{name}.py")

@@ -64,9 +64,9 @@ def draw(
     faults += new_file_faults("--out", path, "name another, or say --overwrite", overwrite=overwrite)
     if faults:
         raise InputError("draw", faults)
-    seen = [_places(name, values, duration, start) for name in names]
+    views = [_places(name, values, duration, start) for name in names]
     content = io.BytesIO()
-    page = picture.figure(*seen[0]) if len(names) == 1 else sheet([places for places, *_ in seen])
+    page = picture.figure(*views[0]) if len(names) == 1 else sheet([places for places, *_ in views])
     page.savefig(content, format="png", dpi="figure", metadata={"Description": " ".join(map(str, names))})
     line("written", str(write(path, content.getvalue(), overwrite=overwrite)))
     return GOOD
@@ -89,10 +89,10 @@ def _places(
     model = load(target)
     numbers = scenarios.read(target)
     parameters, initial = split_values(model, values)
-    given = differences_of(model, parameters, initial)
+    differences = differences_of(model, parameters, initial)
     until = duration or numbers.get("duration")
     if start or until is None:
-        return Places.at_start(model, parameters, initial), unchecked(model), given
+        return Places.at_start(model, parameters, initial), unchecked(model), differences
     method = numbers.get("method", METHOD)
     run = simulate(model, duration=until, tolerance=TOLERANCE, method=method, parameters=parameters, initial=initial)
-    return Places.over(run), notes_on(run), given
+    return Places.over(run), notes_on(run), differences

@@ -81,8 +81,8 @@ def laws(
         raise InputError("laws", [Fault("--form", f"{form} with other arguments", "it alone, or --json beside it")])
     if markdown or stub:
         if names or picture is not None or sum((markdown, stub, restitution, as_json)) > 1:
-            found = f"--{'markdown' if markdown else 'stub'} with other arguments"
-            raise InputError("laws", [Fault("laws", found, "it alone: it prints the whole catalogue")])
+            actual = f"--{'markdown' if markdown else 'stub'} with other arguments"
+            raise InputError("laws", [Fault("laws", actual, "it alone: it prints the whole catalogue")])
         click.echo(build.law_listing(stub=stub), nl=False)
         return GOOD
     if restitution:
@@ -123,8 +123,8 @@ def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
 
     faults = []
     if len(sheets) != 1 or sheets[0].band is None:
-        found = ", ".join(f"{sheet.law.name} of grade {sheet.law.grade}" for sheet in sheets) or "no law"
-        faults.append(Fault("--picture", found, "one reconstruction, such as wang_liu_internal"))
+        actual = ", ".join(f"{sheet.law.name} of grade {sheet.law.grade}" for sheet in sheets) or "no law"
+        faults.append(Fault("--picture", actual, "one reconstruction, such as wang_liu_internal"))
     if picture.suffix != ".png":
         faults.append(Fault("--picture", str(picture), "a file FILE.png"))
     faults += new_file_faults("--picture", picture)
@@ -216,21 +216,24 @@ def _formula_texts(formulas: Sequence[Formula]) -> list[str]:
     return [f"{f.symbol} = {f.text}{'' if f.unit == '1' else f'  [{f.unit}]'}  ({f.meaning})" for f in formulas]
 
 
-def _print_restitution(found: Restitution) -> None:
-    beside = f"beside K d^n with n = {found.beside}" if found.beside else "beside every elastic law"
-    if found.points:
+def _print_restitution(restitution: Restitution) -> None:
+    beside = f"beside K d^n with n = {restitution.beside}" if restitution.beside else "beside every elastic law"
+    if restitution.points:
         print_prose(f"One free impact, {beside}; no other force, whatever the masses and the speed:")
         table(
-            ("e in", found.coefficient, "e out", "e out - e in"),
-            [(f"{e:.2f}", f"{c:.5g}", f"{out:.4f}", f"{out - e:+.4f}") for e, c, out in found.points],
+            ("e in", restitution.coefficient, "e out", "e out - e in"),
+            [(f"{e:.2f}", f"{c:.5g}", f"{out:.4f}", f"{out - e:+.4f}") for e, c, out in restitution.points],
         )
     for limit, coefficient, out in (
-        ("e -> 1", found.coefficient_at_one, found.out_at_one),
-        ("e -> 0", found.coefficient_at_zero, found.out_at_zero),
+        ("e -> 1", restitution.coefficient_at_one, restitution.out_at_one),
+        ("e -> 0", restitution.coefficient_at_zero, restitution.out_at_zero),
     ):
         elastic = ", the elastic law" if coefficient == "0" else ", infinite damping" if coefficient == "oo" else ""
         returned = "" if out is None else f"; e out -> {out:.4g}"
-        line(limit, f"{found.coefficient} -> {'infinity' if coefficient == 'oo' else coefficient}{elastic}{returned}")
+        line(
+            limit,
+            f"{restitution.coefficient} -> {'infinity' if coefficient == 'oo' else coefficient}{elastic}{returned}",
+        )
 
 
 # -- all damping laws --------------------------------------------------------------------------------------------------
@@ -250,49 +253,49 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
     if faults:
         raise InputError("laws", faults)
     with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
-        found = study(progress)
+        result = study(progress)
     code = conclude(
-        lambda missing: _write(found, out, missing, plots=plots),
-        found.record,
-        lambda: _report(found),
+        lambda missing: _write(result, out, missing, plots=plots),
+        result.record,
+        lambda: _report(result),
         wanted=wanted,
         as_json=as_json,
     )
-    return code if found.agrees else OTHER_OUTCOME
+    return code if result.agrees else OTHER_OUTCOME
 
 
-def _write(found: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
+def _write(result: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
     from hertzwerk.runtime.cli.run_folder import json_text, write_study
 
     def save(file: Path) -> None:
         from hertzwerk.runtime.analysis.validation import plot_restitution
 
-        plot_restitution.save(found, file)
+        plot_restitution.save(result, file)
 
-    texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
+    texts = {"restitution.csv": result.csv(), "restitution.json": json_text(result.record()) + "\n"}
     return write_study("restitution", out, texts, save if plots else None, missing)
 
 
-def _report(found: Study) -> None:
+def _report(result: Study) -> None:
     print_prose("Restitution out over restitution in, of one free impact; the best over all e first.\n")
     table(
         ("law", "grade", "recommended", *(f"e = {e:g}" for e in SHOWN), "worst there", "e -> 1", "e -> 0"),
-        [_row(curve) for curve in found.curves],
+        [_row(curve) for curve in result.curves],
     )
     print_prose(
         "\nworst there: the largest e_out - e of the recommended range, and where.  e -> 1: 1 is the elastic law.\n"
         "e -> 0: above 0 the law never returns less, however small the e it is given.\n"
     )
-    if found.others:
+    if result.others:
         table(
             ("law without e", "a number of its own", *(f"at {x:g}" for x in SHOWN_OWN)),
-            [(c.law, c.parameter, *(f"{_at(c, x):.4f}" for x in SHOWN_OWN)) for c in found.others],
+            [(c.law, c.parameter, *(f"{_at(c, x):.4f}" for x in SHOWN_OWN)) for c in result.others],
         )
         click.echo()
-    known = sum(curve.closed is not None for curve in found.curves)
+    known = sum(curve.closed is not None for curve in result.curves)
     line(
-        "consistent" if found.agrees else "different",
-        f"simulated and closed form of {known} laws differ by at most {found.difference:.1e}",
+        "consistent" if result.agrees else "different",
+        f"simulated and closed form of {known} laws differ by at most {result.difference:.1e}",
     )
 
 

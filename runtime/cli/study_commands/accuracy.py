@@ -56,13 +56,13 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     name = problem.model.name
     try:
         with Progress(f"{name}: accuracy", shown=not as_json and sys.stderr.isatty()) as progress:
-            found = study(problem, progress=progress, arrived=_shown(problem, progress, quiet=as_json))
+            result = study(problem, progress=progress, arrived=_shown(problem, progress, quiet=as_json))
     except NoReferenceError as error:
         return _without_reference(problem, error, as_json=as_json)
     return conclude(
-        lambda missing: _write(found, out, missing),
-        lambda: record(found),
-        lambda: _report(found),
+        lambda missing: _write(result, out, missing),
+        lambda: record(result),
+        lambda: _report(result),
         wanted=wanted,
         as_json=as_json,
     )
@@ -85,17 +85,17 @@ def _problem(varied: Variation, out: Path | None, *, wanted: bool, duration: str
     return problem
 
 
-def _write(found: Study, out: Path | None, missing: list[str]) -> tuple[Path, list[str]]:
+def _write(result: Study, out: Path | None, missing: list[str]) -> tuple[Path, list[str]]:
     """Write data and picture of a study."""
     from hertzwerk.runtime.analysis.work_precision import plot_accuracy
     from hertzwerk.runtime.analysis.work_precision.accuracy_report import csv_text, record
     from hertzwerk.runtime.cli.run_folder import json_text, write_study
     from hertzwerk.runtime.system.versions import versions
 
-    content = {**record(found), "versions": versions()}
-    texts = {"accuracy.csv": csv_text(found), "accuracy.json": json_text(content) + "\n"}
-    name = f"{found.problem.model.name}-accuracy"
-    return write_study(name, out, texts, lambda file: plot_accuracy.save(found, file), missing)
+    content = {**record(result), "versions": versions()}
+    texts = {"accuracy.csv": csv_text(result), "accuracy.json": json_text(content) + "\n"}
+    name = f"{result.problem.model.name}-accuracy"
+    return write_study(name, out, texts, lambda file: plot_accuracy.save(result, file), missing)
 
 
 def _shown(problem: Problem, progress: Progress, *, quiet: bool) -> Callable[[Reference, Sequence[Row]], None]:
@@ -125,14 +125,14 @@ def _head(problem: Problem, held: Reference) -> None:
     line("reference", f"{methods} at a tolerance of {held.run.tolerance:.0e} agree to {held.uncertainty:.1e}")
 
 
-def _report(found: Study) -> None:
+def _report(result: Study) -> None:
     from hertzwerk.runtime.analysis.work_precision import accuracy_report
 
-    line("in all", f"{accuracy_report.seconds(float(found.reference.t[-1]))}, medians of the times of several runs")
-    table(accuracy_report.COLUMNS, accuracy_report.rows(found))
-    for warning in accuracy_report.warnings(found):
+    line("in all", f"{accuracy_report.seconds(float(result.reference.t[-1]))}, medians of the times of several runs")
+    table(accuracy_report.COLUMNS, accuracy_report.rows(result))
+    for warning in accuracy_report.warnings(result):
         line("warning", warning)
-    for sentence in accuracy_report.conclusions(found):
+    for sentence in accuracy_report.conclusions(result):
         line("", sentence)
 
 

@@ -121,23 +121,25 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
         Progress(f"comparison of {target}", shown=not as_json and sys.stderr.isatty()) as progress,
         Stopping(progress) as stopping,
     ):
-        found = _compared(Variation.taken(target, options), faults, stopping, **options)
+        comparison = _compared(Variation.taken(target, options), faults, stopping, **options)
     missing: list[str] = []
     folder = written_or_none(
         lambda: new_folder(
-            f"{found.solution.model.name}-compare", out, lambda at: _write(found, at, missing, plots=not no_plots)
+            f"{comparison.solution.model.name}-compare",
+            out,
+            lambda at: _write(comparison, at, missing, plots=not no_plots),
         ),
         missing,
         wanted=wanted,
     )
     if as_json:
-        click.echo(json_text(found.record()))
+        click.echo(json_text(comparison.record()))
     else:
-        _report(found)
+        _report(comparison)
         if folder is not None:
             line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
     code = report_missing(missing)
-    return OTHER_OUTCOME if found.differs or found.solution.t_end < found.solution.duration else code
+    return OTHER_OUTCOME if comparison.differs or comparison.solution.t_end < comparison.solution.duration else code
 
 
 def _compared(
@@ -163,9 +165,9 @@ def _compared(
     limits = limits_of(max_steps, wall_time, faults)
     model = varied.model(faults)
     request = _request(model, faults, **measured)
-    given = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
-    until = given["duration"] = duration or (request.lasts if request is not None else given["duration"] or 1.0)
-    settled = Settings(**given, **limits)
+    stated = run_settings(varied.target, duration=duration, accuracy=accuracy, method=method)
+    until = stated["duration"] = duration or (request.lasts if request is not None else stated["duration"] or 1.0)
+    settled = Settings(**stated, **limits)
     parameters, initial = split_values(model, values)
     model = with_inputs(model, varied.inputs, until, parameters, faults)
     check(model, settled, parameters, initial, faults)
@@ -193,29 +195,29 @@ def _request(
         return None
 
 
-def _write(found: Compared, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
+def _write(comparison: Compared, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
     from hertzwerk.runtime.cli.run_folder import json_text, record
     from hertzwerk.runtime.system.result_folder import failures_of
 
-    content = {**found.record(), "run": record(found.solution)}
+    content = {**comparison.record(), "run": record(comparison.solution)}
     (folder / "comparison.json").write_text(json_text(content) + "\n", encoding="utf-8")
-    (folder / "comparison.csv").write_text(found.csv(), encoding="utf-8")
+    (folder / "comparison.csv").write_text(comparison.csv(), encoding="utf-8")
     files = ["comparison.json", "comparison.csv"]
     if not plots:
         return files
     from hertzwerk.runtime.studies.comparison.plot_comparison import save
 
-    missing += failures_of("comparison.png", lambda: save(found, folder / "comparison.png"))
+    missing += failures_of("comparison.png", lambda: save(comparison, folder / "comparison.png"))
     return files if missing else [*files, "comparison.png"]
 
 
-def _report(found: Compared) -> None:
+def _report(comparison: Compared) -> None:
     """Print the sentences, then the statistics as a table."""
-    for label, text in found.lines(statistics=False):
+    for label, text in comparison.lines(statistics=False):
         line(label, text)
     rows = [
         [signal.channel.column, each.name, each.unit, _cell(each.measured), _cell(each.run), each.verdict]
-        for signal in found.signals
+        for signal in comparison.signals
         for each in signal.statistics
     ]
     if rows:

@@ -209,23 +209,25 @@ def _notes(row: Row) -> list[str]:
 
 
 def _report_smallest(study: Study) -> None:
-    found = study.smallest
-    if found is None or study.within is None:
+    smallest = study.smallest
+    if smallest is None or study.within is None:
         return
-    print_prose(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.effects) or 'no effect at all'}.")
-    if found.left_out:
+    print_prose(
+        f"\nSmallest scene within {100 * study.within:g} %: {', '.join(smallest.effects) or 'no effect at all'}."
+    )
+    if smallest.left_out:
         share = study.smallest_share
         saved = "" if share is None or not share.significant else f"; the time changes by {percent(-share.median)}"
         change = (
             "changes nothing"
-            if found.change == 0
-            else f"changes the outputs by at most {percent(found.change, sign=False)}, errors included"
+            if smallest.change == 0
+            else f"changes the outputs by at most {percent(smallest.change, sign=False)}, errors included"
         )
-        line("left out", f"{', '.join(found.left_out)}: {change}{saved}")
+        line("left out", f"{', '.join(smallest.left_out)}: {change}{saved}")
     noisy = [name for name, number in study.numbers.items() if number.error > study.within * abs(number.value)]
     if noisy:
         line("warning", f"the error of {', '.join(noisy)} alone is larger than that: what could be left out is not known; "
                         "runs within the horizon, or other outputs, would show")  # fmt: skip
-    tried = "" if found.complete else ", the most that are tried: a smaller one may exist"
+    tried = "" if smallest.complete else ", the most that are tried: a smaller one may exist"
     line("found by", "leaving out one effect after another, or two at once where no single one can go, each time with all outputs measured again; "
-                     f"{found.tried} scenes tried{tried}")  # fmt: skip
+                     f"{smallest.tried} scenes tried{tried}")  # fmt: skip

@@ -150,25 +150,25 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
               for fault in unwritable_faults(into, wanted=wanted)]  # fmt: skip
     moments, varied = options.pop("moments"), Variation.taken(target, options)
     options["reading"] = reading_of(options, faults)
-    found: Fitted | FittedMoments
+    estimates: Fitted | FittedMoments
     ranking: Ranking | None
     result: Fitted | FittedMoments | Ranking
     with Progress(f"fit of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
         if moments or not options["measured"]:
-            found, ranking = _of_moments(varied, moments, faults, progress, **options), None
+            estimates, ranking = _of_moments(varied, moments, faults, progress, **options), None
         else:
             of_series = {f"--{name.replace('_', '-')}": options.pop(name) for name in OF_SERIES}
             faults += [Fault(option, "without --moment", "one beside it") for option, text in of_series.items() if text]
-            found, ranking = _fitted(varied, faults, progress, **options)
-    result = found if ranking is None else ranking
+            estimates, ranking = _fitted(varied, faults, progress, **options)
+    result = estimates if ranking is None else ranking
     code = conclude(
-        lambda missing: _write(found, ranking, into, missing, plots=not no_plots),
+        lambda missing: _write(estimates, ranking, into, missing, plots=not no_plots),
         result.record,
         lambda: _report(result),
         wanted=wanted,
         as_json=as_json,
     )
-    in_doubt = found.unidentified or found.explained is False or (ranking is not None and ranking.alike)
+    in_doubt = estimates.unidentified or estimates.explained is False or (ranking is not None and ranking.alike)
     return OTHER_OUTCOME if in_doubt else code
 
 
@@ -184,16 +184,16 @@ def _fitted(
     from hertzwerk.runtime.studies.fitting.fitting import fitted, read_fit
     from hertzwerk.runtime.studies.fitting.law_ranking import law_variants, ranked, read_laws, split_laws
 
-    values, given = varied.values(faults), assignments("--input", varied.inputs, faults)
+    values, inputs = varied.values(faults), assignments("--input", varied.inputs, faults)
     progress.stage("building")
     model = varied.model(faults)
-    arguments = _arguments(model, values, given, faults, **options)
+    arguments = _arguments(model, values, inputs, faults, **options)
     if among:
         several = {effect: split_laws(text) for effect, text in assignments("--laws", among, faults).items()}
         variants, wrong = law_variants(model, several)
-        asked = read_laws(variants, arguments.pop("data"), arguments.pop("free"), arguments, [*faults, *wrong])
+        requests = read_laws(variants, arguments.pop("data"), arguments.pop("free"), arguments, [*faults, *wrong])
         progress.stage("fitting")
-        ranking = ranked(asked, progress)
+        ranking = ranked(requests, progress)
         return ranking.best.fitted, ranking
     one = read_fit(model, **arguments, before=faults)
     progress.stage("fitting")
@@ -244,11 +244,11 @@ def _of_moments(
     of_histories_alone = {"--offset": ("offset", "0 s"), "--starts": ("starts", None), "--profile": ("profile", "auto")}
     beside = [option for option, name in of_histories.items() if others[name]]
     beside += [option for option, (name, default) in of_histories_alone.items() if others[name] != default]
-    beside += [option for option, given in of_series.items() if given and not computed]
+    beside += [option for option, value in of_series.items() if value and not computed]
     faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
     twice = sorted({name for name in computed if computed.count(name) > 1})
     faults += [Fault("--moment", f"{name} twice", "each once") for name in twice]
-    values, given, stated, mapped, noisy = (
+    values, inputs, stated, mapped, noisy = (
         assignments(option, texts, faults)
         for option, texts in (
             ("--set", varied.settings),
@@ -276,16 +276,16 @@ def _of_moments(
     model = varied.model(faults)
     chosen = {
         "parameters": values,
-        "inputs": given or None,
+        "inputs": inputs or None,
         "duration": duration,
         "tolerance": tolerance and number(tolerance),
         "method": method,
     }
     chosen = {name: value for name, value in chosen.items() if value}
     wanted = {**stated, **dict.fromkeys(computed)}
-    asked = read_moment_fit(model, wanted, _ranges(free, faults), chosen, seed or 0, faults, series)
+    request = read_moment_fit(model, wanted, _ranges(free, faults), chosen, seed or 0, faults, series)
     progress.stage("fitting")
-    return fitted_moments(asked, progress)
+    return fitted_moments(request, progress)
 
 
 def _made_at(measured: Sequence[str], made_at: Sequence[str], faults: list[Fault]) -> dict[str, dict[str, str]]:
@@ -360,7 +360,7 @@ def _arguments(
 
 
 def _write(
-    found: Fitted | FittedMoments, ranking: Ranking | None, into: Path | None, missing: list[str], *, plots: bool
+    estimates: Fitted | FittedMoments, ranking: Ranking | None, into: Path | None, missing: list[str], *, plots: bool
 ) -> tuple[Path, list[str]]:
     from hertzwerk.runtime.cli.run_folder import record_text
     from hertzwerk.runtime.cli.target_options import command_line
@@ -371,12 +371,12 @@ def _write(
     def fill(folder: Path) -> list[str]:
         about = {"command": command_line(), "versions": versions()}
         texts = {
-            "fit.json": record_text({**found.record(), **about}),
+            "fit.json": record_text({**estimates.record(), **about}),
         }
-        if isinstance(found, FittedMoments):
-            texts["fit.md"] = "".join(f"- {label}: {text}\n" for label, text in found.lines())
+        if isinstance(estimates, FittedMoments):
+            texts["fit.md"] = "".join(f"- {label}: {text}\n" for label, text in estimates.lines())
         else:
-            texts |= {"fit.csv": found.csv(), "fit.md": found.markdown()}
+            texts |= {"fit.csv": estimates.csv(), "fit.md": estimates.markdown()}
         if ranking is not None:
             texts |= {"laws.json": record_text({**ranking.record(), **about}), "laws.md": ranking.markdown()}
         for name, text in texts.items():
@@ -387,21 +387,21 @@ def _write(
         from hertzwerk.runtime.studies.fitting.moments import plot_moments
 
         def draw() -> None:
-            if isinstance(found, FittedMoments):
-                plot_moments.save(found, folder / "fit.png")
+            if isinstance(estimates, FittedMoments):
+                plot_moments.save(estimates, folder / "fit.png")
             else:
-                plot_fit.save(found, folder / "fit.png")
+                plot_fit.save(estimates, folder / "fit.png")
 
         failures = failures_of("fit.png", draw)
         missing.extend(failures)
         return [*texts, *([] if failures else ["fit.png"])]
 
     try:
-        return new_folder(f"{found.scene}-fit", into, fill)
+        return new_folder(f"{estimates.scene}-fit", into, fill)
     except InputError as error:
         raise InputError("fit", [replace(fault, where="--into") for fault in error.faults]) from error
 
 
-def _report(found: Fitted | FittedMoments | Ranking) -> None:
-    for label, text in found.lines():
+def _report(result: Fitted | FittedMoments | Ranking) -> None:
+    for label, text in result.lines():
         line(label, text)

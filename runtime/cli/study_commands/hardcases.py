@@ -48,22 +48,22 @@ def hardcases(names: tuple[str, ...], methods: tuple[str, ...], everything: bool
         return _list(cases, as_json=as_json)
     jobs = [(case, [m for m in case.methods if not methods or m in methods]) for case in cases]
     began, total = time.perf_counter(), sum(len(of) for _, of in jobs)
-    found: dict[str, dict[str, Result]] = {case.name: {} for case in cases}
+    by_case: dict[str, dict[str, Result]] = {case.name: {} for case in cases}
     printed = done = 0
     with Progress("hard cases", shown=sys.stderr.isatty()) as progress:
         for result in runner.results(jobs):
-            found[result.case][result.method] = result
+            by_case[result.case][result.method] = result
             done += 1
             progress(done / total)
-            while printed < len(jobs) and len(found[jobs[printed][0].name]) == len(jobs[printed][1]):
+            while printed < len(jobs) and len(by_case[jobs[printed][0].name]) == len(jobs[printed][1]):
                 if not as_json:
-                    progress.aside(partial(_print_case, jobs[printed][0], found))
+                    progress.aside(partial(_print_case, jobs[printed][0], by_case))
                 printed += 1
-    failed = [r for of in found.values() for r in of.values() if r.verdict == runner.FAILED]
+    failed = [r for of in by_case.values() for r in of.values() if r.verdict == runner.FAILED]
     if as_json:
-        _print_json(cases, found, failed)
+        _print_json(cases, by_case, failed)
     else:
-        _print_summary(cases, found, time.perf_counter() - began)
+        _print_summary(cases, by_case, time.perf_counter() - began)
     return OTHER_OUTCOME if failed else GOOD
 
 
@@ -115,12 +115,12 @@ def _about(case: HardCase) -> dict[str, Any]:
             "known_failures": [{"method": m, "invariant": i, "reason": why} for (m, i), why in case.failures.items()]}  # fmt: skip
 
 
-def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], failed: Sequence[Result]) -> None:
+def _print_json(cases: Sequence[HardCase], by_case: dict[str, dict[str, Result]], failed: Sequence[Result]) -> None:
     from hertzwerk.runtime.cli.run_folder import json_text
 
     records = [
         {**_about(case), "results": [of[method].record() for method in case.methods if method in of]}
-        for case, of in ((case, found[case.name]) for case in cases)
+        for case, of in ((case, by_case[case.name]) for case in cases)
     ]
     click.echo(json_text({"passed": not failed, "cases": records}))
 
@@ -128,10 +128,10 @@ def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], 
 # -- as people read it -------------------------------------------------------------------------------------------------
 
 
-def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
+def _print_case(case: HardCase, by_case: dict[str, dict[str, Result]]) -> None:
     """Print a case and its table: invariants down, methods across; violations begin with !."""
-    methods = [method for method in case.methods if method in found[case.name]]
-    results = [found[case.name][method] for method in methods]
+    methods = [method for method in case.methods if method in by_case[case.name]]
+    results = [by_case[case.name][method] for method in methods]
     verdict = _worst(results)
     _print_beside([(verdict, COLOURS.get(verdict)), (case.name, None)], case.hard, indent=len(verdict) + 2)
     as_expected = [r.outcome == case.outcome for r in results]
@@ -154,8 +154,8 @@ def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
     for reason in dict.fromkeys(case.failures.values()):
         of = [pair for pair, other in case.failures.items() if other == reason and pair[0] in methods]
         if of:
-            who, what = (", ".join(dict.fromkeys(pair[k] for pair in of)) for k in (0, 1))
-            _print_beside([("known", "yellow")], f"{who} ({what}): {reason}", indent=7)
+            who, quantities = (", ".join(dict.fromkeys(pair[k] for pair in of)) for k in (0, 1))
+            _print_beside([("known", "yellow")], f"{who} ({quantities}): {reason}", indent=7)
     click.echo()
 
 
@@ -170,20 +170,22 @@ def _print_beside(heads: Sequence[tuple[str, str | None]], text: str, *, indent:
     click.echo(GAP.join(click.style(head, fg=colour, bold=colour is None) for head, colour in heads) + rest)
 
 
-def _print_summary(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], seconds: float) -> None:
-    verdicts = {case.name: _worst(list(found[case.name].values())) for case in cases}
-    for verdict, label, what in (
+def _print_summary(cases: Sequence[HardCase], by_case: dict[str, dict[str, Result]], seconds: float) -> None:
+    verdicts = {case.name: _worst(list(by_case[case.name].values())) for case in cases}
+    for verdict, label, explanation in (
         ("passed", "passed", ""),
         ("known failure", "known", " fail in a known way"),
         ("failed", "failed", " fail"),
     ):
         names = [name for name in verdicts if verdicts[name] == verdict]
         if names:
-            count = f"{len(names)} of {len(verdicts)} cases{what}"
+            count = f"{len(names)} of {len(verdicts)} cases{explanation}"
             _print_beside(
-                [(f"{label:<12}", COLOURS.get(verdict))], count + (f": {', '.join(names)}" if what else ""), indent=14
+                [(f"{label:<12}", COLOURS.get(verdict))],
+                count + (f": {', '.join(names)}" if explanation else ""),
+                indent=14,
             )
-    runs = sum(len(of) for of in found.values())
+    runs = sum(len(of) for of in by_case.values())
     line("", f"{runs} run{'s' if runs != 1 else ''} in each path, {seconds:.0f} s")
 
 

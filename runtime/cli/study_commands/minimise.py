@@ -94,12 +94,12 @@ def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> i
             **{name: options[name] for name in ("starts", "seed", "max_runs") if options[name] is not None},
         }
 
-    found = minimisation.minimise(
+    minimum = minimisation.minimise(
         **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration"))
     )
-    missing = [] if into is None else keep(found, into, "minimum")
+    missing = [] if into is None else keep(minimum, into, "minimum")
     if as_json:
-        click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False))
+        click.echo(json.dumps(minimum.record(), indent=2, ensure_ascii=False))
     else:
-        print_prose(str(found), indent=4)
-    return GOOD if found.outcome.finished and not report_missing(missing) else OTHER_OUTCOME
+        print_prose(str(minimum), indent=4)
+    return GOOD if minimum.outcome.finished and not report_missing(missing) else OTHER_OUTCOME

@@ -105,16 +105,16 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
         raise InputError("propagate", wrong)
     with Progress(f"uncertainty of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
         arguments = definition(target, options, own, propagation.propagate, ("target", "uncertain", "duration"))
-        found = propagation.propagate(**arguments, into=into, progress=progress)
+        propagated = propagation.propagate(**arguments, into=into, progress=progress)
     if file is not None:
-        found.to_csv(file)
-    missing = [] if into is None else keep(found, into, "propagation")
+        propagated.to_csv(file)
+    missing = [] if into is None else keep(propagated, into, "propagation")
     if as_json:
-        click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False))
+        click.echo(json.dumps(propagated.record(), indent=2, ensure_ascii=False))
     else:
-        print_prose(str(found), indent=4)
-        report_damage(found.samples.damage)
-    return OTHER_OUTCOME if found.notes or report_missing(missing) else GOOD
+        print_prose(str(propagated), indent=4)
+        report_damage(propagated.samples.damage)
+    return OTHER_OUTCOME if propagated.notes or report_missing(missing) else GOOD
 
 
 def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:
@@ -125,8 +125,8 @@ def _of_fit(folder: Path, beside: object, faults: list[Fault]) -> Any:
     if beside:
         faults.append(Fault("--fitted", "beside --uncertain or --correlation", "one of the two"))
     try:
-        found = read_sealed(folder / "fit.json")["distribution"]
-        return Correlated(**found)
+        distribution = read_sealed(folder / "fit.json")["distribution"]
+        return Correlated(**distribution)
     except (OSError, ValueError, KeyError, TypeError) as error:
         expected = "a folder that `hertzwerk fit` wrote, of a fit whose data identify all its quantities"
         faults.append(Fault("--fitted", f"{folder}: {type(error).__name__}: {error}", expected))

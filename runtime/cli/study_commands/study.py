@@ -71,17 +71,17 @@ def study(
             line(known, study_of(known).question)
         return GOOD
     wanted = resume is not None or out is not None or not as_json
-    found = study_of(name)
+    chosen = study_of(name)
     if resume is None and (faults := unwritable_faults(out, wanted=wanted)):
         raise InputError("study", faults)
     laid = None if measured is None else read_measurement(measured)
     target = str(Path(name).absolute()) if is_file(name) else name
-    asked = {"study": target, "quick": quick, "measured": None if measured is None else str(measured.absolute())}
-    folder = page_folder.StudyFolder(found.name, resume or out, asked, begun=resume is not None)
+    request = {"study": target, "quick": quick, "measured": None if measured is None else str(measured.absolute())}
+    folder = page_folder.StudyFolder(chosen.name, resume or out, request, begun=resume is not None)
     sweeps = Sweeps(folder.rows if wanted else None)
     try:
-        with Progress(f"study {found.name}", shown=not as_json and sys.stderr.isatty()) as progress:
-            page = found.run(quick, progress, sweeps)
+        with Progress(f"study {chosen.name}", shown=not as_json and sys.stderr.isatty()) as progress:
+            page = chosen.run(quick, progress, sweeps)
     except SweepStoppedError as stopped:
         report_damage(*sweeps.damage)
         line("stopped", str(stopped))
@@ -89,9 +89,9 @@ def study(
             line("remedy", f"hertzwerk study --resume {folder.path}")
         return OTHER_OUTCOME
     page = page if laid is None else laid_over(page, laid)
-    about = {"study": found.name, "question": found.question, "quick": quick, "damage": sweeps.damage}
-    given = [*(["--quick"] if quick else []), *([] if measured is None else ["--measured", str(measured)])]
-    about |= {"command": shlex.join(["hertzwerk", "study", name, *given])}
+    about = {"study": chosen.name, "question": chosen.question, "quick": quick, "damage": sweeps.damage}
+    options = [*(["--quick"] if quick else []), *([] if measured is None else ["--measured", str(measured)])]
+    about |= {"command": shlex.join(["hertzwerk", "study", name, *options])}
     code = conclude(
         lambda missing: folder.write(page, about, missing),
         lambda: {**about, **page.record()},
@@ -102,15 +102,15 @@ def study(
     return code if page.holds and not page.missing else OTHER_OUTCOME
 
 
-def _resumed_request(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
+def _resumed_request(folder: Path, options: list[str]) -> tuple[str, bool, Path | None]:
     """Return name, extent and measurement of the study that was stopped in a folder; raises InputError."""
     from hertzwerk.runtime.cli.page_folder import read_study_request
 
-    if given:
+    if options:
         expected = "the same options as there; beside them --json"
-        raise InputError("study", [Fault("--resume", f"{', '.join(given)} beside it", expected)])
-    asked = read_study_request(folder)
-    return asked["study"], asked["quick"], None if asked["measured"] is None else Path(asked["measured"])
+        raise InputError("study", [Fault("--resume", f"{', '.join(options)} beside it", expected)])
+    request = read_study_request(folder)
+    return request["study"], request["quick"], None if request["measured"] is None else Path(request["measured"])
 
 
 def _report(page: Page, damage: Sequence[str]) -> None:

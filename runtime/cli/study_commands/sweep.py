@@ -175,19 +175,19 @@ def sweep(
                 stack.enter_context(raise_interrupts())  # from here on there is something to tell when it is stopped
             progress(fraction)
 
-        found = swept(**arguments, into=folder, widen=widen, workers=processes, client=client, progress=rows)
+        result = swept(**arguments, into=folder, widen=widen, workers=processes, client=client, progress=rows)
     missing: list[str] = []
     if file is not None:
-        written_or_none(lambda: found.to_file(file), missing, wanted=True)
+        written_or_none(lambda: result.to_file(file), missing, wanted=True)
     if plot and folder is not None:
-        missing += failures_of(PICTURE, lambda: _draw(found, folder / PICTURE))
-    whole = found.outcome.finished and set(found.counts()) <= {"finished"}
+        missing += failures_of(PICTURE, lambda: _draw(result, folder / PICTURE))
+    whole = result.outcome.finished and set(result.counts()) <= {"finished"}
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
 
-        click.echo(json_text({**_record(found), "into": folder and str(folder)}))
+        click.echo(json_text({**_record(result), "into": folder and str(folder)}))
     else:
-        _report(found, folder, None if missing else file)
+        _report(result, folder, None if missing else file)
     code = report_missing(missing)
     return code if whole else OTHER_OUTCOME
 
@@ -209,15 +209,15 @@ def _arguments(
     file = target is not None and target.endswith(".toml")
     if resume is not None or file:
         where = "--resume" if resume is not None else str(target)
-        given = [_OPTIONS.get(name, f"--{name}") for name, value in options.items() if value not in (None, (), False)]
-        given += ["TARGET"] if resume is not None and target is not None else []
-        given += ["--into"] if resume is not None and into is not None else []
-        if given:
-            found, expected = (
-                f"{', '.join(given)} beside it",
+        stated = [_OPTIONS.get(name, f"--{name}") for name, value in options.items() if value not in (None, (), False)]
+        stated += ["TARGET"] if resume is not None and target is not None else []
+        stated += ["--into"] if resume is not None and into is not None else []
+        if stated:
+            actual, expected = (
+                f"{', '.join(stated)} beside it",
                 "the whole definition there; beside it --workers, --cluster, --widen, --table, --json",
             )
-            faults.append(Fault(where, found, expected))
+            faults.append(Fault(where, actual, expected))
         if faults:
             raise InputError("sweep", faults)
         if resume is None:
@@ -272,71 +272,71 @@ def _whole(option: str, text: str | None, faults: list[Fault]) -> int | None:
     return None
 
 
-def _draw(found: Sweep, file: Path) -> None:
+def _draw(result: Sweep, file: Path) -> None:
     """Write the picture of a sweep."""
     import io
 
     from hertzwerk.runtime.system.atomic_files import write_atomically
 
     content = io.BytesIO()
-    found.plot().savefig(content, format="png", dpi=160)
+    result.plot().savefig(content, format="png", dpi=160)
     write_atomically(file, content.getvalue())
 
 
 # -- as people and programs read it ------------------------------------------------------------------------------------
 
 
-def _record(found: Sweep) -> dict[str, Any]:
+def _record(result: Sweep) -> dict[str, Any]:
     """Return the table and how the sweep ended as plain data, without a table too large for memory."""
     from hertzwerk.runtime.studies.sweeps.sweep_table import memory_faults
 
     table, arrays = {}, {}
-    if not memory_faults(len(found)):
-        table = {name: column.tolist() for name, column in found.read(*found.names).items()}
-        arrays = {name: found.arrays_of(name).record() for name in found.arrays}
+    if not memory_faults(len(result)):
+        table = {name: column.tolist() for name, column in result.read(*result.names).items()}
+        arrays = {name: result.arrays_of(name).record() for name in result.arrays}
     return {
-        "scene": found.scene,
-        "outcome": found.outcome.name,
-        "message": found.outcome.message,
-        "remedy": found.outcome.remedy,
-        "damage": found.damage,
-        "rows": len(found),
-        "outcomes": found.counts(),
-        "units": dict(found.columns),
+        "scene": result.scene,
+        "outcome": result.outcome.name,
+        "message": result.outcome.message,
+        "remedy": result.outcome.remedy,
+        "damage": result.damage,
+        "rows": len(result),
+        "outcomes": result.counts(),
+        "units": dict(result.columns),
         "table": table,
         "arrays": arrays,
-        "wall_s": found.wall_s,
-        "workers": found.workers,
+        "wall_s": result.wall_s,
+        "workers": result.workers,
     }
 
 
-def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
+def _report(result: Sweep, folder: Path | None, file: Path | None) -> None:
     """Print a sweep in a few lines."""
     line(
-        found.scene,
-        f"{len(found)} rows over {', '.join(found.varied)}, in {_time(found.wall_s)} on {found.workers} processes",
+        result.scene,
+        f"{len(result)} rows over {', '.join(result.varied)}, in {_time(result.wall_s)} on {result.workers} processes",
     )
-    summary = found.summary
-    for outcome, count in found.counts().items():
+    summary = result.summary
+    for outcome, count in result.counts().items():
         rows = "1 row" if count == 1 else f"{count} rows"
         why = "" if outcome == "finished" else f"{'' if count == 1 else ', as the first'}: {summary.messages[outcome]}"
         line(outcome, rows + why)
-    outputs = [name for name in found.columns if name not in ("outcome", "message", "warnings", *found.varied)]
-    if len(found) and outputs:
+    outputs = [name for name in result.columns if name not in ("outcome", "message", "warnings", *result.varied)]
+    if len(result) and outputs:
         click.echo()
-        table(("output", "unit", "least", "largest"), [_extremes(found, name) for name in outputs])
+        table(("output", "unit", "least", "largest"), [_extremes(result, name) for name in outputs])
         click.echo()
-        _report_undetermined(found, outputs)
-    for name in found.arrays:
-        arrays = found.arrays_of(name)
+        _report_undetermined(result, outputs)
+    for name in result.arrays:
+        arrays = result.arrays_of(name)
         line(name, f"{arrays.points:,} points of {', '.join(arrays.units)}")
     warned = summary.warned
     if warned:
         line("warning", f"{'1 row has' if warned == 1 else f'{warned} rows have'} warnings (column `warnings`)")
-    report_damage(found.damage)
-    if not found.outcome.finished:
-        line(found.outcome.name, found.outcome.message)
-        line("remedy", found.outcome.remedy)
+    report_damage(result.damage)
+    if not result.outcome.finished:
+        line(result.outcome.name, result.outcome.message)
+        line("remedy", result.outcome.remedy)
     if folder is not None:
         beside = ("section.csv", "histories.csv", "sweep.png")
         tables = [name for name in beside if (folder / name).exists()]
@@ -345,28 +345,28 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         )
     if file is not None:
         line("written", str(file))
-        if found.arrays and file.suffix.lower() == ".csv":
+        if result.arrays and file.suffix.lower() == ".csv":
             line(
                 "left out",
-                f"{' and '.join(found.arrays)}, as CSV has no lists: --table FILE.parquet or FILE.nc has them",
+                f"{' and '.join(result.arrays)}, as CSV has no lists: --table FILE.parquet or FILE.nc has them",
             )
 
 
-def _extremes(found: Sweep, name: str) -> Sequence[str]:
-    spread = found.summary.spreads[name]
+def _extremes(result: Sweep, name: str) -> Sequence[str]:
+    spread = result.summary.spreads[name]
     ends = (f"{spread.least:.6g}", f"{spread.largest:.6g}") if spread.count else ("-", "-")
-    return (name, found.unit(name), *ends)
+    return (name, result.unit(name), *ends)
 
 
-def _report_undetermined(found: Sweep, outputs: Sequence[str]) -> None:
+def _report_undetermined(result: Sweep, outputs: Sequence[str]) -> None:
     """Print each reason why outputs have no number in any row that ran, once."""
     from hertzwerk.runtime.output.tables.column_meanings import reason_of_none
 
-    if not found.summary.ran:
+    if not result.summary.ran:
         return
     reasons: dict[str, list[str]] = {}
     for name in outputs:
-        if not found.summary.spreads[name].count:
+        if not result.summary.spreads[name].count:
             reasons.setdefault(reason_of_none(name), []).append(name)
     for reason, names in reasons.items():
         line("output", f"{', '.join(names)} not determined{reason and f': {reason}'}")

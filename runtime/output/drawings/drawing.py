@@ -55,8 +55,8 @@ class Drawing:
         view = view_of(places)
         rough = float(np.max(np.ptp(Parts(places, view, Scale("m", 1.0)).extents, axis=0)))
         parts = Parts(places, view, _unit(rough or 1.0))
-        seen = parts.extents
-        low, high = np.min(seen, axis=0), np.max(seen, axis=0)
+        extents = parts.extents
+        low, high = np.min(extents, axis=0), np.max(extents, axis=0)
         around = margin + (MORE if _stands_behind(parts, float(np.max(high - low))) else 0.0)
         room = [inches - 2 * around / 72 for inches in panel]
         per_inch = float(np.max((high - low) / room)) or 0.25 / parts.unit.factor  # of a point mass: a metre
@@ -164,8 +164,8 @@ class Drawing:
 
     def _names(self, paper: Paper, size: float) -> Iterator[labels.Label]:
         parts = self.parts
-        seen = {mark.body for mark in parts.places.landmarks if mark.kind == "body" or mark.kind.startswith(SOLIDS)}
-        bodies = [body for body in parts.places.bodies[1:] if body in seen]
+        shown = {mark.body for mark in parts.places.landmarks if mark.kind == "body" or mark.kind.startswith(SOLIDS)}
+        bodies = [body for body in parts.places.bodies[1:] if body in shown]
         if len(bodies) <= MANY:
             for body, text in _named(bodies).items():
                 yield labels.Label(text, parts.beside(paper, body, 0), shade(parts.colours[body]), size)
@@ -213,8 +213,8 @@ class Drawing:
         marks = [mark for mark in parts.places.landmarks if mark.kind == "gravity"]
         if not marks:
             return
-        way, seen = parts.way(marks[0], "axis", 0)
-        if seen < 0.5:
+        way, projected = parts.way(marks[0], "axis", 0)
+        if projected < 0.5:
             return
         corners = [np.array([x, y]) for y in (top - 22 * p, bottom + 22 * p) for x in (right - 16 * p, left + 16 * p)]
         at = min(corners, key=lambda corner: paper.inked(corner, 20 * p))
@@ -272,11 +272,11 @@ def _distinct(parts: Parts, size: float) -> tuple[int, ...]:
     shape = np.concatenate([parts.flat(parts.positions[id(mark)]) for mark in marks], axis=1)
     nearest = np.max(np.abs(shape - shape[0]), axis=1)
     apart = min(DISTINCT * size, parts.length(0) / 2 or size)
-    found: list[int] = []
-    while len(found) < GHOSTS and np.max(nearest) > apart:
-        found.append(int(np.argmax(nearest)))
-        nearest = np.minimum(nearest, np.max(np.abs(shape - shape[found[-1]]), axis=1))
-    return tuple(sorted(found))
+    instants: list[int] = []
+    while len(instants) < GHOSTS and np.max(nearest) > apart:
+        instants.append(int(np.argmax(nearest)))
+        nearest = np.minimum(nearest, np.max(np.abs(shape - shape[instants[-1]]), axis=1))
+    return tuple(sorted(instants))
 
 
 def _unit(size: float) -> Scale:

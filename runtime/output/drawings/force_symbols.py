@@ -85,8 +85,8 @@ def _turn_damper(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) 
 
 
 def _slide_arrow(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
-    way, seen = parts.way(marks[0], "axis", i)
-    if seen > THIN:
+    way, projected = parts.way(marks[0], "axis", i)
+    if projected > THIN:
         along, _ = parts.half_block(paper, marks[1])
         start = parts.at(marks[1], i) + (along + 2 * paper.point) * way
         paper.arrow(np.array([start, start + 0.8 * ARROW * paper.point * way]), VERMILLION)
@@ -96,8 +96,8 @@ def _force(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> Non
     """Draw an arrow along a force that depends on parameters alone; for any other its point."""
     at = parts.at(marks[0], i)
     if len(marks) > 1 and np.any(marks[1].beside["force"]):
-        way, seen = parts.way(marks[1], "force", i)
-        if seen > THIN:
+        way, projected = parts.way(marks[1], "force", i)
+        if projected > THIN:
             paper.arrow(np.array([at, at + ARROW * paper.point * way]), VERMILLION, 1.8)
             return
     paper.pin(at, 3.2, VERMILLION)

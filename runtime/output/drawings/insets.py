@@ -182,7 +182,7 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
 
     point: 1/72 inch in the unit of the picture. Raises InputError where numbers do not resolve a detail so far from the origin.
     """
-    found: list[Inset] = []
+    details: list[Inset] = []
     for (name, kind), marks in parts.of.items():
         if kind in INSIDE:
             inner, outer = marks
@@ -190,10 +190,10 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
             clearance = (outer.size("radius") - inner.size("radius")) / parts.unit.factor
             if clearance < UNSEEN * point:
                 if 2.8 * hole > 0.7 * WIDTH * 72 * point:  # it is as large in the picture
-                    found.append(Inset(name, (inner, outer), parts, parts.at(outer, 0), 1.4 * clearance, way=True))
+                    details.append(Inset(name, (inner, outer), parts, parts.at(outer, 0), 1.4 * clearance, way=True))
                     continue
                 more = 1.0 if clearance > LEGIBLE * hole else max(1.0, _round(PART * hole / clearance))
-                found.append(Inset(name, (inner, outer), parts, parts.at(outer, 0), 1.4 * hole, more))
+                details.append(Inset(name, (inner, outer), parts, parts.at(outer, 0), 1.4 * hole, more))
     gaps: dict[str, list[tuple[float, str, Array, list[Landmark]]]] = {}
     for (name, kind), marks in parts.of.items():
         gap = _gap(parts, marks)
@@ -202,8 +202,8 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
     for several in gaps.values():
         width, name, middle, (first, second) = min(several, key=lambda entry: entry[0])
         alike = sum(other[0] < 1.01 * width for other in several)
-        found.append(Inset(name, (first, second), parts, parts.flat(middle), 5 * width, alike=alike))
-    for inset in found[:MOST]:
+        details.append(Inset(name, (first, second), parts, parts.flat(middle), 5 * width, alike=alike))
+    for inset in details[:MOST]:
         far = float(np.max(np.abs(inset.centre)))
         if not far <= FARTHEST * inset.half:
             size, away = (x * parts.unit.factor for x in (2 * inset.half, far))

@@ -57,23 +57,23 @@ class _Vibration:
 
     def _amplitude(self, way: Array) -> float:
         """Return the factor that makes a deviation as large as a picture needs."""
-        seen = self._at([np.zeros(len(way)), TRIAL * way])
-        points = np.array([seen.point(mark) for mark in seen.landmarks])
-        moves = np.array([mark.body != GROUND for mark in seen.landmarks])
-        size = max(float(np.max(np.ptp(points[:, 0], axis=0))), _largest(seen)) or 1.0
+        places = self._at([np.zeros(len(way)), TRIAL * way])
+        points = np.array([places.point(mark) for mark in places.landmarks])
+        moves = np.array([mark.body != GROUND for mark in places.landmarks])
+        size = max(float(np.max(np.ptp(points[:, 0], axis=0))), _largest(places)) or 1.0
         moved = float(np.max(np.linalg.norm(points[moves, 1] - points[moves, 0], axis=1), initial=0.0))
-        turned = float(np.max(np.abs(seen.rotations[1] - seen.rotations[0])))
+        turned = float(np.max(np.abs(places.rotations[1] - places.rotations[0])))
         return TRIAL * min(LARGE * size / max(moved, 1e-300), TURNED / max(turned, 1e-300))
 
     def _at(self, deviations: Sequence[Array]) -> Places:
         """Return the places after deviations, with quaternions of norm 1 and loops closed."""
-        found = []
+        positions = []
         for deviation in deviations:
             q = self.q + deviation
             for i in self.model.quaternions:
                 q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
-            found.append(closed_near(self.model, self.bound, q, self.t) if np.any(deviation) else self.q)
-        return Places.at(self.model, self.bound, self.t, np.array(found))
+            positions.append(closed_near(self.model, self.bound, q, self.t) if np.any(deviation) else self.q)
+        return Places.at(self.model, self.bound, self.t, np.array(positions))
 
 
 def _largest(places: Places) -> float:

@@ -87,9 +87,9 @@ class Parts:
     def way(self, mark: Landmark, name: str, i: int) -> tuple[Array, float]:
         """Return a direction on the paper as a unit vector, and its projected length."""
         vector = self.places.direction(mark, name)[i]
-        seen = self.view(vector / max(float(np.linalg.norm(vector)), 1e-300))
-        length = float(np.linalg.norm(seen))
-        return (seen / length if length > 1e-6 else np.array([1.0, 0.0])), length
+        projected = self.view(vector / max(float(np.linalg.norm(vector)), 1e-300))
+        length = float(np.linalg.norm(projected))
+        return (projected / length if length > 1e-6 else np.array([1.0, 0.0])), length
 
     def ring(self, centre: Array, axis: Array | None, radius: float) -> Array:
         """Return the outline of a circle about an axis, or of a sphere, at a point in space [m]."""
@@ -221,9 +221,9 @@ class Parts:
         return along, across
 
     def _block(self, paper: Paper, mark: Landmark, i: int, z: float) -> None:
-        way, seen = self.way(mark, "axis", i)
+        way, projected = self.way(mark, "axis", i)
         at, (along, across) = self.at(mark, i), self.half_block(paper, mark)
-        if seen < THIN:
+        if projected < THIN:
             along = across
         side = np.array([-way[1], way[0]])
         outline = [at + a * along * way + b * across * side for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
@@ -240,8 +240,8 @@ class Parts:
                 continue
             at = self.at(parent, i)
             if self.view.names is None and kind == "revolute":
-                way, seen = self.way(parent, "axis", i)
-                reach = STUB * paper.point * seen * way
+                way, projected = self.way(parent, "axis", i)
+                reach = STUB * paper.point * projected * way
                 paper.line(np.array([at - reach, at + reach]), INK, 0.7, 6.9, (0, (6, 2, 1.5, 2)))
             if parent.body == GROUND:
                 if id(parent) not in self._sides:  # in a film it stays where it was
@@ -254,9 +254,9 @@ class Parts:
             elif kind == "universal":
                 paper.pin(at, 4.2)
                 for mark in marks:
-                    way, seen = self.way(mark, "axis", i)
+                    way, projected = self.way(mark, "axis", i)
                     paper.line(
-                        np.array([at - 4.2 * paper.point * seen * way, at + 4.2 * paper.point * seen * way]),
+                        np.array([at - 4.2 * paper.point * projected * way, at + 4.2 * paper.point * projected * way]),
                         INK,
                         1.1,
                         7.2,
@@ -278,8 +278,8 @@ class Parts:
 
     def _rails(self, paper: Paper, parent: Landmark, child: Landmark, i: int) -> None:
         """Draw the ground on both sides of a slider along its travel; only its line where it is no block."""
-        way, seen = self.way(parent, "axis", i)
-        if seen < THIN:
+        way, projected = self.way(parent, "axis", i)
+        if projected < THIN:
             return
         at = self.at(parent, i)
         travel = (self.flat(self.positions[id(child)]) - at) @ way
@@ -460,22 +460,22 @@ class Parts:
             if mark.kind.startswith(SOLIDS) and "size" not in mark.beside:
                 yield from (self.solid(mark, i) for i in range(len(self.positions[id(mark)])))
                 continue
-            seen = self.flat(self.positions[id(mark)])
+            flat = self.flat(self.positions[id(mark)])
             reach = mark.size("radius") / self.unit.factor if "radius" in mark.beside else 0.0
             reach *= 1 + RIM * (mark.place in ("bush", "socket"))
-            yield from (seen + reach * np.array(corner) for corner in ((1, 1), (-1, -1)))
+            yield from (flat + reach * np.array(corner) for corner in ((1, 1), (-1, -1)))
             if "size" in mark.beside:
                 turned = self.places.rotations[:, self.places.bodies.index(mark.body)]
                 corners = self.positions[id(mark)][:, None] + _corners(mark) @ np.swapaxes(turned, 1, 2)
                 yield self.flat(corners.reshape(-1, 3))
             elif mark.curve is not None:
-                yield from (self.curve(mark, i) for i in range(len(seen)))
+                yield from (self.curve(mark, i) for i in range(len(flat)))
             elif mark.kind == "sphere_on_cylinder" and "length" in mark.beside:
                 half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "axis"))
-                yield from (seen + end + reach * np.array(way) for end in (half, -half) for way in ((1, 1), (-1, -1)))
+                yield from (flat + end + reach * np.array(way) for end in (half, -half) for way in ((1, 1), (-1, -1)))
             elif "along" in mark.beside and "length" in mark.beside:
                 half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "along"))
-                yield from (seen - half, seen + half)
+                yield from (flat - half, flat + half)
         yield from (self.flat(outline) for _, outline in self.walls.values())
         for first, second in (marks[:2] for marks in self.of.values() if marks[-1].place == "plane"):
             points, normal = self.positions[id(first)], self.places.direction(second, "normal")

@@ -49,10 +49,12 @@ class Landmark:
     @property
     def curve(self) -> Array | None:
         """Points (n, 3) of the curve that is fixed here, along the axes of its body [m]; None without one."""
-        found = next((self.beside[name] for name in OUTLINES if name in self.beside), None)
-        if found is None:
+        outline = next((self.beside[name] for name in OUTLINES if name in self.beside), None)
+        if outline is None:
             return None
-        return np.asarray(self.point + found.reshape(2, -1).T @ np.array([self.beside["along"], self.beside["across"]]))
+        return np.asarray(
+            self.point + outline.reshape(2, -1).T @ np.array([self.beside["along"], self.beside["across"]])
+        )
 
 
 @dataclass(frozen=True)
@@ -109,15 +111,15 @@ class Places:
             axis=1
         )  # to where a run came to no good end
         defaults = {name: (port.default, port.unit) for name, port in run.model.parameters.items()}
-        given = {name: value for name, value in run.parameters.items() if value != defaults[name]}
-        return cls._of(run.model, run.model.bind(given).p, times[good], positions[good], rotations[good])
+        parameters = {name: value for name, value in run.parameters.items() if value != defaults[name]}
+        return cls._of(run.model, run.model.bind(parameters).p, times[good], positions[good], rotations[good])
 
     @classmethod
     def _of(cls, model: EngineModel, p: Array, t: Array, positions: Array, rotations: Array) -> Places:
         """Return the places; raises InputError where the mechanism is too large to be drawn."""
         n, bodies = len(t), model.module.BODIES
         ground = np.zeros((n, 1, 3)), np.broadcast_to(np.eye(3), (n, 1, 3, 3))
-        found = cls(
+        places = cls(
             model,
             np.asarray(t, dtype=float),
             (GROUND, *bodies),
@@ -125,10 +127,10 @@ class Places:
             np.concatenate([ground[0], positions.reshape(n, -1, 3)], axis=1),
             np.concatenate([ground[1], rotations.reshape(n, -1, 3, 3)], axis=1),
         )
-        if not found.reach <= LARGEST:
-            far, most = f"parts {found.reach:.3g} m large or far from the origin", f"at most {LARGEST:g} m"
+        if not places.reach <= LARGEST:
+            far, most = f"parts {places.reach:.3g} m large or far from the origin", f"at most {LARGEST:g} m"
             raise InputError(model.name, [Fault("drawing", far, most, "look for a length with the wrong unit")])
-        return found
+        return places
 
     @property
     def reach(self) -> float:
@@ -159,10 +161,10 @@ class Places:
 
     def parts(self) -> dict[tuple[str, str], list[Landmark]]:
         """Return the landmarks by part and kind."""
-        found: dict[tuple[str, str], list[Landmark]] = {}
+        parts: dict[tuple[str, str], list[Landmark]] = {}
         for mark in self.landmarks:
-            found.setdefault((mark.part, mark.kind), []).append(mark)
-        return found
+            parts.setdefault((mark.part, mark.kind), []).append(mark)
+        return parts
 
     def of_body(self, body: str) -> list[Landmark]:
         """Return the landmarks fixed in a body."""
@@ -175,9 +177,9 @@ def landmarks_of(model: EngineModel, p: Array) -> tuple[Landmark, ...]:
 
 
 def _without_functions(model: EngineModel) -> InputError:
-    found, remedy = "a saved run, which holds no functions", f"simulate again, or load({model.name!r}).draw()"
+    actual, remedy = "a saved run, which holds no functions", f"simulate again, or load({model.name!r}).draw()"
     return InputError(
-        model.name, [Fault("draw", found, "a model that `load` returned, a run that `simulate` did", remedy)]
+        model.name, [Fault("draw", actual, "a model that `load` returned, a run that `simulate` did", remedy)]
     )
 
 

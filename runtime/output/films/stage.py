@@ -258,8 +258,8 @@ class Stage:
     @cached_property
     def forces(self) -> dict[str, Array]:
         """Normal forces of the pairs over the curves' times [N]; empty where none acts and there is no film."""
-        found = {name: self.curves[f"{name}.normal_force"] for name in self.run.model.pairs}
-        return found if films(self.run.model) or any(np.any(force) for force in found.values()) else {}
+        forces = {name: self.curves[f"{name}.normal_force"] for name in self.run.model.pairs}
+        return forces if films(self.run.model) or any(np.any(force) for force in forces.values()) else {}
 
     @property
     def _rubs(self) -> bool:
@@ -326,12 +326,12 @@ class Stage:
     def _rub(self, paper: MovingPaper, name: str, k: int, i: int, inset: insets.Inset | None = None) -> None:
         """Draw the friction force of a pair from where it acts, thinner than the normal force."""
         parts = self.drawing.parts
-        found, contact = self._friction(name, k, i), contact_of(parts, *self._pairs[name], i)
-        if found is None or contact is None:
+        friction, contact = self._friction(name, k, i), contact_of(parts, *self._pairs[name], i)
+        if friction is None or contact is None:
             return
-        way = parts.view(found[0])
-        seen = float(np.linalg.norm(way))
-        if seen <= 0.05:
+        way = parts.view(friction[0])
+        projected = float(np.linalg.norm(way))
+        if projected <= 0.05:
             return
         at, longest = parts.flat(contact[0]), LONGEST
         if inset is not None:
@@ -340,7 +340,9 @@ class Stage:
             if distance == 0:
                 return
             at, longest = inset.centre + away + inset.pin_radius * away / distance, insets.WIDTH * 72 / 3
-        _push(paper, at, way / seen, max(longest * found[1] / self.peak, LEAST) * paper.point * seen, RUBBING)
+        _push(
+            paper, at, way / projected, max(longest * friction[1] / self.peak, LEAST) * paper.point * projected, RUBBING
+        )
 
     def _contact(self, name: str, k: int, i: int) -> Contact | None:
         """Return where a pair's force acts and its direction: by landmarks, or as it was when it was largest."""
@@ -348,7 +350,7 @@ class Stage:
         if kind in CONTACTS or not self.run.model.reads:
             return contact_of(self.drawing.parts, kind, marks, i)
         m = self._largest_at(name, k)
-        point, force = (self._vector(f"{name}.{what}", m) for what in ("point", "force"))
+        point, force = (self._vector(f"{name}.{quantity}", m) for quantity in ("point", "force"))
         size = float(np.linalg.norm(force))
         return (point, force / size) if size > 0 and np.all(np.isfinite(point)) else None
 
@@ -363,15 +365,15 @@ class Stage:
         return int(begin + np.argmax(self.forces[name][begin:end])) if end > begin else int(end - 1)
 
     def _arrow(self, paper: MovingPaper, name: str, force: float, k: int, i: int) -> None:
-        found = self._contact(name, k, i)
-        if found is None:
+        contact = self._contact(name, k, i)
+        if contact is None:
             return
         view, flat = self.drawing.parts.view, self.drawing.parts.flat
-        way = view(found[1])
-        seen = float(np.linalg.norm(way))
-        length = max(LONGEST * force / self.peak, LEAST) * self.drawing.point * seen
-        if seen > 0.05:
-            _push(paper, flat(found[0]), way / seen, length)
+        way = view(contact[1])
+        projected = float(np.linalg.norm(way))
+        length = max(LONGEST * force / self.peak, LEAST) * self.drawing.point * projected
+        if projected > 0.05:
+            _push(paper, flat(contact[0]), way / projected, length)
 
     def _arrow_in(self, inset: insets.Inset, paper: MovingPaper, force: float, i: int) -> None:
         """Draw a force in the window of a joint, from where the enlarged pin touches."""
@@ -392,12 +394,12 @@ class Stage:
         row, plane = len(shown) > 1, drawing.parts.view.names is not None
         (width, height), left, under = drawing.size, 0.75 if plane else 0.15, 0.52 if plane else 0.1
         across = _even(left + width + (insets.WIDTH + 0.4 if len(shown) == 1 else 0.2))
-        told, cautions = (
+        notes, cautions = (
             [line for text in texts for line in textwrap.wrap(text, int(LETTERS * across))]
             for texts in (self.notes(), notes_on(run))
         )
         title, differs = title_of(run.model, run.model.module.SUMMARY), differences(run)
-        foot = 0.1 + LINE * (len(told) + len(cautions))
+        foot = 0.1 + LINE * (len(notes) + len(cautions))
         low = foot + (STRIP + BELOW + 0.25 if strip else 0.0)
         main = low + under + (insets.HEIGHT if row else 0.0)
         top = max(main + height, main + insets.HEIGHT) + 0.1
@@ -426,7 +428,7 @@ class Stage:
             histories = page.add_axes(fraction(0.75, foot + BELOW, across - 0.95, STRIP)) if strip else None
             if histories is not None:
                 self._draw_histories(histories)
-            for texts, y, colour in ((told, 0.06 + LINE * len(cautions), GREY), (cautions, 0.06, VERMILLION)):
+            for texts, y, colour in ((notes, 0.06 + LINE * len(cautions), GREY), (cautions, 0.06, VERMILLION)):
                 page.text(0.1 / across, y / tall, plain("\n".join(texts)), va="bottom", fontsize=8.5, color=colour)
         time = 1 - 0.1 / across, (top + 0.04) / tall
         return Layout(page, axis, windows, shown, histories, time)
@@ -443,8 +445,8 @@ class Stage:
             kinds = dict(self.run.model.module.PAIRS)
             others = dict.fromkeys(_whole(name) for name in self.forces if kinds[name] not in CONTACTS)
             if others:
-                told = "With friction in one" if self.run.model.reads else "Without an arrow"
-                pace += f" {told}: {', '.join(others)}."
+                lead = "With friction in one" if self.run.model.reads else "Without an arrow"
+                pace += f" {lead}: {', '.join(others)}."
         yield pace
         yield from self.curves.notes[: 0 if self.curves.run.history.steps else 1]
 

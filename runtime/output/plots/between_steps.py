@@ -82,15 +82,15 @@ class BetweenSteps:
         places = {*model.coordinates, *(model.outputs[i] for rows in model.journals.values() for i in rows)}
         if name not in places:  # a quadratic, where the rate at the end is that of another mode
             r1 = np.where(self._changes, 2 * (x1 - x0) - r0, r1)
-        found: np.ndarray = x0 + s * (r0 + s * (3 * (x1 - x0) - 2 * r0 - r1 + s * (r0 + r1 - 2 * (x1 - x0))))
+        cubic: np.ndarray = x0 + s * (r0 + s * (3 * (x1 - x0) - 2 * r0 - r1 + s * (r0 + r1 - 2 * (x1 - x0))))
         second = history.rates.get(_speed_of(model, name))
         if second is None or not np.array_equal(rates, history[_speed_of(model, name)]):
-            return found
+            return cubic
         a0, a1 = (a * h**2 for a in self._ends(second))
         a0 -= 6 * (x1 - x0) - 4 * r0 - 2 * r1  # second rates of the cubic
         a1 -= 2 * r0 + 4 * r1 - 6 * (x1 - x0)
         more = 0.5 * (s * (1 - s)) ** 2 * ((1 - s) * a0 + s * a1)
-        quintic: np.ndarray = found + np.where(self._changes, 0, more)
+        quintic: np.ndarray = cubic + np.where(self._changes, 0, more)
         return quintic
 
     def _monotone(self, values: np.ndarray) -> np.ndarray:
@@ -102,8 +102,8 @@ class BetweenSteps:
         if len(t) < 2 or not np.all(np.isfinite(values)):
             straight: np.ndarray = np.interp(self.t, t, values)
             return straight
-        found: np.ndarray = PchipInterpolator(t, values)(self.t)
-        return found
+        interpolated: np.ndarray = PchipInterpolator(t, values)(self.t)
+        return interpolated
 
     def _ends(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return values[self._row], values[self._next]

@@ -63,10 +63,10 @@ class Curves:
 
         A run that kept a grid is made again for them; a saved one, or a very long one, has only its rows.
         """
-        found = run.shared_results.get(cls)
-        if not isinstance(found, Curves):
-            found = run.shared_results[cls] = cls._sampled(run)
-        return found
+        curves = run.shared_results.get(cls)
+        if not isinstance(curves, Curves):
+            curves = run.shared_results[cls] = cls._sampled(run)
+        return curves
 
     @classmethod
     def _sampled(cls, run: EngineSolution) -> Curves:
@@ -100,10 +100,10 @@ class Curves:
             if len(self.t) <= count:
                 return ideal_motion(run.model, self.t, start, c[: run.model.nc])
             knots = np.linspace(self.t[0], self.t[-1], count)
-            found = ideal_motion(run.model, knots, start, c[: run.model.nc])
-            if found is None or _resolves(found):
+            ideal = ideal_motion(run.model, knots, start, c[: run.model.nc])
+            if ideal is None or _resolves(ideal):
                 break
-        return found and _between(found, self.t)
+        return ideal and _between(ideal, self.t)
 
     @property
     def _evaluates(self) -> bool:
@@ -142,10 +142,10 @@ class Curves:
     @property
     def kinds(self) -> dict[str, list[Motion]]:
         """Motions by the unit of their coordinate: lengths, angles, parts of quaternions."""
-        found: dict[str, list[Motion]] = {unit: [] for unit in ("m", "rad", "1")}
+        by_unit: dict[str, list[Motion]] = {unit: [] for unit in ("m", "rad", "1")}
         for motion in self.motions:
-            found.setdefault(motion.units[0], []).append(motion)
-        return {unit: motions for unit, motions in found.items() if motions}
+            by_unit.setdefault(motion.units[0], []).append(motion)
+        return {unit: motions for unit, motions in by_unit.items() if motions}
 
     def size(self, names: tuple[str, ...]) -> float:
         """Return the scale of some states [SI]; 0 where none is known."""
@@ -184,8 +184,8 @@ def _cubic(knots: Array, values: Array, slopes: Array, t: Array) -> Array:
     h = (knots[row + 1] - knots[row])[:, None]
     s = (t - knots[row])[:, None] / h
     (x0, x1), (r0, r1) = (values[row], values[row + 1]), (slopes[row] * h, slopes[row + 1] * h)
-    found: Array = x0 + s * (r0 + s * (3 * (x1 - x0) - 2 * r0 - r1 + s * (r0 + r1 - 2 * (x1 - x0))))
-    return found
+    interpolated: Array = x0 + s * (r0 + s * (3 * (x1 - x0) - 2 * r0 - r1 + s * (r0 + r1 - 2 * (x1 - x0))))
+    return interpolated
 
 
 def impact_curves(run: EngineSolution, impact: Impact) -> tuple[Array, Array, Array]:

@@ -46,12 +46,12 @@ def dense(run: EngineSolution) -> History | BetweenSteps:
 def hardest(run: EngineSolution) -> list[Impact]:
     """Return the hardest impact of each pair in every part of a run that a picture resolves."""
     part = max(run.t_end - run.t_start, 1e-300) / IMPACT_BINS
-    found: dict[tuple[str, int], Impact] = {}
+    by_pair: dict[tuple[str, int], Impact] = {}
     for impact in run.impacts:
         key = impact.contact, int((impact.t - run.t_start) / part)
-        if key not in found or impact.peak_force > found[key].peak_force:
-            found[key] = impact
-    return list(found.values())
+        if key not in by_pair or impact.peak_force > by_pair[key].peak_force:
+            by_pair[key] = impact
+    return list(by_pair.values())
 
 
 def end_of(impact: Impact, run: EngineSolution) -> float:
@@ -72,10 +72,10 @@ class _Steps:
 
     def resolved(self) -> Iterator[Array]:
         """Yield times of rows, and within steps, between which every curve is straight to the eye."""
-        kept, level = self._rows()
-        t = self._t[kept]
+        rows, level = self._rows()
+        t = self._t[rows]
         yield t
-        parts = np.clip(np.ceil(np.sqrt(self._bent(kept) / level)), 1, PARTS)
+        parts = np.clip(np.ceil(np.sqrt(self._bent(rows) / level)), 1, PARTS)
         for count in np.unique(parts):
             here = np.flatnonzero(parts == count)
             yield (t[here][:, None] + np.outer(t[here + 1] - t[here], np.arange(1, count) / count)).ravel()
@@ -86,29 +86,29 @@ class _Steps:
         That is 1 but for more than MOST rows.
         """
         last, level = len(self._t) - 1, 64.0
-        kept = np.unique([*np.linspace(0, last, FEWEST).round().astype(int), *_hardest_rows(self._run)])
-        while len(kept) < MOST:
+        rows = np.unique([*np.linspace(0, last, FEWEST).round().astype(int), *_hardest_rows(self._run)])
+        while len(rows) < MOST:
             off = np.zeros(last + 1)
             for name, size in self._sizes.items():
                 values = self._run[name]
-                np.maximum(off, np.abs(values - np.interp(self._t, self._t[kept], values[kept])) / size, out=off)
-            off[kept] = 0
-            wide = np.maximum.reduceat(off, kept[:-1]) > level
-            more = [i + int(np.argmax(off[i:j])) for i, j in zip(kept[:-1][wide], kept[1:][wide], strict=True)]
+                np.maximum(off, np.abs(values - np.interp(self._t, self._t[rows], values[rows])) / size, out=off)
+            off[rows] = 0
+            wide = np.maximum.reduceat(off, rows[:-1]) > level
+            more = [i + int(np.argmax(off[i:j])) for i, j in zip(rows[:-1][wide], rows[1:][wide], strict=True)]
             if not more and level <= 1:
                 break
             level = level if more else level / 2
-            kept = np.union1d(kept, more).astype(int)
-        return kept, level
+            rows = np.union1d(rows, more).astype(int)
+        return rows, level
 
-    def _bent(self, kept: NDArray[np.intp]) -> Array:
+    def _bent(self, rows: NDArray[np.intp]) -> Array:
         """Return the largest deviation of a curve from each chord, at thirds of its time."""
-        t, off = self._t[kept], np.zeros(len(kept) - 1)
+        t, off = self._t[rows], np.zeros(len(rows) - 1)
         for third in (1 / 3, 2 / 3):
-            found = between(self._run, t[:-1] + third * np.diff(t))
+            inside = between(self._run, t[:-1] + third * np.diff(t))
             for name, size in self._sizes.items():
-                values = self._run[name][kept]
-                np.fmax(off, np.abs(found[name] - values[:-1] - third * np.diff(values)) / size, out=off)
+                values = self._run[name][rows]
+                np.fmax(off, np.abs(inside[name] - values[:-1] - third * np.diff(values)) / size, out=off)
         return off
 
 
@@ -120,11 +120,11 @@ def _hardest_rows(run: EngineSolution) -> Iterator[int]:
             yield int(begin) + int(np.argmax(run[f"{impact.contact}.normal_force"][begin:stop]))
 
 
-def _near_peaks(run: EngineSolution, found: History | BetweenSteps) -> Iterator[Array]:
+def _near_peaks(run: EngineSolution, samples: History | BetweenSteps) -> Iterator[Array]:
     """Yield times between the samples, and the steps, beside the largest sampled force of an impact."""
-    t, steps, last = found.t, run.t, len(run.t) - 1
+    t, steps, last = samples.t, run.t, len(run.t) - 1
     for impact in hardest(run):
-        force = found[f"{impact.contact}.normal_force"]
+        force = samples[f"{impact.contact}.normal_force"]
         begin, stop = np.searchsorted(t, impact.t), np.searchsorted(t, end_of(impact, run), side="right")
         if stop - begin < 1:
             continue

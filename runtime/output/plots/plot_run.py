@@ -253,8 +253,8 @@ def _energy(axis: Axes, curves: Curves) -> None:
     """
     parts = {"mechanical": curves["energy"] - curves["energy"][0]}
     for name in curves.run.model.memory:
-        owner, _, what = name.rpartition(".")
-        label = {"dissipated": f"loss, {owner}", "input": "drives' work"}.get(what)
+        owner, _, quantity = name.rpartition(".")
+        label = {"dissipated": f"loss, {owner}", "input": "drives' work"}.get(quantity)
         if label is not None:
             parts[label] = curves[name]
     residual = curves.run.energy_residual or 0.0

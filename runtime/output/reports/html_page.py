@@ -89,12 +89,12 @@ def verdict(word: str, good: bool | None, *texts: str) -> Markup:
                class_=f"outcome {look}".strip())  # fmt: skip
 
 
-def guarded(what: str, make: Callable[[], Markup]) -> Markup:
+def guarded(subject: str, make: Callable[[], Markup]) -> Markup:
     """Return a part of a page, or the reason why there is none."""
     try:
         return make()
     except Exception as error:  # whatever it is: the numbers are there
-        return tag("p", f"{what} could not be made: {type(error).__name__}: {error}", class_="note")
+        return tag("p", f"{subject} could not be made: {type(error).__name__}: {error}", class_="note")
 
 
 def _origin(origin: Origin) -> Markup:
@@ -109,8 +109,8 @@ def _origin(origin: Origin) -> Markup:
 
 def _ids(titles: Sequence[str]) -> list[str]:
     """Return a distinct fragment name for each title."""
-    found: list[str] = []
+    names: list[str] = []
     for number, title in enumerate(titles):
         name = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") or "section"
-        found.append(name if name not in found else f"{name}-{number}")
-    return found
+        names.append(name if name not in names else f"{name}-{number}")
+    return names

@@ -55,22 +55,22 @@ def picture(svg: str, name: str, label: str, caption: str = "") -> Markup:
 def _clean(element: ElementTree.Element, prefix: str, wanted: set[str]) -> None:
     """Leave of an element what draws, and rename what is referred to; `wanted` are names not met yet."""
     element.tag = _local(element.tag)
-    kept: dict[str, str] = {}
+    attributes: dict[str, str] = {}
     for key, value in element.attrib.items():
         name = _local(key)
         if name == "href":
             if value.startswith("#"):
-                kept[name] = f"#{prefix}{value[1:]}"
+                attributes[name] = f"#{prefix}{value[1:]}"
             elif re.match(r"data:image/(png|jpeg);base64,", value):
-                kept[name] = value
+                attributes[name] = value
         elif name == "id":
             if value in wanted:
                 wanted.remove(value)  # Matplotlib repeats a few
-                kept[name] = prefix + value
+                attributes[name] = prefix + value
         elif not name.lower().startswith("on") and "url(" not in _REFERENCE.sub("", value):
-            kept[name] = _REFERENCE.sub(rf"url(#{prefix}\1)", value)
+            attributes[name] = _REFERENCE.sub(rf"url(#{prefix}\1)", value)
     element.attrib.clear()
-    element.attrib.update(kept)
+    element.attrib.update(attributes)
     for child in list(element):
         if isinstance(child.tag, str) and _local(child.tag) in _ALLOWED:
             _clean(child, prefix, wanted)
@@ -83,5 +83,5 @@ def _local(name: str) -> str:
 
 
 def _points(length: str) -> str:
-    found = re.match(r"\d+(?:\.\d+)?", length)
-    return found[0] if found else "100"
+    match = re.match(r"\d+(?:\.\d+)?", length)
+    return match[0] if match else "100"

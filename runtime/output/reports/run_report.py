@@ -80,21 +80,25 @@ def run_page(
 
 def call_of(run: EngineSolution) -> str:
     """Return the call in Python that repeats a run."""
-    model, told = run.model, {}
+    model, options = run.model, {}
     target, variation = repr(model.name), model.declaration
     if variation is not None:
         target = repr(variation.target) if isinstance(variation.target, str) else f"scene, which is {model.name}"
-        told = {"without": list(variation.without), "laws": dict(variation.laws), "coordinates": variation.coordinates}
-    load = ", ".join([target, *(f"{name}={value!r}" for name, value in told.items() if value)])
-    asked: dict[str, Any] = {"duration": run.duration}
-    asked |= {"tolerance": run.tolerance} if run.accuracy is None else {"accuracy": run.accuracy}
-    asked |= {} if run.method == "auto" else {"method": run.method}
-    given = {
+        options = {
+            "without": list(variation.without),
+            "laws": dict(variation.laws),
+            "coordinates": variation.coordinates,
+        }
+    load = ", ".join([target, *(f"{name}={value!r}" for name, value in options.items() if value)])
+    arguments: dict[str, Any] = {"duration": run.duration}
+    arguments |= {"tolerance": run.tolerance} if run.accuracy is None else {"accuracy": run.accuracy}
+    arguments |= {} if run.method == "auto" else {"method": run.method}
+    parameters = {
         name: value if unit == "1" else f"{value!r} {unit}" for name, (value, unit) in parameters_of(run, model).items()
     }
     initial = {} if run.checkpoint is None else dict(run.checkpoint.initial)
-    asked |= {name: values for name, values in (("parameters", given), ("initial", initial)) if values}
-    return f"simulate(load({load}), {', '.join(f'{name}={value!r}' for name, value in asked.items())})"
+    arguments |= {name: values for name, values in (("parameters", parameters), ("initial", initial)) if values}
+    return f"simulate(load({load}), {', '.join(f'{name}={value!r}' for name, value in arguments.items())})"
 
 
 def _outcome(run: EngineSolution) -> Markup:
@@ -104,7 +108,7 @@ def _outcome(run: EngineSolution) -> Markup:
 
 def _facts(run: EngineSolution) -> Markup:
     statistics, error = run.statistics, run.error
-    found = {
+    rows = {
         "time simulated": _quantity(run.t_end - run.t_start, "s"),
         "impacts": number_text(len(run.impacts)),
         "steps": number_text(statistics.steps),
@@ -114,7 +118,7 @@ def _facts(run: EngineSolution) -> Markup:
         "energy closed to": "no ledger" if run.energy_residual is None else brief(run.energy_residual, 2),
         "computed in": _quantity(statistics.wall_s, "s"),
     }
-    return facts(found)
+    return facts(rows)
 
 
 def _horizon(run: EngineSolution) -> str:
@@ -146,29 +150,29 @@ def _pictures(run: EngineSolution, declared: EngineModel) -> list[Markup]:
 
 
 def _accuracy(run: EngineSolution) -> Section:
-    error, told = run.error, []
+    error, sentences = run.error, []
     if error is None or run.accuracy is None:
-        told.append(f"One run at the local tolerance {brief(run.tolerance, 2)}; its error was not estimated.")
+        sentences.append(f"One run at the local tolerance {brief(run.tolerance, 2)}; its error was not estimated.")
     else:
-        told.append(
+        sentences.append(
             f"Requested: an error of at most {brief(run.accuracy, 3)}{' at the end' if error.at_end else ''}, in the scene's scales; it is "
             f"{error}, known from {error.runs} runs, which took {_quantity(error.pilot_s, 's')} more."
         )
         if error.horizon is None:
-            told.append(f"The trajectory is valid throughout: its error stays below {VALID:.0%} of the scales.")
+            sentences.append(f"The trajectory is valid throughout: its error stays below {VALID:.0%} of the scales.")
         else:
-            told.append(
+            sentences.append(
                 f"The trajectory is valid, with an error below {VALID:.0%} of the scales, until {_quantity(error.horizon, 's')}; "
                 "beyond that only averages are."
             )
         if error.growth is not None and error.growth > 0:
-            told.append(f"Errors grow at {number_text(error.growth, 3)}/s.")
+            sentences.append(f"Errors grow at {number_text(error.growth, 3)}/s.")
         if error.decade_cost is not None:
-            told.append(f"Ten times more accuracy would cost about {error.decade_cost:.1f} times the evaluations.")
+            sentences.append(f"Ten times more accuracy would cost about {error.decade_cost:.1f} times the evaluations.")
         if error.floor is not None:
-            told.append(f"No tolerance gives less than {brief(error.floor, 2)}.")
+            sentences.append(f"No tolerance gives less than {brief(error.floor, 2)}.")
     if run.energy_residual is not None:
-        told.append(
+        sentences.append(
             f"The balance of energy closes to {brief(run.energy_residual, 2)} of the energy that the run moves."
         )
     s = run.statistics
@@ -179,7 +183,7 @@ def _accuracy(run: EngineSolution) -> Section:
     choices = table(
         (("from", "s"), "steps", "because"), [[c.t, c.method, c.reason] for c in run.choices]
     ) if len(run.choices) > 1 else None  # fmt: skip
-    return Section("Accuracy and cost", joined([paragraphs(told), counts, choices]))
+    return Section("Accuracy and cost", joined([paragraphs(sentences), counts, choices]))
 
 
 def _impacts(run: EngineSolution, whole: str) -> Section:
@@ -199,15 +203,15 @@ def _impacts(run: EngineSolution, whole: str) -> Section:
         [n + 1, i.contact, *(float(scale(values[n])) for scale, (_, _, values) in zip(scales, columns, strict=True))]
         for n, i in enumerate(shown)
     ]
-    told = f"{len(impacts):,} in all; an empty duration is that of a contact which had not ended."
+    sentence = f"{len(impacts):,} in all; an empty duration is that of a contact which had not ended."
     if len(shown) < len(impacts):
-        told = f"The first {len(shown)} of {len(impacts):,}; all of them are in {whole}."
+        sentence = f"The first {len(shown)} of {len(impacts):,}; all of them are in {whole}."
     heads: list[str | tuple[str, str]] = [
         "no.",
         "contact",
         *((name, s.unit) for (name, _, _), s in zip(columns, scales, strict=True)),
     ]
-    return Section("Impacts", joined([paragraphs([told]), table(heads, rows)]))
+    return Section("Impacts", joined([paragraphs([sentence]), table(heads, rows)]))
 
 
 def _averages(run: EngineSolution) -> Markup:
@@ -217,8 +221,8 @@ def _averages(run: EngineSolution) -> Markup:
     heads = ["quantity", "mean", "± 95 %", "unit", "blocks", "why something is missing"]
     if not any(row[-1] for row in rows):
         rows, heads = [row[:-1] for row in rows], heads[:-1]
-    told = "A tenth of the run is left out as transient; intervals come from the means of blocks of whole periods."
-    return joined([paragraphs([told]), table(heads, rows)])
+    sentence = "A tenth of the run is left out as transient; intervals come from the means of blocks of whole periods."
+    return joined([paragraphs([sentence]), table(heads, rows)])
 
 
 def _states(run: EngineSolution) -> Section:
@@ -226,19 +230,22 @@ def _states(run: EngineSolution) -> Section:
     rows: list[list[Cell]] = [
         [name, value, run.final[name], unit_markup(units[name])] for name, value in run.initial.items()
     ]
-    given = [] if run.checkpoint is None else [f"{name} = {value}" for name, value in run.checkpoint.initial.items()]
-    told = [f"Given in place of the model's start: {', '.join(given)}."] if given else []
+    stated = [] if run.checkpoint is None else [f"{name} = {value}" for name, value in run.checkpoint.initial.items()]
+    sentences = [f"Given in place of the model's start: {', '.join(stated)}."] if stated else []
     heads = ("state", "at the start", "at the end", "unit")
-    return Section("States", joined([paragraphs(told), table(heads, rows, digits=8)]))
+    return Section("States", joined([paragraphs(sentences), table(heads, rows, digits=8)]))
 
 
-def _sensitivities(run: EngineSolution, found: Mapping[str, Any], whole: str) -> Section:
+def _sensitivities(run: EngineSolution, by_name: Mapping[str, Any], whole: str) -> Section:
     """Return the derivatives of final states and impacts by each name."""
     units, known, parts = run.model.units, quantities(run.model), list[Markup]()
-    for name, told in found.items():
-        until = f"Up to {_quantity(told['until'], 's')}: {told['reason']}." if told["reason"] else ""
+    for name, derivatives in by_name.items():
+        until = (
+            f"Up to {_quantity(derivatives['until'], 's')}: {derivatives['reason']}." if derivatives["reason"] else ""
+        )
         end: list[list[Cell]] = [
-            [state, value, unit_markup(ratio(units[state], known[name]))] for state, value in told["final"].items()
+            [state, value, unit_markup(ratio(units[state], known[name]))]
+            for state, value in derivatives["final"].items()
         ]
         parts += [
             tag("h3", f"By {name}"),
@@ -246,8 +253,10 @@ def _sensitivities(run: EngineSolution, found: Mapping[str, Any], whole: str) ->
             table(("state at the end", "derivative", "unit"), end),
         ]
         if run.impacts:
-            impacts = {f"d({what.replace('_', ' ')})": told["impacts"][what] for what in OF_IMPACT}
-            heads = [(what, ratio(unit, known[name])) for what, unit in zip(impacts, OF_IMPACT.values(), strict=True)]
+            impacts = {f"d({quantity.replace('_', ' ')})": derivatives["impacts"][quantity] for quantity in OF_IMPACT}
+            heads = [
+                (quantity, ratio(unit, known[name])) for quantity, unit in zip(impacts, OF_IMPACT.values(), strict=True)
+            ]
             rows: list[list[Cell]] = [
                 [n + 1, i.contact, *(values[n] for values in impacts.values())]
                 for n, i in enumerate(run.impacts[:MOST])

@@ -60,10 +60,10 @@ def sweep_page(
 
 def _table(columns: Mapping[str, str], rows: Sequence[Sequence[str | float]], count: int, whole: str) -> Markup:
     """Return the rows, without columns that are empty throughout."""
-    kept = [j for j in range(len(columns)) if any(row[j] not in ("", None) for row in rows)]
-    heads = [(name, unit) for j, (name, unit) in enumerate(columns.items()) if j in kept]
+    filled = [j for j in range(len(columns)) if any(row[j] not in ("", None) for row in rows)]
+    heads = [(name, unit) for j, (name, unit) in enumerate(columns.items()) if j in filled]
     remarks = [f"The first {len(rows):,} of {count:,} rows; all of them are in {whole}."] if count > len(rows) else []
-    shown: list[list[Cell]] = [[row[j] for j in kept] for row in rows]
+    shown: list[list[Cell]] = [[row[j] for j in filled] for row in rows]
     return joined([paragraphs(remarks, "note"), table(heads, shown)])
 
 

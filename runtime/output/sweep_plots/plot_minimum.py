@@ -36,7 +36,7 @@ def figure(title: str, unit: str, names: Mapping[str, str], trials: Sequence[Tri
 
     names    of these, with their SI units
     """
-    numbers, kept = np.arange(1, len(trials) + 1), np.array([trial.feasible for trial in trials], dtype=bool)
+    numbers, feasible = np.arange(1, len(trials) + 1), np.array([trial.feasible for trial in trials], dtype=bool)
     objective = np.array([trial.objective for trial in trials])
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
         page = Figure(figsize=(9, 3.2 + 2.2 * len(names)), layout="constrained")
@@ -44,7 +44,7 @@ def figure(title: str, unit: str, names: Mapping[str, str], trials: Sequence[Tri
             :, 0
         ]
         scale = scale_of(unit or "1", objective[np.isfinite(objective)])
-        for there, colour, label in ((kept, BLUE, "constraints kept"), (~kept, ORANGE, "constraints not kept")):
+        for there, colour, label in ((feasible, BLUE, "constraints kept"), (~feasible, ORANGE, "constraints not kept")):
             if np.any(there):
                 axes[0].plot(numbers[there], scale(objective[there]), "o", color=colour, markersize=5, label=label)
         axes[0].axhline(float(scale(least)), color=VERMILLION, linewidth=1.2, label="the least found")

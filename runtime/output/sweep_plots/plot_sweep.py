@@ -64,9 +64,9 @@ def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
     with mpl.rc_context(STYLE):
         beside = [each for name in wanted[:MOST_PANELS] for each in (name, name + HALF_WIDTH)]
         outputs = [name for name in beside if name in table.columns and not diagram]
-        given = {name: stated_number(name) for name in table.stated_units if name in table.varied}
-        plain_ones = [name for name in table.varied if name not in given]
-        columns = table.read(*outputs, *plain_ones, **given, **{FAILED: lambda row: row.outcome not in REACHED_END})
+        stated = {name: stated_number(name) for name in table.stated_units if name in table.varied}
+        plain_ones = [name for name in table.varied if name not in stated]
+        columns = table.read(*outputs, *plain_ones, **stated, **{FAILED: lambda row: row.outcome not in REACHED_END})
         axes = [varied(table, name, columns[name]) for name in table.varied]
         axes = [axis for axis in axes if len(axis.distinct) > 1] or axes[:1]
         draw = _diagram if diagram else _lines if _along_one(table, axes) else _maps
@@ -317,9 +317,9 @@ def _edges(axis: Varied) -> Array:
 
 def _placed(x: Varied, y: Varied, values: Array) -> Array:
     """Return values as (y, x); nan where there is no row."""
-    found = np.full((len(y.distinct), len(x.distinct)), np.nan)
-    found[np.searchsorted(y.distinct, y.values), np.searchsorted(x.distinct, x.values)] = values
-    return found
+    grid = np.full((len(y.distinct), len(x.distinct)), np.nan)
+    grid[np.searchsorted(y.distinct, y.values), np.searchsorted(x.distinct, x.values)] = values
+    return grid
 
 
 # -- section -----------------------------------------------------------------------------------------------------------
@@ -369,20 +369,20 @@ def _section(table: SweptTable, names: Sequence[str]) -> dict[str, list[tuple[in
     The extremes are the least and the largest point of the rows between.
     """
     step = -(-len(table.rows) // PLACES)
-    found: dict[str, list[tuple[int, Array]]] = {name: [] for name in names}
+    by_name: dict[str, list[tuple[int, Array]]] = {name: [] for name in names}
     ends: dict[str, dict[int, tuple[int, Array]]] = {name: {} for name in names}  # by sign
     for i, points in enumerate(table.arrays_of(SECTION)):
         for name in names:
             values = points[name]
             if i % step == 0:
-                found[name] += [*ends[name].values(), (i, values)]
+                by_name[name] += [*ends[name].values(), (i, values)]
                 ends[name].clear()
                 continue
             for sign in (-1, 1) if len(values) else ():
                 end = values[[(sign * values).argmax()]]
                 if sign not in ends[name] or sign * end[0] > sign * ends[name][sign][1][0]:
                     ends[name][sign] = i, end
-    return {name: [*found[name], *ends[name].values()] for name in names}
+    return {name: [*by_name[name], *ends[name].values()] for name in names}
 
 
 def _within_a_turn(points: list[Array], unit: str) -> tuple[list[Array], bool]:

@@ -92,9 +92,9 @@ def _indices(axis: Axes, output: Output) -> None:
         (0.2, output.first, BLUE, "alone"),
         (-0.2, output.total, GREY, "with interactions"),
     ):
-        found = [parts[name] for name in names]
-        value = np.array([part.value for part in found])
-        ends = np.abs(np.array([[part.low for part in found], [part.high for part in found]]) - value)
+        shares = [parts[name] for name in names]
+        value = np.array([part.value for part in shares])
+        ends = np.abs(np.array([[part.low for part in shares], [part.high for part in shares]]) - value)
         place = np.arange(len(names))[::-1] + shift
         axis.barh(
             place, value, 0.36, color=colour, label=label, xerr=ends, error_kw={"elinewidth": 0.8, "ecolor": "black"}

@@ -23,8 +23,8 @@ def data_frame(table: LabelledTable) -> DataFrame:
     )
     about = {name: column.about for name, column in table.columns.items()}
     for kind in ("units", "long_name"):
-        found = {name: entries[kind] for name, entries in about.items() if kind in entries}
-        frame.attrs |= {kind: found} if found else {}
+        attributes = {name: entries[kind] for name, entries in about.items() if kind in entries}
+        frame.attrs |= {kind: attributes} if attributes else {}
     frame.attrs |= table.about
     return frame
 
@@ -63,9 +63,9 @@ class _Parts(io.RawIOBase):
 
     def taken(self) -> bytes:
         """Return what was written since the last call."""
-        found = self._content.getvalue()
+        content = self._content.getvalue()
         self._content, self._begin = io.BytesIO(), self.tell()
-        return found
+        return content
 
 
 def _arrow(table: LabelledTable) -> Any:

@@ -75,7 +75,7 @@ def _pointwise(table: LabelledTable, name: str, points: Points) -> Iterator[tupl
 
 def netcdf(table: LabelledTable) -> bytes:
     """Return a netCDF file."""
-    found = dataset(table)
+    content = dataset(table)
     for name in ("h5netcdf", "h5py"):
         required(name, EXTRA)
-    return bytes(found.to_netcdf(engine="h5netcdf"))
+    return bytes(content.to_netcdf(engine="h5netcdf"))

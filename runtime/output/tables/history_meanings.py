@@ -101,8 +101,8 @@ def meaning_of(model: EngineModel, name: str) -> str:
     if along:
         turning = units_of(model, None)[friction_force(along[0])] == "N m"
         way, force = ("turning", "moment") if turning else ("sliding", "friction force")
-        what = f"direction of {way}, zero while it sticks," if name in along else force
-        return f"{what} of {whose}, " + (
+        subject = f"direction of {way}, zero while it sticks," if name in along else force
+        return f"{subject} of {whose}, " + (
             "of its spin at the rim" if name[-1] == "3" else f"along its tangent {name[-1]}"
         )
     if name in map(acceleration_of, model.speeds):

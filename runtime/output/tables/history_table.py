@@ -22,8 +22,8 @@ def history_table(run: EngineSolution) -> LabelledTable:
         **({} if run.error is None else {"error": run.error.judged}),
         "hertzwerk": versions()["hertzwerk"],
     }
-    given = {f"parameter.{name}": _parameter(run, name) for name in run.parameters}
-    return LabelledTable("t", columns, {**about, **given})
+    parameters = {f"parameter.{name}": _parameter(run, name) for name in run.parameters}
+    return LabelledTable("t", columns, {**about, **parameters})
 
 
 def _parameter(run: EngineSolution, name: str) -> str:

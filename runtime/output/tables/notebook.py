@@ -33,14 +33,16 @@ def of_model(model: EngineModel, picture: Figure) -> Markup:
 SHOWN = 8  # impacts of a run
 
 
-def of_run(run: EngineSolution, given: Mapping[str, tuple[float, str]]) -> Markup:
+def of_run(run: EngineSolution, parameters: Mapping[str, tuple[float, str]]) -> Markup:
     """Return outcome, warnings, given parameters, and the first impacts of a run."""
     first, *rest = str(run).split("\n")
     name = run.outcome.name
     parts = [heading(run.model.name, name, first.removeprefix(name), good=name == "finished")]
     parts += [tag("p", note, style=f"color:{OTHER}") for note in (*rest, *run.warnings)]
-    if given:
-        parts.append(table(("parameter", "value"), [(name, f"{x:.6g} {unit}") for name, (x, unit) in given.items()]))
+    if parameters:
+        parts.append(
+            table(("parameter", "value"), [(name, f"{x:.6g} {unit}") for name, (x, unit) in parameters.items()])
+        )
     if run.impacts:
         header = ("impact", "t [s]", "speed [m/s]", "peak force [N]", "duration [s]")
         parts.append(table(header, [

@@ -38,7 +38,7 @@ FINEST = 1e-4  # of the spacing of offsets that are tried: to which the best is 
 
 
 def standard_errors(
-    seen: FilteredRun,
+    filtered: FilteredRun,
     run_times: Callable[[Array], Array],
     times: Array,
     measured: Array,
@@ -54,10 +54,13 @@ def standard_errors(
     curvature, spread = np.zeros((2, len(chosen), len(chosen)))
     for j, rows in enumerate(signals):
         elapsed, y = times[rows] - times[0], measured[rows, j]
-        at = np.clip(run_times(times[rows]), seen.start, seen.end)
-        before, after = np.maximum(at - seen.spacing, seen.start), np.minimum(at + seen.spacing, seen.end)
-        slope = (seen.at(after)[:, j] - seen.at(before)[:, j]) / (after - before)
-        run = seen.at(at)[:, j]
+        at = np.clip(run_times(times[rows]), filtered.start, filtered.end)
+        before, after = (
+            np.maximum(at - filtered.spacing, filtered.start),
+            np.minimum(at + filtered.spacing, filtered.end),
+        )
+        slope = (filtered.at(after)[:, j] - filtered.at(before)[:, j]) / (after - before)
+        run = filtered.at(at)[:, j]
         explained, _ = np.linalg.qr(np.column_stack([np.ones(len(rows)), run - np.mean(run)]))
         moved = np.column_stack([slope, slope * elapsed])[:, chosen]
         ways, residual = (part - explained @ (explained.T @ part) for part in (moved, y))
@@ -121,7 +124,7 @@ class Alignment:
 
 
 def align(
-    seen: FilteredRun, times: Array, measured: Array, offsets: Range, drifts: Range, *, horizon: float = math.inf
+    filtered: FilteredRun, times: Array, measured: Array, offsets: Range, drifts: Range, *, horizon: float = math.inf
 ) -> Alignment:
     """Find the offset and drift within ranges at which measured (n, signals) correlates best with a run.
 
@@ -131,36 +134,36 @@ def align(
     Raises InputError where they are fewer than 16.
     """
     begin = float(times[0])
-    given = Alignment(offsets[0], drifts[0], begin, offsets, drifts)
+    stated = Alignment(offsets[0], drifts[0], begin, offsets, drifts)
     ends = [Alignment(o, d, begin, offsets, drifts)(times) for o in offsets for d in drifts]
-    start = np.min(ends, axis=0) >= seen.start
+    start = np.min(ends, axis=0) >= filtered.start
 
     def until(end: float) -> list[NDArray[np.intp]]:
         inside = start & (np.max(ends, axis=0) <= end)
         return [np.flatnonzero(inside & np.isfinite(column)) for column in measured.T]
 
-    signals, lost = until(min(horizon, seen.end)), tuple[str, ...]()
-    if min(map(len, signals)) < FEWEST and horizon < seen.end:
-        signals, lost = until(seen.end), (PAST_HORIZON,)
+    signals, lost = until(min(horizon, filtered.end)), tuple[str, ...]()
+    if min(map(len, signals)) < FEWEST and horizon < filtered.end:
+        signals, lost = until(filtered.end), (PAST_HORIZON,)
     fewest = min(map(len, signals))
     if fewest < FEWEST:
-        found = f"{fewest} samples that lie within the run, {seen.start:.4g}..{seen.end:.4g} s, wherever they are put"
+        actual = f"{fewest} samples that lie within the run, {filtered.start:.4g}..{filtered.end:.4g} s, wherever they are put"
         remedy = "a longer run, narrower ranges, or an offset that brings the data into it"
-        raise InputError("offset", [Fault("offset, drift", found, f"at least {FEWEST}", remedy)])
-    if not given.searched:
-        return given
-    search = _Search(seen, times - begin, measured, signals, offsets, begin)
+        raise InputError("offset", [Fault("offset, drift", actual, f"at least {FEWEST}", remedy)])
+    if not stated.searched:
+        return stated
+    search = _Search(filtered, times - begin, measured, signals, offsets, begin)
     tried = _drifts(drifts, float(times[-1] - begin), float(np.median(np.diff(times))))
     curves = [search.curve(drift) for drift in tried]
     k = int(np.argmax([np.max(curve) for curve in curves]))
     s = int(np.argmax(curves[k]))
-    offset, drift, correlation = search.refined(offsets[0] + s * seen.spacing, tried[k], offsets, drifts)
+    offset, drift, correlation = search.refined(offsets[0] + s * filtered.spacing, tried[k], offsets, drifts)
     best = Alignment(offset, drift, begin, offsets, drifts, correlation)
     free = offsets[0] < offsets[1], drifts[0] < drifts[1]
-    errors = standard_errors(seen, best, times, measured, signals, free)
+    errors = standard_errors(filtered, best, times, measured, signals, free)
     best = replace(best, offset_error=errors[0], drift_error=errors[1])
     return replace(
-        best, doubts=(*lost, *_at_ends(best, seen.spacing), *_another(curves[k], s, offsets[0], seen.spacing))
+        best, doubts=(*lost, *_at_ends(best, filtered.spacing), *_another(curves[k], s, offsets[0], filtered.spacing))
     )
 
 
@@ -168,17 +171,17 @@ def _drifts(drifts: Range, span: float, step: float) -> list[float]:
     """Return the drifts to try: their ends differ by at most a sample's step [s] over the span [s]."""
     count = math.ceil((drifts[1] - drifts[0]) * span / step) + 1
     if count > DRIFTS:
-        found = f"a range over which the data stretch by {count - 1:,} samples"
-        raise InputError("drift", [Fault("drift", found, f"at most {DRIFTS - 1}", "a narrower range")])
+        actual = f"a range over which the data stretch by {count - 1:,} samples"
+        raise InputError("drift", [Fault("drift", actual, f"at most {DRIFTS - 1}", "a narrower range")])
     return [float(drift) for drift in np.linspace(*drifts, count if drifts[0] < drifts[1] else 1)]
 
 
-def _at_ends(found: Alignment, spacing: float) -> list[str]:
+def _at_ends(alignment: Alignment, spacing: float) -> list[str]:
     """Return doubts of what lies at an end of its range."""
     span = 4 * spacing
     at = {
-        "offset": (found.offset, found.offsets, span),
-        "drift": (found.drift, found.drifts, (found.drifts[1] - found.drifts[0]) / 100),
+        "offset": (alignment.offset, alignment.offsets, span),
+        "drift": (alignment.drift, alignment.drifts, (alignment.drifts[1] - alignment.drifts[0]) / 100),
     }
     return [
         f"the {name} found lies at an end of the range that was searched: a better one may lie outside"
@@ -207,17 +210,17 @@ class _Search:
 
     def __init__(
         self,
-        seen: FilteredRun,
+        filtered: FilteredRun,
         elapsed: Array,
         measured: Array,
         signals: list[NDArray[np.intp]],
         offsets: Range,
         begin: float,
     ) -> None:
-        self._filtered, self._begin, self._low = seen, begin, offsets[0] + begin
-        self._shifts = int((offsets[1] - offsets[0]) / seen.spacing + 1e-9)
-        middle = seen.values.mean(axis=0)
-        self._run = seen.values - middle
+        self._filtered, self._begin, self._low = filtered, begin, offsets[0] + begin
+        self._shifts = int((offsets[1] - offsets[0]) / filtered.spacing + 1e-9)
+        middle = filtered.values.mean(axis=0)
+        self._run = filtered.values - middle
         counted = np.zeros(len(elapsed), dtype=bool)
         counted[np.concatenate(signals)] = True
         self._elapsed = elapsed[counted]
@@ -249,13 +252,13 @@ class _Search:
     def value(self, offset: float, drift: float) -> float:
         """Return the correlation at one offset and drift, at the samples' own times."""
         times = np.clip(offset + self._begin + self._elapsed * (1 + drift), self._filtered.start, self._filtered.end)
-        seen = self._filtered.at(times)
-        found = []
+        predicted = self._filtered.at(times)
+        correlations = []
         for j, (among, (_, y)) in enumerate(zip(self._among, self._parts, strict=True)):
-            x = seen[among, j] - np.mean(seen[among, j])
+            x = predicted[among, j] - np.mean(predicted[among, j])
             product, mean, square = (np.array([value]) for value in (x @ y, np.sum(x), x @ x))
-            found.append(_correlation(product, mean, square, *self._sums[j])[0])
-        return float(np.mean(found))
+            correlations.append(_correlation(product, mean, square, *self._sums[j])[0])
+        return float(np.mean(correlations))
 
     def refined(self, offset: float, drift: float, offsets: Range, drifts: Range) -> tuple[float, float, float]:
         """Return the best offset and drift near given ones, and their correlation."""
@@ -274,10 +277,10 @@ class _Search:
         size = int(np.sum(free))
         corners = np.vstack([np.zeros(size), np.eye(size)])
         how = {"initial_simplex": corners, "xatol": FINEST, "fatol": 1e-12, "maxiter": 200}
-        found = minimize(lacks, np.zeros(size), method="Nelder-Mead", options=how)
+        result = minimize(lacks, np.zeros(size), method="Nelder-Mead", options=how)
         best = start.copy()
-        best[free] = np.clip(start[free] + found.x * units[free], low[free], high[free])
-        return float(best[0]), float(best[1]), -float(found.fun)
+        best[free] = np.clip(start[free] + result.x * units[free], low[free], high[free])
+        return float(best[0]), float(best[1]), -float(result.fun)
 
 
 def _correlation(product: Array, mean: Array, square: Array, n: int, total: float, power: float) -> Array:

@@ -69,12 +69,12 @@ def compare(
         **{"parameters": parameters, "initial": initial, "inputs": inputs, "duration": duration},
         **{"accuracy": accuracy, "tolerance": tolerance, "method": method},
     }
-    given: dict[str, Any] = {name: value for name, value in of_run.items() if value is not None}
+    settings: dict[str, Any] = {name: value for name, value in of_run.items() if value is not None}
     run = target if isinstance(target, EngineSolution) else None
-    if run is not None and given:
-        raise InputError("compare", [Fault(", ".join(given), "values beside a run", "none: it has its own")])
+    if run is not None and settings:
+        raise InputError("compare", [Fault(", ".join(settings), "values beside a run", "none: it has its own")])
     model = run.model if run is not None else load(cast("Target", target))
-    asked = read_comparison_request(
+    request = read_comparison_request(
         units_of(model, None) if run is None else run.units,
         data,
         map,
@@ -85,4 +85,4 @@ def compare(
         drift=drift,
         noise=noise,
     )
-    return Comparison(**vars(match(run or simulate(model, **{"duration": asked.lasts, **given}), asked)))
+    return Comparison(**vars(match(run or simulate(model, **{"duration": request.lasts, **settings}), request)))

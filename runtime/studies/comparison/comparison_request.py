@@ -170,29 +170,29 @@ def _instrument(
     return Instrument(cut_off, order, zero_phase) if whole and isinstance(order, int) else None
 
 
-def read_between(where: str, given: Between, unit: str, faults: list[Fault]) -> Range:
+def read_between(where: str, between: Between, unit: str, faults: list[Fault]) -> Range:
     """Return the ends of a range in SI; bad input is appended to `faults`."""
     example = '"-2..2 ms"' if unit == "s" else '"-1e-4..1e-4" or "-0.01..0.01 %"'
     expected = f"a range such as {example}, or one value"
     try:
-        if isinstance(given, str):
-            low, dots, high = given.partition("..")
+        if isinstance(between, str):
+            low, dots, high = between.partition("..")
             texts = (low, high) if dots else (low, low)
             _, _, unit_text = read(texts[1])
             values = [
                 read(text if k or read(text)[2] != "1" else f"{text} {unit_text}") for k, text in enumerate(texts)
             ]
         else:
-            ends = given if isinstance(given, tuple) and len(given) == 2 else (given, given)
+            ends = between if isinstance(between, tuple) and len(between) == 2 else (between, between)
             values = [read((end, unit)) for end in ends]
     except UnitError as error:
-        faults.append(Fault(where, shown(given), expected, str(error)))
+        faults.append(Fault(where, shown(between), expected, str(error)))
         return 0.0, 0.0
     si = [each.to_si(value) for value, each, _ in values]
     if any(each.exponents != parse_unit(unit).exponents for _, each, _ in values):
-        faults.append(Fault(where, shown(given), expected, "in a unit of time" if unit == "s" else "a plain number"))
+        faults.append(Fault(where, shown(between), expected, "in a unit of time" if unit == "s" else "a plain number"))
     elif not all(map(math.isfinite, si)) or si[0] > si[1]:
-        faults.append(Fault(where, shown(given), expected, "the lower end first"))
+        faults.append(Fault(where, shown(between), expected, "the lower end first"))
     else:
         return si[0], si[1]
     return 0.0, 0.0

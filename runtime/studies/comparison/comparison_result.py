@@ -82,13 +82,13 @@ class Compared:
 
     def lines(self, *, statistics: bool = True) -> Iterator[tuple[str, str]]:
         """Yield what was found, as labels and sentences; each statistic too, if wanted."""
-        run, asked = self.solution, self.request
-        data = asked.measurement
+        run, request = self.solution, self.request
+        data = request.measurement
         yield (
             run.model.name,
             f"{time_text(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times",
         )
-        yield "instrument", str(asked.instrument or "none: the run is compared as it is")
+        yield "instrument", str(request.instrument or "none: the run is compared as it is")
         yield "alignment", _alignment(self.alignment)
         for signal in self.signals:
             yield from _signal_lines(signal, self.horizon, run.t_end, statistics=statistics)
@@ -153,20 +153,20 @@ def _signal_record(signal: Signal) -> dict[str, Any]:
     }
 
 
-def _alignment(found: Alignment) -> str:
-    if not found.searched and found.offset == found.drift == 0:
+def _alignment(alignment: Alignment) -> str:
+    if not alignment.searched and alignment.offset == alignment.drift == 0:
         return "none: measured times are times of the run"
-    if not found.searched:
-        return f"the measured time plus {time_text(found.offset)}, a drift of {found.drift:.3g}: as given, nothing searched"
+    if not alignment.searched:
+        return f"the measured time plus {time_text(alignment.offset)}, a drift of {alignment.drift:.3g}: as given, nothing searched"
     ends = [
         f"{name} {show(value)}"
         + (f" +- {show(float(f'{error:.2g}'))} (of {show(low)} to {show(high)})" if low < high else " (given)")
         for name, value, error, (low, high), show in (
-            ("offset", found.offset, found.offset_error, found.offsets, time_text),
-            ("drift", found.drift, found.drift_error, found.drifts, lambda value: f"{value:.3g}"),
+            ("offset", alignment.offset, alignment.offset_error, alignment.offsets, time_text),
+            ("drift", alignment.drift, alignment.drift_error, alignment.drifts, lambda value: f"{value:.3g}"),
         )
     ]
-    return f"{', '.join(ends)}, where the correlation is largest, {found.correlation:.4f}; +- standard errors"
+    return f"{', '.join(ends)}, where the correlation is largest, {alignment.correlation:.4f}; +- standard errors"
 
 
 def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: bool) -> Iterator[tuple[str, str]]:
@@ -217,20 +217,22 @@ def _noise(residual: Residual, unit: str) -> str:
 def _statistic(statistic: Statistic) -> str:
     unit = "" if statistic.unit == "1" else f" {statistic.unit}"
 
-    def text(found: Estimated) -> str:
-        if found.low is None or found.high is None:
-            return f"{found.value:.4g} (no interval: {found.reason})"
-        return f"{found.value:.4g} ({found.low:.4g} to {found.high:.4g})"
+    def text(estimate: Estimated) -> str:
+        if estimate.low is None or estimate.high is None:
+            return f"{estimate.value:.4g} (no interval: {estimate.reason})"
+        return f"{estimate.value:.4g} ({estimate.low:.4g} to {estimate.high:.4g})"
 
     return (
         f"{statistic.name}: measured {text(statistic.measured)}, run {text(statistic.run)}{unit}: {statistic.verdict}"
     )
 
 
-def _verdict(found: Compared) -> str:
+def _verdict(comparison: Compared) -> str:
     """Return a sentence that says no more than the numbers do."""
-    differ, counted = (sum(numbers) for numbers in zip(*(signal.differing for signal in found.signals), strict=True))
-    residuals = [signal.residual for signal in found.signals if signal.residual is not None]
+    differ, counted = (
+        sum(numbers) for numbers in zip(*(signal.differing for signal in comparison.signals), strict=True)
+    )
+    residuals = [signal.residual for signal in comparison.signals if signal.residual is not None]
     judged = [residual for residual in residuals if residual.explained is not None]
     parts = []
     if judged:

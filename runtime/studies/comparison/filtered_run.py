@@ -49,8 +49,8 @@ class FilteredRun:
         self.start, self.end = float(run.t[0]) + settling, float(run.t[-1]) - ends
         count = int((run.t[-1] - run.t[0]) / self.spacing)
         if count > MOST:
-            found = f"a run of {run.t[-1]:g} s, that takes {count:.3g} samples behind this instrument"
-            raise InputError("bandwidth", [Fault("bandwidth", found, f"at most {MOST:.3g}", "a shorter run")])
+            actual = f"a run of {run.t[-1]:g} s, that takes {count:.3g} samples behind this instrument"
+            raise InputError("bandwidth", [Fault("bandwidth", actual, f"at most {MOST:.3g}", "a shorter run")])
         edges = run.t[0] + self.spacing * np.arange(count + 1)
         self.t: Array = (edges[:-1] + edges[1:]) / 2
         self._edges: Array = edges
@@ -69,14 +69,14 @@ class FilteredRun:
             return np.asarray(self._spline(times))
         step = np.searchsorted(self._run.t, times, side="right") - 1
         used, of = np.flatnonzero(np.bincount(step)), np.cumsum(np.bincount(step) > 0)[step] - 1
-        found = np.empty((len(times), len(self._names)))
+        values = np.empty((len(times), len(self._names)))
         rough = np.ones(len(times), dtype=bool)
         if len(times) > FEW * len(used):
-            found, rough = self._between(times, used, of)
+            values, rough = self._between(times, used, of)
         if np.any(rough):
             history = self._run.at(times[rough])
-            found[rough] = np.column_stack([history[name] for name in self._names])
-        return found
+            values[rough] = np.column_stack([history[name] for name in self._names])
+        return values
 
     def _between(self, times: Array, used: NDArray[np.intp], of: NDArray[np.intp]) -> tuple[Array, NDArray[np.bool_]]:
         """Return what polynomials through points within steps have at times, and where they are too rough.
@@ -87,12 +87,12 @@ class FilteredRun:
         length = self._run.t[np.minimum(used + 1, len(self._run.t) - 1)] - begin
         history = self._run.at((begin[:, None] + length[:, None] * (1 + POINTS) / 2).ravel())
         where = 2 * (times - begin[of]) / np.where(length > 0, length, 1)[of] - 1
-        found, rough = np.empty((len(times), len(self._names))), np.zeros(len(times), dtype=bool)
+        values, rough = np.empty((len(times), len(self._names))), np.zeros(len(times), dtype=bool)
         for k, name in enumerate(self._names):
             parts = history[name].reshape(-1, len(POINTS)) @ COEFFICIENTS
-            found[:, k] = chebval(where, parts.T[:, of], tensor=False)
+            values[:, k] = chebval(where, parts.T[:, of], tensor=False)
             rough |= (np.abs(parts[:, -2:]).max(axis=1) > SMOOTH * np.abs(parts).max())[of]
-        return found, rough
+        return values, rough
 
     @cached_property
     def _spline(self) -> Callable[[Array], Array]:

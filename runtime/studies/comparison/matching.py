@@ -35,26 +35,28 @@ PER_SAMPLE = 4  # cells of an unfiltered run in a measured step
 SEED = 0  # of the noise added to the run before statistics
 
 
-def match(run: EngineSolution, asked: ComparisonRequest) -> Compared:
+def match(run: EngineSolution, request: ComparisonRequest) -> Compared:
     """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
     if not run.history.steps:
-        found, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
-        raise InputError("comparison with measured data", [Fault("run", found, expected)])
-    times = asked.measurement.times
+        actual, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
+        raise InputError("comparison with measured data", [Fault("run", actual, expected)])
+    times = request.measurement.times
     spacing = float(np.median(np.diff(times))) / PER_SAMPLE
-    seen = FilteredRun(run, [channel.history for channel in asked.channels], asked.instrument, spacing)
-    samples = np.column_stack([channel.samples for channel in asked.channels])
+    filtered = FilteredRun(run, [channel.history for channel in request.channels], request.instrument, spacing)
+    samples = np.column_stack([channel.samples for channel in request.channels])
     known = horizon_of(run)
-    alignment = align(seen, times, samples, asked.offsets, asked.drifts, horizon=known)
+    alignment = align(filtered, times, samples, request.offsets, request.drifts, horizon=known)
     at = alignment(times)
-    inside = (at >= seen.start) & (at <= seen.end)
-    shown = seen.at(at[inside])
+    inside = (at >= filtered.start) & (at <= filtered.end)
+    shown = filtered.at(at[inside])
     signals = tuple(
-        _signal(channel, at[inside], samples[inside, k], shown[:, k], asked, known, run.findings.period)
-        for k, channel in enumerate(asked.channels)
+        _signal(channel, at[inside], samples[inside, k], shown[:, k], request, known, run.findings.period)
+        for k, channel in enumerate(request.channels)
     )
     outside = int(np.sum(~inside))
-    return Compared(run, asked, alignment, known, signals, outside, tuple(_warnings(run, asked, alignment, outside)))
+    return Compared(
+        run, request, alignment, known, signals, outside, tuple(_warnings(run, request, alignment, outside))
+    )
 
 
 def horizon_of(run: EngineSolution) -> float:
@@ -73,7 +75,7 @@ def _signal(
     at: Array,
     samples: Array,
     run: Array,
-    asked: ComparisonRequest,
+    request: ComparisonRequest,
     horizon: float,
     period: float | None,
 ) -> Signal:
@@ -84,7 +86,7 @@ def _signal(
     residual = (
         residual_of(t[within], measured[within], run[within], channel.noise) if np.sum(within) >= FEWEST else None
     )
-    cut_off = math.inf if asked.instrument is None else asked.instrument.cut_off
+    cut_off = math.inf if request.instrument is None else request.instrument.cut_off
     series = series_of(t, measured, run)
     spectrum = (
         series
@@ -104,19 +106,19 @@ def _signal(
     return Signal(channel, t, measured, run, int(np.sum(~there)), residual, spectrum, statistics, why)
 
 
-def _warnings(run: EngineSolution, asked: ComparisonRequest, alignment: Alignment, outside: int) -> Iterator[str]:
+def _warnings(run: EngineSolution, request: ComparisonRequest, alignment: Alignment, outside: int) -> Iterator[str]:
     """Yield what to heed before the numbers are believed."""
-    step = float(np.median(np.diff(asked.measurement.times)))
+    step = float(np.median(np.diff(request.measurement.times)))
     if not run.outcome.finished:
         yield f"{run.outcome.name}: {run.outcome.message}"
     if run.error is None:
         yield "the horizon is not known, as the run was made at a tolerance: past it a residual says nothing of the model"
-    if asked.instrument is not None and asked.instrument.cut_off > 0.5 / step:
+    if request.instrument is not None and request.instrument.cut_off > 0.5 / step:
         yield (
             f"the cut-off lies above half the sampling rate, {0.5 / step:.4g} Hz: what the instrument lets through above that "
             "folds back in the data, not in the run"
         )
-    if asked.instrument is None:
+    if request.instrument is None:
         durations = [impact.duration for impact in run.impacts if impact.duration is not None]
         if durations and min(durations) < 4 * step:
             yield (
@@ -125,10 +127,10 @@ def _warnings(run: EngineSolution, asked: ComparisonRequest, alignment: Alignmen
             )
     if outside:
         yield (
-            f"{outside:,} of {len(asked.measurement.times):,} measured times lie outside the run, or before its filter has settled, "
+            f"{outside:,} of {len(request.measurement.times):,} measured times lie outside the run, or before its filter has settled, "
             "and are left out"
         )
-    if asked.measurement.jumps:
-        yield f"{asked.measurement.jumps:,} times stand twice in the file: taken as jumps, of which the later line counts"
+    if request.measurement.jumps:
+        yield f"{request.measurement.jumps:,} times stand twice in the file: taken as jumps, of which the later line counts"
     yield from alignment.doubts
     yield from run.warnings

@@ -99,8 +99,8 @@ def _thinned(t: Array, values: Array) -> tuple[Array, Array]:
         return t, values
     table = values[: PARTS * size].reshape(PARTS, size)  # the least of a part with a gap is the gap
     inside = np.array([np.zeros(PARTS, int), table.argmin(axis=1), table.argmax(axis=1), np.full(PARTS, size - 1)])
-    kept = np.append(np.sort((inside + size * np.arange(PARTS)).T).ravel(), np.arange(PARTS * size, len(t)))
-    return t[kept], values[kept]
+    rows = np.append(np.sort((inside + size * np.arange(PARTS)).T).ravel(), np.arange(PARTS * size, len(t)))
+    return t[rows], values[rows]
 
 
 def _residual(axis: Axes, signal: Signal, times: Scale) -> None:

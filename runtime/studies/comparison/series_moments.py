@@ -105,9 +105,9 @@ def series_statistics(
     spacing = float(np.median(np.diff(times)))
     places = ((times - times[0]) / interval * (1 + 1e-12)).astype(np.intp)
     whole = max(int((times[-1] - times[0] + spacing) / interval * (1 + 1e-9)), 1)
-    kept = places < whole
-    passed = np.bincount(places[kept], minlength=whole) * spacing
-    parts = [moment.parts(samples[kept, moment.signal], places[kept], passed) for moment in moments]
+    inside = places < whole
+    passed = np.bincount(places[inside], minlength=whole) * spacing
+    parts = [moment.parts(samples[inside, moment.signal], places[inside], passed) for moment in moments]
     there = np.all([weights > 0 for _, weights in parts], axis=0)
     return _statistics([(sums[there], weights[there]) for sums, weights in parts], moments)
 
@@ -125,8 +125,8 @@ def impact_statistics(
     parts = []
     for moment in moments:
         at = (times[moment.signal] - span[0]) / interval
-        kept = (at >= 0) & (at < whole)
-        parts.append(moment.parts(values[moment.signal][kept], at[kept].astype(np.intp), np.full(whole, interval)))
+        inside = (at >= 0) & (at < whole)
+        parts.append(moment.parts(values[moment.signal][inside], at[inside].astype(np.intp), np.full(whole, interval)))
     counted = ROUNDED / (whole * interval)
     return _statistics(parts, moments, [counted if moment.kind == "rate" else 0.0 for moment in moments])
 
@@ -135,26 +135,28 @@ def _statistics(
     parts: Sequence[tuple[Array, Array]], moments: Sequence[SeriesMoment], least: Sequence[float] | float = 0.0
 ) -> SeriesStatistics:
     """Return statistics of sums and weights; least    deviations that they have at least."""
-    found = [estimate(*each) if np.any(each[1] > 0) else Estimate(math.nan, None, 0, 1, "no impacts") for each in parts]
+    estimates = [
+        estimate(*each) if np.any(each[1] > 0) else Estimate(math.nan, None, 0, 1, "no impacts") for each in parts
+    ]
     values, slopes = np.array(
-        [moment.value(each.mean) for moment, each in zip(moments, found, strict=True)], dtype=float
+        [moment.value(each.mean) for moment, each in zip(moments, estimates, strict=True)], dtype=float
     ).T
-    half = np.array([math.nan if each.half_width is None else each.half_width for each in found])
+    half = np.array([math.nan if each.half_width is None else each.half_width for each in estimates])
     deviations = np.maximum(slopes * half / QUANTILE, least)
-    covariance = np.outer(deviations, deviations) * _correlation(parts, found)
+    covariance = np.outer(deviations, deviations) * _correlation(parts, estimates)
     return SeriesStatistics(
-        values, covariance, tuple(each.reason for each in found), min(each.blocks for each in found)
+        values, covariance, tuple(each.reason for each in estimates), min(each.blocks for each in estimates)
     )
 
 
-def _correlation(parts: Sequence[tuple[Array, Array]], found: Sequence[Estimate]) -> Array:
+def _correlation(parts: Sequence[tuple[Array, Array]], estimates: Sequence[Estimate]) -> Array:
     """Return the correlations of the means of blocks, as long as the longest that any statistic needs."""
-    size = max(each.intervals for each in found)
+    size = max(each.intervals for each in estimates)
     n = len(parts[0][0]) // size
     if n < 2:
         return np.eye(len(parts))
     means = []
-    for (sums, weights), each in zip(parts, found, strict=True):
+    for (sums, weights), each in zip(parts, estimates, strict=True):
         above, below = (x[len(x) - n * size :].reshape(n, size).sum(axis=1) for x in (sums, weights))
         left = (above - each.mean * below) / below.mean()
         left -= left.mean()

@@ -68,11 +68,15 @@ def statistics_of(times: Array, measured: Array, run: Array, unit: str, interval
     """
     places = ((times - times[0]) / interval * (1 + 1e-12)).astype(int)
     whole = int((times[-1] - times[0] + float(np.median(np.diff(times)))) / interval * (1 + 1e-9))
-    kept = places < whole if whole else np.ones(len(times), dtype=bool)
-    middle, level = excursion_level(measured[kept])
-    found = [dict(_statistics(times[kept], signal[kept], places[kept], middle, level)) for signal in (measured, run)]
+    inside = places < whole if whole else np.ones(len(times), dtype=bool)
+    middle, level = excursion_level(measured[inside])
+    statistics = [
+        dict(_statistics(times[inside], signal[inside], places[inside], middle, level)) for signal in (measured, run)
+    ]
     units = {"excursions": "1/s"}
-    return tuple(Statistic(name, units.get(name, unit), value, found[1][name]) for name, value in found[0].items())
+    return tuple(
+        Statistic(name, units.get(name, unit), value, statistics[1][name]) for name, value in statistics[0].items()
+    )
 
 
 def excursion_level(measured: Array) -> tuple[float, float]:
@@ -86,8 +90,8 @@ def _statistics(times: Array, x: Array, places: Array, middle: float, level: flo
     present = counts > 0
 
     def mean_of(values: Array, weights: Array = counts) -> tuple[float, float | None, str]:
-        found = estimate(np.bincount(places, values, len(counts))[present], weights[present])
-        return found.mean, found.half_width, found.reason
+        mean = estimate(np.bincount(places, values, len(counts))[present], weights[present])
+        return mean.mean, mean.half_width, mean.reason
 
     mean, half, reason = mean_of(x)
     yield "mean", _around(mean, half, reason)

@@ -94,40 +94,40 @@ class Observed:
         """Return the run times [s] of the data (n,); inf for impacts that the run does not have."""
         if not self.by_impacts:
             return self.at + offset
-        found = np.full(len(self.at), np.inf)
+        run_times = np.full(len(self.at), np.inf)
         for k, channel in enumerate(self.channels):
             rows = self.column == k
-            found[rows] = _numbered(onsets(run, channel.history), self.at[rows], np.inf)
-        return found
+            run_times[rows] = _numbered(onsets(run, channel.history), self.at[rows], np.inf)
+        return run_times
 
     def predicted(self, run: Solution, offset: float) -> Array:
         """Return what the run has in place of the data (n,) [SI]; nan where it has nothing."""
-        found = np.full(len(self.at), np.nan)
+        predicted = np.full(len(self.at), np.nan)
         if not self.by_impacts:
             times = self.at + offset
             inside = (times >= run.t_start) & (times <= run.t_end)
             for history, rows in self._by_times(inside):
-                found[rows] = run.at(np.sort(times[rows]))[history][_ranks(times[rows])]
-            return found
+                predicted[rows] = run.at(np.sort(times[rows]))[history][_ranks(times[rows])]
+            return predicted
         for k, channel in enumerate(self.channels):
             rows = self.column == k
             values = of_impacts(run, channel.history)
-            found[rows] = _numbered(values, self.at[rows], np.nan) - offset * (parts_of(channel.history)[1] == "t")
-        return found
+            predicted[rows] = _numbered(values, self.at[rows], np.nan) - offset * (parts_of(channel.history)[1] == "t")
+        return predicted
 
     def slopes(self, run: Solution, of: Sensitivities, offset: float) -> Array:
         """Return the derivatives of what is predicted (n, P) [SI]; nan where there are none."""
-        found = np.full((len(self.at), len(of.names)), np.nan)
+        slopes = np.full((len(self.at), len(of.names)), np.nan)
         if not self.by_impacts:
             times = self.at + offset
             inside = (times >= run.t_start) & (times <= min(run.t_end, of.until))
             for history, rows in self._by_times(inside):
-                found[rows] = of.along(times[rows], history)
+                slopes[rows] = of.along(times[rows], history)
         else:
             for k, channel in enumerate(self.channels):
                 rows = self.column == k
-                found[rows] = _numbered(of_impacts(run, channel.history, of), self.at[rows], np.nan)
-        return found
+                slopes[rows] = _numbered(of_impacts(run, channel.history, of), self.at[rows], np.nan)
+        return slopes
 
     def rates(self, run: Solution, offset: float) -> Array:
         """Return the derivatives of what is predicted (n,) with the offset [s]."""
@@ -136,8 +136,8 @@ class Observed:
             return -times[self.column].astype(float)
         step = APART * float(np.median(np.diff(self.table.times))) if isinstance(self.table, Measurement) else 0.0
         after, before = (self.predicted(run, offset + d) for d in (step, -step))
-        found: Array = (after - before) / (2 * step)
-        return found
+        rates: Array = (after - before) / (2 * step)
+        return rates
 
     def _by_times(self, inside: NDArray[np.bool_]) -> list[tuple[str, NDArray[np.intp]]]:
         return [
@@ -153,9 +153,9 @@ def _numbered(values: Array, numbers: Array, otherwise: float) -> Array:
     """Return the values of numbered impacts, counted from 1."""
     places = numbers.astype(int) - 1
     there = places < len(values)
-    found = np.full((len(numbers), *values.shape[1:]), otherwise)
-    found[there] = values[places[there]]
-    return found
+    chosen = np.full((len(numbers), *values.shape[1:]), otherwise)
+    chosen[there] = values[places[there]]
+    return chosen
 
 
 def read_experiments(
@@ -176,17 +176,17 @@ def read_experiments(
 
     latest    largest offset [s] of run time less measured time
     """
-    given = data if isinstance(data, Sequence) and not isinstance(data, str) else [data]
-    if not given:
+    runs = data if isinstance(data, Sequence) and not isinstance(data, str) else [data]
+    if not runs:
         faults.append(Fault("data", "none", "measured runs: files, Measurement, MeasuredImpacts or Experiment"))
     if map is not None and not (isinstance(map, Mapping) and map):
         faults.append(Fault("map", shown(map), "histories by column, such as {'height': 'vertical.travel'}"))
         map = None
     noise = named_values("noise", {} if noise is None else noise, faults)
-    found, seen = [], set[str]()
-    for number, each in enumerate(given, 1):
+    experiments, measured_columns = [], set[str]()
+    for number, each in enumerate(runs, 1):
         experiment = each if isinstance(each, Experiment) else Experiment(each)
-        many = len(given) > 1
+        many = len(runs) > 1
         one = _observed(
             model,
             experiment,
@@ -201,12 +201,12 @@ def read_experiments(
             faults,
         )
         if one is not None:
-            found.append(one)
-            seen |= {channel.column for channel in one.channels}
-    if len(found) == len(given):
-        columns = seen | set(map or ())
+            experiments.append(one)
+            measured_columns |= {channel.column for channel in one.channels}
+    if len(experiments) == len(runs):
+        columns = measured_columns | set(map or ())
         faults += [unknown("column", name, sorted(columns)) for name in noise if name not in columns]
-    return tuple(found)
+    return tuple(experiments)
 
 
 def _observed(

@@ -144,7 +144,7 @@ class Estimates(ABC):
             ]
             raise InputError(f"distribution of the fit of {self.scene}", faults)
         deviations = np.sqrt(np.diag(self.known.covariance))
-        found: dict[str, Distribution | str] = {}
+        distributions: dict[str, Distribution | str] = {}
         for name, value in self.values.items():
             size = float(deviations[names.index(name)])
             at, width = (value.value, value.unit), (size * value.scale, value.unit)
@@ -153,17 +153,17 @@ class Estimates(ABC):
                 or value.inner(value.value) + FAR * size > value.bounds[1]
             )
             if value.log:
-                found[name] = LogNormal(at, math.exp(size))
+                distributions[name] = LogNormal(at, math.exp(size))
             elif cut:
-                found[name] = TruncatedNormal(at, width, (value.low, value.unit), (value.high, value.unit))
+                distributions[name] = TruncatedNormal(at, width, (value.low, value.unit), (value.high, value.unit))
             else:
-                found[name] = Normal(at, width)
+                distributions[name] = Normal(at, width)
         pairs = combinations(self.values, 2)
         correlation = {
             f"{one}, {other}": float(self.known.correlation[names.index(one), names.index(other)])
             for one, other in pairs
         }
-        return Correlated(found, correlation)
+        return Correlated(distributions, correlation)
 
 
 @dataclass(frozen=True)

@@ -119,8 +119,8 @@ def read_fit(
             nuisance.append(Free(low, high, "s", False, where, min(max(0.0, low), high)))
     gains: dict[str, int] = {}
     columns = {channel.column for each in observed for channel in each.channels}
-    given: Mapping[str, Any] = named_values("gain", {} if gain is None else gain, faults)
-    for column, between in given.items():
+    stated_gains: Mapping[str, Any] = named_values("gain", {} if gain is None else gain, faults)
+    for column, between in stated_gains.items():
         if observed and column not in columns:
             faults.append(unknown("column", column, sorted(columns)))
             continue
@@ -170,18 +170,18 @@ def searched(request: FitRequest, progress: Callable[[float], object] | None = N
 def stated_noise(forward: Forward) -> Array:
     """Return the stated noise of every datum (n,), nan where none is stated."""
     sizes = [forward.observed[i].channels[k].noise for i, k in forward.columns]
-    found: Array = np.array([math.nan if size is None else size for size in sizes])[forward.column]
-    return found
+    noise: Array = np.array([math.nan if size is None else size for size in sizes])[forward.column]
+    return noise
 
 
 def _refuse_idle(search: Search, request: FitRequest) -> None:
     """Raise InputError for quantities that change nothing measured, wherever they are tried."""
-    forward, seen = search.forward, np.zeros(len(request.free))
+    forward, sensitivity = search.forward, np.zeros(len(request.free))
     for x in search.starts(PROBES, request.seed):
-        seen = np.maximum(
-            seen, np.max(np.abs(forward.slopes(x)[:, : len(request.free)] / search.spread[:, None]), axis=0)
+        sensitivity = np.maximum(
+            sensitivity, np.max(np.abs(forward.slopes(x)[:, : len(request.free)] / search.spread[:, None]), axis=0)
         )
-        if np.all(seen > IDLE):
+        if np.all(sensitivity > IDLE):
             return
     columns = sorted({f"{c.column} ({c.history})" for each in request.observed for c in each.channels})
     remedy = "leave it out, or measure what it changes"
@@ -189,26 +189,26 @@ def _refuse_idle(search: Search, request: FitRequest) -> None:
         f"fit of {request.observed[0].model.name}",
         [
             Fault(free.name, f"a quantity that changes nothing of {', '.join(columns)}", "one that does", remedy)
-            for free, size in zip(request.free, seen, strict=True)
+            for free, size in zip(request.free, sensitivity, strict=True)
             if not size > IDLE
         ],
     )
 
 
-def concluded(request: FitRequest, search: Search, found: Estimate) -> Fitted:
+def concluded(request: FitRequest, search: Search, estimate: Estimate) -> Fitted:
     """Return the fit with its identifiability, intervals, goodness and residuals."""
-    share = float(np.mean(found.used))
+    share = float(np.mean(estimate.used))
     forward = search.forward
-    known = identified(found.jacobian, forward.searched)
-    ends, warnings = intervals(search, found, known, request.profile)
-    count, point = len(request.free), forward.at(found.x)
+    known = identified(estimate.jacobian, forward.searched)
+    ends, warnings = intervals(search, estimate, known, request.profile)
+    count, point = len(request.free), forward.at(estimate.x)
     made = [run.parameters for run in point.runs if run is not None]
     units = {free.name: {unit_at(free.unit, parameters) for parameters in made} for free in forward.searched}
     values = [
         FittedValue.of(free, free.outer(float(x)), interval, *(units[free.name] if len(units[free.name]) == 1 else ()))
-        for free, x, interval in zip(forward.searched, found.x, ends, strict=True)
+        for free, x, interval in zip(forward.searched, estimate.x, ends, strict=True)
     ]
-    signals = tuple(_signals(search, found))
+    signals = tuple(_signals(search, estimate))
     exact = "exact, from the variational equations through every impact"
     reasons = "; ".join(sorted(forward.without_exact)[:3])
     return Fitted(
@@ -218,28 +218,28 @@ def concluded(request: FitRequest, search: Search, found: Estimate) -> Fitted:
         nuisance={value.name: value for value in values[count:]},
         known=known,
         unidentified=tuple(known.unidentified([value.value for value in values], count)),
-        goodness=_goodness(search, found),
-        criterion=criterion_of(search, found),
+        goodness=_goodness(search, estimate),
+        criterion=criterion_of(search, estimate),
         share=share,
         signals=signals,
-        offsets=tuple(forward.offset(i, found.x) for i in range(len(request.observed))),
+        offsets=tuple(forward.offset(i, estimate.x) for i in range(len(request.observed))),
         solutions=tuple(run for run in point.runs if run is not None),
         runs_made=forward.runs_made,
         derivatives=f"{exact}; in part by differences: {reasons}" if reasons else exact,
-        warnings=(*_warnings(search, found, signals, values, share), *dict.fromkeys(warnings)),
+        warnings=(*_warnings(search, estimate, signals, values, share), *dict.fromkeys(warnings)),
     )
 
 
-def _signals(search: Search, found: Estimate) -> list[FittedSignal]:
+def _signals(search: Search, estimate: Estimate) -> list[FittedSignal]:
     forward = search.forward
-    point, made = forward.at(found.x), []
+    point, made = forward.at(estimate.x), []
     for number, (i, k) in enumerate(forward.columns):
         each = forward.observed[i]
         rows = forward.column == number
-        used, measured, predicted = found.used[rows], forward.measured[rows], point.predicted[rows]
+        used, measured, predicted = estimate.used[rows], forward.measured[rows], point.predicted[rows]
         at = each.at[each.column == k]
         judged = used & np.isfinite(predicted)
-        sigma = float(found.sigma[rows][0])
+        sigma = float(estimate.sigma[rows][0])
         stated = each.channels[k].noise is not None
         residual = (
             residual_of(at[judged], measured[judged], predicted[judged], sigma if stated else None)
@@ -254,48 +254,48 @@ def _signals(search: Search, found: Estimate) -> list[FittedSignal]:
     return made
 
 
-def _goodness(search: Search, found: Estimate) -> Goodness | None:
+def _goodness(search: Search, estimate: Estimate) -> Goodness | None:
     """Return chi-squared and its chance, of the rows whose noise is stated."""
     from scipy.stats import chi2  # slow to import
 
-    stated = np.isfinite(search.stated[found.used])
+    stated = np.isfinite(search.stated[estimate.used])
     if not np.any(stated):
         return None
-    freedom = round(float(np.sum(stated)) - len(found.x) * float(np.mean(stated)))
+    freedom = round(float(np.sum(stated)) - len(estimate.x) * float(np.mean(stated)))
     if freedom < 1:
         return None
-    square = float(np.sum(found.residuals[stated] ** 2))
+    square = float(np.sum(estimate.residuals[stated] ** 2))
     return Goodness(square, freedom, float(chi2.sf(square, freedom)))
 
 
-def criterion_of(search: Search, found: Estimate) -> float:
+def criterion_of(search: Search, estimate: Estimate) -> float:
     """Return Akaike's criterion with the correction for few data, but for a constant of the data.
 
     The noise of columns without a stated one is that which makes their residuals likeliest, and counts as fitted.
     """
-    stated, group = np.isfinite(search.stated[found.used]), search.forward.group[found.used]
-    likelihood = float(np.sum(found.residuals[stated] ** 2 + 2 * np.log(found.sigma[found.used][stated])))
+    stated, group = np.isfinite(search.stated[estimate.used]), search.forward.group[estimate.used]
+    likelihood = float(np.sum(estimate.residuals[stated] ** 2 + 2 * np.log(estimate.sigma[estimate.used][stated])))
     estimated = np.unique(group[~stated])
     for k in estimated:
-        part = (found.residuals * found.sigma[found.used])[group == k]
+        part = (estimate.residuals * estimate.sigma[estimate.used])[group == k]
         likelihood += len(part) * (1 + math.log(max(float(np.mean(part**2)), 1e-300)))
-    n, k = len(found.residuals), len(found.x) + len(estimated)
+    n, k = len(estimate.residuals), len(estimate.x) + len(estimated)
     return likelihood + 2 * k + (2 * k * (k + 1) / (n - k - 1) if n > k + 1 else math.inf)
 
 
 def _warnings(
-    search: Search, found: Estimate, signals: tuple[FittedSignal, ...], values: list[FittedValue], share: float
+    search: Search, estimate: Estimate, signals: tuple[FittedSignal, ...], values: list[FittedValue], share: float
 ) -> list[str]:
     """Return what to heed before the numbers are believed."""
     warnings, forward = [], search.forward
-    if not found.converged:
+    if not estimate.converged:
         warnings.append("the search ended before it converged")
     if share < 1:
         warnings.append(
             f"{1 - share:.0%} of the data lie beyond the horizon, where the run's own error exceeds a tenth of the noise: they are left out; "
             "a shorter record, a smaller tolerance, or statistics of them (fit_moments)"
         )
-    lost = int(np.sum(~np.isfinite(forward.at(found.x).predicted) & found.used))
+    lost = int(np.sum(~np.isfinite(forward.at(estimate.x).predicted) & estimate.used))
     if lost:
         warnings.append(
             f"the best fit has no value for {lost} of the data: impacts that it does not make, or a run that ended before"
@@ -314,7 +314,7 @@ def _warnings(
                 f"{signal.channel.column}: neighbouring residuals are alike, {residual.samples} of them are worth {residual.independent:.0f}: "
                 "the model or the noise is another one, and the intervals are too narrow"
             )
-    for run in forward.at(found.x).runs:
+    for run in forward.at(estimate.x).runs:
         if run is not None:
             warnings += run.warnings
     return list(dict.fromkeys(warnings))

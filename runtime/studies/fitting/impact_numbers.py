@@ -32,16 +32,16 @@ def impact_units(model: EngineModel) -> dict[str, str]:
     """Return the SI unit text of what impacts can be compared by, by name."""
     whats = {**OF_IMPACT, **{f"{REBOUND}{name}": unit for name, unit in units_of(model, None).items() if name != "t"}}
     return {
-        f"{place}{IMPACTS}{what}".removeprefix("."): unit
+        f"{place}{IMPACTS}{quantity}".removeprefix("."): unit
         for place in ("", *model.pairs)
-        for what, unit in whats.items()
+        for quantity, unit in whats.items()
     }
 
 
 def parts_of(name: str) -> tuple[str, str]:
     """Return the pair, empty for all contacts, and what of its impacts a name is."""
-    pair, _, what = f".{name}".partition(IMPACTS)
-    return pair.removeprefix("."), what
+    pair, _, quantity = f".{name}".partition(IMPACTS)
+    return pair.removeprefix("."), quantity
 
 
 def onsets(run: EngineSolution, name: str) -> Array:
@@ -52,13 +52,13 @@ def onsets(run: EngineSolution, name: str) -> Array:
 
 def of_impacts(run: EngineSolution, name: str, by: Sensitivities | None = None) -> Array:
     """Return one number of each impact (impacts,), or its derivatives (impacts, P) by all names, SI."""
-    pair, what = parts_of(name)
+    pair, quantity = parts_of(name)
     chosen = [i for i, impact in enumerate(run.impacts) if not pair or impact.contact == pair]
-    if what.startswith(REBOUND):
-        return _rebounds(run, what.removeprefix(REBOUND), [run.impacts[i].t for i in chosen], by)
+    if quantity.startswith(REBOUND):
+        return _rebounds(run, quantity.removeprefix(REBOUND), [run.impacts[i].t for i in chosen], by)
     if by is not None:
-        return np.asarray(by.along_impacts(what))[chosen]
-    return np.array([getattr(run.impacts[i], what) for i in chosen], dtype=float)
+        return np.asarray(by.along_impacts(quantity))[chosen]
+    return np.array([getattr(run.impacts[i], quantity) for i in chosen], dtype=float)
 
 
 def _rebounds(run: EngineSolution, history: str, onsets: list[float], by: Sensitivities | None) -> Array:
@@ -68,7 +68,7 @@ def _rebounds(run: EngineSolution, history: str, onsets: list[float], by: Sensit
     """
     from scipy.optimize import minimize_scalar  # slow to import
 
-    found = np.full(len(onsets) if by is None else (len(onsets), len(by.names)), np.nan)
+    largest = np.full(len(onsets) if by is None else (len(onsets), len(by.names)), np.nan)
     steps = run.with_steps().t
     for i, (start, end) in enumerate(pairwise(onsets)):
         nodes = np.unique(np.concatenate([[start, end], steps[(steps > start) & (steps < end)]]))
@@ -85,7 +85,7 @@ def _rebounds(run: EngineSolution, history: str, onsets: list[float], by: Sensit
         )
         at, value = (float(best.x), -float(best.fun)) if -best.fun > values[top] else (float(times[top]), values[top])
         if by is None:
-            found[i] = value
+            largest[i] = value
         elif at <= by.until:
-            found[i] = by.along(np.array([at]), history)[0]
-    return found
+            largest[i] = by.along(np.array([at]), history)[0]
+    return largest

@@ -36,7 +36,7 @@ class Interval:
 
 
 def intervals(
-    search: Search, found: Estimate, known: Identified, profile: bool | str
+    search: Search, estimate: Estimate, known: Identified, profile: bool | str
 ) -> tuple[list[Interval], list[str]]:
     """Return the interval of everything free, in the order of x, and what to heed.
 
@@ -45,19 +45,19 @@ def intervals(
     from scipy.stats import norm, t  # slow to import
 
     warnings: list[str] = []
-    stated, freedom = not np.any(np.isnan(search.stated[found.used])), len(found.residuals) - len(found.x)
+    stated, freedom = not np.any(np.isnan(search.stated[estimate.used])), len(estimate.residuals) - len(estimate.x)
     quantile = float(norm.ppf((1 + LEVEL) / 2) if stated else t.ppf((1 + LEVEL) / 2, max(freedom, 1)))
     errors = np.sqrt(np.diag(known.covariance))
     noise = "the stated noise" if stated else "the noise seen in the residuals"
     made = []
     for j, free in enumerate(search.forward.searched):
-        x, low, high = float(found.x[j]), float(search.low[j]), float(search.high[j])
+        x, low, high = float(estimate.x[j]), float(search.low[j]), float(search.high[j])
         half = quantile * float(errors[j])
         ends = x - half, x + half
         bad = known.concerned(j) or errors[j] > BAD or ends[0] < low or ends[1] > high or not errors[j] > 0
         quantity = j < len(search.forward.free)
         if (profile is True and quantity) or (profile == "auto" and bad and quantity):
-            made.append(_profile(search, found, j, half, quantile**2, noise, warnings))
+            made.append(_profile(search, estimate, j, half, quantile**2, noise, warnings))
             continue
         how = f"linear: curvature of the least squares at the best fit, {noise}"
         if known.concerned(j) or not errors[j] > 0:
@@ -75,7 +75,7 @@ def intervals(
 
 
 def _profile(
-    search: Search, found: Estimate, j: int, half: float, rise: float, noise: str, warnings: list[str]
+    search: Search, estimate: Estimate, j: int, half: float, rise: float, noise: str, warnings: list[str]
 ) -> Interval:
     """Return where the least squares, all else fitted anew, rise by the quantile of chi-squared.
 
@@ -84,7 +84,7 @@ def _profile(
     free = search.forward.searched[j]
     ends, is_open = [], []
     for bound in (float(search.low[j]), float(search.high[j])):
-        place, opened = _end(search, found, j, bound, half, rise, warnings)
+        place, opened = _end(search, estimate, j, bound, half, rise, warnings)
         ends.append(free.outer(place))
         is_open.append(opened)
     how = f"profile likelihood: the least squares, all else fitted anew, rise by {rise:.3g}, {noise}"
@@ -92,25 +92,25 @@ def _profile(
 
 
 def _end(
-    search: Search, found: Estimate, j: int, bound: float, half: float, rise: float, warnings: list[str]
+    search: Search, estimate: Estimate, j: int, bound: float, half: float, rise: float, warnings: list[str]
 ) -> tuple[float, bool]:
     from scipy.optimize import brentq  # slow to import
 
-    x = float(found.x[j])
+    x = float(estimate.x[j])
     if abs(bound - x) <= NEAR * (search.high[j] - search.low[j]):
         return bound, True
-    warm = {x: found.x}
+    warm = {x: estimate.x}
 
     def excess(place: float) -> float:
         nearest = min(warm, key=lambda other: abs(other - place))
         start = warm[nearest].copy()
         start[j] = place
-        least = search.least(start, found.used, found.sigma, fixed=j)
+        least = search.least(start, estimate.used, estimate.sigma, fixed=j)
         warm[place] = least.x
-        if least.cost < found.cost - 0.01 * rise:
+        if least.cost < estimate.cost - 0.01 * rise:
             name = search.forward.searched[j].name
             warnings.append(f"a better fit than the best was met on the profile of {name}: more starts")
-        return math.sqrt(max(least.cost - found.cost, 0.0)) - math.sqrt(rise)
+        return math.sqrt(max(least.cost - estimate.cost, 0.0)) - math.sqrt(rise)
 
     near, step = x, min(half, FIRST) if half > 0 else FIRST
     while True:

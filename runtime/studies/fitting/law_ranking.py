@@ -54,8 +54,8 @@ def split_laws(text: str) -> list[str]:
 def law_variants(model: EngineModel, laws: Mapping[str, Sequence[str]]) -> tuple[dict[str, EngineModel], list[Fault]]:
     """Return a model with every combination of laws, by what says which, and what is wrong with them."""
     faults: list[Fault] = []
-    given = laws.values() if isinstance(laws, Mapping) else ()
-    if not given or not all(isinstance(each, list | tuple) and all(isinstance(x, str) for x in each) for each in given):
+    lists = laws.values() if isinstance(laws, Mapping) else ()
+    if not lists or not all(isinstance(each, list | tuple) and all(isinstance(x, str) for x in each) for each in lists):
         expected = 'laws by effect, such as {"floor": ["flores", "hunt_crossley"]}'
         return {}, [Fault("laws", shown(laws), expected)]
     if model.declaration is None:
@@ -98,8 +98,8 @@ def read_laws(
         own = (
             {name: ends for name, ends in free.items() if name not in elsewhere} if isinstance(free, Mapping) else free
         )
-        given = how["parameters"]
-        parameters = {name: value for name, value in (given or {}).items() if name not in elsewhere}
+        stated = how["parameters"]
+        parameters = {name: value for name, value in (stated or {}).items() if name not in elsewhere}
         try:
             request[law] = read_fit(model, data, own, **{**how, "parameters": parameters})
         except InputError as error:
@@ -157,8 +157,8 @@ class Ranking:
         return text
 
     def _repr_html_(self) -> str:
-        found = "not distinguished" if self.alike else "distinguished"
-        head = heading(self.best.fitted.scene, found, f": {self.verdict}", good=not self.alike)
+        verdict = "not distinguished" if self.alike else "distinguished"
+        head = heading(self.best.fitted.scene, verdict, f": {self.verdict}", good=not self.alike)
         rows = (
             (
                 law.name,
@@ -229,11 +229,13 @@ def ranked(request: Mapping[str, FitRequest], progress: Callable[[float], object
     fits: dict[str, tuple[Search, Estimate]] = {}
     for k, (name, one) in enumerate(request.items()):
         fits[name] = searched(one, partial(_report_progress, progress, k, len(request)))
-    common = np.logical_and.reduce([found.used for _, found in fits.values()])
+    common = np.logical_and.reduce([estimate.used for _, estimate in fits.values()])
     laws = []
-    for name, (search, found) in fits.items():
+    for name, (search, estimate) in fits.items():
         again = (
-            found if np.array_equal(found.used, common) else search.settled(search.least(found.x, common, found.sigma))
+            estimate
+            if np.array_equal(estimate.used, common)
+            else search.settled(search.least(estimate.x, common, estimate.sigma))
         )
         held = _held_out(search, again)
         fitted = concluded(request[name], search, again)
@@ -266,15 +268,15 @@ def _apart(best: RankedLaw, other: RankedLaw) -> bool:
     return bool(np.sum(prefer) > -DOUBT * math.sqrt(len(prefer)) * float(np.std(prefer, ddof=1)) and np.sum(prefer) > 0)
 
 
-def _held_out(search: Search, found: Estimate) -> tuple[float, ...]:
+def _held_out(search: Search, estimate: Estimate) -> tuple[float, ...]:
     """Return the log-density of every run, predicted by the fit of the others; empty with one run."""
     forward, made = search.forward, []
     if len(forward.observed) < 2:
         return ()
     for i in range(len(forward.observed)):
-        kept, left = found.used & (forward.run != i), found.used & (forward.run == i)
-        trained = search.settled(search.least(found.x, kept, found.sigma))
-        sigma = np.where(np.isnan(stated_noise(forward)), trained.sigma, found.sigma)
+        training, left = estimate.used & (forward.run != i), estimate.used & (forward.run == i)
+        trained = search.settled(search.least(estimate.x, training, estimate.sigma))
+        sigma = np.where(np.isnan(stated_noise(forward)), trained.sigma, estimate.sigma)
         residuals = search.residuals(trained.x, left, sigma)
         made.append(-float(residuals @ residuals) / 2 - float(np.sum(np.log(sigma[left] * math.sqrt(2 * math.pi)))))
     return tuple(made)

@@ -61,15 +61,15 @@ class Search:
         forward, sigma = self.forward, self._sigma0()
         windows = [w for w in WINDOWS if np.sum(forward.place <= w) >= FEW * len(self.low)] or [1.0]
         masks = [forward.place <= w * (1 + 1e-12) for w in windows]
-        found = self._followed(masks, count, seed)
+        estimates = self._followed(masks, count, seed)
         for number, mask in enumerate(masks[1:], 2):
-            kept = _apart([each.x for each in found])
-            used = self.within(kept[0], mask, sigma)
-            if np.sum(used) <= np.sum(found[0].used):
+            starts = _apart([each.x for each in estimates])
+            used = self.within(starts[0], mask, sigma)
+            if np.sum(used) <= np.sum(estimates[0].used):
                 break
-            found = self._leasts(kept, used)
+            estimates = self._leasts(starts, used)
             self._progress(0.4 + 0.5 * number / len(masks))
-        return self.settled(self.least(found[0].x, found[0].used, self._sigma0()))
+        return self.settled(self.least(estimates[0].x, estimates[0].used, self._sigma0()))
 
     def _followed(self, masks: Sequence[NDArray[np.bool_]], count: int, seed: int) -> list[Estimate]:
         """Return the least squares over the first window from the best starts, the least first."""
@@ -78,19 +78,19 @@ class Search:
             r = self.residuals(x, np.ones(len(self.stated), dtype=bool), self._sigma0())
             scores.append(np.mean([math.log(np.mean(r[mask] ** 2) + 1e-300) for mask in masks]))
             self._progress(0.4 * (k + 1) / len(places))
-        kept = [places[k] for k in np.argsort(scores)[: max(FOLLOWED, count // OF_MANY)]]
-        return self._leasts(kept, self.within(kept[0], masks[0], self._sigma0()))
+        starts = [places[k] for k in np.argsort(scores)[: max(FOLLOWED, count // OF_MANY)]]
+        return self._leasts(starts, self.within(starts[0], masks[0], self._sigma0()))
 
     def _leasts(self, places: Sequence[Array], used: NDArray[np.bool_]) -> list[Estimate]:
-        found = [self.least(x, used, self._sigma0(), within=ROUGH) for x in places]
-        return sorted(found, key=lambda each: each.cost)
+        estimates = [self.least(x, used, self._sigma0(), within=ROUGH) for x in places]
+        return sorted(estimates, key=lambda each: each.cost)
 
-    def settled(self, found: Estimate) -> Estimate:
+    def settled(self, estimate: Estimate) -> Estimate:
         """Return the least squares over the noise that the residuals have, where none is stated."""
-        if np.any(np.isnan(self.stated[found.used])):
+        if np.any(np.isnan(self.stated[estimate.used])):
             for _ in range(3):  # noise follows residuals, and they the noise
-                found = self.least(found.x, found.used, self._estimated(found))
-        return found
+                estimate = self.least(estimate.x, estimate.used, self._estimated(estimate))
+        return estimate
 
     def starts(self, count: int, seed: int) -> list[Array]:
         """Return places to start from: the model's own values, and a Latin hypercube."""
@@ -100,14 +100,14 @@ class Search:
     def _sigma0(self) -> Array:
         return np.where(np.isnan(self.stated), GUESSED * self.spread, self.stated)
 
-    def _estimated(self, found: Estimate) -> Array:
+    def _estimated(self, estimate: Estimate) -> Array:
         """Return the noise of each row, that of columns without a stated one from their residuals."""
         sigma, group = self._sigma0(), self.forward.group
         for k in np.unique(group):
-            rows = found.used & (group == k)
+            rows = estimate.used & (group == k)
             if np.any(rows) and np.isnan(self.stated[rows][0]):
-                part = found.residuals[(group == k)[found.used]] * found.sigma[rows]
-                free = len(part) * (1 - len(found.x) / max(int(np.sum(found.used)), len(found.x) + 1))
+                part = estimate.residuals[(group == k)[estimate.used]] * estimate.sigma[rows]
+                free = len(part) * (1 - len(estimate.x) / max(int(np.sum(estimate.used)), len(estimate.x) + 1))
                 sigma[group == k] = math.sqrt(float(part @ part) / max(free, 1e-9)) or GUESSED * self.spread[rows][0]
         return sigma
 
@@ -128,13 +128,13 @@ class Search:
         """Return measured less predicted over the noise, of the rows used."""
         predicted = self.forward.at(x).predicted
         with np.errstate(over="ignore"):
-            found = (self.forward.measured - predicted) / sigma
-        return np.where(np.isfinite(found), found, LOST * self.spread / sigma)[used]
+            residuals = (self.forward.measured - predicted) / sigma
+        return np.where(np.isfinite(residuals), residuals, LOST * self.spread / sigma)[used]
 
     def jacobian(self, x: Array, used: NDArray[np.bool_], sigma: Array) -> Array:
         """Return the derivatives of the residuals (used, x)."""
-        found: Array = -(self.forward.slopes(x) / sigma[:, None])[used]
-        return found
+        jacobian: Array = -(self.forward.slopes(x) / sigma[:, None])[used]
+        return jacobian
 
     def least(
         self, x: Array, used: NDArray[np.bool_], sigma: Array, *, fixed: int | None = None, within: float = CONVERGED
@@ -172,8 +172,8 @@ class Search:
 
 def _apart(places: list[Array]) -> list[Array]:
     """Return places, those alike but once."""
-    kept: list[Array] = []
+    distinct: list[Array] = []
     for x in places:
-        if all(float(np.max(np.abs(x - other))) > ALIKE for other in kept):
-            kept.append(x)
-    return kept
+        if all(float(np.max(np.abs(x - other))) > ALIKE for other in distinct):
+            distinct.append(x)
+    return distinct

@@ -95,8 +95,8 @@ class Forward:
     def gains(self, x: Array) -> Array:
         """Return the gain of every datum (n,)."""
         outer = np.array([free.outer(place) for free, place in zip(self.searched, x, strict=True)] + [1.0])
-        found: Array = outer[self._gain]
-        return found
+        gains: Array = outer[self._gain]
+        return gains
 
     def _made(self, x: Array, tolerance: float) -> Point:
         runs, predicted, times = [], [], []
@@ -137,7 +137,7 @@ class Forward:
     def _slopes(self, x: Array) -> Array:
         point, names = self.at(x), [free.name for free in self.free]
         scales = np.array([free.slope(free.outer(place)) for free, place in zip(self.searched, x, strict=True)])
-        found = np.zeros((len(self.measured), len(x)))
+        slopes = np.zeros((len(self.measured), len(x)))
         gains = self.gains(x)
         for i, (each, run) in enumerate(zip(self.observed, point.runs, strict=True)):
             if run is None:
@@ -147,14 +147,14 @@ class Forward:
             lost = np.isfinite(point.predicted[rows]) & ~np.all(np.isfinite(block), axis=1)
             if np.any(lost):
                 block[lost] = self._differences(x)[rows[lost]]
-            found[rows, : len(names)] = block
+            slopes[rows, : len(names)] = block
             place = self._offsets[i]
             if isinstance(place, int):
-                found[rows, place] = each.rates(run, offset) * gains[rows] * scales[place]
+                slopes[rows, place] = each.rates(run, offset) * gains[rows] * scales[place]
         scaled = np.flatnonzero(self._gain >= 0)
-        found[scaled, self._gain[scaled]] = (point.predicted / gains)[scaled] * scales[self._gain[scaled]]
-        found[~np.isfinite(found)] = 0.0
-        return found
+        slopes[scaled, self._gain[scaled]] = (point.predicted / gains)[scaled] * scales[self._gain[scaled]]
+        slopes[~np.isfinite(slopes)] = 0.0
+        return slopes
 
     def _exact(self, each: Observed, run: Solution, names: list[str], offset: float) -> Array:
         """Return the exact derivatives by the free quantities (n, names) [SI]; nan where there are none."""

@@ -75,7 +75,7 @@ def names_in(text: object) -> list[str]:
     if not isinstance(text, str):
         return []
     written, _ = _without_quantities(text)
-    words = (found[0] for found in NAME.finditer(written) if not _function(found, written))
+    words = (match[0] for match in NAME.finditer(written) if not _function(match, written))
     return list(dict.fromkeys(word for word in words if not word.startswith(QUANTITY)))
 
 
@@ -83,17 +83,17 @@ def _without_quantities(text: str) -> tuple[str, list[str]]:
     """Return a text with names in place of its quantities, numbers followed by a unit, and these."""
     quantities: list[str] = []
 
-    def named(found: re.Match[str]) -> str:
-        pieces = re.split(r"([/* ])", found[2])
+    def named(match: re.Match[str]) -> str:
+        pieces = re.split(r"([/* ])", match[2])
         for k in range(len(pieces), 0, -2):  # the longest unit: what follows may be a factor
-            quantity = f"{found[1]} {''.join(pieces[:k])}"
+            quantity = f"{match[1]} {''.join(pieces[:k])}"
             try:
                 parse_quantity(quantity)
             except UnitError:
                 continue
             quantities.append(quantity)
             return f"{QUANTITY}{len(quantities) - 1}{''.join(pieces[k:])}"
-        return found[0]
+        return match[0]
 
     return _QUANTITY.sub(named, text), quantities
 
@@ -114,25 +114,25 @@ def read_formula(where: str, text: object, units: Mapping[str, str], faults: lis
     aliases = {name: f"{ALIAS}{i}" for i, name in enumerate(names)}
     plain, quantities = _without_quantities(text)
     written = NAME.sub(
-        lambda found: found[0] if _function(found, plain) or found[0] not in aliases else aliases[found[0]], plain
+        lambda match: match[0] if _function(match, plain) or match[0] not in aliases else aliases[match[0]], plain
     )
     values = [parse_quantity(quantity) for quantity in quantities]
     from hertzwerk.runtime.engine.model import build
 
-    def told(message: str) -> str:
-        message = re.sub(rf"{QUANTITY}(\d+)", lambda found: quantities[int(found[1])], message)
-        return re.sub(rf"{ALIAS}(\d+)", lambda found: names[int(found[1])], message)
+    def restored(message: str) -> str:
+        message = re.sub(rf"{QUANTITY}(\d+)", lambda match: quantities[int(match[1])], message)
+        return re.sub(rf"{ALIAS}(\d+)", lambda match: names[int(match[1])], message)
 
     try:
         of_names = {aliases[name]: units[name] or "1" for name in names}
         of_values = {f"{QUANTITY}{i}": unit_text(unit.exponents) for i, (_, unit) in enumerate(values)}
         root, finding = build.read_expression(written, of_names | of_values)
     except InputError as error:
-        faults += [Fault(where, told(f.found), told(f.expected), told(f.remedy)) for f in error.faults]
+        faults += [Fault(where, restored(f.found), restored(f.expected), restored(f.remedy)) for f in error.faults]
         return None
     if finding.verdict != "consistent":
-        found = f"{told(finding.subexpression)}: {told(finding.found)}"
-        faults.append(Fault(where, found, finding.expected or "one unit", told(finding.repair or finding.reason)))
+        actual = f"{restored(finding.subexpression)}: {restored(finding.found)}"
+        faults.append(Fault(where, actual, finding.expected or "one unit", restored(finding.repair or finding.reason)))
         return None
     others = {node.op for node in root.walk()} - {*_FUNCTIONS, "number", "name", "pi"}
     if others:
@@ -142,11 +142,11 @@ def read_formula(where: str, text: object, units: Mapping[str, str], faults: lis
                    tuple(unit.to_si(value) for value, unit in values))  # fmt: skip
 
 
-def _function(found: re.Match[str], text: str) -> bool:
+def _function(match: re.Match[str], text: str) -> bool:
     """Return whether a word of a text is a function's name, pi, or part of a number such as 1e3."""
-    if found[0] == "pi" or CALLED.match(text, found.end()):
+    if match[0] == "pi" or CALLED.match(text, match.end()):
         return True
-    before = text[found.start() - 1] if found.start() else ""
+    before = text[match.start() - 1] if match.start() else ""
     return before.isdigit() or before == "."
 
 

@@ -88,12 +88,12 @@ def minimise(
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
     }
-    given = {"parameters": parameters, "initial": initial, "inputs": inputs}
-    faults = refused_by_sweep(model, {**given, **settings}, None)
+    values = {"parameters": parameters, "initial": initial, "inputs": inputs}
+    faults = refused_by_sweep(model, {**values, **settings}, None)
     ranges = _ranges(model, over, start, faults)
     texts = [objective, *(constraints if isinstance(constraints, Mapping) else ())]
-    asked = list(dict.fromkeys(name for text in texts for name in names_in(text)))
-    outputs = {one.name: one for one in chosen(model, [n for n in asked if n not in model.parameters], faults)}
+    names = list(dict.fromkeys(name for text in texts for name in names_in(text)))
+    outputs = {one.name: one for one in chosen(model, [n for n in names if n not in model.parameters], faults)}
     units = si_units(model)
     named = {**units, **{name: output.columns[name] for name, output in outputs.items()}}
     goal = read_formula("objective", objective, named, faults)
@@ -106,18 +106,18 @@ def minimise(
     faults += [Fault(x.name, "among parameters and over", "one of the two") for x in ranges if x.name in fixed]
     if faults or goal is None:
         raise InputError(f"minimum of {model.name}", faults)
-    problem = _Problem(model, goal, tuple(bounds), ranges, outputs, {**given, **settings})
+    problem = _Problem(model, goal, tuple(bounds), ranges, outputs, {**values, **settings})
     begins = starts_in(ranges, [one.value for one in ranges], starts, seed)
-    found: list[Minimum] = []
+    minima: list[Minimum] = []
     failed: list[InputError] = []
     for begin in begins:
         try:
-            found.append(_Search(problem, begin, int(max_runs)).minimum(float(precision)))
+            minima.append(_Search(problem, begin, int(max_runs)).minimum(float(precision)))
         except InputError as error:
             failed.append(error)
-    if not found:
+    if not minima:
         raise failed[0]
-    return best_of(found, ranges, len(failed))
+    return best_of(minima, ranges, len(failed))
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ def _ranges(
     ranges = read_free(model, over, faults, argument="over", decades=math.inf)
     begins = named_values("start", start or {}, faults)
     varied = over if isinstance(over, Mapping | list | tuple) else ()
-    found = []
+    freed = []
     faults += [
         Fault(f"start[{name!r}]", "a name that is not varied", "one of over") for name in begins if name not in varied
     ]
@@ -156,8 +156,8 @@ def _ranges(
             one = replace(one, value=read_quantity(model, one.name, begins[one.name], where, faults))
             if math.isfinite(one.value) and not one.low <= one.value <= one.high:
                 faults.append(Fault(where, shown(begins[one.name]), "a value within its range"))
-        found.append(one)
-    return tuple(found)
+        freed.append(one)
+    return tuple(freed)
 
 
 def _bounds(constraints: object, named: Mapping[str, str], faults: list[Fault]) -> list[_Bound]:
@@ -167,7 +167,7 @@ def _bounds(constraints: object, named: Mapping[str, str], faults: list[Fault]) 
     if not isinstance(constraints, Mapping):
         faults.append(Fault("constraints", shown(constraints), 'bounds by output, such as {"peak_force": "<= 5 kN"}'))
         return []
-    found = []
+    bounds = []
     for text, bound in constraints.items():
         where = f"constraints[{text!r}]"
         formula = read_formula(where, text, named, faults)
@@ -180,8 +180,8 @@ def _bounds(constraints: object, named: Mapping[str, str], faults: list[Fault]) 
                 faults.append(fault)
             else:
                 lower, upper = {"<=": (-math.inf, si), ">=": (si, math.inf), "=": (si, si)}[written[1]]
-                found.append(_Bound(f"{text} {bound.strip()}", formula, lower, upper))
-    return found
+                bounds.append(_Bound(f"{text} {bound.strip()}", formula, lower, upper))
+    return bounds
 
 
 @dataclass(frozen=True)
@@ -208,8 +208,8 @@ class _Problem:
     def run(self, x: np.ndarray) -> Solution:
         """Run the model at a point; raises InputError, _RunFailedError."""
         units = si_units(self.model)
-        given = {name: (value, units[name] or "1") for name, value in self.values_at(x).items()}
-        run = simulate(self.model, **{**self.settings, "parameters": {**(self.settings["parameters"] or {}), **given}})
+        varied = {name: (value, units[name] or "1") for name, value in self.values_at(x).items()}
+        run = simulate(self.model, **{**self.settings, "parameters": {**(self.settings["parameters"] or {}), **varied}})
         if run.outcome.name not in REACHED_END:
             raise _StoppedError(
                 run.outcome.name, f"a run ended before its time: {run.outcome.message}", run.outcome.remedy
@@ -219,8 +219,8 @@ class _Problem:
     def numbers(self, run: Solution) -> dict[str, float]:
         """Return what the formulas name of a run, SI."""
         measured = Measured(run)
-        found = {name: output.of(measured)[0] for name, output in self.outputs.items()}
-        return {**{name: si_of(self.model, name, value) for name, value in run.parameters.items()}, **found}
+        outputs = {name: output.of(measured)[0] for name, output in self.outputs.items()}
+        return {**{name: si_of(self.model, name, value) for name, value in run.parameters.items()}, **outputs}
 
     def gradient(self, run: Solution, x: np.ndarray) -> np.ndarray:
         """Return the exact gradients (formulas, names) with the places; raises NoDerivativeError, InputError."""
@@ -235,8 +235,8 @@ class _Problem:
         rows = [
             formula.gradient(numbers) @ [of.get(name, still) for name in formula.names] for formula in self.formulas
         ]
-        found: np.ndarray = np.array(rows) * self.slopes(x)
-        return found
+        gradient: np.ndarray = np.array(rows) * self.slopes(x)
+        return gradient
 
     @cached_property
     def box(self) -> np.ndarray:
@@ -313,8 +313,8 @@ class _Search:
         step = STEP * np.ptp(self.problem.box, axis=1)
         steps = np.where(x + step <= self.problem.box[:, 1], step, -step)
         moved = [self._run(x + by)[1] for by in np.diag(steps)]
-        found: np.ndarray = (np.array(moved) - value).T / steps
-        return found
+        gradient: np.ndarray = (np.array(moved) - value).T / steps
+        return gradient
 
     def checked(self) -> float:
         """Return the relative difference of the objective's derivative from a difference of runs, along it."""
@@ -337,7 +337,7 @@ class _Search:
         try:
             size = abs(self.at(self.begin).value[0]) or 1.0
             checked = self.checked()
-            found = minimize(
+            result = minimize(
                 lambda x: self.at(x).value[0] / size,
                 self.begin,
                 jac=lambda x: self.at(x).gradient[0] / size,
@@ -353,10 +353,10 @@ class _Search:
                 raise InputError(f"minimum of {problem.model.name}", [fault]) from None
             outcome = Outcome(name, message, remedy)
         else:
-            if not found.success:
+            if not result.success:
                 outcome = Outcome(
                     "no_progress",
-                    f"SciPy's SLSQP: {found.message}",
+                    f"SciPy's SLSQP: {result.message}",
                     "begin elsewhere (start), or request more accurate runs (tolerance)",
                 )
         return self._result(checked, outcome)
@@ -417,7 +417,7 @@ class _Search:
             yield f"derivatives and differences of runs part by {checked:.2g} at the start: in chaos, or across a switch, neither leads"
         names = [name for formula in self.problem.formulas for name in formula.names if LARGEST.search(name)]
         if names or any(formula.switches for formula in self.problem.formulas):
-            what = ", ".join(dict.fromkeys(names)) or "the formula"
-            yield f"{what}: a largest value switches from one peak to another, where its derivative jumps; HISTORY.norm32 is smooth"
+            subject = ", ".join(dict.fromkeys(names)) or "the formula"
+            yield f"{subject}: a largest value switches from one peak to another, where its derivative jumps; HISTORY.norm32 is smooth"
         if not run.outcome.finished:
             yield f"the run at the minimum: {run.outcome.name}: {run.outcome.message}"

@@ -156,14 +156,14 @@ class Minimum:
         }
 
 
-def best_of(found: Sequence[Minimum], ranges: Sequence[Range], failed: int) -> Minimum:
+def best_of(minima: Sequence[Minimum], ranges: Sequence[Range], failed: int) -> Minimum:
     """Return the best of several minima, with what became of the other starts.
 
     failed    starts from which no run reached its end
     """
-    best = min(found, key=lambda one: (one.outcome.name == "infeasible", one.objective))
-    places = np.array([[r.inner(one[name]) for r, name in zip(ranges, best.values, strict=True)] for one in found])
-    apart = np.abs(places - places[found.index(best)]) / [np.ptp(one.bounds) for one in ranges]
+    best = min(minima, key=lambda one: (one.outcome.name == "infeasible", one.objective))
+    places = np.array([[r.inner(one[name]) for r, name in zip(ranges, best.values, strict=True)] for one in minima])
+    apart = np.abs(places - places[minima.index(best)]) / [np.ptp(one.bounds) for one in ranges]
     size = LEVEL * max(abs(best.objective), abs(best.begun) * LEVEL)
     searches = tuple(
         Ended(
@@ -173,9 +173,9 @@ def best_of(found: Sequence[Minimum], ranges: Sequence[Range], failed: int) -> M
             one.outcome.name,
             here=bool(one.objective - best.objective <= size and np.all(far <= NEAR)),
         )
-        for one, far in zip(found, apart, strict=True)
+        for one, far in zip(minima, apart, strict=True)
     )
-    notes, count = best.notes, len(found) + failed
+    notes, count = best.notes, len(minima) + failed
     if count > 1:
         here = sum(search.here for search in searches)
         others = [search for search in searches if not search.here]
@@ -187,5 +187,5 @@ def best_of(found: Sequence[Minimum], ranges: Sequence[Range], failed: int) -> M
             if any(search.outcome != "finished" for search in others):
                 remark += ", or searches that did not end"
         notes = (*notes, f"{remark}; from {failed} no run reached its end" if failed else remark)
-    trials = tuple(trial for one in found for trial in one.trials)
-    return replace(best, begun=found[0].begun, trials=trials, searches=searches, notes=notes)
+    trials = tuple(trial for one in minima for trial in one.trials)
+    return replace(best, begun=minima[0].begun, trials=trials, searches=searches, notes=notes)

@@ -48,8 +48,8 @@ def header() -> Iterator[tuple[str, str]]:
         yield from ((name, unit), (f"{name} ±", unit))
 
 
-def cells(found: Measurement) -> Iterator[Cell]:
+def cells(measurement: Measurement) -> Iterator[Cell]:
     """Yield the cells of a measurement in the columns of `header`."""
     for output, (_, _, factor) in OUTPUTS.items():
-        number = found.numbers.get(output)
+        number = measurement.numbers.get(output)
         yield from (None, None) if number is None else (number.value / factor, number.error / factor)

@@ -17,12 +17,12 @@ def study_of(target: str) -> Study:
     from hertzwerk.runtime.engine.model.build import defined_by, is_file
 
     if target in NAMES:
-        found: Study = import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
-        return found
+        study: Study = import_module(f"hertzwerk.runtime.studies.paper.study_{target}").STUDY
+        return study
     if not is_file(target):
         raise InputError("study", [unknown("study", target, NAMES, "or a Python file (its name ends in .py)")])
     own = defined_by(Path(target)).get("study")
     if not isinstance(own, Study):
-        what = "no `study`" if own is None else f"`study` of type {type(own).__name__}"
-        raise InputError(target, [Fault(target, what, "a file that defines `study = Study(name, question, run)`")])
+        actual = "no `study`" if own is None else f"`study` of type {type(own).__name__}"
+        raise InputError(target, [Fault(target, actual, "a file that defines `study = Study(name, question, run)`")])
     return own

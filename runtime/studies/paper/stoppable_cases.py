@@ -19,16 +19,16 @@ def until_stopped(
     cases: Sequence[Case], row: Callable[[Case], Row], progress: Callable[[float], object]
 ) -> tuple[list[Row], str]:
     """Compute the rows of cases until Ctrl-C; return them, and a sentence where some are missing."""
-    found: list[Row] = []
+    rows: list[Row] = []
     try:
         with raise_interrupts():
             for case in cases:
-                found.append(row(case))
-                progress(len(found) / len(cases))
+                rows.append(row(case))
+                progress(len(rows) / len(cases))
     except KeyboardInterrupt:
-        if len(found) < len(cases):
-            return found, f"stopped by the user: {len(found)} of {len(cases)} cases are done, and these alone are shown"
-    return found, ""
+        if len(rows) < len(cases):
+            return rows, f"stopped by the user: {len(rows)} of {len(cases)} cases are done, and these alone are shown"
+    return rows, ""
 
 
 def whole(run: Run) -> Run:

@@ -119,11 +119,11 @@ class Bounce:
 
 def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     """Drop both forms with every law and restitution."""
-    given = [
+    by_law = [
         ("lankarani_nikravesh", (1.0,)),
         *((law, FEW if quick else RESTITUTIONS) for law in (QUICK if quick else LAWS)),
     ]
-    cases = [(form, law, restitutions) for form in FORMS for law, restitutions in given]
+    cases = [(form, law, restitutions) for form in FORMS for law, restitutions in by_law]
     done, missing = until_stopped(cases, lambda case: list(_bounces(*case)), progress)
     elastic = [bounce for of_case in done for bounce in of_case if bounce.e_in == 1]
     bounces = [bounce for of_case in done for bounce in of_case if bounce.e_in < 1]
@@ -203,7 +203,7 @@ def _table(bounces: Sequence[Bounce]) -> Table:
 
 def _chart(form: Form, bounces: Sequence[Bounce]) -> Chart:
     shown = [b for b in bounces if b.e_in == DRAWN]
-    given = Axis("requested restitution, e")
+    axis = Axis("requested restitution, e")
     by_law = {law: [b for b in bounces if b.law == law] for law in dict.fromkeys(b.law for b in bounces)}
 
     def over_e(of: Any) -> tuple[Curve, ...]:
@@ -221,11 +221,11 @@ def _chart(form: Form, bounces: Sequence[Bounce]) -> Chart:
                   tuple(Curve(b.law, b.t, b.height * 1e3) for b in shown)),
             Panel(f"Hysteresis loop of the first impact, e = {DRAWN:g}", Axis("penetration", "µm"), Axis("force", "kN"),
                   tuple(Curve(b.law, b.loop[2] * 1e6, b.loop[1] * 1e-3) for b in shown)),
-            Panel("Restitution returned less that requested", given, Axis("e out - e in"), over_e(lambda b: b.out - b.e_in), y_limits=(-0.4, 0.65)),
-            Panel("Energy lost in the first impact", given, Axis("share of the energy"), (
+            Panel("Restitution returned less that requested", axis, Axis("e out - e in"), over_e(lambda b: b.out - b.e_in), y_limits=(-0.4, 0.65)),
+            Panel("Energy lost in the first impact", axis, Axis("share of the energy"), (
                 Curve("1 - e²", np.linspace(0.05, 1, 50), 1 - np.linspace(0.05, 1, 50) ** 2, look="reference"), *over_e(lambda b: b.lost))),
-            Panel("Duration over that of the elastic impact", given, Axis("duration/elastic"), over_e(lambda b: b.duration / form.duration)),
-            Panel("Peak force over that of the elastic impact", given, Axis("peak force/elastic", log=True),
+            Panel("Duration over that of the elastic impact", axis, Axis("duration/elastic"), over_e(lambda b: b.duration / form.duration)),
+            Panel("Peak force over that of the elastic impact", axis, Axis("peak force/elastic", log=True),
                   over_e(lambda b: b.peak_force / form.force)),
         ),
     )  # fmt: skip

@@ -82,11 +82,11 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     model = crank_with(None)
 
     def row(n: float) -> tuple[float, Measurement, int]:
-        found = measure(model, {"exponent": n})
-        kept = whole(simulate(model, duration=TURN, tolerance=1e-9, parameters={"exponent": n}))
+        measurement = measure(model, {"exponent": n})
+        turn = whole(simulate(model, duration=TURN, tolerance=1e-9, parameters={"exponent": n}))
         if n in DRAWN:
-            drawn[n] = kept
-        return n, found, kept.statistics.steps
+            drawn[n] = turn
+        return n, measurement, turn.statistics.steps
 
     rows, missing = until_stopped(exponents, row, lambda done: progress(0.1 + 0.85 * done))
     return replace(_page(impacts, rows, drawn), missing=missing)
@@ -97,7 +97,7 @@ def _impacts(exponents: tuple[float, ...]) -> list[Impact]:
     from hertzwerk.runtime.engine.model.model import EngineModel
 
     trial = next(trial for trial in impact_trials() if trial.law.name == "lankarani_nikravesh")
-    model, found = EngineModel(build(trial.scene)), []
+    model, impacts = EngineModel(build(trial.scene)), []
     for n in exponents:
         values: dict[str, Value] = {
             "mass": f"{MASS!r} kg",
@@ -109,13 +109,13 @@ def _impacts(exponents: tuple[float, ...]) -> list[Impact]:
         lasting = 5 * closed_depth(n) / SPEED
         run = simulate(model, duration=lasting, tolerance=TOLERANCE, parameters=values)
         (impact,) = run.impacts
-        found.append(
+        impacts.append(
             Impact(
                 exponent_unit(n), impact.peak_penetration, impact.peak_force, impact.duration or math.nan,
                 run.final["ball.speed"] / SPEED, run.statistics.steps, impact_curves(run, impact),
             )
         )  # fmt: skip
-    return found
+    return impacts
 
 
 def _page(
@@ -162,14 +162,15 @@ def _impact_table(impacts: list[Impact]) -> Table:
 def _crank_table(rows: list[tuple[float, Measurement, int]]) -> Table:
     columns = (("n", ""), ("outcome", ""), *header(), ("penetration/clearance", ""), ("deformation", ""), ("steps", ""))
     table = (
-        (n, found.outcome.name, *cells(found), _share(found), _called(_share(found)), steps) for n, found, steps in rows
+        (n, measurement.outcome.name, *cells(measurement), _share(measurement), _called(_share(measurement)), steps)
+        for n, measurement, steps in rows
     )
     return Table("slider_crank", "One revolution of the slider-crank", columns, tuple(table))
 
 
-def _share(found: Measurement) -> float | None:
+def _share(measurement: Measurement) -> float | None:
     """Return the largest penetration over the clearance; None where the run failed."""
-    number = found.numbers.get(PENETRATION)
+    number = measurement.numbers.get(PENETRATION)
     return None if number is None else float(number.value / CLEARANCE)
 
 
@@ -206,12 +207,12 @@ def _impact_chart(impacts: list[Impact]) -> Chart:
 
 
 def _crank_chart(rows: list[tuple[float, Measurement, int]], drawn: Mapping[float, EngineSolution]) -> Chart:
-    done = [(n, found) for n, found, _ in rows if len(found.numbers) == len(OUTPUTS)]
+    done = [(n, measurement) for n, measurement, _ in rows if len(measurement.numbers) == len(OUTPUTS)]
     n, exponent = np.array([row[0] for row in done]), Axis("exponent n")
-    parted = [f"{x:g}" for x, found in done if found.past_horizon]
+    parted = [f"{x:g}" for x, measurement in done if measurement.past_horizon]
 
     def over_n(output: str, factor: float) -> Curve:
-        numbers = [found.numbers[output] for _, found in done]
+        numbers = [measurement.numbers[output] for _, measurement in done]
         values, errors = (np.array([getattr(x, part) for x in numbers]) / factor for part in ("value", "error"))
         return Curve("slider-crank", n, values, errors, "both")
 
@@ -246,7 +247,7 @@ def _crank_chart(rows: list[tuple[float, Measurement, int]], drawn: Mapping[floa
 
 def _impact_verdicts(impacts: list[Impact]) -> tuple[Verdict, ...]:
     sound = [i.unit.exponent for i in impacts if i.unit.consistent]
-    kept = [i.unit.exponent for i in impacts if abs(i.unit.in_mm - 1) < SAME]
+    exact = [i.unit.exponent for i in impacts if abs(i.unit.in_mm - 1) < SAME]
     extremes = [f(i.unit.in_mm for i in impacts) for f in (min, max)]
     worst = max(impacts, key=lambda i: abs(i.depth / i.closed_depth - 1))
     spread = max(i.restitution for i in impacts) - min(i.restitution for i in impacts)
@@ -258,9 +259,9 @@ def _impact_verdicts(impacts: list[Impact]) -> tuple[Verdict, ...]:
             sound == [1.5],
         ),
         Verdict(
-            f"read in millimetres the same law gives the same force for n = {', '.join(f'{n:g}' for n in kept) or 'none'}; for the others "
+            f"read in millimetres the same law gives the same force for n = {', '.join(f'{n:g}' for n in exact) or 'none'}; for the others "
             "{:.3g} to {:.3g} times".format(*extremes),
-            "numbers alone, no symbols", kept == [1.5],
+            "numbers alone, no symbols", exact == [1.5],
         ),
         compare(f"largest penetration at n = {worst.unit.exponent:g} [m]", worst.depth, worst.closed_depth, AGREEMENT, RELATION),
         Verdict(
@@ -273,9 +274,9 @@ def _impact_verdicts(impacts: list[Impact]) -> tuple[Verdict, ...]:
 
 def _crank_verdicts(rows: list[tuple[float, Measurement, int]]) -> tuple[Verdict, ...]:
     called: dict[str, list[str]] = {}
-    for n, found, _ in rows:
-        called.setdefault(_called(_share(found)), []).append(f"{n:g}")
-    forces = {n: found.numbers["peak_force"] for n, found, _ in rows if "peak_force" in found.numbers}
+    for n, measurement, _ in rows:
+        called.setdefault(_called(_share(measurement)), []).append(f"{n:g}")
+    forces = {n: measurement.numbers["peak_force"] for n, measurement, _ in rows if "peak_force" in measurement.numbers}
     steps = {n: count for n, _, count in rows}
     least, most = min(steps, key=lambda n: steps[n]), max(steps, key=lambda n: steps[n])
     source = "simulated; each number with its error in the table"

@@ -162,13 +162,13 @@ def _trajectory(law: str, returns: int, *, friction: bool) -> Trajectory:
 def _cases(plan: Plan, sweeps: Sweeps, progress: Progress) -> Iterator[Case]:
     models = [(law, friction) for law in plan.laws for friction in (True, False)]
     for i, (law, friction) in enumerate(models):
-        found = sweeps(
+        table = sweeps(
             f"{law}-{'friction' if friction else 'frictionless'}", _model(law, friction=friction),
             over={"crank_speed": [f"{n!r} rpm" for n in plan.speeds], "clearance": [f"{c!r} mm" for c in plan.clearances]},
             outputs=[*OUTPUTS, "energy_residual"], duration=f"{plan.turns} rev", tolerance=TOLERANCE,
             progress=lambda done, i=i: progress((i + done) / len(models)),
         )  # fmt: skip
-        for row, (speed, clearance) in zip(found.rows, product(plan.speeds, plan.clearances), strict=True):
+        for row, (speed, clearance) in zip(table.rows, product(plan.speeds, plan.clearances), strict=True):
             numbers = {n: (float(row[n]), float(row[f"{n}.half_width"])) for n in OUTPUTS}
             yield Case(law, friction, clearance, speed, row.outcome, float(row["energy_residual"]), numbers)
 
@@ -297,7 +297,7 @@ def _impact_chart(name: str, cases: Sequence[Case], plan: Plan) -> Chart:
     axis = Axis("crank speed", "rpm", log=True) if speeds else Axis("clearance", "mm", log=True)
 
     def curves(output: str, friction: bool, *, each_turn: bool = False) -> tuple[Curve, ...]:
-        found = []
+        lines = []
         for law in plan.laws:
             chosen = [
                 c for c in cases if (c.law, c.friction) == (law, friction) and (c.clearance if speeds else c.speed) == fixed
@@ -305,8 +305,8 @@ def _impact_chart(name: str, cases: Sequence[Case], plan: Plan) -> Chart:
             x = np.array([c.speed if speeds else c.clearance for c in chosen])
             factor = np.array([60 / c.speed if each_turn else 1e-3 for c in chosen])
             mean, half = np.array([c.numbers[output] for c in chosen]).T * factor
-            found.append(Curve(_label(law), x, mean, np.nan_to_num(half), "both"))
-        return tuple(found)
+            lines.append(Curve(_label(law), x, mean, np.nan_to_num(half), "both"))
+        return tuple(lines)
 
     where = f"clearance {fixed:g} mm" if speeds else f"{fixed:g} rpm"
     panels = []
@@ -341,10 +341,10 @@ def _trajectory_verdicts(trajectories: Sequence[Trajectory]) -> Iterator[Verdict
     curves = trajectories[0].curves
     if curves.ideal is not None:
         w = DRAWN_SPEED * 2 * math.pi / 60
-        found = abs(float(curves.ideal.acceleration_of("guide.speed")[0]))
+        acceleration = abs(float(curves.ideal.acceleration_of("guide.speed")[0]))
         yield compare(
             "acceleration of the ideal slider at its dead centre [m/s^2]",
-            found,
+            acceleration,
             w**2 * CRANK * (1 + CRANK / ROD),
             1e-9,
             "w^2 r (1 + r/l)",
@@ -389,20 +389,20 @@ def _case_verdicts(cases: Sequence[Case], plan: Plan) -> Iterator[Verdict]:
             )
 
 
-def _apart(cases: Sequence[Case], what: str, group: Callable[[Case], tuple[object, ...]]) -> Iterator[Verdict]:
+def _apart(cases: Sequence[Case], subject: str, group: Callable[[Case], tuple[object, ...]]) -> Iterator[Verdict]:
     """Yield how often severities of a group of cases differ beyond their intervals, and by how much."""
     groups: dict[tuple[object, ...], list[tuple[float, float]]] = {}
     for case in cases:
         mean, half = case.numbers[SEVERITY]
         if math.isfinite(mean) and math.isfinite(half):
             groups.setdefault(group(case), []).append((mean, half))
-    pairs = [(min(found), max(found)) for found in groups.values() if len(found) > 1]
+    pairs = [(min(severities), max(severities)) for severities in groups.values() if len(severities) > 1]
     if not pairs:
         return
-    seen = [high[0] / low[0] for low, high in pairs if high[0] - low[0] > high[1] + low[1]]
-    most = f", by up to {max(seen):.3g} times" if seen else ""
+    ratios = [high[0] / low[0] for low, high in pairs if high[0] - low[0] > high[1] + low[1]]
+    most = f", by up to {max(ratios):.3g} times" if ratios else ""
     yield Verdict(
-        f"largest force of a revolution: {what} differ by more than their intervals in {len(seen)} of {len(pairs)} comparisons{most}",
+        f"largest force of a revolution: {subject} differ by more than their intervals in {len(ratios)} of {len(pairs)} comparisons{most}",
         "averages, table",
     )
 

@@ -132,9 +132,9 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     drawn: dict[str, EngineSolution] = {}
 
     def row(law: Law) -> Ride:
-        ride, kept = _ride(law, f"{FITTED}(n={n:.4g})" if law.name == FITTED else law.name)
-        if kept is not None and law.name in DRAWN:
-            drawn[law.label] = kept
+        ride, solution = _ride(law, f"{FITTED}(n={n:.4g})" if law.name == FITTED else law.name)
+        if solution is not None and law.name in DRAWN:
+            drawn[law.label] = solution
         return ride
 
     rides, missing = until_stopped(ridden, row, lambda done: progress(0.1 + 0.9 * done))
@@ -165,13 +165,13 @@ def _laws() -> tuple[list[Law], float]:
 
     depths = np.concatenate([DEPTHS, np.full(len(CLEARANCES), DEPTH)])
     clearances = np.concatenate([np.full(len(DEPTHS), CLEARANCE), CLEARANCES])
-    found: list[Law] = []
+    laws: list[Law] = []
     for name in LAWS:
-        exponent = fitted_exponent(found[0].over_depth) if name == FITTED else None
+        exponent = fitted_exponent(laws[0].over_depth) if name == FITTED else None
         curve = force_curve(name, depths.tolist(), clearances.tolist(), exponent)
         forces = np.array(curve.forces)
-        found.append(Law(name, curve, forces[: len(DEPTHS)], forces[len(DEPTHS) :]))
-    return found, fitted_exponent(found[0].over_depth)
+        laws.append(Law(name, curve, forces[: len(DEPTHS)], forces[len(DEPTHS) :]))
+    return laws, fitted_exponent(laws[0].over_depth)
 
 
 def fitted_exponent(forces: Array) -> float:
@@ -183,11 +183,13 @@ def fitted_exponent(forces: Array) -> float:
 def _ride(law: Law, text: str) -> tuple[Ride, EngineSolution | None]:
     try:
         model = crank_with(text)
-        found = measure(model, {})
-        kept = whole(simulate(model, duration=TURN, tolerance=1e-9, max_steps=200_000))
+        measurement = measure(model, {})
+        solution = whole(simulate(model, duration=TURN, tolerance=1e-9, max_steps=200_000))
     except InputError as error:
         return Ride(law, None, None, f"refused: {error.faults[0].found}"), None
-    return Ride(law, found, kept.statistics.steps, found.outcome.name), kept if found.outcome.finished else None
+    return Ride(
+        law, measurement, solution.statistics.steps, measurement.outcome.name
+    ), solution if measurement.outcome.finished else None
 
 
 # -- tables and charts -------------------------------------------------------------------------------------------------
@@ -287,7 +289,7 @@ def _crank_charts(rides: Sequence[Ride], drawn: Mapping[str, EngineSolution]) ->
     ):
         curves = []
         for title, wanted in (("units hold", True), ("units do not hold", False)):
-            chosen = [(i, found) for i, (law, found) in enumerate(done) if law.consistent is wanted]
+            chosen = [(i, measurement) for i, (law, measurement) in enumerate(done) if law.consistent is wanted]
             values, errors = (
                 np.array([getattr(f.numbers[output], p) / factor for _, f in chosen]) for p in ("value", "error")
             )
@@ -321,7 +323,7 @@ def _law_verdicts(laws: Sequence[Law]) -> tuple[Verdict, ...]:
     named = {law.name: law for law in laws}
     wrong = [law for law in laws if not law.consistent]
     changed = [law for law in laws if not law.same_in_mm]
-    abnormal = {law.label: what for law in laws if (what := _abnormal(law, laws))}
+    abnormal = {law.label: remark for law in laws if (remark := _abnormal(law, laws))}
     sly = [law.label for law in wrong if law.label not in abnormal]
     point = 4 / 3 * E_EFF * math.sqrt(BUSH * (BUSH - CLEARANCE) / CLEARANCE) * DEPTH**1.5
     least, most = (f(_ratio(law, laws) for law in laws if law.consistent) for f in (min, max))
@@ -338,7 +340,7 @@ def _law_verdicts(laws: Sequence[Law]) -> tuple[Verdict, ...]:
             "audit of units, and numbers in other units, which must agree", wrong == changed,
         ),
         Verdict(
-            "abnormal: " + (", ".join(f"{label} {what}" for label, what in abnormal.items()) or "none")
+            "abnormal: " + (", ".join(f"{label} {remark}" for label, remark in abnormal.items()) or "none")
             + f"; inconsistent, and not seen by its values: {', '.join(sly) or 'none'}",
             f"forces at {DEPTH * 1e6:g} µm, clearance 0.5 mm",
         ),

@@ -39,9 +39,9 @@ class Sweeps:
         """
         into = None if self.folder is None else self.folder / name
         with raise_interrupts():
-            found = sweep(target, over, into=into, **arguments)
-        if found.damage:
-            self.damage.append(f"{name}: {found.damage}")
-        if not found.outcome.finished:
-            raise SweepStoppedError(f"{name}, after {len(found)} rows: {found.outcome.message}")
-        return found
+            table = sweep(target, over, into=into, **arguments)
+        if table.damage:
+            self.damage.append(f"{name}: {table.damage}")
+        if not table.outcome.finished:
+            raise SweepStoppedError(f"{name}, after {len(table)} rows: {table.outcome.message}")
+        return table

@@ -186,12 +186,12 @@ def _timed(job: Job, tasks: list[Task]) -> tuple[list[Row], float]:
 INTERRUPTED = Outcome("interrupted", "stopped by the user", "the rows that were done are there")
 
 
-def _sets(given: object) -> list[dict[str, Value]]:
+def _sets(sets: object) -> list[dict[str, Value]]:
     """Return the sets of values; raises InputError for malformed ones."""
     expected = 'mappings of values by name, such as [{"clearance": "0.2 mm"}, {"clearance": "0.4 mm"}]'
-    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
-        raise InputError("simulate_many", [Fault("parameter_sets", shown(given), expected)])
-    rows = list(given)
+    if isinstance(sets, str | Mapping) or not isinstance(sets, Iterable):
+        raise InputError("simulate_many", [Fault("parameter_sets", shown(sets), expected)])
+    rows = list(sets)
     faults = [
         Fault(f"parameter_sets, row {i}", shown(row), expected)
         for i, row in enumerate(rows)
@@ -348,11 +348,11 @@ class Batch:
         outputs: Sequence[Output],
         compiled: Compiled,
         engine: RowEngine,
-        kept: RowArrays | None = None,
+        row_arrays: RowArrays | None = None,
         later: int = 0,
         choices: Choices = NO_CHOICES,
     ) -> None:
-        self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs), kept, choices=choices)
+        self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs), row_arrays, choices=choices)
         self._sets, self._engine, self._later = sets, engine, later
         self._begun = False
 
@@ -384,9 +384,9 @@ class Batch:
         Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
         number, KeyboardInterrupt, and EngineLostError.
         """
-        begun, given = self._begun, starts or {}
+        begun, known = self._begun, starts or {}
         self._begun = True
-        left, again = (((i, {**self._sets[i], **given.get(i, {})}) for i in sets) for sets in (wanted, lost))
+        left, again = (((i, {**self._sets[i], **known.get(i, {})}) for i in sets) for sets in (wanted, lost))
         apart = again if self._engine.workers > 1 else ()
         with closing(self._rows(Tasks(left, len(self._sets) if count is None else count), apart)) as rows:
             yield from rows if begun else _first_a_number(self._job.model, rows)

@@ -130,8 +130,8 @@ class Chains:
 
     def _without_start(self, row: Row) -> Row:
         """Return a row with the values of its point, without the start that it continued from."""
-        given = self.sets[row.index]
-        return replace(row, stated=given, values=numbers_of(self.model, given))
+        stated = self.sets[row.index]
+        return replace(row, stated=stated, values=numbers_of(self.model, stated))
 
     def _start(self, end: np.ndarray) -> dict[str, Value]:
         """Return the initial values that a final state is."""
@@ -159,8 +159,8 @@ def read_chains(
     if continued not in DIRECTIONS:
         faults.append(Fault("continued", shown(continued), "up or down"))
     if model.joints is not model:
-        found = "a model in absolute coordinates: it ends in states of bodies, a start has those of joints, and nothing turns one into the other"
-        faults.append(Fault("continued", found, "a model in joint coordinates", 'coordinates="tree"'))
+        actual = "a model in absolute coordinates: it ends in states of bodies, a start has those of joints, and nothing turns one into the other"
+        faults.append(Fault("continued", actual, "a model in joint coordinates", 'coordinates="tree"'))
     name = next((name for name in over if name in model.parameters), None)
     if name is None:
         faults.append(Fault("continued", "no parameter that is varied", "one to follow, among what is varied"))

@@ -113,7 +113,7 @@ class ToDo:
 
     def wanted(self, keys: Mapping[int, str]) -> list[int]:
         """Return the rows that are neither there nor under way, of rows by their keys."""
-        there, found = self._store.present(keys.values()), []
+        there, wanted = self._store.present(keys.values()), []
         known = {i: key for i, key in keys.items() if key in there and not self._done[i]}
         if known:
             self._store.add({}, known)
@@ -122,9 +122,9 @@ class ToDo:
             if key not in there:
                 if key not in self._points:
                     self._key[i] = key
-                    found.append(i)
+                    wanted.append(i)
                 self._points.setdefault(key, []).append(i)
-        return found
+        return wanted
 
     def store(self, rows: Iterable[Row]) -> None:
         """Store rows that were under way; raises sqlite3.Error."""
@@ -247,31 +247,31 @@ def sweep(
     chains = read_chains(model, design, varied, continued, faults)
     # 3. outputs
     wanted = outputs_of(model, outputs, functions, varied, faults)
-    asked = {"section": section, "after": after, "grid": grid, "histories": histories}
+    array_options = {"section": section, "after": after, "grid": grid, "histories": histories}
     end = () if continued is None else tuple(state_units(model))
-    kept = read_row_arrays(model, **asked, duration=duration, end=end, faults=faults)
+    row_arrays = read_row_arrays(model, **array_options, duration=duration, end=end, faults=faults)
     faults += worker_faults(workers, client)
     try:
         Settings(**settings, compiled=compiled, sensitivities=derived_by(wanted)).check(model)
     except InputError as error:
         faults += error.faults
     if not faults and duration_follows(model, derived_by(wanted), duration):
-        found = f"{duration}, which changes with what derivatives are taken by"
-        faults.append(Fault("duration", found, 'a time, such as "24 ms"'))
+        actual = f"{duration}, which changes with what derivatives are taken by"
+        faults.append(Fault("duration", actual, 'a time, such as "24 ms"'))
     if faults:
         raise InputError(f"sweep of {model.name}", faults)
-    plan = Plan(model, design, varied, wanted, settings, kept, chains, choices)
+    plan = Plan(model, design, varied, wanted, settings, row_arrays, chains, choices)
     plan.check()
     # 4. rows, 5. table
     later = 0 if chains is None else len(design) - len(chains.rows)
-    batch = Batch(model, design, settings, wanted, compiled, engine_of(workers, client), kept, later, choices)
-    table = plan.table("" if kept is None else place_of(kept.section, grid, after), batch.workers)
+    batch = Batch(model, design, settings, wanted, compiled, engine_of(workers, client), row_arrays, later, choices)
+    table = plan.table("" if row_arrays is None else place_of(row_arrays.section, grid, after), batch.workers)
     if into is None:
         table = _in_memory(plan, batch, table, progress)
     else:
-        asked["continued"] = continued
+        array_options["continued"] = continued
         spread["inputs"] = {name: input_text(value) for name, value in (inputs or {}).items()}
-        definition, keys = _definition(plan, target, spread, asked, functions or {})
+        definition, keys = _definition(plan, target, spread, array_options, functions or {})
         with opened(as_path("into", into)) as store:
             store.define(definition, text_of(model.module), widen=widen)
             table = _stored(table, plan, store, lambda: _filled(plan, batch, store, keys, progress))
@@ -290,28 +290,32 @@ def _definition(
     plan: Plan,
     target: object,
     spread: Mapping[str, Any],
-    asked: Mapping[str, Any],
+    array_options: Mapping[str, Any],
     functions: Mapping[str, Callable[[EngineSolution], float]],
 ) -> tuple[dict[str, Any], Keys]:
     """Return what is computed as plain data, and the keys of its rows; raises InputError."""
-    model, kept, text = plan.model, plan.row_arrays, text_of(plan.model.module)
+    model, row_arrays, text = plan.model, plan.row_arrays, text_of(plan.model.module)
     if not text:
         fault = Fault("into", "a model whose generated text is not known", "a model that `load` returned")
         raise InputError(model.name, [fault])
     same = {
         "outputs": [output.name for output in plan.outputs if output.name not in functions],
         "functions": {name: digest(name, function) for name, function in functions.items()},
-        **{**asked, "section": kept and kept.section and str(kept.section), "histories": list(asked["histories"])},
+        **{
+            **array_options,
+            "section": row_arrays and row_arrays.section and str(row_arrays.section),
+            "histories": list(array_options["histories"]),
+        },
         "signals": digest_of(model.signals),
         "text": _hash(text),
-        "readings": _hash(text_behind(model, plan.outputs, [] if kept is None else kept.read)),
+        "readings": _hash(text_behind(model, plan.outputs, [] if row_arrays is None else row_arrays.read)),
         "versions": versions(),
     }
     definition = {
         **{"scene": model.name, **target_of(target, model), "over": axes_of(plan.design, plan.choices), **spread},
         **{"parameters": {name: as_text(value) for name, value in plan.design.fixed.items()}, **plan.settings, **same},
         **{"columns": plan.columns, "varied": list(plan.varied)},
-        "arrays": {} if kept is None else kept.columns,
+        "arrays": {} if row_arrays is None else row_arrays.columns,
         "choices": plan.choices.digests(),
         "points": len(plan.design),
     }
@@ -482,8 +486,8 @@ def outputs_of(
         faults.append(Fault("functions", shown(functions), "a dictionary of functions of the EngineSolution"))
         functions = None
     none = isinstance(names, Sequence) and not names and not functions
-    found = finals(model) if none else chosen(model, names, faults)
-    taken = {*varied, *TEXTS, *(name for output in found for name in output.columns)}
+    outputs = finals(model) if none else chosen(model, names, faults)
+    taken = {*varied, *TEXTS, *(name for output in outputs for name in output.columns)}
     for name, function in (functions or {}).items():
         if not (isinstance(name, str) and name and callable(function)):
             faults.append(
@@ -492,5 +496,5 @@ def outputs_of(
         elif name in taken:
             faults.append(Fault(f"functions[{name!r}]", "the name of another column", "a name of its own"))
         else:
-            found.append(own(name, function))
-    return found
+            outputs.append(own(name, function))
+    return outputs

@@ -131,8 +131,8 @@ def check(folder: Path) -> None:
 
 def asides(folder: Path) -> dict[int, Path]:
     """Return the damaged files that were replaced, by their numbers."""
-    found = ((ASIDE.fullmatch(path.name), path) for path in folder.iterdir())
-    return {int(place[1]): path for place, path in found if place is not None and place[2] is None}
+    matches = ((ASIDE.fullmatch(path.name), path) for path in folder.iterdir())
+    return {int(place[1]): path for place, path in matches if place is not None and place[2] is None}
 
 
 # -- damage ------------------------------------------------------------------------------------------------------------
@@ -184,8 +184,8 @@ def mended(folder: Path, plan: str, file: Path) -> Damage:
             without = "FROM points WHERE key NOT IN (SELECT key FROM rows)"
             broken = [number for (number,) in rows.execute(f"SELECT number {without} ORDER BY number")]
             rows.execute(f"DELETE {without}")
-        (kept,) = rows.execute("SELECT count(*) FROM rows").fetchone()
-    return Damage(kept, tuple(broken))
+        (count,) = rows.execute("SELECT count(*) FROM rows").fetchone()
+    return Damage(count, tuple(broken))
 
 
 def readable(file: Path, table: str, first: bytes) -> Iterator[Entry]:

@@ -68,12 +68,12 @@ def read_sweep(path: Path) -> dict[str, Any]:
     """
     content = read_toml(path, "target, over, duration and outputs")
     try:
-        found = SweepFile.model_validate(content)
+        entries = SweepFile.model_validate(content)
     except ValidationError as error:
         faults = form_faults(error, SweepFile)
         faulty = {fault.where for fault in faults}
         raise InputError(str(path), [*faults, *_meaning_faults(path, content, faulty)]) from error
-    return _from(path, dict(found))
+    return _from(path, dict(entries))
 
 
 def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:

@@ -103,14 +103,14 @@ class Store:
         """Replace a damaged file by one with every row that is whole in it or in one that it replaced."""
         folder = self.folder
         with scratch_folder(folder) as scratch:
-            found = mended(folder, self.plan, scratch / ROWS)
+            damage = mended(folder, self.plan, scratch / ROWS)
             aside = folder / f"rows.damaged-{max(asides(folder), default=0) + 1:03d}.sqlite"
             for end in ("-wal", "-shm", ""):
                 part = folder / f"{ROWS}{end}"
                 if part.exists():
                     part.replace(aside.with_name(f"{aside.name}{end}"))
             (scratch / ROWS).replace(folder / ROWS)
-        self.damage = replace(found, aside=aside if aside.exists() else None)
+        self.damage = replace(damage, aside=aside if aside.exists() else None)
 
     @property
     def go_on(self) -> str:
@@ -141,11 +141,11 @@ class Store:
 
     def done(self, count: int) -> bytearray:
         """Return for every point whether its row is known to be there."""
-        found = bytearray(count)
+        done = bytearray(count)
         for (number,) in self._rows.execute("SELECT number FROM points CROSS JOIN rows USING (key)"):
             if 0 <= number < count:
-                found[number] = 1
-        return found
+                done[number] = 1
+        return done
 
     def keys(self, numbers: Collection[int]) -> dict[int, str]:
         """Return the keys of points whose rows are there."""
@@ -165,8 +165,8 @@ class Store:
         self.lost |= {key for (key,) in lost}
         if not lost:
             return {}
-        found = self._rows.execute("SELECT min(number), key FROM points GROUP BY key")
-        return {number: key for number, key in found if key in self.lost}
+        rows = self._rows.execute("SELECT min(number), key FROM points GROUP BY key")
+        return {number: key for number, key in rows if key in self.lost}
 
     def add(self, rows: Mapping[str, Row], points: Mapping[int, str]) -> None:
         """Store rows by their keys, and the keys of points, all or none.
@@ -184,8 +184,8 @@ class Store:
 
     def end_of(self, key: str) -> Packed | None:
         """Return the final state of a row that is stored, None where it got to no end."""
-        found = self._rows.execute("SELECT sizes, arrays FROM rows WHERE key = ?", (key,)).fetchone()
-        return None if found is None else arrays_of(*found).get(END)
+        row = self._rows.execute("SELECT sizes, arrays FROM rows WHERE key = ?", (key,)).fetchone()
+        return None if row is None else arrays_of(*row).get(END)
 
     def close(self) -> None:
         """Write everything through and close."""

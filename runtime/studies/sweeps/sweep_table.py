@@ -234,8 +234,8 @@ class Sweep:
             return slope_of(f"d({output})/d({name})", unit, x, y, others, at)
         except ValueError as error:
             where = f"slope over the sweep of {self.scene}"
-            found, expected = str(error).split(", ")
-            raise InputError(where, [Fault(output, f"{found} of {name} that finished", expected)]) from None
+            actual, expected = str(error).split(", ")
+            raise InputError(where, [Fault(output, f"{actual} of {name} that finished", expected)]) from None
 
     def counts(self) -> dict[str, int]:
         """Return the number of rows by outcome, the most frequent first."""

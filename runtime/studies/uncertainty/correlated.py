@@ -37,17 +37,17 @@ class Correlated:
         }
 
 
-def read_correlation(names: Sequence[str], given: object, faults: list[Fault]) -> Array:
+def read_correlation(names: Sequence[str], pairs: object, faults: list[Fault]) -> Array:
     """Return the correlation (d, d) of normal scores; bad input is appended to `faults`."""
-    found = np.eye(len(names))
-    if given is None:
-        return found
-    if not isinstance(given, Mapping):
+    correlation = np.eye(len(names))
+    if pairs is None:
+        return correlation
+    if not isinstance(pairs, Mapping):
         expected = 'numbers by two names, such as {"clearance, restitution": -0.8}'
-        faults.append(Fault("correlation", shown(given), expected))
-        return found
+        faults.append(Fault("correlation", shown(pairs), expected))
+        return correlation
     before = len(faults)
-    for pair, value in given.items():
+    for pair, value in pairs.items():
         where = f"correlation[{pair!r}]"
         both = [name.strip() for name in pair.split(",")] if isinstance(pair, str) else []
         if len(both) != 2 or both[0] == both[1]:
@@ -58,14 +58,14 @@ def read_correlation(names: Sequence[str], given: object, faults: list[Fault]) -
             faults.append(Fault(where, shown(value), "a number between -1 and 1"))
         elif all(name in names for name in both):
             i, j = (list(names).index(name) for name in both)
-            if found[i, j] not in (0.0, value):
-                faults.append(Fault(where, f"{value:g}, and {found[i, j]:g} before", "each pair once"))
-            found[i, j] = found[j, i] = value
-    least = float(np.linalg.eigvalsh(found)[0])
+            if correlation[i, j] not in (0.0, value):
+                faults.append(Fault(where, f"{value:g}, and {correlation[i, j]:g} before", "each pair once"))
+            correlation[i, j] = correlation[j, i] = value
+    least = float(np.linalg.eigvalsh(correlation)[0])
     if len(faults) == before and least <= 1e-12:
         expected = "correlations that quantities can have together, a positive definite matrix"
         faults.append(Fault("correlation", f"a matrix with the eigenvalue {least:.3g}", expected))
-    return found
+    return correlation
 
 
 def correlated_parts(points: Array, correlation: Array) -> Array:
@@ -74,8 +74,8 @@ def correlated_parts(points: Array, correlation: Array) -> Array:
 
     if np.array_equal(correlation, np.eye(len(points))):
         return points
-    found: Array = ndtr(np.linalg.cholesky(correlation) @ ndtri(points))
-    return found
+    parts: Array = ndtr(np.linalg.cholesky(correlation) @ ndtri(points))
+    return parts
 
 
 def covariance(drawn: Sequence[Any], correlation: Array) -> Array:
@@ -84,10 +84,10 @@ def covariance(drawn: Sequence[Any], correlation: Array) -> Array:
 
     z, w = np.polynomial.hermite_e.hermegauss(NODES)
     z, w = np.clip(z, -FARTHEST, FARTHEST), w / np.sum(w)
-    found = np.diag([float(one.var()) for one in drawn])
+    matrix = np.diag([float(one.var()) for one in drawn])
     for i, j in zip(*np.nonzero(np.triu(correlation, 1)), strict=True):
         rho = correlation[i, j]
         first, second = drawn[i].ppf(ndtr(z)) - drawn[i].mean(), rho * z[:, None] + np.sqrt(1 - rho**2) * z
         other = drawn[j].ppf(ndtr(np.clip(second, -FARTHEST, FARTHEST))) - drawn[j].mean()
-        found[i, j] = found[j, i] = float(np.sum((w * first)[:, None] * w * other))
-    return found
+        matrix[i, j] = matrix[j, i] = float(np.sum((w * first)[:, None] * w * other))
+    return matrix

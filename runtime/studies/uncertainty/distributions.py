@@ -153,50 +153,58 @@ KINDS: dict[str, Any] = {kind.__name__: kind for kind in (Normal, TruncatedNorma
 
 def written(text: str) -> Distribution | None:
     """Return the distribution of a text such as "Normal(0.5 mm, 0.02 mm)"; None where it is none."""
-    found = _WRITTEN.fullmatch(text)
-    kind = None if found is None else KINDS.get(found[1])
-    values = [] if found is None else [part.strip() for part in found[2].split(",")]
+    match = _WRITTEN.fullmatch(text)
+    kind = None if match is None else KINDS.get(match[1])
+    values = [] if match is None else [part.strip() for part in match[2].split(",")]
     return None if kind is None or len(values) != len(fields(kind)) else kind(*values)
 
 
-def distribution_of(model: EngineModel, name: str, given: object, faults: list[Fault]) -> Any:
+def distribution_of(model: EngineModel, name: str, distribution: object, faults: list[Fault]) -> Any:
     """Return SciPy's distribution of a parameter or initial state in SI; None with faults appended.
 
     given    a distribution, or its text
     """
-    if isinstance(given, str) and (read_from := written(given)) is not None:
-        given = read_from
-    if not isinstance(given, Distribution):
+    if isinstance(distribution, str) and (read_from := written(distribution)) is not None:
+        distribution = read_from
+    if not isinstance(distribution, Distribution):
         kinds = (f"{kind.__name__}({', '.join(part.name for part in fields(kind))})" for kind in KINDS.values())
         expected = f"a distribution: {', '.join(kinds)}"
-        faults.append(Fault(name, shown(given), expected))
+        faults.append(Fault(name, shown(distribution), expected))
         return None
     before = len(faults)
-    values: dict[str, Value] = {field.name: getattr(given, field.name) for field in fields(given)}
-    si = {part: _si_of(model, name, part, value, given, faults) for part, value in values.items()}
-    if len(faults) == before and (wrong := given.fault(**si)):
-        faults.append(Fault(name, shown(given), wrong))
-    return None if len(faults) > before else given.frozen(**si)
+    values: dict[str, Value] = {field.name: getattr(distribution, field.name) for field in fields(distribution)}
+    si = {part: _si_of(model, name, part, value, distribution, faults) for part, value in values.items()}
+    if len(faults) == before and (wrong := distribution.fault(**si)):
+        faults.append(Fault(name, shown(distribution), wrong))
+    return None if len(faults) > before else distribution.frozen(**si)
 
 
-def _si_of(model: EngineModel, name: str, part: str, value: Value, given: Distribution, faults: list[Fault]) -> float:
+def _si_of(
+    model: EngineModel, name: str, part: str, value: Value, distribution: Distribution, faults: list[Fault]
+) -> float:
     """Return one value of a distribution in SI; nan with faults appended."""
     where = f"{name}, {part}"
-    if part in given.factors:
+    if part in distribution.factors:
         si, fault = read_state(where, "1", value)
         faults += [] if fault is None else [fault]
         return si
-    if name not in model.parameters or part in given.places:
+    if name not in model.parameters or part in distribution.places:
         return read_quantity(model, name, value, where, faults)
-    return _width(model, name, where, value, given, faults)
+    return _width(model, name, where, value, distribution, faults)
 
 
-def _width(model: EngineModel, name: str, where: str, value: Value, given: Distribution, faults: list[Fault]) -> float:
+def _width(
+    model: EngineModel, name: str, where: str, value: Value, distribution: Distribution, faults: list[Fault]
+) -> float:
     """Return a difference of values of a parameter in SI: it has the unit, but not the limits."""
     declared = model.parameters[name].unit
     try:
         number, unit, _ = read(value)
-        like = read(getattr(given, given.places[0]))[1] if parse_unit(declared).free_names else parse_unit(declared)
+        like = (
+            read(getattr(distribution, distribution.places[0]))[1]
+            if parse_unit(declared).free_names
+            else parse_unit(declared)
+        )
     except UnitError as error:
         faults.append(Fault(where, shown(value), f"a value in {declared}", str(error)))
         return math.nan
@@ -216,10 +224,10 @@ def read_distributions(
         expected = 'distributions by name, such as {"clearance": Normal("0.5 mm", "0.02 mm")}'
         faults.append(Fault("uncertain", shown(uncertain), expected))
         return {}
-    found = {}
-    for name, given in uncertain.items():
+    distributions = {}
+    for name, distribution in uncertain.items():
         if name not in known:
             faults.append(unknown("parameter or initial state", name, known))
         else:
-            found[name] = distribution_of(model, name, given, faults)
-    return found
+            distributions[name] = distribution_of(model, name, distribution, faults)
+    return distributions

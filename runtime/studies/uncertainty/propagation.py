@@ -109,25 +109,25 @@ def propagate(
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
     }
-    given: dict[str, Any] = {"parameters": parameters, "initial": initial, "inputs": inputs}
-    asked = {**given, "outputs": outputs, "functions": functions, **settings}
-    asked |= {"into": into, "widen": widen, "client": client, "progress": progress}
-    faults += refused_by_sweep(model, asked, workers)
+    values: dict[str, Any] = {"parameters": parameters, "initial": initial, "inputs": inputs}
+    arguments = {**values, "outputs": outputs, "functions": functions, **settings}
+    arguments |= {"into": into, "widen": widen, "client": client, "progress": progress}
+    faults += refused_by_sweep(model, arguments, workers)
     if faults:
         raise InputError(f"propagation of {model.name}", faults)
     # 2. one run
     means = {name: (float(one.mean()), known[name] or "1") for name, one in drawn.items()}
-    run = simulate(model, **settings, **{**given, "parameters": {**(parameters or {}), **means}})
+    run = simulate(model, **settings, **{**values, "parameters": {**(parameters or {}), **means}})
     derivatives, lacking = _derivatives(run, tuple(drawn), duration)
     # 3. samples
     matrices = _matrices(list(drawn.values()), together, sample, seed, indices=indices)
     columns = np.concatenate([*matrices], axis=1)
     over = {name: [(float(x), known[name] or "1") for x in row] for name, row in zip(drawn, columns, strict=True)}
-    rows = sweep(model, over, zip=True, workers=workers, **asked)
+    rows = sweep(model, over, zip=True, workers=workers, **arguments)
     # 4. indices
     spreads = covariance(list(drawn.values()), together)
     good = np.array([row.outcome in REACHED_END for row in rows])
-    measured, found = Measured(run), {}
+    measured, results = Measured(run), {}
     for output in outputs_of(model, outputs, functions, {}, []):
         name, unit = next(iter(output.columns.items()))
         change, why = (
@@ -136,7 +136,7 @@ def propagate(
         parts = np.abs(change) * np.sqrt(np.diag(spreads))
         spread = _Spread(np.where(good, rows[name], math.nan).reshape(-1, sample))
         first, total = spread.indices(tuple(drawn), seed) if indices else ({}, {})
-        found[name] = Uncertain(
+        results[name] = Uncertain(
             name=name,
             unit=unit,
             nominal=output.of(measured)[0],
@@ -156,7 +156,7 @@ def propagate(
     }
     notes = (*_of_run(run), *_missing(rows, good, indices=indices))
     draws = sample * (2 if indices else 1)
-    return Propagated(model.name, tuple(drawn), found, run, rows, draws, notes, named)
+    return Propagated(model.name, tuple(drawn), results, run, rows, draws, notes, named)
 
 
 def _sample_faults(sample: object, indices: object) -> list[Fault]:
@@ -171,11 +171,11 @@ def _sample_faults(sample: object, indices: object) -> list[Fault]:
     return faults
 
 
-def refused_by_sweep(model: plain.EngineModel, asked: Mapping[str, Any], workers: int | None) -> list[Fault]:
+def refused_by_sweep(model: plain.EngineModel, arguments: Mapping[str, Any], workers: int | None) -> list[Fault]:
     """Return the faults that `sweep` finds in its arguments; nothing is computed."""
     nobody = 0 if workers is None or (isinstance(workers, int) and workers > 0) else workers
     try:
-        sweep(model, {}, workers=nobody, **asked)
+        sweep(model, {}, workers=nobody, **arguments)
     except InputError as error:
         ours = {"over", "workers"} if nobody == 0 else {"over"}
         return [fault for fault in error.faults if fault.where not in ours]
@@ -230,14 +230,14 @@ class _Spread:
 
     def moments(self) -> dict[str, float]:
         """Return mean and standard deviation with their errors, and quantiles, of A and B: independent draws."""
-        found = self.values[:2].ravel()
-        found = found[np.isfinite(found)]
-        n = len(found)
+        values = self.values[:2].ravel()
+        values = values[np.isfinite(values)]
+        n = len(values)
         if n < 2:
             return dict.fromkeys(("mean", "mean_error", "std", "std_error", "low", "high"), math.nan)
-        mean, std = float(found.mean()), float(found.std(ddof=1))
-        fourth = float(((found - mean) ** 4).mean())
-        low, high = np.quantile(found, [0.025, 0.975])
+        mean, std = float(values.mean()), float(values.std(ddof=1))
+        fourth = float(((values - mean) ** 4).mean())
+        low, high = np.quantile(values, [0.025, 0.975])
         return {
             **{"mean": mean, "mean_error": std / math.sqrt(n), "std": std, "low": float(low), "high": float(high)},
             "std_error": math.sqrt(max(fourth - std**4, 0) / n) / (2 * std) if std > 0 else 0.0,
@@ -266,8 +266,8 @@ def _indices(values: np.ndarray) -> np.ndarray:
     from scipy.stats import sobol_indices
 
     twice = np.stack([values, values], axis=1)  # of one output by one name SciPy 1.17 loses the shape
-    found = sobol_indices(func={"f_A": twice[0], "f_B": twice[1], "f_AB": twice[2:]}, n=values.shape[1])
-    return np.array([order.reshape(2, -1)[0] for order in (found.first_order, found.total_order)])
+    indices = sobol_indices(func={"f_A": twice[0], "f_B": twice[1], "f_AB": twice[2:]}, n=values.shape[1])
+    return np.array([order.reshape(2, -1)[0] for order in (indices.first_order, indices.total_order)])
 
 
 def _of_run(run: Solution) -> Iterator[str]:

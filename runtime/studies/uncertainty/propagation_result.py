@@ -69,19 +69,19 @@ class Uncertain:
         """Differences between derivatives and samples beyond their errors."""
         if not math.isfinite(self.linear) or not math.isfinite(self.std):
             return ()
-        found = []
+        remarks = []
         slack = SLACK * self.std + ROUNDING * abs(self.mean)
         if abs(self.linear - self.std) > FACTOR * self.std_error + slack:
-            found.append(
+            remarks.append(
                 f"{self.name}: {self.linear:.3g} {self.unit} by derivatives, but {self.std:.3g} +- {self.std_error:.2g} "
                 f"{self.unit} in the samples: it is not linear over this spread, the samples count"
             )
         if abs(self.nominal - self.mean) > FACTOR * self.mean_error + slack:
-            found.append(
+            remarks.append(
                 f"{self.name}: its mean {self.mean:.6g} +- {self.mean_error:.2g} {self.unit} is not its value at the means, "
                 f"{self.nominal:.6g} {self.unit}: it curves over this spread"
             )
-        return tuple(found)
+        return tuple(remarks)
 
 
 @dataclass(frozen=True)

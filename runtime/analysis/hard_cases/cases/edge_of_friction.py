@@ -24,15 +24,15 @@ def _spin_left(run: EngineSolution) -> float:
     """Return how far angular speeds are off what the normal force has left of them [rad/s]."""
     pressed = run["flight.y_speed"] - run["flight.y_speed"][0] + G * run.t
     spin, roll = (np.maximum(start - arm / INERTIA * pressed, 0) for start, arm in ((SPIN, DRILLING), (ROLL, ROLLING)))
-    found = np.sqrt(sum(run[f"flight.angular_speed_{axis}"] ** 2 for axis in "xyz"))
-    return float(np.abs(np.hypot(spin, roll) - found).max())
+    speed = np.sqrt(sum(run[f"flight.angular_speed_{axis}"] ** 2 for axis in "xyz"))
+    return float(np.abs(np.hypot(spin, roll) - speed).max())
 
 
 def _first_slip_after_stick(run: EngineSolution) -> float:
     """Return the time [s] at which the floor first slips after it stuck, while it touches."""
     slips, touches = np.abs(run["floor.slip"]) > 0, run["floor.normal_force"] > 0
-    found = np.flatnonzero(~slips[:-1] & slips[1:] & touches[:-1])
-    return float(run.t[found[0] + 1]) if len(found) else float("nan")
+    rows = np.flatnonzero(~slips[:-1] & slips[1:] & touches[:-1])
+    return float(run.t[rows[0] + 1]) if len(rows) else float("nan")
 
 
 def _slips_at(expected: float, within: float, source: str = STICKS) -> Known:

@@ -15,17 +15,19 @@ from hertzwerk.runtime.analysis.hard_cases.case import IMPLICIT, METHODS, HardCa
 V0 = math.sqrt(2 * 9.81)
 
 
-def _ball(parameter: str, side: str, **given: float | tuple[float, str]) -> HardCase:
+def _ball(parameter: str, side: str, **parameters: float | tuple[float, str]) -> HardCase:
     known = (impact(0, "speed", V0, 1e-7 * V0, "free fall"),)
-    return _case("bouncing_ball", parameter, side, 0.6, given, known)
+    return _case("bouncing_ball", parameter, side, 0.6, parameters, known)
 
 
-def _spheres(parameter: str, side: str, known: tuple[Known, ...] = (), **given: float | tuple[float, str]) -> HardCase:
-    return _case("two_spheres", parameter, side, 0.1, given, known)
+def _spheres(
+    parameter: str, side: str, known: tuple[Known, ...] = (), **parameters: float | tuple[float, str]
+) -> HardCase:
+    return _case("two_spheres", parameter, side, 0.1, parameters, known)
 
 
-def _crank(parameter: str, side: str, outcome: str = "finished", **given: float | tuple[float, str]) -> HardCase:
-    return replace(_case("slider_crank", parameter, side, 0.002, given, ()), outcome=outcome)
+def _crank(parameter: str, side: str, outcome: str = "finished", **parameters: float | tuple[float, str]) -> HardCase:
+    return replace(_case("slider_crank", parameter, side, 0.002, parameters, ()), outcome=outcome)
 
 
 def _passed_through() -> HardCase:
@@ -40,10 +42,10 @@ def _case(
     parameter: str,
     side: str,
     duration: float,
-    given: Mapping[str, float | tuple[float, str]],
+    parameters: Mapping[str, float | tuple[float, str]],
     known: tuple[Known, ...],
 ) -> HardCase:
-    values = ", ".join(f"{name} = {_text(value)}" for name, value in given.items())
+    values = ", ".join(f"{name} = {_text(value)}" for name, value in parameters.items())
     return HardCase(
         name=f"edge_{scene}_{parameter}_{side}",
         theme="edges of ranges",
@@ -51,7 +53,7 @@ def _case(
         source=Source(scene),
         duration=duration,
         tolerance=1e-8,
-        parameters=given,
+        parameters=parameters,
         known=known,
     )
 

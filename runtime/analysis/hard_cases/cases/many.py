@@ -116,7 +116,7 @@ def _row(count: int, *, long: bool) -> HardCase:
 
 
 def _touching(
-    name: str, hard: str, speeds: Sequence[float], duration: float, *, tolerance: float = FINE, **given: Value
+    name: str, hard: str, speeds: Sequence[float], duration: float, *, tolerance: float = FINE, **parameters: Value
 ) -> HardCase:
     """Make a case of five spheres in a row that touch, each where its coordinate begins.
 
@@ -130,7 +130,7 @@ def _touching(
         duration=duration,
         tolerance=tolerance,
         methods=METHODS if tolerance == FINE else ("dop853", "auto"),
-        parameters=given,
+        parameters=parameters,
         known=tuple(
             final(f"path_{i}.speed", speed, TELLING, "extrapolated midpoint rule in 80 bits, without events")
             for i, speed in enumerate(speeds, 1)

@@ -60,7 +60,7 @@ def _way(mu: float) -> float:
 
 
 def _of_corners(
-    count: int, what: str, of: Callable[[EngineSolution, str, np.ndarray], np.ndarray], within: float, unit: str
+    count: int, quantity: str, of: Callable[[EngineSolution, str, np.ndarray], np.ndarray], within: float, unit: str
 ) -> Known:
     """Expect the largest value over rows with a touching corner, which Coulomb's law keeps at or below 0."""
 
@@ -69,7 +69,7 @@ def _of_corners(
         modes = (run[f"corner_{i}.mode"] == 1 for i in range(count + 1))
         return max(float(np.max(value, where=mode, initial=0.0)) for value, mode in zip(values, modes, strict=True))
 
-    return Known(what, largest, 0.0, within, unit, "Coulomb's law")
+    return Known(quantity, largest, 0.0, within, unit, "Coulomb's law")
 
 
 def _falling_chain(count: int, *, long: bool) -> HardCase:

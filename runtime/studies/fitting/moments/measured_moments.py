@@ -103,17 +103,17 @@ class _OverTime:
         self.lasts = float(np.ptp(self.times)) + settling
 
     def measured(self, moments: Sequence[SeriesMoment], start: float, interval: float) -> SeriesStatistics:
-        kept = self.times >= start
-        samples = np.column_stack([channel.samples for channel in self.channels])[kept]
-        return series_statistics(self.times[kept], samples, moments, interval)
+        settled = self.times >= start
+        samples = np.column_stack([channel.samples for channel in self.channels])[settled]
+        return series_statistics(self.times[settled], samples, moments, interval)
 
     def of(
         self, run: EngineSolution, moments: Sequence[SeriesMoment], skip: float | None, interval: float
     ) -> SeriesStatistics:
-        seen = FilteredRun(run, [c.history for c in self.channels], self._request.instrument, self._spacing)
-        start = max(seen.start, run.t_start + _transient(skip, run.t_end - run.t_start))
-        times: Array = start + self._spacing * np.arange(int((seen.end - start) / self._spacing), dtype=float)
-        samples = _noisy(seen.at(times), self.channels)
+        filtered = FilteredRun(run, [c.history for c in self.channels], self._request.instrument, self._spacing)
+        start = max(filtered.start, run.t_start + _transient(skip, run.t_end - run.t_start))
+        times: Array = start + self._spacing * np.arange(int((filtered.end - start) / self._spacing), dtype=float)
+        samples = _noisy(filtered.at(times), self.channels)
         return series_statistics(times, samples, moments, interval)
 
 
@@ -144,8 +144,8 @@ class _OfImpacts:
 def _noisy(samples: Array, channels: Sequence[Channel]) -> Array:
     """Return samples (n, channels) with the noise of their sensors."""
     noise = np.array([channel.noise or 0.0 for channel in channels])
-    found: Array = samples + noise * np.random.default_rng(SEED).normal(size=samples.shape)
-    return found
+    noisy: Array = samples + noise * np.random.default_rng(SEED).normal(size=samples.shape)
+    return noisy
 
 
 @dataclass
@@ -212,7 +212,7 @@ def read_series(
         faults.append(Fault("measured", "beside moments that all have values", "a moment without a value"))
     wrong = len(faults)
     sights = [_sight(model, one, faults) for one in series]
-    given = [named_values("parameters", one.parameters, faults) for one in series]
+    parameters = [named_values("parameters", one.parameters, faults) for one in series]
     skips = [0.0 if one.skip == 0 else seconds("skip", one.skip, faults) for one in series]
     if len(faults) > wrong or not names:
         return ()
@@ -221,17 +221,19 @@ def read_series(
     column = {name: name.rpartition(".")[0] for name in names}
     there = sorted(set().union(*own))
     faults += [unknown(f"{name}, column", column[name], there) for name in names if column[name] not in there]
-    found = []
-    for number, (one, sight, has, skip, its) in enumerate(zip(series, read, own, skips, given, strict=True), 1):
+    moments = []
+    for number, (one, sight, own_columns, skip, its) in enumerate(
+        zip(series, read, own, skips, parameters, strict=True), 1
+    ):
         source = one.data if isinstance(one.data, str | Path) else getattr(one.data, "source", "")
         of = f" of {Path(source).stem or f'series {number}'}"
-        among = [name for name in names if column[name] in has]
+        among = [name for name in names if column[name] in own_columns]
         labels = [name + of * (sum(column[name] in other for other in own) > 1) for name in among]
         made_at = {**(values if isinstance(values, Mapping) else {}), **its}
         made = _moments(model, among, labels, sight, skip, made_at, faults) if among else None
         if made is not None:
-            found.append(made)
-    return tuple(found) if len(faults) == wrong else ()
+            moments.append(made)
+    return tuple(moments) if len(faults) == wrong else ()
 
 
 def _sight(model: EngineModel, series: MeasuredSeries, faults: list[Fault]) -> _Sight | None:
@@ -266,9 +268,9 @@ def _sight(model: EngineModel, series: MeasuredSeries, faults: list[Fault]) -> _
 def _impacts(channels: tuple[Channel, ...], faults: list[Fault]) -> _OfImpacts | None:
     times = [channel.samples for channel in channels if parts_of(channel.history)[1] == "t"]
     if len(times) != 1 or not np.all(np.isfinite(times[0])) or np.any(np.diff(times[0]) < 0):
-        found = f"{len(times)} columns of onsets" if len(times) != 1 else "onsets that are missing or fall"
+        actual = f"{len(times)} columns of onsets" if len(times) != 1 else "onsets that are missing or fall"
         remedy = 'map one to "impacts.t", or to that of a pair'
-        faults.append(Fault("measured", found, "the time of every impact, increasing", remedy))
+        faults.append(Fault("measured", actual, "the time of every impact, increasing", remedy))
         return None
     return _OfImpacts(times[0], channels)
 
@@ -291,9 +293,9 @@ def _moments(
     times = sight.times
     span = float(np.ptp(times))
     start = float(times[0]) + _transient(skip, span)
-    kept = int(np.sum(times >= start))
-    if kept < FEWEST * FEWEST:
-        faults.append(Fault("measured", f"{kept} samples after the transient", f"at least {FEWEST * FEWEST}"))
+    count = int(np.sum(times >= start))
+    if count < FEWEST * FEWEST:
+        faults.append(Fault("measured", f"{count} samples after the transient", f"at least {FEWEST * FEWEST}"))
     if len(faults) > wrong:
         return None
     interval = max(period or span / INTERVALS, sight.least)
@@ -309,8 +311,8 @@ def _moments(
         elif not deviation > 0:
             faults.append(Fault(label, "a series that repeats exactly", "one that varies", "fit the history itself"))
     if statistics.blocks < PER_MOMENT * len(names):
-        found = f"{len(names)} statistics of a series with {statistics.blocks} independent blocks"
-        faults.append(Fault("moments", found, f"at most {statistics.blocks // PER_MOMENT}", "a longer series"))
+        actual = f"{len(names)} statistics of a series with {statistics.blocks} independent blocks"
+        faults.append(Fault("moments", actual, f"at most {statistics.blocks // PER_MOMENT}", "a longer series"))
     units = tuple("1/s" if kind in RATES else sight.channels[by_column[column]].unit for column, kind in split)
     if len(faults) > wrong:
         return None
@@ -325,8 +327,8 @@ def _kind_faults(
             remedy = "the largest of all grows with the length of a series" if kind in ("max", "min") else ""
             yield Fault(label, shown(kind), f"one of {', '.join(kinds)}", remedy)
         elif kind == "largest" and period is None:
-            found = "a scene without a period: the largest value of what interval"
-            yield Fault(label, found, "another statistic, such as norm8")
+            actual = "a scene without a period: the largest value of what interval"
+            yield Fault(label, actual, "another statistic, such as norm8")
 
 
 def _period(model: EngineModel, values: object) -> float | None:

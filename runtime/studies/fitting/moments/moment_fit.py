@@ -144,11 +144,11 @@ class MomentFitRequest:
     @property
     def covariance(self) -> Array:
         """Covariance (m, m) of the measured values: stated ones are independent, those of one series are not."""
-        found, end = np.diag([moment.deviation**2 for moment in self.moments]), len(self.half_widths)
+        covariance, end = np.diag([moment.deviation**2 for moment in self.moments]), len(self.half_widths)
         for one in self.series:
             among = slice(end, end := end + len(one.names))
-            found[among, among] = one.measured.covariance
-        return found
+            covariance[among, among] = one.measured.covariance
+        return covariance
 
     @property
     def sweeps(self) -> list[tuple[Mapping[str, Value], list[SeriesMoments]]]:
@@ -166,8 +166,8 @@ class MomentFitRequest:
     def correlation(self) -> Array:
         """Correlation (m, m) of the measured values."""
         deviations = np.array([moment.deviation for moment in self.moments])
-        found: Array = self.covariance / np.outer(deviations, deviations)
-        return found
+        correlation: Array = self.covariance / np.outer(deviations, deviations)
+        return correlation
 
 
 def read_moment_fit(
@@ -187,7 +187,7 @@ def read_moment_fit(
     """
     faults = [*before, *whole_faults(seed=seed)]
     freed = read_free(model, free, faults)
-    found: list[Moment] = []
+    stated: list[Moment] = []
     half_widths: list[str] = []
     if not isinstance(moments, Mapping) or not moments:
         faults.append(
@@ -199,44 +199,44 @@ def read_moment_fit(
         )
         moments = {}
     computed = read_series(
-        model, [name for name, given in moments.items() if given is None], series, how.get("parameters"), faults
+        model, [name for name, entry in moments.items() if entry is None], series, how.get("parameters"), faults
     )
-    moments = {name: given for name, given in moments.items() if given is not None}
+    moments = {name: entry for name, entry in moments.items() if entry is not None}
     wrong = len(faults)
     outputs = chosen(model, list(moments), faults)
-    for output, (name, given) in zip(outputs, moments.items(), strict=False) if len(faults) == wrong else ():
-        pair = _pair(given)
+    for output, (name, entry) in zip(outputs, moments.items(), strict=False) if len(faults) == wrong else ():
+        pair = _pair(entry)
         if pair is None:
-            faults.append(Fault(name, shown(given), 'a value and its standard deviation, "412 +- 5 1/s"'))
+            faults.append(Fault(name, shown(entry), 'a value and its standard deviation, "412 +- 5 1/s"'))
             continue
         unit = output.columns[name] or "1"
         read = [read_state(name, unit, each) for each in pair]
         faults += [fault for _, fault in read if fault is not None]
         if all(fault is None for _, fault in read) and not read[1][0] > 0:
-            faults.append(Fault(name, shown(given), "a positive standard deviation"))
-        found.append(Moment(name, unit, read[0][0], read[1][0]))
+            faults.append(Fault(name, shown(entry), "a positive standard deviation"))
+        stated.append(Moment(name, unit, read[0][0], read[1][0]))
         half_widths.append(next(iter(list(output.columns)[1:]), ""))
     for one in computed:
         measured = zip(one.names, one.units, one.measured.values, one.measured.deviations, strict=True)
-        found += [Moment(name, unit, float(value), float(deviation)) for name, unit, value, deviation in measured]
-    if found and len(found) < len(freed):
-        faults.append(Fault("moments", f"{len(found)} statistics", f"at least {len(freed)}, as many as are free"))
+        stated += [Moment(name, unit, float(value), float(deviation)) for name, unit, value, deviation in measured]
+    if stated and len(stated) < len(freed):
+        faults.append(Fault("moments", f"{len(stated)} statistics", f"at least {len(freed)}, as many as are free"))
     if faults:
         raise InputError(f"fit of {model.name}", faults)
     if computed:
         how = {"duration": max(one.sight.lasts for one in computed), **how}
-    return MomentFitRequest(model, freed, tuple(found), tuple(half_widths), computed, how, seed)
+    return MomentFitRequest(model, freed, tuple(stated), tuple(half_widths), computed, how, seed)
 
 
-def _pair(given: object) -> tuple[Value, Value] | None:
-    if isinstance(given, str):
-        value, sign, deviation = given.partition("+-")
+def _pair(entry: object) -> tuple[Value, Value] | None:
+    if isinstance(entry, str):
+        value, sign, deviation = entry.partition("+-")
         if not sign:
             return None
         unit = deviation.strip().partition(" ")[2]
         plain = value.strip()
         return (plain if " " in plain or not unit else f"{plain} {unit}"), deviation.strip()
-    return given if isinstance(given, tuple) and len(given) == 2 else None
+    return entry if isinstance(entry, tuple) and len(entry) == 2 else None
 
 
 def fitted_moments(request: MomentFitRequest, progress: Callable[[float], object] | None = None) -> FittedMoments:
@@ -288,7 +288,7 @@ def _runs(
     """Return places (n, k) of finished runs, statistics (n, moments), their variances, why one is lost."""
     stated = [moment.name for moment in request.moments[: len(request.half_widths)]]
     how, sweeps = {"tolerance": TOLERANCE, **request.how}, request.sweeps
-    seen, there, why, x = dict[str, Array](), np.ones(0, dtype=bool), "", np.zeros((0, 0))
+    numbers, there, why, x = dict[str, Array](), np.ones(0, dtype=bool), "", np.zeros((0, 0))
     for number, (values, series) in enumerate(sweeps):
         report = None if progress is None else (lambda part, done=number: progress((done + part) / len(sweeps)))
         functions = {name: function for one in series for name, function in one.functions().items()}
@@ -299,16 +299,16 @@ def _runs(
             raise KeyboardInterrupt
         x = np.column_stack([[free.inner(float(v)) for v in table[free.name]] for free in request.free])
         half = [name for name in request.half_widths if name] if number == 0 else []
-        seen |= {name: np.asarray(table[name], dtype=float) for name in (*own, *half, *functions)}
+        numbers |= {name: np.asarray(table[name], dtype=float) for name in (*own, *half, *functions)}
         ended = np.array([row["outcome"] == "finished" for row in table])
         there = ended if number == 0 else there & ended
         lost = next((row for row, stays in zip(table, ended, strict=True) if not stays), None)
         if lost is not None and not why:
             why = f"{lost['outcome']}: {lost['message']}" if lost["message"] else str(lost["outcome"])
     of_series = [columns(name) for one in request.series for name in one.names]
-    y = np.column_stack([seen[name] for name in (*stated, *(name for name, _ in of_series))])
-    own_half = [seen[name] / QUANTILE if name else np.zeros(len(x)) for name in request.half_widths]
-    noise = np.column_stack([*own_half, *(seen[name] for _, name in of_series)])
+    y = np.column_stack([numbers[name] for name in (*stated, *(name for name, _ in of_series))])
+    own_half = [numbers[name] / QUANTILE if name else np.zeros(len(x)) for name in request.half_widths]
+    noise = np.column_stack([*own_half, *(numbers[name] for _, name in of_series)])
     there &= np.all(np.isfinite(y), axis=1)
     return x[there], y[there], noise[there] ** 2, why
 
@@ -336,19 +336,19 @@ class _Surface:
     def _features(self, x: Array) -> Array:
         z = (x - self.middle) / self.half
         rows, columns = np.triu_indices(len(z))
-        found: Array = np.concatenate([[1.0], z, z[rows] * z[columns]])
-        return found
+        features: Array = np.concatenate([[1.0], z, z[rows] * z[columns]])
+        return features
 
     def at(self, x: Array) -> Array:
         """Return the statistics (moments,) at a place."""
-        found: Array = self._features(x) @ self.coefficients
-        return found
+        statistics: Array = self._features(x) @ self.coefficients
+        return statistics
 
     def covariance(self, x: Array) -> Array:
         """Return the covariance (moments, moments) of what the regression says there."""
         f = self._features(x)
-        found: Array = self.scatter * float(f @ self._inverse @ f) + self.misfit
-        return found
+        covariance: Array = self.scatter * float(f @ self._inverse @ f) + self.misfit
+        return covariance
 
     def jacobian(self, x: Array) -> Array:
         """Return the derivatives (moments, k) of the statistics."""
@@ -368,7 +368,7 @@ def _least(request: MomentFitRequest, surface: _Surface) -> tuple[Array, Array, 
     for _ in range(3):  # the covariance is that at the best
         root = np.linalg.cholesky(stated + surface.covariance(best))
         starts = [best, *hypercube(surface.box, 8, 0)]
-        found = [
+        minima = [
             least_squares(
                 lambda x, root=root: np.linalg.solve(root, measured - surface.at(x)),
                 np.clip(start, low + 1e-9 * (high - low), high - 1e-9 * (high - low)),
@@ -377,7 +377,7 @@ def _least(request: MomentFitRequest, surface: _Surface) -> tuple[Array, Array, 
             )
             for start in starts
         ]
-        best = min(found, key=lambda each: each.cost).x
+        best = min(minima, key=lambda each: each.cost).x
     return best, stated + surface.covariance(best), surface.jacobian(best)
 
 
@@ -454,11 +454,11 @@ def _profile(
 
     def fitted(x: Array) -> Array:
         """Return the best place from a near one, the quantity held."""
-        found = x.copy()
+        place = x.copy()
         if np.any(moving):
             inside = np.clip(x[moving], low + 1e-9 * (high - low), high - 1e-9 * (high - low))
-            found[moving] = least_squares(lambda part: residual(np.insert(part, j, x[j])), inside, bounds=(low, high)).x
-        return found
+            place[moving] = least_squares(lambda part: residual(np.insert(part, j, x[j])), inside, bounds=(low, high)).x
+        return place
 
     grid = np.linspace(surface.box[j, 0], surface.box[j, 1], PLACES)
     rises = {float(best[j]): 0.0}
@@ -473,12 +473,12 @@ def _profile(
 
 def _ends(places: Array, rises: Array, best: float, quantile: float) -> tuple[float, float]:
     """Return where the root of the rises first exceeds a quantile to each side; nan where it does not."""
-    roots, found = np.sqrt(np.maximum(rises, 0.0)), []
+    roots, ends = np.sqrt(np.maximum(rises, 0.0)), []
     for side in (np.flatnonzero(places <= best)[::-1], np.flatnonzero(places >= best)):
         above = np.flatnonzero(roots[side] > quantile)
         k = side[: above[0] + 1][-2:] if len(above) else side[:0]
-        found.append(float(np.interp(quantile, roots[k], places[k])) if len(k) else math.nan)
-    return found[0], found[1]
+        ends.append(float(np.interp(quantile, roots[k], places[k])) if len(k) else math.nan)
+    return ends[0], ends[1]
 
 
 def _checked(request: MomentFitRequest, surface: _Surface, values: Mapping[str, FittedValue]) -> list[str]:
@@ -490,7 +490,7 @@ def _checked(request: MomentFitRequest, surface: _Surface, values: Mapping[str, 
     at = surface.at(x[0])
     sizes = np.sqrt(np.diag(surface.covariance(x[0])) + np.nan_to_num(noise[0]) + np.diag(surface.scatter))
     return [
-        f"{moment.name}: a run at the best fit has {found:.5g}, the regression {said:.5g}: the range is too wide for a quadratic function"
-        for moment, found, said, size in zip(request.moments, y[0], at, sizes, strict=True)
-        if abs(found - said) > FAR * size
+        f"{moment.name}: a run at the best fit has {simulated:.5g}, the regression {said:.5g}: the range is too wide for a quadratic function"
+        for moment, simulated, said, size in zip(request.moments, y[0], at, sizes, strict=True)
+        if abs(simulated - said) > FAR * size
     ]

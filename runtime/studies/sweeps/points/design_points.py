@@ -85,14 +85,14 @@ class Design:
     @property
     def units(self) -> dict[str, str]:
         """Unit that each axis is given in, of those that have one unit."""
-        found: dict[str, str] = {}
+        by_axis: dict[str, str] = {}
         for name, axis in self.axes.items():
             whole = axis.range if isinstance(axis, RangeValues) else axis
             if not isinstance(whole, Labels):
                 units = {whole.unit} if isinstance(whole, Range) else {unit for _, unit in whole}
                 if len(units) == 1:
-                    (found[name],) = units
-        return found
+                    (by_axis[name],) = units
+        return by_axis
 
     @cached_property
     def _listed(self) -> dict[str, Listed]:
@@ -104,8 +104,8 @@ class Design:
         from scipy.stats import qmc  # slow to import
 
         sampler = {"latin": qmc.LatinHypercube, "sobol": qmc.Sobol}[self.sampler]
-        found: np.ndarray = sampler(len(self.axes), rng=self.seed).random(self.sample)
-        return found
+        parts: np.ndarray = sampler(len(self.axes), rng=self.seed).random(self.sample)
+        return parts
 
 
 def _drawn(axis: Axis, part: float) -> ValueWithUnit | str:
@@ -149,8 +149,8 @@ def read_design(
         faults.append(Fault("zip", "beside sample", "one of the two", "samples already take one value of each"))
     counts = {name: len(axis) for name, axis in axes.items() if not isinstance(axis, Range)}
     if zip is True and len(set(counts.values())) > 1:
-        found = ", ".join(f"{count} of {name}" for name, count in counts.items())
-        faults.append(Fault("zip", found, "equally many values of each"))
+        actual = ", ".join(f"{count} of {name}" for name, count in counts.items())
+        faults.append(Fault("zip", actual, "equally many values of each"))
     if not zip and sample is None and math.prod(counts.values()) > MOST:
         faults.append(Fault("over", f"{math.prod(counts.values()):,} points", f"at most {MOST:,}", "sample them"))
     if faults:
@@ -190,7 +190,7 @@ def _with_shared_unit(parts: list[str]) -> list[str]:
 
 def _listed(where: str, values: Sequence[object], faults: list[Fault]) -> tuple[ValueWithUnit, ...] | None:
     """Read values of a list."""
-    found: list[ValueWithUnit] = []
+    pairs: list[ValueWithUnit] = []
     wrong = []
     for value in values:
         try:
@@ -198,8 +198,8 @@ def _listed(where: str, values: Sequence[object], faults: list[Fault]) -> tuple[
         except UnitError as error:
             wrong.append(Fault(where, shown(value), EXPECTED, str(error)))
         else:
-            found.append((number, unit))
+            pairs.append((number, unit))
     if not values:
         wrong.append(Fault(where, "no value", EXPECTED))
     faults += wrong
-    return None if wrong else tuple(found)
+    return None if wrong else tuple(pairs)

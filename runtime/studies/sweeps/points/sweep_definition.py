@@ -137,10 +137,10 @@ def design_of(definition: Mapping[str, Any]) -> Design:
     """Return the design of a definition, as it was when that was written."""
     over = {name: axis for name, axis in definition["over"].items() if isinstance(axis, str)}
     how = {name: definition[name] for name in ("zip", "sample", "sampler", "seed")}
-    found = read_design(over, **how, faults=[])
-    axes = {name: found.axes[name] if name in over else Labels(axis) for name, axis in definition["over"].items()}
+    design = read_design(over, **how, faults=[])
+    axes = {name: design.axes[name] if name in over else Labels(axis) for name, axis in definition["over"].items()}
     return replace(
-        found, axes=axes, fixed={name: number_and_unit(text) for name, text in definition["parameters"].items()}, **how
+        design, axes=axes, fixed={name: number_and_unit(text) for name, text in definition["parameters"].items()}, **how
     )
 
 
@@ -155,13 +155,13 @@ def _axis(axis: tuple[ValueWithUnit, ...] | RangeValues | Range) -> str:
 
 def differences(before: Mapping[str, Any], now: Mapping[str, Any]) -> list[Fault]:
     """Return a fault for everything in which a definition differs from that of a store."""
-    had, has = (
+    had, current = (
         {name: value for name, value in _flat(part) if name.partition(".")[0] not in FOLLOW} for part in (before, now)
     )
     return [
-        Fault(name, _summary(has.get(name)), f"{_summary(had.get(name))}, as of the sweep there", WIDEN)
-        for name in {**had, **has}
-        if had.get(name) != has.get(name)
+        Fault(name, _summary(current.get(name)), f"{_summary(had.get(name))}, as of the sweep there", WIDEN)
+        for name in {**had, **current}
+        if had.get(name) != current.get(name)
     ]
 
 
@@ -228,8 +228,8 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
     faults = []
     way_out = f"go on in Python, by the same call: sweep(..., into={str(folder)!r})"
     if definition["functions"]:
-        found = f"functions of its own: {', '.join(definition['functions'])}"
-        faults.append(Fault(str(folder), found, "outputs by name", way_out))
+        actual = f"functions of its own: {', '.join(definition['functions'])}"
+        faults.append(Fault(str(folder), actual, "outputs by name", way_out))
     made = [name for name, text in definition["inputs"].items() if text is None]
     axes = {name: axis.values() for name, axis in definition["over"].items() if isinstance(axis, Mapping)}
     made += [name for name, texts in axes.items() if None in texts]
@@ -265,23 +265,23 @@ def read_definition(folder: Path) -> dict[str, Any] | None:
     try:
         if not file.is_file():
             return None
-        found = json.loads(file.read_text(encoding="utf-8"))
+        definition = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError) as error:
         raise InputError("sweep", [Fault(str(file), str(error), "a definition as a sweep wrote it", way_out)]) from None
-    if not isinstance(found, dict):
-        raise InputError("sweep", [Fault(str(file), shown(found), "a definition as a sweep wrote it", way_out)])
+    if not isinstance(definition, dict):
+        raise InputError("sweep", [Fault(str(file), shown(definition), "a definition as a sweep wrote it", way_out)])
     faults = []
     for name, kinds in ENTRIES.items():
-        if name not in found:
+        if name not in definition:
             faults.append(Fault(f"{file}: {name}", "no entry", "one, as the sweep wrote it", way_out))
-        elif not isinstance(found[name], kinds):
-            faults.append(Fault(f"{file}: {name}", shown(found[name]), "the entry as the sweep wrote it", way_out))
-    extra = [name for name in found if name not in ENTRIES]
+        elif not isinstance(definition[name], kinds):
+            faults.append(Fault(f"{file}: {name}", shown(definition[name]), "the entry as the sweep wrote it", way_out))
+    extra = [name for name in definition if name not in ENTRIES]
     faults += [Fault(f"{file}: {name}", "an entry", "none of this name", way_out) for name in extra]
-    if not faults and not is_sealed(found):
+    if not faults and not is_sealed(definition):
         faults.append(
             Fault(str(file), "entries that do not fit its digest", "a definition as a sweep wrote it", way_out)
         )
     if faults:
         raise InputError("sweep", faults)
-    return found
+    return definition

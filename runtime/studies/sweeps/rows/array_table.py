@@ -75,8 +75,8 @@ class Arrays:
         for row in self._rows:
             line, lines = io.StringIO(), io.StringIO()
             entries = (row[name] for name in self.varied)
-            given = [row.index, *(e if isinstance(e, str) else format(e, ".17g") for e in entries)]
-            csv.writer(line, lineterminator=",").writerow(given)
+            fields = [row.index, *(e if isinstance(e, str) else format(e, ".17g") for e in entries)]
+            csv.writer(line, lineterminator=",").writerow(fields)
             np.savetxt(lines, self._table(row), delimiter=",", fmt="%.17g")
             yield "".join(f"{line.getvalue()}{each}\n" for each in lines.getvalue().splitlines()).encode()
 

@@ -68,10 +68,12 @@ class Cluster:
             self.workers = self._threads()
             there = client.run(in_use, on_error="return")
         except CONNECTION as error:
-            found = f"a cluster without workers ({error})"
+            actual = f"a cluster without workers ({error})"
             way_out = f"`dask worker {client.scheduler.address if client.scheduler else 'ADDRESS'}` starts one"
-            raise InputError("cluster", [Fault("client", found, "a cluster with workers", way_out)]) from error
-        if faults := [fault for worker, found in there.items() for fault in _differing(worker, in_use(), found)]:
+            raise InputError("cluster", [Fault("client", actual, "a cluster with workers", way_out)]) from error
+        if faults := [
+            fault for worker, installed in there.items() for fault in _differing(worker, in_use(), installed)
+        ]:
             raise InputError("cluster", faults)
 
     def rows(self, job: Job, tasks: Tasks) -> Generator[list[Row], None, None]:
@@ -215,7 +217,7 @@ def _opened(packed: bytes) -> Job:
         job: Job = pickle.loads(content)
     except Exception as error:  # of own functions: what they import is not there
         expected = "a worker that has what the functions import"
-        found = f"{type(error).__name__}: {error}"
-        raise InputError("cluster", [Fault(f"worker {worker}", found, expected)]) from error
+        actual = f"{type(error).__name__}: {error}"
+        raise InputError("cluster", [Fault(f"worker {worker}", actual, expected)]) from error
     job.prepare()
     return job

@@ -77,7 +77,7 @@ class Section:
         history, t = run.history, run.t
         first = max(int(np.searchsorted(t, begin, side="right")) - 1, 0)
         parts = int(np.clip(SAMPLES // max(len(t) - 1 - first, 1), LEAST_PARTS, MOST_PARTS))
-        found = []
+        crossings = []
         for start in range(first, len(t) - 1, BLOCK):
             rows = np.arange(start, min(start + BLOCK, len(t) - 1))
             h = np.diff(t)[rows, None] * np.arange(parts) / parts
@@ -85,8 +85,8 @@ class Section:
             last = rows[-1] + 1
             values = history.between(np.append(index, last), np.append(within, 0.0))[self.name]
             times = np.append(t[index] + within, t[last])
-            found.append(self._located(run, times, values))
-        times = np.concatenate(found) if found else np.zeros(0)
+            crossings.append(self._located(run, times, values))
+        times = np.concatenate(crossings) if crossings else np.zeros(0)
         after: np.ndarray = times[times > begin + EDGE * (t[-1] - begin)]
         return after
 
@@ -118,7 +118,7 @@ def _zeros(
     from scipy.optimize import elementwise  # slow to import
 
     wide = np.flatnonzero(high > low)
-    found = high.copy()
+    zeros = high.copy()
     if len(wide):
 
         def apart(times: np.ndarray, number: np.ndarray) -> np.ndarray:
@@ -133,8 +133,8 @@ def _zeros(
             args=(wide.astype(float),),
             tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0},
         )
-        found[wide] = np.where(np.isfinite(solved.x), solved.x, high[wide])
-    return found
+        zeros[wide] = np.where(np.isfinite(solved.x), solved.x, high[wide])
+    return zeros
 
 
 def read_section(model: EngineModel, text: object, faults: list[Fault]) -> Section | None:
@@ -170,11 +170,11 @@ def _steady(model: EngineModel) -> Iterator[tuple[str, str]]:
 def _value(name: str, unit: str | None, text: str, faults: list[Fault]) -> float:
     """Return the value of a name in SI, of no unit where it is 0; bad input is appended to `faults`."""
     try:
-        number, _, given = read(text)
+        number, _, stated = read(text)
     except UnitError as error:
         faults.append(Fault("section", f"{name} = {text}", EXPECTED, str(error)))
         return math.nan
-    if unit is None or (number == 0 and given == "1"):
+    if unit is None or (number == 0 and stated == "1"):
         return 0.0
     si, fault = read_state(f"section, {name}", unit, text)
     if fault is not None:

@@ -61,11 +61,11 @@ class Row:
             return "; ".join(self.warnings) if name == "warnings" else str(getattr(self, name))
         if name == "wall_s":
             return self.wall_s
-        found = self.outputs.get(name, self.values.get(name))
-        if found is None:
+        entry = self.outputs.get(name, self.values.get(name))
+        if entry is None:
             label = self.stated.get(name)
             return label if isinstance(label, str) else math.nan
-        return found
+        return entry
 
     @property
     def final(self) -> dict[str, float]:

@@ -110,16 +110,16 @@ class RowArrays:
 
     def of(self, run: EngineSolution, times: Times) -> dict[str, Packed]:
         """Return the arrays of a run with these times; see `Times.arrays`."""
-        found = {}
+        arrays = {}
         if self.section is not None:
             at = self.section.crossings(run, times.begin) if times.section is None else times.section
-            found[SECTION] = self._packed(run, at)
+            arrays[SECTION] = self._packed(run, at)
         if times.grid is not None:
-            found[HISTORIES] = self._packed(run, times.grid)
+            arrays[HISTORIES] = self._packed(run, times.grid)
         end = np.array([run.ends[name][-1] for name in self.end])
         if self.end and run.t_end >= run.duration and np.isfinite(end).all():
-            found[END] = Packed.of(end)
-        return found
+            arrays[END] = Packed.of(end)
+        return arrays
 
     def _packed(self, run: EngineSolution, times: np.ndarray) -> Packed:
         reached = times[times <= run.t_end]

@@ -214,7 +214,7 @@ class Job:
             raise KeyboardInterrupt
 
     def _row(self, task: Task, solution: Solution, times: Times | None) -> Row:
-        i, given = task
+        i, point = task
         outcome, message = solution.outcome.name, "" if solution.outcome.finished else solution.outcome.message
         measured = Measured(solution)
         numbers: dict[str, float] = {}
@@ -236,7 +236,7 @@ class Job:
                 outcome, message = BAD_OUTPUT, f"section or histories raised {type(error).__name__}: {error}"
         return Row(
             index=i,
-            stated=given,
+            stated=point,
             outcome=outcome,
             message=message,
             values=self._values(task),
@@ -255,9 +255,9 @@ def _sent(
     model: EngineModel,
     settings: Settings,
     outputs: list[tuple[str, Own | None]],
-    kept: RowArrays | None,
+    row_arrays: RowArrays | None,
     foreseen: float,
     stop: Flag,
     choices: Choices,
 ) -> Job:
-    return Job(model, settings, named(model, outputs), kept, foreseen, stop, choices=choices)
+    return Job(model, settings, named(model, outputs), row_arrays, foreseen, stop, choices=choices)

@@ -95,10 +95,10 @@ def own(name: str, function: Callable[[Solution], float]) -> Output:
     """Return the output of a user's function of the Solution."""
 
     def of(measured: Measured) -> tuple[float, ...]:
-        found = function(measured.run)
-        if np.ndim(found):
-            raise NotANumberError(f"output {name} returned an array of shape {np.shape(found)}")
-        return (float(found),)
+        number = function(measured.run)
+        if np.ndim(number):
+            raise NotANumberError(f"output {name} returned an array of shape {np.shape(number)}")
+        return (float(number),)
 
     return Output({name: ""}, Needs.STEPS, of, function)
 
@@ -162,17 +162,17 @@ def chosen(model: EngineModel, names: object, faults: list[Fault]) -> list[Outpu
     there = known(model)
     faults += [unknown("sweep output", name, there, _OTHERWISE) for name in names if not isinstance(name, str)]
     texts = list(dict.fromkeys(name for name in names if isinstance(name, str)))
-    found = {name: _output_of(model, there, name) for name in texts}
+    outputs = {name: _output_of(model, there, name) for name in texts}
     derivatives = [name for name in texts if DERIVATIVE.fullmatch(name)]
     for name in derivatives:
         faults += _derivative_faults(model, there, name)
     faults += [
         unknown("sweep output", name, there, _OTHERWISE)
         for name in texts
-        if found[name] is None and name not in derivatives
+        if outputs[name] is None and name not in derivatives
     ]
     faults += [Fault("outputs", f"{name} twice", "each once") for name in texts if names.count(name) > 1]
-    return [output for output in found.values() if output is not None]
+    return [output for output in outputs.values() if output is not None]
 
 
 def derived_by(outputs: Sequence[Output]) -> tuple[str, ...]:
@@ -188,9 +188,9 @@ def text_behind(model: EngineModel, outputs: Sequence[Output], histories: Sequen
         for output in outputs
         if output.function is None
     )
-    asked = [*histories, *(history for history, _, kind in split if kind in _REDUCERS)]
+    names = [*histories, *(history for history, _, kind in split if kind in _REDUCERS)]
     own = any(output.function is not None for output in outputs)  # may ask for anything
-    return units.text_behind(units.everything if own else asked)
+    return units.text_behind(units.everything if own else names)
 
 
 def of_every_run(model: EngineModel) -> list[Output]:
@@ -230,8 +230,8 @@ def _known(model: EngineModel) -> Iterator[Output]:
 
 def _number(name: str, unit: str, needs: Needs, of: Callable[[Measured], float | None]) -> Output:
     def one(measured: Measured) -> tuple[float, ...]:
-        found = of(measured)
-        return (math.nan if found is None else float(found),)
+        value = of(measured)
+        return (math.nan if value is None else float(value),)
 
     return Output({name: unit}, needs, one)
 
@@ -291,8 +291,8 @@ def _average(name: str, unit: str, average: str | None = None) -> Output:
 
     def of(measured: Measured) -> tuple[float, ...]:
         compute = measured.averages.get(average)
-        found = None if compute is None else compute()
-        values = (None, None) if found is None else (found.mean, found.half_width)
+        averaged = None if compute is None else compute()
+        values = (None, None) if averaged is None else (averaged.mean, averaged.half_width)
         return tuple(math.nan if value is None else value for value in values)
 
     needs = Needs.IMPACTS if average.endswith(OF_IMPACTS) else Needs.SUMS
