@@ -23,7 +23,7 @@ SIDES = ("derive", "runtime")
 # files. Folders that are not here order their files alone: those may not import each other in a ring.
 FLOORS = {
     "derive": "common expressions program laws declare audit equations exchange scenes",
-    "runtime": "system engine output loading simulation analysis studies export cli",
+    "runtime": "system engine output loading simulation analysis studies export cli handbook",
 }
 ROOMS = {
     "derive/expressions": "algebra dimension .",
@@ -211,7 +211,7 @@ def test_each_side_shows_nine_entries_and_no_folder_is_full():
     for side in SIDES:
         shown = {path.name for path in (ROOT / side).iterdir()}
         assert len(shown - {"README.md", "__init__.py", "py.typed", "handbook", "__pycache__"}) <= 9
-        assert len(ORDERS[side]) <= 9
+        assert len({*ORDERS[side]} - {"handbook"}) <= 9
     folders = [folder for side in SIDES for folder in (ROOT / side).rglob("*") if folder.is_dir()]
     full = {
         folder.relative_to(ROOT).as_posix() for folder in folders if sum(f.is_file() for f in folder.iterdir()) > 15

@@ -1,0 +1,27 @@
+"""Settings of Sphinx for the handbook; `hertzwerk handbook --build DIR` builds it."""
+
+from hertzwerk.version import __version__
+
+project = "hertzwerk"
+version = release = __version__
+author = "the authors of hertzwerk"
+extensions = ["myst_parser", "sphinx_design", "sphinx.ext.autodoc", "hertzwerk.runtime.handbook.sphinx_extension"]
+myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
+myst_heading_anchors = 3
+source_suffix = {".md": "markdown"}
+html_theme = "pydata_sphinx_theme"
+html_math_renderer = "mathml"
+html_title = "hertzwerk"
+html_copy_source = False
+html_show_sourcelink = False
+html_show_copyright = False
+html_theme_options = {
+    "navigation_with_keys": False,
+    "navbar_end": ["theme-switcher"],
+    "footer_start": [],
+    "footer_end": [],
+    "secondary_sidebar_items": ["page-toc"],
+    "show_prev_next": True,
+    "search_as_you_type": True,
+}
+pygments_style = "a11y-high-contrast-light"

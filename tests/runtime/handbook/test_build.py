@@ -1,0 +1,37 @@
+"""The web pages of the handbook: Sphinx has no warning, and a page requests nothing from a network."""
+
+import re
+
+import pytest
+
+from hertzwerk.runtime.handbook.build import build
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("pages")
+    return folder, build(folder, pictures=False)
+
+
+@pytest.mark.slow
+def test_sphinx_has_no_warnings(built):
+    assert built[1] == ""
+
+
+@pytest.mark.slow
+def test_pages_request_nothing_from_a_network(built):
+    """Links that a reader follows aside."""
+    pages = list(built[0].rglob("*.html"))
+    assert len(pages) > 5
+    assert [(page.name, url) for page in pages for url in requested(page.read_text(encoding="utf-8"))] == []
+
+
+def requested(page):
+    """Addresses of other machines that a browser loads with a page."""
+    return re.findall(r"<(?:script|link|img|iframe|source)\b[^>]*?(?:src|href)=\"((?:https?:)?//[^\"]*)\"", page)
+
+
+@pytest.mark.parametrize("tag", ['<script src="https://cdn/x.js">', '<link rel="a" href="//b/c.css">'])
+def test_a_request_would_be_found(tag):
+    assert len(requested(f"<p>{tag}</p>")) == 1
+    assert requested('<a href="https://example.org">x</a>') == []
