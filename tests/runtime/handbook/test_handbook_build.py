@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from hertzwerk.runtime.handbook.build import build
+from hertzwerk.runtime.handbook.web_pages import build
 
 
 @pytest.fixture(scope="module")

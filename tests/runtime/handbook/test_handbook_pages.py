@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from hertzwerk.runtime.handbook.build import SOURCE, pages, pictures_of
 from hertzwerk.runtime.handbook.page_code import RUN, PageError, blocks, difference, is_long, run_page
+from hertzwerk.runtime.handbook.web_pages import SOURCE, pages, pictures_of
 
 TEXTS = {page.relative_to(SOURCE).as_posix(): page.read_text(encoding="utf-8") for page in pages()}
 WITH_CODE = [
