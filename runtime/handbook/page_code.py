@@ -47,7 +47,10 @@ def is_long(page: str) -> bool:
 
 
 def run_page(page: Path, folder: Path) -> None:
-    """Run the code of a page in a folder, in which its files appear; raises PageError and what the code raises."""
+    """Run the code of a page in a folder, in which its files appear; raises PageError.
+
+    Exceptions of the code itself are raised too.
+    """
     names: dict[str, Any] = {"__name__": "__main__"}
     printed = ""
     with contextlib.chdir(folder):

@@ -1,4 +1,4 @@
-"""Web pages of the handbook: a copy of its Markdown with the pictures that its code draws, built by Sphinx."""
+"""Web pages of the handbook: a copy of its Markdown and the pictures of its code, built by Sphinx."""
 
 from __future__ import annotations
 
