@@ -20,10 +20,7 @@ ALLOWED = {
     "found": "errors state what was found and what was expected",
     "tell": "a method of Python's files",
 }
-PLAIN_WITHIN = (  # folders whose locals are plain; runtime/engine follows
-    "derive",
-    *(f"runtime/{room}" for room in ("analysis", "cli", "export", "output", "studies", "system")),
-)
+SIDES = ("derive", "runtime")
 FRONTS = ("hertzwerk", "hertzwerk.derive", "hertzwerk.runtime")
 
 
@@ -109,7 +106,7 @@ def riddle(name):
     return name not in ALLOWED and bool(RIDDLES & {word.lower() for word in words})
 
 
-@pytest.mark.parametrize("side", ["derive", "runtime"])
+@pytest.mark.parametrize("side", SIDES)
 def test_names_say_what_things_are(side):
     files = sorted((ROOT / side).rglob("*.py"))
     assert files
@@ -134,9 +131,9 @@ def riddles_within(text):
     return [f"{line}: {name}" for line, name in sorted(names) if name in RIDDLES - {"tell"}]
 
 
-@pytest.mark.parametrize("folder", PLAIN_WITHIN)
-def test_parameters_and_locals_say_what_they_are(folder):
-    files = sorted((ROOT / folder).rglob("*.py"))
+@pytest.mark.parametrize("side", SIDES)
+def test_parameters_and_locals_say_what_they_are(side):
+    files = sorted((ROOT / side).rglob("*.py"))
     assert files
     assert [
         f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in riddles_within(file.read_text("utf-8"))

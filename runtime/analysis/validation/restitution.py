@@ -73,7 +73,7 @@ class Curve:
 
     @property
     def inside(self) -> NDArray[np.bool_]:
-        """Mask of `given` in the recommended range."""
+        """Mask of `prescribed` in the recommended range."""
         low, high = self.recommended or (-math.inf, math.inf)
         return (self.prescribed >= low) & (self.prescribed <= high)
 

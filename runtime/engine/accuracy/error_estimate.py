@@ -150,12 +150,12 @@ def beyond_horizon(error: ErrorEstimate) -> str:
     )
 
 
-def reach(error: ErrorEstimate, tolerance: float, asked: float) -> float | None:
+def reach(error: ErrorEstimate, tolerance: float, requested: float) -> float | None:
     """Return the time [s] up to which a smaller tolerance is expected to meet a request.
 
     Errors are as tolerances, down to where rounding may count.
     """
-    return horizon(error.times, error.values, min(asked * max(tolerance / UNROUNDED, 1.0), VALID))
+    return horizon(error.times, error.values, min(requested * max(tolerance / UNROUNDED, 1.0), VALID))
 
 
 class End(Enum):
@@ -211,14 +211,14 @@ class LadderResult(Generic[Data]):
     foreseen: bool = False
 
 
-def first_tolerance(asked: float, seconds: float, length: float, speed: float) -> float:
+def first_tolerance(requested: float, seconds: float, length: float, speed: float) -> float:
     """Return the local tolerance of the first run.
 
     A speed error of one tolerance, carried along for the whole run, makes a length error of seconds * speed / length
     tolerances.
     """
     carried = min(max(seconds * speed / length, CARRIED[0]), CARRIED[1])
-    return min(max(asked / carried, LEAST), LOOSEST)
+    return min(max(requested / carried, LEAST), LOOSEST)
 
 
 @dataclass(frozen=True)
@@ -269,12 +269,12 @@ class Ladder(Generic[Data]):
         differ: Callable[[Rung[Data], Rung[Data], int], np.ndarray],
         rounding: Callable[[np.ndarray], float],
         end: float,
-        asked: float,
+        requested: float,
         *,
         at_end: bool = False,
         names: Sequence[str] = (),
     ) -> None:
-        self._run, self._differ, self._rounding, self._end, self._requested = run, differ, rounding, end, asked
+        self._run, self._differ, self._rounding, self._end, self._requested = run, differ, rounding, end, requested
         self._at_end, self._names = at_end, names
         self._costs: list[tuple[float, int]] = []  # tolerances and evaluations of the runs that reached the end
         self._runs, self._wall_s = 0, 0.0
@@ -315,11 +315,11 @@ class Ladder(Generic[Data]):
             self._errors.append((run.tolerance, error))
             if best is None or error < self._error(best) or self._error(best) > VALID:  # above VALID its size is chance
                 best = checked
-            found = self._verdict(checked)
-            if found is Verdict.BEYOND and self._error(best) <= VALID:  # chance: the best run stays valid to its end
-                found = Verdict.UNREACHABLE
-            if found is not None:
-                return self._result(best, found)
+            decision = self._verdict(checked)
+            if decision is Verdict.BEYOND and self._error(best) <= VALID:  # chance: the best run stays valid to its end
+                decision = Verdict.UNREACHABLE
+            if decision is not None:
+                return self._result(best, decision)
             tolerance = max(run.tolerance * self._requested / (MARGIN * error), self._least)
 
     def _error(self, checked: _Checked[Data]) -> float:
@@ -355,13 +355,13 @@ class Ladder(Generic[Data]):
 
     def _checked(self, run: Rung[Data], *others: Rung[Data]) -> _Checked[Data]:
         n = min(len(each.states) for each in (run, *others))
-        found = np.zeros((n, 1))
+        differences = np.zeros((n, 1))
         for other in others:
             part = abs(1 - other.tolerance / run.tolerance)  # of the error that shows, if errors are as tolerances
             unseen = self._rounding_factor(run) if other.tolerance < run.tolerance else 1.0
-            found = np.maximum(found, self._differ(run, other, n) / part * unseen)
+            differences = np.maximum(differences, self._differ(run, other, n) / part * unseen)
         whole = all(each.end is End.REACHED for each in (run, *others))
-        return _Checked(run, found, whole, whole and all(other.tolerance > run.tolerance for other in others))
+        return _Checked(run, differences, whole, whole and all(other.tolerance > run.tolerance for other in others))
 
     def _third_run(self, error: float, run: Rung[Data], comparisons: Sequence[Rung[Data]]) -> Rung[Data] | None:
         """Make a third run where it may change the verdict; None elsewhere.
@@ -392,11 +392,11 @@ class Ladder(Generic[Data]):
             return self._checked(run, *others)
         n = min(len(each.states) for each in (run, *others))
         if third.tolerance > run.tolerance:
-            found = INDEPENDENT * np.max([self._differ(run, other, n) for other in others], axis=0)
+            bound = INDEPENDENT * np.max([self._differ(run, other, n) for other in others], axis=0)
         else:
             of_run, of_check = (self._differ(each, third, n) for each in (run, check))
-            found = (of_run + SCATTERED * of_check / (CHECK - 1)) * self._rounding_factor(run)
-        return _Checked(run, found, third.end is End.REACHED, last=False)
+            bound = (of_run + SCATTERED * of_check / (CHECK - 1)) * self._rounding_factor(run)
+        return _Checked(run, bound, third.end is End.REACHED, last=False)
 
     def _rounding_factor(self, run: Rung[Data]) -> float:
         """Return the factor by which rounding may hide error from a comparison with a tighter run.
@@ -417,8 +417,8 @@ class Ladder(Generic[Data]):
         lost = valid is not None and error > VALID  # its size then says nothing about smaller tolerances
         rounded = self._rounding_factor(checked.run) > ROUNDED
         stuck = rounded and any(
-            before >= STUCK * tolerance and error > found * (tolerance / before) ** FALLS
-            for before, found in self._errors
+            before >= STUCK * tolerance and error > earlier * (tolerance / before) ** FALLS
+            for before, earlier in self._errors
         )
         if stuck or tolerance <= least or (checked.last and rounded):
             return Verdict.BEYOND if lost else Verdict.UNREACHABLE
@@ -437,7 +437,7 @@ class Ladder(Generic[Data]):
     ) -> LadderResult[Data]:
         times = checked.times
         in_vain = verdict is Verdict.UNREACHABLE or (verdict is Verdict.UNKNOWN and self._errors)
-        reached = min((found for _, found in self._errors), default=math.inf)
+        reached = min((value for _, value in self._errors), default=math.inf)
         error = ErrorEstimate(
             end=checked.error(at_end=True),
             at_end=self._at_end,
@@ -469,10 +469,10 @@ def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> floa
 def growth(times: np.ndarray, values: np.ndarray, tolerance: float) -> float | None:
     """Return the slope [1/s] of the error's logarithm up to the horizon; None if too little is known."""
     valid = horizon(times, values)
-    seen = (values > DETECTABLE * tolerance) & (times <= (math.inf if valid is None else valid))
-    if np.count_nonzero(seen) < 8:
+    usable = (values > DETECTABLE * tolerance) & (times <= (math.inf if valid is None else valid))
+    if np.count_nonzero(usable) < 8:
         return None
-    return float(np.polyfit(times[seen], np.log(values[seen]), 1)[0])
+    return float(np.polyfit(times[usable], np.log(values[usable]), 1)[0])
 
 
 def decade_cost(made: Sequence[tuple[float, int]]) -> float | None:

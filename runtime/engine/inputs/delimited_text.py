@@ -240,8 +240,8 @@ class Numbers:
         mark = "," if "," in firsts else "." if "." in firsts or not {"?,", "?."} & firsts.keys() else ""
         if mark == "," and "." in firsts:
             (r, c, cell), (other, column, point) = firsts[","], firsts["."]
-            found = f"{shown(cell)}, and {shown(point)} in line {self._rows[other][0]}, {self._names[column]}"
-            self.add(r, found, "one decimal mark", 'decimal="," or decimal="." decides, and refuses the other', c)
+            actual = f"{shown(cell)}, and {shown(point)} in line {self._rows[other][0]}, {self._names[column]}"
+            self.add(r, actual, "one decimal mark", 'decimal="," or decimal="." decides, and refuses the other', c)
             return ".,"
         doubtful = None if mark == "," else firsts.get("?,")
         if doubtful := doubtful or (None if mark == "." else firsts.get("?.")):
@@ -262,8 +262,8 @@ class Arrays:
         arrays = [np.ma.asanyarray(each) for each in columns]
         for name, array in zip(names, arrays, strict=True):
             if array.dtype.kind not in "iuf" or array.shape != (arrays[0].size,):
-                found = f"{array.dtype} of shape {array.shape}"
-                self.faults.append(Fault(name, found, f"numbers, {arrays[0].size} as {names[0]} has"))
+                actual = f"{array.dtype} of shape {array.shape}"
+                self.faults.append(Fault(name, actual, f"numbers, {arrays[0].size} as {names[0]} has"))
         fine = [] if self.faults else [np.ma.filled(array.astype(float), np.nan) for array in arrays]
         self.values: Array = np.column_stack(fine) if fine else np.zeros((0, len(arrays)))
         marks = [float(mark) for mark in missing if NUMBER["."].fullmatch(mark)]

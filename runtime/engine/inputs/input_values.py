@@ -51,14 +51,14 @@ def signals_of(
 
     seconds    [s], up to which functions are sampled
     """
-    found: dict[str, Signal] = {}
+    signals: dict[str, Signal] = {}
     for name, value in named_values("inputs", {} if inputs is None else inputs, faults).items():
         if name not in model.inputs:
             faults.append(unknown("input", name, model.inputs))
             continue
         signal = signal_of(name, value, model.inputs[name][0], seconds, faults)
-        found |= {} if signal is None else {name: signal}
-    return found
+        signals |= {} if signal is None else {name: signal}
+    return signals
 
 
 def located(text: str, folder: Path) -> str:
@@ -138,11 +138,11 @@ def _of_samples(where: str, samples: Samples, unit: str, faults: list[Fault]) ->
 
 def _unit_faults(where: str, units: tuple[str, str], unit: str) -> list[Fault]:
     """Return the faults of a time whose unit is none, and of a value in another unit than the input's."""
-    found = [] if parse_unit(units[0]).exponents == parse_unit("s").exponents else [
+    faults = [] if parse_unit(units[0]).exponents == parse_unit("s").exponents else [
         Fault(where, f"times in {units[0]}", "a unit of time", 'units are those of time and value, such as ("ms", "N m")')
     ]  # fmt: skip
     _, fault = read_state(where, unit, (1.0, units[1]))
-    return found if fault is None else [*found, Fault(where, f"values in {units[1]}", f"values in {unit}")]
+    return faults if fault is None else [*faults, Fault(where, f"values in {units[1]}", f"values in {unit}")]
 
 
 def _of_table(where: str, table: Any, unit: str, faults: list[Fault]) -> Signal | None:
@@ -169,21 +169,21 @@ def _reading(file: str, how: str) -> Reading:
     """Return how a file is read, of "?skip=3&units.t=ms"; raises InputError for other names."""
     from hertzwerk.runtime.engine.inputs.measurement_csv import Reading
 
-    given: dict[str, Any] = {"units": {}, "columns": {}, "missing": []}
+    settings: dict[str, Any] = {"units": {}, "columns": {}, "missing": []}
     for key, value in parse_qsl(how.removeprefix("?"), keep_blank_values=True):
         name, _, column = key.partition(".")
         number = int(value) if value.isdecimal() else value
         if name in ("units", "columns") and column:
-            given[name][column] = value if name == "units" else number
+            settings[name][column] = value if name == "units" else number
         elif key == "missing":
-            given[key].append(value)
+            settings[key].append(value)
         elif key in ("skip", "decimal"):
-            given[key] = number
+            settings[key] = number
         else:
             raise InputError(
                 file, [Fault(f"?{key}", "no argument", "skip, decimal, missing, units.NAME or columns.NAME")]
             )
-    return Reading(file, **{**given, "columns": given["columns"] or None})
+    return Reading(file, **{**settings, "columns": settings["columns"] or None})
 
 
 def _of_file(

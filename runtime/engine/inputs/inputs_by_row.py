@@ -53,9 +53,9 @@ class Choices:
             base = name.removesuffix(SCALE)
             if name == base:
                 label = mine[name]
-                found = self.signals.get(name, {}).get(label) if isinstance(label, str) else None
-                found = found or signal_of(name, label, model.inputs[name][0], 0.0, faults)
-                signals |= {} if found is None else {name: found}
+                signal = self.signals.get(name, {}).get(label) if isinstance(label, str) else None
+                signal = signal or signal_of(name, label, model.inputs[name][0], 0.0, faults)
+                signals |= {} if signal is None else {name: signal}
             else:
                 factor, fault = read_state(name, "1", mine[name])
                 faults += [] if fault is None else [fault]
@@ -95,7 +95,7 @@ def read_choices(
 
     seconds    [s], up to which functions are sampled
     """
-    found, signals, texts = dict(over), {}, {}
+    varied, signals, texts = dict(over), {}, {}
     for name in model.inputs:
         choices = _listed(over[name]) if name in over else None
         if choices is None:
@@ -104,16 +104,16 @@ def read_choices(
         for label, value in choices.items():
             signal = signal_of(name, value, model.inputs[name][0], seconds, faults)
             read |= {} if signal is None else {label: signal}
-        found[name], signals[name] = Labels(choices), read
+        varied[name], signals[name] = Labels(choices), read
         texts[name] = {label: input_text(value) for label, value in choices.items()}
-    return found, Choices(signals, texts)
+    return varied, Choices(signals, texts)
 
 
-def located_choices(given: Any, folder: Path) -> Any:
+def located_choices(varied: Any, folder: Path) -> Any:
     """Return what is varied with its files as seen from a folder, labels as they are; others stay."""
-    choices = _listed(given) or {}
+    choices = _listed(varied) or {}
     if not any(isinstance(x, str) and (COLUMN.fullmatch(x) or FILE.fullmatch(x)) for x in choices.values()):
-        return given
+        return varied
     return {label: located(x, folder) if isinstance(x, str) else x for label, x in choices.items()}
 
 
@@ -122,10 +122,10 @@ def read_rows(
 ) -> tuple[list[dict[str, Value]], Choices]:
     """Return the rows of many runs with labels, and their choices; raises InputError with every fault."""
     faults: list[Fault] = []
-    found = [dict(row) for row in rows]
+    labelled = [dict(row) for row in rows]
     signals: dict[str, dict[str, Signal]] = {}
     for name in model.inputs:
-        mine = [row for row in found if name in row]
+        mine = [row for row in labelled if name in row]
         if all(map(_plain, (row[name] for row in mine))):
             for row in mine:
                 number, _, unit = read(row[name])
@@ -138,26 +138,26 @@ def read_rows(
                 row[name] = _label(_name(row[name]), signal, there)
     if faults:
         raise InputError(model.name, list(dict.fromkeys(faults)))
-    return found, Choices(MappingProxyType(signals))
+    return labelled, Choices(MappingProxyType(signals))
 
 
-def _listed(given: Any) -> dict[str, Any] | None:
+def _listed(choices: Any) -> dict[str, Any] | None:
     """Return choices by label; None for constants, which are numbers."""
-    if isinstance(given, Mapping):
-        return {str(label): value for label, value in given.items()}
-    if isinstance(given, str):
-        parts = [part.strip() for part in given.split(",")]
+    if isinstance(choices, Mapping):
+        return {str(label): value for label, value in choices.items()}
+    if isinstance(choices, str):
+        parts = [part.strip() for part in choices.split(",")]
         return {part: part for part in parts} if any(COLUMN.fullmatch(x) or FILE.fullmatch(x) for x in parts) else None
-    alone = not isinstance(given, list | tuple) or _plain(given)
-    values: Iterable[Any] = [given] if alone else given
+    alone = not isinstance(choices, list | tuple) or _plain(choices)
+    values: Iterable[Any] = [choices] if alone else choices
     return None if all(map(_plain, values)) else _by_name(values)
 
 
 def _by_name(values: Iterable[Any]) -> dict[str, Any]:
-    found: dict[str, Any] = {}
+    by_name: dict[str, Any] = {}
     for value in values:
-        found[_free(_name(value), found)] = value
-    return found
+        by_name[_free(_name(value), by_name)] = value
+    return by_name
 
 
 def _plain(value: Any) -> bool:

@@ -59,15 +59,15 @@ class Columns:
         """Return the unit of a column; raises KeyError for an unknown name."""
         return parse_unit(self.units[name])
 
-    def _column_faults(self, rows: int, what: str) -> list[Fault]:
+    def _column_faults(self, rows: int, noun: str) -> list[Fault]:
         """Return the faults of the columns, which become arrays."""
         if not isinstance(self.columns, Mapping) or not isinstance(self.units, Mapping):
-            found = f"{shown(self.columns)} and {shown(self.units)}"
-            return [Fault("columns, units", found, "arrays and unit texts by the names of columns")]
+            actual = f"{shown(self.columns)} and {shown(self.units)}"
+            return [Fault("columns, units", actual, "arrays and unit texts by the names of columns")]
         columns = {str(name): _numbers(values) for name, values in self.columns.items()}
         object.__setattr__(self, "columns", columns)
         faults = [
-            Fault(name, f"values of shape {values.shape}", f"one for each of the {rows} {what}")
+            Fault(name, f"values of shape {values.shape}", f"one for each of the {rows} {noun}")
             for name, values in columns.items()
             if values.shape != (rows,)
         ]
@@ -183,8 +183,8 @@ def read_measurement(
     taken; three are refused.
     """
     reading = Reading(data, None, units or {}, skip, decimal, missing).of(columns)
-    times, found, read, jumps, source = _read(reading, TIMES)
-    return Measurement(times, found, read, source, jumps)
+    times, series, read, jumps, source = _read(reading, TIMES)
+    return Measurement(times, series, read, source, jumps)
 
 
 def read_impacts(
@@ -201,8 +201,8 @@ def read_impacts(
     As `read_measurement` otherwise: `impact [1], t [ms], speed [m/s]`. Raises InputError with every fault and its line.
     """
     reading = Reading(data, None, units or {}, skip, decimal, missing).of(columns)
-    numbers, found, read, _, source = _read(reading, NUMBERS)
-    return MeasuredImpacts(numbers, found, read, source)
+    numbers, series, read, _, source = _read(reading, NUMBERS)
+    return MeasuredImpacts(numbers, series, read, source)
 
 
 def counts_impacts(data: MeasuredTable) -> bool:
@@ -214,10 +214,10 @@ def counts_impacts(data: MeasuredTable) -> bool:
         return any(_heading(str(name))[0].lower() in NUMBERS for name in names)
     try:
         is_key = _key_test(reading.columns, NUMBERS)
-        found = layout_of(text_of(Path(data)), is_key, reading.skip)
+        layout = layout_of(text_of(Path(data)), is_key, reading.skip)
     except InputError:
         return False
-    return found is not None and any(is_key(k, cell) for k, cell in enumerate(found.headings))
+    return layout is not None and any(is_key(k, cell) for k, cell in enumerate(layout.headings))
 
 
 def _read(reading: Reading, keys: tuple[str, ...]) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:
@@ -242,9 +242,9 @@ def _read(reading: Reading, keys: tuple[str, ...]) -> tuple[Array, dict[str, Arr
         raise InputError(reading.source or "measurement", faults)
     (_, _, unit), *others = chosen
     along, *measured = values.T
-    found = {name: each.copy() for (_, name, _), each in zip(others, measured, strict=True)}
+    series = {name: each.copy() for (_, name, _), each in zip(others, measured, strict=True)}
     jumps = len(table.values) - len(values)
-    return along * parse_unit(unit).factor, found, {name: text for _, name, text in others}, jumps, reading.source
+    return along * parse_unit(unit).factor, series, {name: text for _, name, text in others}, jumps, reading.source
 
 
 def _of_text(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> tuple[list[Column], Numbers]:
@@ -269,10 +269,10 @@ def _of_arrays(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> 
         raise InputError("measurement", [Fault("data", shown(data), "a file, a data frame, or a dictionary of arrays")])
     data = data.reset_index() if getattr(getattr(data, "index", None), "name", None) else data
     names: Any = getattr(data, "columns", data)
-    given = list(names)
+    listed = list(names)
     units = {**getattr(data, "attrs", {}).get("units", {}), **reading.units}
-    chosen = _chosen("columns", list(map(str, given)), [], reading.columns, keys, units, faults)
-    columns = [data[given[column[0]]] for column in chosen]
+    chosen = _chosen("columns", list(map(str, listed)), [], reading.columns, keys, units, faults)
+    columns = [data[listed[column[0]]] for column in chosen]
     return chosen, Arrays(columns, [column[1] for column in chosen], reading.marks)
 
 
@@ -346,9 +346,9 @@ def _chosen(
     times = [(new, old) for new, old in wanted.items() if new.lower() in keys]
     times = times or [(name, name) for name in names if name.lower() in keys]
     if len(times) != 1:
-        found = f"{', '.join(str(old) for _, old in times) or 'none'} among {shown(', '.join(names))}"
+        actual = f"{', '.join(str(old) for _, old in times) or 'none'} among {shown(', '.join(names))}"
         expected = "one time column, such as t [s] or time [ms]" if keys == TIMES else "one column impact [1]"
-        faults.append(Fault(where, found, expected, f'columns={{"{keys[0]}": NAME}} says which' if names else ""))
+        faults.append(Fault(where, actual, expected, f'columns={{"{keys[0]}": NAME}} says which' if names else ""))
     pairs = dict([*times[:1], *wanted.items()])
     faults += [unknown("column", name, names) for name in units if name not in {*pairs, *names, *headings}]
     chosen: list[Column] = []
@@ -362,8 +362,8 @@ def _chosen(
         if len(places) > 1:
             remedy = f"columns={{{new!r}: {place + 1}}} takes the first"
             faults.append(Fault(f"{where}, {new}", f"{len(places)} columns of this name", "one", remedy))
-        given = next((units[name] for name in (new, names[place], heading) if name in units), "")
-        texts = [given] if given else [_heading(heading)[1], below[place] if place < len(below) else ""]
+        stated = next((units[name] for name in (new, names[place], heading) if name in units), "")
+        texts = [stated] if stated else [_heading(heading)[1], below[place] if place < len(below) else ""]
         unit = _stated_unit(f"{where}, {new}", heading, new, [_unit(text) for text in texts], faults)
         if unit and new.lower() in keys and parse_unit(unit).exponents != parse_unit(KEY_UNITS[keys]).exponents:
             expected = "a unit of time" if keys == TIMES else "[1]"
@@ -374,34 +374,34 @@ def _chosen(
 
 def _stated_unit(where: str, heading: str, name: str, texts: Sequence[str], faults: list[Fault]) -> str:
     """Return the unit that a heading and the line below it agree on; "" with a fault where there is none."""
-    found = list(dict.fromkeys(filter(None, texts)))
+    stated = list(dict.fromkeys(filter(None, texts)))
     remedy = f'units={{{name!r}: "..."}}'
-    if len(found) > 1:
-        faults.append(Fault(where, f"the units [{found[0]}] and, below, [{found[1]}]", "one", remedy))
+    if len(stated) > 1:
+        faults.append(Fault(where, f"the units [{stated[0]}] and, below, [{stated[1]}]", "one", remedy))
         return ""
     try:
-        parse_unit(found[0] if found else "")
+        parse_unit(stated[0] if stated else "")
     except UnitError as error:
-        reason = str(error) if found else "[1] for a plain number"
+        reason = str(error) if stated else "[1] for a plain number"
         faults.append(Fault(where, shown(heading), "name [unit]", f"{reason}, or {remedy}"))
         return ""
-    return found[0]
+    return stated[0]
 
 
 def _repeated(table: Numbers | Arrays, keys: tuple[str, ...]) -> NDArray[np.bool_]:
     """Return which rows have the time of the next one; times that are missing or fall are faults."""
-    along, what = table.values[:, 0], "time" if keys == TIMES else "number"
+    along, noun = table.values[:, 0], "time" if keys == TIMES else "number"
     for row in np.flatnonzero(np.isnan(along)):
-        table.add(int(row), f"no {what}", f"a {what} in every line")
+        table.add(int(row), f"no {noun}", f"a {noun} in every line")
     rows = np.flatnonzero(np.isfinite(along))
     known = along[rows]
     before, equal = np.maximum.accumulate(known)[:-1], np.diff(known) == 0
     wrong = known[1:] <= before if keys != TIMES else (known[1:] < before) | (equal & np.append(False, equal[:-1]))
     for k in np.flatnonzero(wrong):
         again = "a third time" if keys == TIMES else "again"
-        found = again if known[k + 1] == before[k] else f"after {before[k]:.12g}"
+        place = again if known[k + 1] == before[k] else f"after {before[k]:.12g}"
         limit = ", at most two lines of one" if keys == TIMES else ""
-        table.add(int(rows[k + 1]), f"the {what} {known[k + 1]:.12g}, {found}", f"{what}s that increase{limit}")
+        table.add(int(rows[k + 1]), f"the {noun} {known[k + 1]:.12g}, {place}", f"{noun}s that increase{limit}")
     for k in np.flatnonzero((known < 1) | (known % 1 != 0)) if keys != TIMES else ():
         table.add(int(rows[k]), f"the number {known[k]:.12g}", "a whole number of an impact, from 1 on")
     repeated = np.zeros(len(along), dtype=bool)

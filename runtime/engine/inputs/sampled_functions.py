@@ -36,9 +36,9 @@ POWERS = np.vander(BETWEEN, DEGREE + 1, increasing=True)
 class Unresolved(Exception):
     """A function that cannot be sampled, with what was found of it and the way out."""
 
-    def __init__(self, found: str, remedy: str) -> None:
-        super().__init__(found)
-        self.found, self.remedy = found, remedy
+    def __init__(self, problem: str, remedy: str) -> None:
+        super().__init__(problem)
+        self.found, self.remedy = problem, remedy
 
 
 def sampled(function: Callable[[float], float], seconds: float, text: str) -> Signal:

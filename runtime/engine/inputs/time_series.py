@@ -83,15 +83,15 @@ class Samples:
         for kind, array in (("time", t), ("value", v)):
             strange = np.flatnonzero(~np.isfinite(array))
             if strange.size:
-                found = f"the {kind} {array[strange[0]]} in place {strange[0] + 1}"
-                yield Fault(where, found, "finite numbers", "leave out the samples that are missing")
+                actual = f"the {kind} {array[strange[0]]} in place {strange[0] + 1}"
+                yield Fault(where, actual, "finite numbers", "leave out the samples that are missing")
                 return
         falls = np.flatnonzero(np.diff(t) <= 0)
         if falls.size:
             k = int(falls[0])
-            found = f"the time {t[k + 1]:g} after {t[k]:g} in place {k + 2}, and {falls.size - 1} more like it"
+            actual = f"the time {t[k + 1]:g} after {t[k]:g} in place {k + 2}, and {falls.size - 1} more like it"
             yield Fault(
-                where, found, "times that increase", "sort the samples by time; of two at one time leave one out"
+                where, actual, "times that increase", "sort the samples by time; of two at one time leave one out"
             )
 
 

@@ -84,8 +84,8 @@ def reference(model: EngineModel, layouts: Layouts, method: str) -> Reference:
     points = [i / GRID for i in range(1, GRID + 1)]
 
     def window(tolerance: float) -> tuple[Any, Any]:
-        given = {**options, "abstol": tolerance}
-        many, one = (ca.integrator("window", method, problem, 0, grid, given) for grid in (points, [1.0]))
+        settings = {**options, "abstol": tolerance}
+        many, one = (ca.integrator("window", method, problem, 0, grid, settings) for grid in (points, [1.0]))
         return many, one
 
     return Reference(model, layouts, window, right.ends, resolve_slips(model) if model.ns else None, tally(model))
@@ -154,13 +154,13 @@ class _Run:
     ) -> None:
         self.functions, self.model = functions, functions.model
         self.layout = functions.layouts.state
-        given = functions.layouts.controls.split(controls)
-        self.c, self.scale = given["c"], given["scale"]
-        self.t_end, self.floor = float(given["t_end"][0]), float(given["floor"][0])
+        split = functions.layouts.controls.split(controls)
+        self.c, self.scale = split["c"], split["scale"]
+        self.t_end, self.floor = float(split["t_end"][0]), float(split["floor"][0])
         self.schedule, self.stop = schedule, self.t_end
-        self.max_events, self.max_steps = float(given["max_events"][0]), float(given["max_steps"][0])
-        self.first_window = FIRST_WINDOW * float(given["scales"][0] / given["scales"][1])
-        self.many, self.one = functions.window(float(given["tolerance"][0]))
+        self.max_events, self.max_steps = float(split["max_events"][0]), float(split["max_steps"][0])
+        self.first_window = FIRST_WINDOW * float(split["scales"][0] / split["scales"][1])
+        self.many, self.one = functions.window(float(split["tolerance"][0]))
         parts = self.layout.split(state.copy())
         self.t, self.y, self.mode, self.m = float(parts["t"][0]), parts["y"], parts["mode"], parts["m"]
         self.status = int(parts["status"][0])
@@ -233,25 +233,25 @@ class _Run:
 
     def event_functions(self, t: float, y: np.ndarray) -> list[tuple[int, float, float, float]]:
         """Return the event functions of a state: (pair, mode once the value is negative, value, rate)."""
-        end, found = self.at(t, y), []
+        end, watched = self.at(t, y), []
         for j, mode in enumerate(self.mode):
             gap, rate, acceleration = (float(end[name][j]) for name in ("gap", "gap_rate", "gap_acceleration"))
             if mode == FLIGHT:
-                found.append((j, CONTACT, gap, rate))
+                watched.append((j, CONTACT, gap, rate))
                 continue
-            found.append((j, FLIGHT, -gap, -rate))
+            watched.append((j, FLIGHT, -gap, -rate))
             if mode == CONTACT and self.ends_with_force[j]:
-                found.append((j, RELEASED, float(end["force"][j]), float(end["force_rate"][j])))
+                watched.append((j, RELEASED, float(end["force"][j]), float(end["force_rate"][j])))
             elif mode == CONTACT and self.rubs_till_it_pulls[j]:
                 force, force_rate = (float(self.pushes[j] * end[name][j]) for name in ("force", "force_rate"))
-                found.append((j, KINK, force, force_rate))
+                watched.append((j, KINK, force, force_rate))
             elif mode == RELEASED:
-                found.append((j, CONTACT, rate, acceleration))
+                watched.append((j, CONTACT, rate, acceleration))
         for i, j in enumerate(pairs_of(self.model)):
             if j == NO_PAIR or self.mode[j] == CONTACT:
-                found.append((j, GRIP, float(end["margin"][i]), float(end["margin_rate"][i])))
+                watched.append((j, GRIP, float(end["margin"][i]), float(end["margin_rate"][i])))
         of_effects = zip(end["event"], end["event_rate"], strict=True)
-        return found + [(i, EFFECT, float(margin), float(rate)) for i, (margin, rate) in enumerate(of_effects)]
+        return watched + [(i, EFFECT, float(margin), float(rate)) for i, (margin, rate) in enumerate(of_effects)]
 
     def first_event(self, points: np.ndarray, h: float) -> _Event | None:
         """Find the first event of a window.

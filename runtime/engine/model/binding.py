@@ -63,25 +63,25 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
     """Read `parameters` over the defaults."""
     ports = declared.ports
     faults: list[Fault] = []
-    given: dict[str, tuple[float, Unit, str]] = {}
+    stated: dict[str, tuple[float, Unit, str]] = {}
     for name, value in named_values("parameters", parameters, faults).items():
         if name not in ports:
             faults.append(unknown("parameter", name, ports))
             continue
         try:
-            given[name] = read(value)
+            stated[name] = read(value)
         except UnitError as error:
             faults.append(Fault(name, shown(value), _value_in(ports[name].unit), str(error)))
     si, texts = dict(declared.si), dict(declared.texts)
-    for name, (value, unit, text) in given.items():
+    for name, (value, unit, text) in stated.items():
         si[name], texts[name] = unit.to_si(value), (value, text)
-    concerned = {follower for name in given for follower in declared.followers[name]}
+    concerned = {follower for name in stated for follower in declared.followers[name]}
     concerned |= {
-        name for name, (_, _, text) in given.items() if name not in declared.plain or text != ports[name].unit
+        name for name, (_, _, text) in stated.items() if name not in declared.plain or text != ports[name].unit
     }
-    judged = {*given, *concerned, *declared.unsound}
+    judged = {*stated, *concerned, *declared.unsound}
     for name in filter(judged.__contains__, ports):
-        fault = _unit_fault(ports[name], ports, given, si) if name in concerned else None
+        fault = _unit_fault(ports[name], ports, stated, si) if name in concerned else None
         if fault is None and not math.isfinite(si[name]):
             fault = Fault(name, quantity_text(*texts[name]), "a finite number")
         if fault is not None:
@@ -92,42 +92,42 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
         if limit[0] not in judged or _inside(si[limit[0]], limit):
             continue
         name, kind, *_, why = limit
-        found, allowed = quantity_text(*texts[name]), _interval(limit, ports[name].unit)
+        actual, allowed = quantity_text(*texts[name]), _interval(limit, ports[name].unit)
         if kind == "defined":
-            faults.append(Fault(name, found, f"a value in {allowed}", why))
+            faults.append(Fault(name, actual, f"a value in {allowed}", why))
         else:
-            warnings.append(f"{name} = {found} is outside the recommended {allowed}: {why}")
+            warnings.append(f"{name} = {actual} is outside the recommended {allowed}: {why}")
     for sum_limit in declared.sums:
-        terms, *_, what = sum_limit
+        terms, *_, quantity = sum_limit
         names = [name for name, _ in terms]
         value = sum(factor * si[name] for name, factor in terms)
         if judged.isdisjoint(names) or _inside(value, sum_limit) or not math.isfinite(value):
             continue
         declared_in = ports[names[0]].unit
         of = " and ".join(f"{name} = {quantity_text(*texts[name])}" for name in names)
-        found = f"{quantity_text(value, str(parse_unit(declared_in)))}, of {of}"
-        faults.append(Fault(what, found, f"a value in {_interval(sum_limit, declared_in)}", "Change one of them."))
+        actual = f"{quantity_text(value, str(parse_unit(declared_in)))}, of {of}"
+        faults.append(Fault(quantity, actual, f"a value in {_interval(sum_limit, declared_in)}", "Change one of them."))
     return Reading(si, texts, tuple(warnings), tuple(faults))
 
 
 def _unit_fault(
-    port: Port, ports: Mapping[str, Port], given: Mapping[str, tuple[float, Unit, str]], si: Mapping[str, float]
+    port: Port, ports: Mapping[str, Port], stated: Mapping[str, tuple[float, Unit, str]], si: Mapping[str, float]
 ) -> Fault | None:
     """Return the fault of a parameter whose unit is not the declared one; None if it is."""
     declared = parse_unit(port.unit)
     exponents = {name: si[name] for name in declared.free_names if name in si and math.isfinite(si[name])}
-    if port.name not in given:
-        changed = [name for name in declared.free_names if name in given and si[name] != ports[name].default]
+    if port.name not in stated:
+        changed = [name for name in declared.free_names if name in stated and si[name] != ports[name].default]
         if not changed:
             return None
         now = declared.at(exponents)
         other = f"{changed[0]}={si[changed[0]]:g}"
-        found = f"its default in {declared.at(_exponents(ports))}, kept with {other}"
+        actual = f"its default in {declared.at(_exponents(ports))}, kept with {other}"
         remedy = f'give both: {port.name}="... {now}" and {other}; the same number in another unit is another stiffness'
-        return Fault(port.name, found, f"{port.name} given anew with its unit, {now}", remedy)
-    value, unit, text = given[port.name]
+        return Fault(port.name, actual, f"{port.name} given anew with its unit, {now}", remedy)
+    value, unit, text = stated[port.name]
     if unit.free_names:
-        named = [name for name in unit.free_names if name in given or name not in ports]
+        named = [name for name in unit.free_names if name in stated or name not in ports]
         if named:
             return Fault(
                 port.name, quantity_text(value, text), f"a number for {named[0]}, such as {declared.at(exponents)}"
@@ -168,15 +168,15 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
 
 def si_of_all(where: str, unit: str, values: Any) -> np.ndarray:
     """Return one or more numbers, in an SI unit or with their own, as an array (n,); raises InputError."""
-    given = plain_value(values)
+    value = plain_value(values)
     try:
-        if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
-            numbers, of = np.asarray(given[0], dtype=float), parse_unit(given[1])
-        elif isinstance(given, str):
-            number, of, _ = read(given)
+        if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str):
+            numbers, of = np.asarray(value[0], dtype=float), parse_unit(value[1])
+        elif isinstance(value, str):
+            number, of, _ = read(value)
             numbers = np.asarray(number)
         else:
-            numbers, of = np.asarray(given, dtype=float), parse_unit(unit)
+            numbers, of = np.asarray(value, dtype=float), parse_unit(unit)
     except (UnitError, TypeError, ValueError) as error:
         raise InputError(
             where, [Fault(where, shown(values), f"numbers in {unit}, or values with a unit", str(error))]
@@ -200,11 +200,11 @@ def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> floa
     return math.nan
 
 
-def whole_faults(**given: object) -> list[Fault]:
+def whole_faults(**numbers: object) -> list[Fault]:
     """Return a fault for each of these that is no whole number from 0 on."""
     return [
         Fault(name, shown(value), "a whole number from 0 on")
-        for name, value in given.items()
+        for name, value in numbers.items()
         if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value < 2**63
     ]
 
@@ -247,19 +247,19 @@ def read(value: Value) -> tuple[float, Unit, str]:
 
 def _wrong_unit(name: str, value: float, unit: Unit, text: str, declared: str) -> Fault:
     if text == "1":
-        found = f"{value:g}, a number without a unit"
+        actual = f"{value:g}, a number without a unit"
         remedy = f'write "{value:g} {declared}", or the unit that is meant'
     else:
-        found, remedy = f"{quantity_text(value, text)}, which is {unit}", ""
-    return Fault(name, found, _value_in(declared), remedy)
+        actual, remedy = f"{quantity_text(value, text)}, which is {unit}", ""
+    return Fault(name, actual, _value_in(declared), remedy)
 
 
 def _angle_fault(name: str, value: float, unit: Unit, text: str, declared: str) -> Fault | None:
     """Return the fault of a frequency given for an angular speed, or the reverse."""
     if not unit.mistaken_for(parse_unit(declared)):
         return None
-    what = "an angular speed" if unit.angle else "a frequency"
-    return Fault(name, f"{quantity_text(value, text)}, {what}", _value_in(declared), rate_remedy(unit, value))
+    quantity = "an angular speed" if unit.angle else "a frequency"
+    return Fault(name, f"{quantity_text(value, text)}, {quantity}", _value_in(declared), rate_remedy(unit, value))
 
 
 def _value_in(unit: str) -> str:

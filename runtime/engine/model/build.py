@@ -80,10 +80,10 @@ def scene_from(target: str | Path) -> Scene:
 
     A built-in name, FILE.py, FILE.py:NAME or package.module:NAME. A file is executed, as `python file.py` would.
     """
-    found = scene_or_module(target)
-    if isinstance(found, ModuleType):
-        raise without_scene(str(target), getattr(found, "SOURCE", ""), getattr(found, "NAME", str(target)))
-    return found
+    scene = scene_or_module(target)
+    if isinstance(scene, ModuleType):
+        raise without_scene(str(target), getattr(scene, "SOURCE", ""), getattr(scene, "NAME", str(target)))
+    return scene
 
 
 def scene_or_module(target: str | Path) -> Scene | ModuleType:
@@ -97,8 +97,8 @@ def scene_or_module(target: str | Path) -> Scene | ModuleType:
     if module is not None and not name:
         return module
     if module is not None:
-        found = f"`{name}` of a generated module"
-        raise InputError(str(target), [Fault(str(target), found, f"the module itself, {place}")])
+        actual = f"`{name}` of a generated module"
+        raise InputError(str(target), [Fault(str(target), actual, f"the module itself, {place}")])
     content = defined_by(Path(place)) if is_file(target) else names_imported(place, name)
     return _scene_in(content, str(target), name or "scene", "file" if is_file(target) else "module")
 
@@ -112,11 +112,11 @@ def _scene_in(content: Mapping[str, Any], target: str, name: str, kind: str) -> 
 
     if isinstance(value, Scene):
         return value
-    found = f"no `{name}`" if value is None else f"`{name}` of type {type(value).__name__}"
+    actual = f"no `{name}`" if value is None else f"`{name}` of type {type(value).__name__}"
     place, _ = split_target(target)
     known = [f"{place}:{each}" for each, scene in content.items() if isinstance(scene, Scene) and each[0] != "_"]
     expected = f"one of {', '.join(known)}" if known else f"a {kind} that defines `{name} = Scene(...)`"
-    raise InputError(target, [Fault(target, found, expected)])
+    raise InputError(target, [Fault(target, actual, expected)])
 
 
 def defined_by(path: Path) -> dict[str, Any]:
@@ -191,26 +191,26 @@ def _law_of_file(file: str, name: str | None, effect: str) -> Law:
     """Return a law of a TOML file, by its name where there are several; raises InputError."""
     from hertzwerk.derive.exchange.user_files.law_file import laws_from
 
-    found = laws_from(file)
-    if name is None and len(found) == 1:
-        return next(iter(found.values()))
-    if name in found:
-        return found[name]
+    laws = laws_from(file)
+    if name is None and len(laws) == 1:
+        return next(iter(laws.values()))
+    if name in laws:
+        return laws[name]
     said = "no name of a law" if name is None else f"law {name!r}"
-    offered = ", ".join(f"{file}:{each}" for each in found)
+    offered = ", ".join(f"{file}:{each}" for each in laws)
     raise InputError(file, [Fault(f"effect {effect}", f"{said} of {file}", f"one of {offered}")])
 
 
 def located_laws(text: str, folder: Path) -> str:
     """Return laws as text, also "EFFECT=LAW", with their files as seen from a folder."""
 
-    def seen(place: re.Match[str]) -> str:
+    def located(place: re.Match[str]) -> str:
         before, joint, file = place["file"].rpartition(" x ")
         whole = str(folder / file.strip())
         readable = place["file"] if _NOT_IN_FILE.search(whole) else f"{before}{joint}{whole}"
         return readable + place[0][len(place["file"]) :]
 
-    return _IN_FILE.sub(seen, text)
+    return _IN_FILE.sub(located, text)
 
 
 def law_files(laws: Mapping[str, str]) -> dict[str, str]:
@@ -221,8 +221,8 @@ def law_files(laws: Mapping[str, str]) -> dict[str, str]:
 
 def _laws_as_they_are(laws: Mapping[str, str] | None) -> tuple[tuple[tuple[str, str], ...], tuple[str, ...]]:
     """Return laws by effect, and the content of the files they are of: what a cached text depends on."""
-    given = laws or {}
-    return tuple(sorted(given.items())), tuple(law_files(given).values())
+    by_effect = laws or {}
+    return tuple(sorted(by_effect.items())), tuple(law_files(by_effect).values())
 
 
 def build(scene: Scene, source: str = "a scene") -> ModuleType:
@@ -268,7 +268,7 @@ def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
         if target in built_in_scenes() or split_target(target)[1]:
             audited[target] = audit_scene(scene_from(target))
         elif is_file(target) or target.endswith(".toml") or Path(target).is_dir():
-            audited.update((str(path), found) for path, found in audit_files(Path(target)).items())
+            audited.update((str(path), findings) for path, findings in audit_files(Path(target)).items())
         else:
             require_targets([target])
     return audited

@@ -91,9 +91,9 @@ class Rowwise:
         """Call these functions in place of `functions`: the same, compiled."""
         self._blocks = [(rows, Callers(function)) for rows, function in zip(BLOCKS, functions, strict=True)]
 
-    def __call__(self, *given: np.ndarray) -> list[np.ndarray]:
+    def __call__(self, *arguments: np.ndarray) -> list[np.ndarray]:
         """Return results (rows, size) for tables (rows, size) of arguments, after the constant one."""
-        constant, tables = (None, given) if self._constant is None else (given[0], given[1:])
+        constant, tables = (None, arguments) if self._constant is None else (arguments[0], arguments[1:])
         count, first = len(tables[0]), 0
         results = [np.empty((count, size)) for size in self._widths]
         for rows, callers in self._blocks:

@@ -68,9 +68,9 @@ class Readings:
     module: ModuleType
     rows: Mapping[str, Reading]
 
-    def together(self, asked: Reading) -> list[Reading]:
+    def together(self, reading: Reading) -> list[Reading]:
         """Readings that are evaluated with one, in order."""
-        return [row for row in self.rows.values() if (row.function, row.result) == (asked.function, asked.result)]
+        return [row for row in self.rows.values() if (row.function, row.result) == (reading.function, reading.result)]
 
 
 @per_model
@@ -139,36 +139,36 @@ class Units(dict[str, str]):
 
 def evaluate(history: Rows, name: str) -> dict[str, np.ndarray]:
     """Return a reading over the rows of a history, and those that come with it."""
-    found = readings_of(history.model)
-    asked = found.rows[name]
-    together = found.together(asked)
-    columns = _of_contact(history, asked) if asked.function == CONTACTS else _of_motion(history, found, asked)
+    readings = readings_of(history.model)
+    reading = readings.rows[name]
+    together = readings.together(reading)
+    columns = _of_contact(history, reading) if reading.function == CONTACTS else _of_motion(history, readings, reading)
     return {row.name: column for row, column in zip(together, columns.T, strict=True)}
 
 
-def _of_contact(history: Rows, asked: Reading) -> np.ndarray:
+def _of_contact(history: Rows, reading: Reading) -> np.ndarray:
     """Return readings of one contact; while its surfaces are apart they are 0, and its point is nowhere."""
     model = history.model
     columns = _mapped(
-        history, asked, {**_states(history), "m": history.part("m"), "friction": history.part("friction")}
+        history, reading, {**_states(history), "m": history.part("m"), "friction": history.part("friction")}
     )
-    apart = ~history.touches(asked.result)  # contacts are the results, in the order of the pairs
-    points = [".point_" in row.name for row in readings_of(model).together(asked)]
+    apart = ~history.touches(reading.result)  # contacts are the results, in the order of the pairs
+    points = [".point_" in row.name for row in readings_of(model).together(reading)]
     return np.where(apart[:, None], np.where(points, np.nan, 0.0), columns)
 
 
-def _of_motion(history: Rows, found: Readings, asked: Reading) -> np.ndarray:
+def _of_motion(history: Rows, readings: Readings, reading: Reading) -> np.ndarray:
     model, rows = history.model, len(history.rows)
     nq, nu, supplied = model.nq, model.nu, model.function("accelerations").size1_out(1)
-    touching = [np.nan_to_num(history[name]) for name in found.module.TOUCHING]
-    given = {
+    touching = [np.nan_to_num(history[name]) for name in readings.module.TOUCHING]
+    values = {
         **_states(history),
         "a": history.part("dy")[:, nq : nq + nu],
         "touching": np.stack(touching, axis=1) if touching else np.zeros((rows, 0)),
         "multipliers": history.held() if model.nl else np.zeros((rows, 0)),
         "reactions": history.supplied() if model.has_function("loads") else np.zeros((rows, supplied)),
     }
-    return _mapped(history, asked, given)
+    return _mapped(history, reading, values)
 
 
 def _states(history: Rows) -> dict[str, np.ndarray]:
@@ -177,15 +177,15 @@ def _states(history: Rows) -> dict[str, np.ndarray]:
     return {"t": history.part("t"), "q": y[:, :nq], "u": y[:, nq : nq + nu], "z": y[:, nq + nu :]}
 
 
-def _mapped(history: Rows, asked: Reading, given: Mapping[str, np.ndarray]) -> np.ndarray:
+def _mapped(history: Rows, reading: Reading, values: Mapping[str, np.ndarray]) -> np.ndarray:
     if history.p is None:
         raise ValueError("readings need the parameters of a run, and these rows are of none")
-    names = ARGUMENTS[asked.function].split()[:-1]
+    names = ARGUMENTS[reading.function].split()[:-1]
     (constants,) = _constants(history.model)(history.p)
-    (found,) = _function(history.model, asked.function, asked.result)(
-        constants, *(given[name] for name in names), *history.pieces
+    (result,) = _function(history.model, reading.function, reading.result)(
+        constants, *(values[name] for name in names), *history.pieces
     )
-    return found
+    return result
 
 
 @per_model
@@ -206,7 +206,7 @@ def _function(model: EngineModel, name: str, result: int) -> Rowwise:
     sizes["reactions"] = model.function("accelerations").size1_out(1)
     symbols = [ca.SX.sym(part, sizes[part]) for part in ARGUMENTS[name].split()]
     results = getattr(module, name)(*symbols)
-    found = results[result] if isinstance(results, tuple) else results
-    function = ca.Function(f"{name}_{result}", symbols, [ca.cse(ca.densify(ca.SX(found)))])
+    column = results[result] if isinstance(results, tuple) else results
+    function = ca.Function(f"{name}_{result}", symbols, [ca.cse(ca.densify(ca.SX(column)))])
     constant = len(symbols) - 1
     return Rowwise(model.with_pieces(function, constant), constant=constant)

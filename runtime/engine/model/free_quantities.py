@@ -51,36 +51,40 @@ def read_quantity(model: EngineModel, name: str, value: Value, where: str, fault
 
 
 def read_free(
-    model: EngineModel, given: object, faults: list[Fault], *, argument: str = "free", decades: float = DECADES
+    model: EngineModel, searched: object, faults: list[Fault], *, argument: str = "free", decades: float = DECADES
 ) -> tuple[Free, ...]:
     """Read what is searched, by name, or names alone; bad input is appended to `faults`.
 
     argument    its name in faults; decades    ratio of a range's ends from which it is searched by ratios, unasked
     """
-    if isinstance(given, Sequence) and not isinstance(given, str) and all(isinstance(name, str) for name in given):
-        given = dict.fromkeys(given)
-    if not isinstance(given, Mapping) or not given:
+    if (
+        isinstance(searched, Sequence)
+        and not isinstance(searched, str)
+        and all(isinstance(name, str) for name in searched)
+    ):
+        searched = dict.fromkeys(searched)
+    if not isinstance(searched, Mapping) or not searched:
         example = 'ranges by name, such as {"restitution": (0.3, 1), "stiffness": "log"}'
-        faults.append(Fault(argument, shown(given), example))
+        faults.append(Fault(argument, shown(searched), example))
         return ()
     known = quantities(model)
-    found = []
-    for name, text in given.items():
+    free = []
+    for name, text in searched.items():
         if name not in known:
             faults.append(unknown("parameter or initial state", name, tuple(known)))
             continue
         before = len(faults)
         one = _one(model, name, text, f"{argument}[{name!r}]", known[name] or "1", faults)
         if len(faults) == before and one is not None:
-            found.append(replace(one, log=one.log or (one.low > 0 and one.high / one.low >= decades)))
-    return tuple(found)
+            free.append(replace(one, log=one.log or (one.low > 0 and one.high / one.low >= decades)))
+    return tuple(free)
 
 
-def _one(model: EngineModel, name: str, given: object, where: str, unit: str, faults: list[Fault]) -> Free | None:
+def _one(model: EngineModel, name: str, entry: object, where: str, unit: str, faults: list[Fault]) -> Free | None:
     port = model.parameters.get(name)
     value = si_of(model, name, (port.default, port.unit)) if port is not None else math.nan
-    asked_log = given == "log"
-    if given is None or asked_log:
+    asked_log = entry == "log"
+    if entry is None or asked_log:
         low, high = _ranges_of_law(model, name)
         bounded = math.isfinite(low) and math.isfinite(high)
         if not bounded or (asked_log and low <= 0):
@@ -92,7 +96,7 @@ def _one(model: EngineModel, name: str, given: object, where: str, unit: str, fa
             low, high = max(low, value / WIDE), min(high, value * WIDE)
             asked_log = True
     else:
-        ends = _ends(where, given, faults)
+        ends = _ends(where, entry, faults)
         if ends is None:
             return None
         texts, asked_log = ends
@@ -104,27 +108,27 @@ def _one(model: EngineModel, name: str, given: object, where: str, unit: str, fa
             faults.append(Fault(where, f"{low:g}..{high:g} {unit}", expected))
         return None
     if asked_log and low <= 0:
-        faults.append(Fault(where, shown(given), "ends above zero, as the values have equal ratios"))
+        faults.append(Fault(where, shown(entry), "ends above zero, as the values have equal ratios"))
         return None
     return Free(low, high, unit, asked_log, name, value)
 
 
-def _ends(where: str, given: object, faults: list[Fault]) -> tuple[tuple[Value, Value], bool] | None:
+def _ends(where: str, entry: object, faults: list[Fault]) -> tuple[tuple[Value, Value], bool] | None:
     """Return both ends of a range with their units, and whether it is logarithmic."""
-    if isinstance(given, str) and ".." in given:
-        found = read_range(where, given, True, faults)
-        if not isinstance(found, Range):
+    if isinstance(entry, str) and ".." in entry:
+        span = read_range(where, entry, True, faults)
+        if not isinstance(span, Range):
             return None
-        return ((float(found.low), found.unit), (float(found.high), found.unit)), found.log
-    if isinstance(given, tuple) and len(given) == 2:
+        return ((float(span.low), span.unit), (float(span.high), span.unit)), span.log
+    if isinstance(entry, tuple) and len(entry) == 2:
         try:
-            for end in given:
+            for end in entry:
                 read(end)
         except UnitError as error:
-            faults.append(Fault(where, shown(given), EXPECTED, str(error)))
+            faults.append(Fault(where, shown(entry), EXPECTED, str(error)))
             return None
-        return given, False
-    faults.append(Fault(where, shown(given), EXPECTED))
+        return entry, False
+    faults.append(Fault(where, shown(entry), EXPECTED))
     return None
 
 

@@ -47,8 +47,8 @@ def require_tables(module: ModuleType | SimpleNamespace) -> None:
     missing = ", ".join(name for name in EMPTY if not hasattr(module, name))
     form = getattr(module, "FORMAT", None)
     if form != FORMAT or missing:
-        name, found = getattr(module, "NAME", "module"), f"the format {form!r}"
-        raise InputError(name, [Fault("module", f"{found} without {missing}" if missing else found, repr(FORMAT))])
+        name, actual = getattr(module, "NAME", "module"), f"the format {form!r}"
+        raise InputError(name, [Fault("module", f"{actual} without {missing}" if missing else actual, repr(FORMAT))])
 
 
 @cache

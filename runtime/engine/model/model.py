@@ -179,14 +179,14 @@ class EngineModel:
         if module.JOINT_COORDINATES is None:
             return self
         own = ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "SUM_LIMITS", "INPUTS", "GIVEN", "start")
-        given = {name: getattr(module, name) for name in own}
-        given |= {
+        attributes = {name: getattr(module, name) for name in own}
+        attributes |= {
             name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
         }
-        given["scales"] = module.joint_scales
+        attributes["scales"] = module.joint_scales
         if module.JOINT_CONSTRAINTS:
-            given["constraints"] = module.joint_constraints
-        return EngineModel(with_tables(**given))
+            attributes["constraints"] = module.joint_constraints
+        return EngineModel(with_tables(**attributes))
 
     def without_redundancy(self, dependent: tuple[Dependent, ...]) -> EngineModel:
         """Return the model with these redundant constraints relaxed in every step; itself if none."""
@@ -264,22 +264,22 @@ class EngineModel:
             "joint_speeds": self.joints.nu,
         }[name]
 
-    def expressions(self, name: str, *given: Any) -> list[Any]:
+    def expressions(self, name: str, *arguments: Any) -> list[Any]:
         """Return the results of one of the module's builders, columns in its arguments (SX)."""
-        results = getattr(self.module, name)(*(direct(ca.SX(x)) for x in given))
+        results = getattr(self.module, name)(*(direct(ca.SX(x)) for x in arguments))
         return [ca.vec(ca.SX(x)) for x in (results if isinstance(results, tuple) else (results,))]
 
     @per_model
     def _build(self, name: str) -> Any:
         inputs = _INPUTS["contact" if name.startswith("contact_") else name]
         symbols = self.symbols(inputs)
-        given = dict(zip(inputs.split(), symbols, strict=True))
+        by_name = dict(zip(inputs.split(), symbols, strict=True))
         if name in SOLVING and self.nl and not self.dependent:
             # a softness that never changes is a number, and what it multiplies is made once
             last = self.nc - self.npieces
             softness = self.module.constants(*self.symbols("p"))[last - self.nl : last]
-            given["c"] = ca.vertcat(given["c"][: last - self.nl], softness, given["c"][last:])
-        columns = [*map(ca.densify, self.expressions(name, *given.values()))]
+            by_name["c"] = ca.vertcat(by_name["c"][: last - self.nl], softness, by_name["c"][last:])
+        columns = [*map(ca.densify, self.expressions(name, *by_name.values()))]
         return ca.Function(name, symbols, ca.cse(columns), inputs.split(), [f"o{i}" for i in range(len(columns))])
 
     @cached_property
@@ -308,14 +308,14 @@ class EngineModel:
             return function
         symbols = list(function.mx_in() if function.is_a("MXFunction") else function.sx_in())
         pieces = type(symbols[0]).sym("pieces", self.npieces)
-        given = list(symbols)
-        given[constant] = ca.vertcat(symbols[constant][: symbols[constant].numel() - self.npieces], pieces)
-        return ca.Function(function.name(), [*symbols, pieces], function.call(given))
+        arguments = list(symbols)
+        arguments[constant] = ca.vertcat(symbols[constant][: symbols[constant].numel() - self.npieces], pieces)
+        return ca.Function(function.name(), [*symbols, pieces], function.call(arguments))
 
     def period(self, bound: BoundParameters) -> float | None:
         """Return the period [s] of everything that depends on time; None where nothing does."""
-        found = float(self.evaluate("period", bound.p)[0][0]) if hasattr(self.module, "period") else math.inf
-        return found if math.isfinite(found) else None  # a drive that stands still has none
+        period = float(self.evaluate("period", bound.p)[0][0]) if hasattr(self.module, "period") else math.inf
+        return period if math.isfinite(period) else None  # a drive that stands still has none
 
     def speed_limits(self, bound: BoundParameters) -> np.ndarray:
         """Return the limits [m/s] of approach speeds by pair (k,), infinite for none; (0,) if all have none."""
@@ -344,10 +344,10 @@ class EngineModel:
 
         return build.sympy_file(self.declared_for("equations").scene(), values)
 
-    def declared_for(self, what: str) -> Declaration:
+    def declared_for(self, subject: str) -> Declaration:
         """Return the origin of the model for what needs its scene; raises InputError where it has none."""
         if self.declaration is None:
-            raise without_scene(what, getattr(self.module, "SOURCE", ""), self.name)
+            raise without_scene(subject, getattr(self.module, "SOURCE", ""), self.name)
         return self.declaration
 
     @property
@@ -390,16 +390,16 @@ class EngineModel:
         for name, unit, value in rows:
             law = next(((e, text) for e, text in self.module.UNCHECKED if name.startswith(f"{e}_")), None)
             if law is not None:
-                found = f"{law[1]} without a value at these parameters"
-                faults[law[0]] = Fault(f"effect {law[0]}", found, "a law that has one", remedy)
+                actual = f"{law[1]} without a value at these parameters"
+                faults[law[0]] = Fault(f"effect {law[0]}", actual, "a law that has one", remedy)
             elif "" not in faults:
                 faults[""] = Fault(name, f"{value!r} {unit}", "a finite constant", "It follows from the parameters.")
         source = origin(self.module, p) if "" in faults else None
         if source is not None:
             at = ", ".join(f"{name} = {value:.6g}" for name, value in source.operands.items())
-            given = ", ".join(f"{name} = {quantity_text(*texts[name])}" for name in source.parameters)
-            found = f"{source.value!r}, the value of {source.expression} at {at}"
-            faults[""] = Fault(source.name, found, "a finite constant", f"It follows from {given}.")
+            values = ", ".join(f"{name} = {quantity_text(*texts[name])}" for name in source.parameters)
+            actual = f"{source.value!r}, the value of {source.expression} at {at}"
+            faults[""] = Fault(source.name, actual, "a finite constant", f"It follows from {values}.")
         return list(faults.values())
 
 

@@ -75,8 +75,8 @@ class Range:
 
     def outer(self, x: float) -> float:
         """Return the value of a place, within the range."""
-        found = math.exp(x) if self.log else x * self.scale
-        return min(max(found, float(self.low)), float(self.high))
+        value = math.exp(x) if self.log else x * self.scale
+        return min(max(value, float(self.low)), float(self.high))
 
     def slope(self, value: float) -> float:
         """Return the change of the value with its place, at a value."""
@@ -109,14 +109,14 @@ class RangeValues:
         return self.count
 
     def __getitem__(self, i: int) -> ValueWithUnit:
-        found = self._known.get(i)
-        if found is None:
+        value = self._known.get(i)
+        if value is None:
             if not 0 <= i < self.count:
                 raise IndexError(i)
-            found = self.range.at(Fraction(i, self.count - 1))
+            value = self.range.at(Fraction(i, self.count - 1))
             if len(self._known) < KNOWN:
-                self._known[i] = found
-        return found
+                self._known[i] = value
+        return value
 
     def __iter__(self) -> Iterator[ValueWithUnit]:
         return map(self.__getitem__, range(self.count))
@@ -127,8 +127,8 @@ def hypercube(box: Array, count: int, seed: int) -> Array:
     from scipy.stats import qmc  # slow to import
 
     low, high = np.transpose(box)
-    found: Array = low + qmc.LatinHypercube(len(low), rng=seed).random(count) * (high - low)
-    return found
+    places: Array = low + qmc.LatinHypercube(len(low), rng=seed).random(count) * (high - low)
+    return places
 
 
 def starts_in(ranges: Sequence[Range], values: Sequence[float], count: int, seed: int) -> Array:
@@ -154,15 +154,15 @@ def read_range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Ran
     if max(abs(Decimal(end).adjusted()) for end in (low, high)) > LARGEST:
         faults.append(Fault(where, shown(text), f"numbers within 1e{LARGEST}"))
         return None
-    found = Range(Fraction(Decimal(low)), Fraction(Decimal(high)), unit or "1", log is not None)
+    span = Range(Fraction(Decimal(low)), Fraction(Decimal(high)), unit or "1", log is not None)
     before = len(faults)
     try:
-        parse_unit(found.unit)
+        parse_unit(span.unit)
     except UnitError as error:
         faults.append(Fault(where, shown(text), EXPECTED, str(error)))
-    if not found.low < found.high:
+    if not span.low < span.high:
         faults.append(Fault(where, f"{low}..{high}", "the smaller end first"))
-    if found.log and not found.low > 0:
+    if span.log and not span.low > 0:
         faults.append(Fault(where, shown(text), "ends above zero, as the values have equal ratios"))
     if sampled and count is not None:
         faults.append(Fault(where, shown(text), "a range without a number of values", "sample is the number of points"))
@@ -173,4 +173,4 @@ def read_range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Ran
         faults.append(Fault(where, f"{count} values", f"2 to {MOST:,}, ends included"))
     if len(faults) > before:
         return None
-    return found if sampled else RangeValues(found, int(count))
+    return span if sampled else RangeValues(span, int(count))

@@ -56,13 +56,13 @@ def derived(targets: Sequence[str], coordinates: str | None = None) -> tuple[Der
 
     In the scenes' coordinates or others.
     """
-    seen: set[str] = set()
+    names: set[str] = set()
 
     def one(target: str) -> Derived:
         scene = vary(scene_from(target), coordinates=coordinates)
-        if scene.name in seen:
+        if scene.name in names:
             raise InputError(target, [Fault(target, f"a second scene named {scene.name}", "one name per scene")])
-        seen.add(scene.name)
+        names.add(scene.name)
         return Derived(target, scene.name, derive_text(scene, source_of(target)))
 
     return _all_or_none(targets, one)
@@ -108,9 +108,9 @@ def folder_of(target: str) -> Path:
     for folder in (Path.cwd(), *Path.cwd().parents):
         if _project_name(folder / "pyproject.toml") == "hertzwerk":
             if derive_digest(folder / "derive") != derive_digest():
-                found = "another hertzwerk.derive in use than this repository's"
+                actual = "another hertzwerk.derive in use than this repository's"
                 remedy = 'pip install -e ".[dev]" --config-settings editable_mode=strict'
-                raise InputError("derive", [Fault(str(folder), found, "the same sources", remedy)])
+                raise InputError("derive", [Fault(str(folder), actual, "the same sources", remedy)])
             return folder / "generated"
     raise InputError(subject, [Fault("--out", "none", "a folder, as this is no clone of hertzwerk's repository")])
 
@@ -163,7 +163,7 @@ def generated_names() -> tuple[str, ...]:
     """Return the names of the installed generated modules, sorted; imports none of them."""
     package = importlib.import_module("hertzwerk.generated")
     return tuple(
-        sorted(found.name for found in pkgutil.iter_modules(package.__path__) if not found.name.startswith("_"))
+        sorted(module.name for module in pkgutil.iter_modules(package.__path__) if not module.name.startswith("_"))
     )
 
 

@@ -39,8 +39,8 @@ def origin(module: ModuleType | SimpleNamespace, p: np.ndarray) -> Origin | None
     function.body[-1] = ast.Return(ast.Call(ast.Name("locals", ast.Load()), [], []))
     scope = dict(vars(module))
     exec(compile(ast.fix_missing_locations(ast.Module([function], [])), "<constants>", "exec"), scope)
-    found = scope["constants"](ca.DM(p))
-    values = {name: float(value) for name, value in found.items() if isinstance(value, ca.DM) and value.numel() == 1}
+    results = scope["constants"](ca.DM(p))
+    values = {name: float(value) for name, value in results.items() if isinstance(value, ca.DM) and value.numel() == 1}
     made = {name: value for statement in function.body for name, value in _assigned(statement)}
     for name, expression in made.items():
         if not math.isfinite(values.get(name, 0.0)):

@@ -35,7 +35,7 @@ def run_to_accuracy(
     run: SingleRun,
     scales: Scales,
     times: np.ndarray | None,
-    asked: Request,
+    request: Request,
     progress: Callable[[float], object] | None,
 ) -> LadderResult[Trace]:
     """Run at falling tolerance until the requested error is met."""
@@ -70,11 +70,11 @@ def run_to_accuracy(
         differ,
         lambda y: scaling.rounding(model, scales, y),
         seconds,
-        asked.error,
-        at_end=asked.at_end,
+        request.error,
+        at_end=request.at_end,
         names=compared_histories(model),
     )
-    return ladder.search(first_tolerance(asked.error, seconds, *scales.scene[:2]))
+    return ladder.search(first_tolerance(request.error, seconds, *scales.scene[:2]))
 
 
 def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
@@ -83,7 +83,7 @@ def _part(progress: Callable[[float], object], before: int) -> Callable[[float],
 
 
 def verdict_of(
-    run: SingleRun, ladder_result: LadderResult[Trace], asked: Request, result: Outcome
+    run: SingleRun, ladder_result: LadderResult[Trace], request: Request, result: Outcome
 ) -> tuple[Outcome, tuple[str, ...]]:
     """Return outcome and warnings of a run for an accuracy; a missed or unknown one is not `finished`."""
     error, verdict = ladder_result.error, ladder_result.verdict
@@ -94,11 +94,11 @@ def verdict_of(
         result = Outcome(other.name, message, other.remedy)
     elif result.finished and error is not None and verdict is not Verdict.MET:
         if verdict is Verdict.BEYOND:
-            return too_long(asked.error, error, ladder_result.run.tolerance), ()
+            return too_long(request.error, error, ladder_result.run.tolerance), ()
         if error.floor is not None:
-            end = None if asked.at_end else error.end
+            end = None if request.at_end else error.end
             facts: dict[str, Any] = {"when": error.when, "foreseen": ladder_result.foreseen, "end": end}
-            result = unreachable(asked.error, error.floor, run.method, other, **facts)
+            result = unreachable(request.error, error.floor, run.method, other, **facts)
         elif other is not None:
-            result = unknown(asked.error, other)
+            result = unknown(request.error, other)
     return result, (beyond_horizon(error),) if lost and error is not None else ()

@@ -38,7 +38,7 @@ def parameters_of(run: EngineSolution, model: EngineModel) -> dict[str, tuple[fl
 
 def resumable(run: EngineSolution, model: EngineModel, *, saved: bool) -> Checkpoint:
     """Return the checkpoint of a run; raises InputError where it cannot be continued."""
-    faults, kept = [], run.checkpoint
+    faults, checkpoint = [], run.checkpoint
     if saved:
         remedy = f'name it: target="{run.model.name}"'
         faults.append(Fault("model", "a saved run, which has no functions", "the model that was run", remedy))
@@ -47,15 +47,19 @@ def resumable(run: EngineSolution, model: EngineModel, *, saved: bool) -> Checkp
         faults.append(
             Fault("outcome", run.outcome.name, expected, "it would end so again: change the model or its parameters")
         )
-    if kept is None:
+    if checkpoint is None:
         expected = f"a run of the engine itself: {', '.join(IN_GRAPH)}"
         faults.append(Fault("method", f"{run.method}, or a run without a checkpoint", expected))
     elif not saved:
         sizes = dict(layouts(model).state.sizes)
-        if kept.model != digest(model) or kept.layout != sizes or kept.resume.state.shape != (sum(sizes.values()),):
+        if (
+            checkpoint.model != digest(model)
+            or checkpoint.layout != sizes
+            or checkpoint.resume.state.shape != (sum(sizes.values()),)
+        ):
             expected = "the model that was run, derived by the same version"
-            found = f"{model.name} with other equations{' or inputs' if model.inputs else ''}"
-            faults.append(Fault("model", found, expected, "run it anew from its start"))
-    if faults or kept is None:
+            actual = f"{model.name} with other equations{' or inputs' if model.inputs else ''}"
+            faults.append(Fault("model", actual, expected, "run it anew from its start"))
+    if faults or checkpoint is None:
         raise InputError(f"going on with {run.model.name}", faults)
-    return kept
+    return checkpoint

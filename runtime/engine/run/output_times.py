@@ -69,8 +69,8 @@ def _explicit_times(grid: object, seconds: float, faults: list[Fault]) -> np.nda
         faults.append(Fault("grid", f"{times[i]:g} s after {times[i - 1]:g} s at {_place(falls)}", "increasing times"))
     outside = finite & ((times < 0) | (times > seconds))
     if np.any(outside):
-        found = f"{times[outside][0]:g} s at {_place(outside)}"
-        faults.append(Fault("grid", found, f"times within the run, 0..{seconds:g} s"))
+        actual = f"{times[outside][0]:g} s at {_place(outside)}"
+        faults.append(Fault("grid", actual, f"times within the run, 0..{seconds:g} s"))
     return times
 
 

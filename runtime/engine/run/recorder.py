@@ -205,8 +205,8 @@ class _Within:
         parts    of the steps at which the states are kept, (n or 1, parts)
         """
         known, scores = len(self._scores), np.append(self._scores, scores)
-        kept = (scores >= np.sort(scores)[-self._most :][:1]) & (scores > 0)
-        self._scores, (before, fresh) = scores[kept], np.split(kept, [known])
+        stay = (scores >= np.sort(scores)[-self._most :][:1]) & (scores > 0)
+        self._scores, (before, fresh) = scores[stay], np.split(stay, [known])
         begins, parts = begins[fresh], np.broadcast_to(parts, (len(fresh), parts.shape[1]))[fresh]
         h = block.t[begins + 1] - block.t[begins]
         rows = np.stack([block.between(begins, part * h).rows for part in parts.T], axis=1)
@@ -216,8 +216,8 @@ class _Within:
 def _evenly(before: int, count: int) -> np.ndarray:
     """Return scores of further things, the largest those of every second, fourth, ... of all."""
     numbers = before + 1 + np.arange(count)
-    found: np.ndarray = numbers & -numbers  # the power of 2 that a number has as a factor
-    return found
+    scores: np.ndarray = numbers & -numbers  # the power of 2 that a number has as a factor
+    return scores
 
 
 def _turns(block: History, begins: np.ndarray, pace: float) -> tuple[np.ndarray, np.ndarray]:
@@ -246,5 +246,5 @@ def _bends(block: History, begins: np.ndarray) -> np.ndarray:
     h = (block.t[begins + 1] - block.t[begins])[:, None]
     scale = block.controls[block.engine.layouts.controls["scale"]][:n]
     bent = y[begins + 1] - y[begins] - h / 2 * (dy[begins] + dy[begins + 1])
-    found: np.ndarray = np.max(np.abs(bent) / scale, axis=1, initial=0.0)
-    return found
+    bends: np.ndarray = np.max(np.abs(bent) / scale, axis=1, initial=0.0)
+    return bends

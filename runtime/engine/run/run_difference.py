@@ -29,15 +29,15 @@ def differences(model: EngineModel, scales: Scales, one: Trace, other: Trace, n:
     m = model.nq + model.nu
     size = scales.state[:m]
     apart, forces = (rows.part(name) - reference.part(name) for name in ("y", "force"))
-    found = []
+    tables = []
     for motion in (reference, rows):  # where one of them has had an event before the other, their rates differ
         rates, force_rates = motion.part("dy")[:, :m], motion.part("force_rate")
         error, shift = scaling.distance(apart[:, :m] / size, rates / size, scales.pace)
         shift = shift[:, None]
-        found.append(
+        tables.append(
             np.column_stack([error, np.abs(apart[:, :m] - rates * shift), np.abs(forces - force_rates * shift)])
         )
-    table = np.where(found[0][:, :1] <= found[1][:, :1], *found)
+    table = np.where(tables[0][:, :1] <= tables[1][:, :1], *tables)
     until = float(rows.t[-1])
     lists: list[tuple[Impact, ...]] = []
     with suppress(Exception):  # whatever it is, the run reports that its impacts could not be found

@@ -99,17 +99,17 @@ class Settings:
 
     def sensitivity_faults(self, model: EngineModel) -> list[Fault]:
         """Return the faults of the names of derivatives."""
-        asked = self.sensitivities
-        if isinstance(asked, str) or not isinstance(asked, Sequence):
+        names = self.sensitivities
+        if isinstance(names, str) or not isinstance(names, Sequence):
             expected = 'names of parameters and initial states, such as ("restitution",)'
-            return [Fault("sensitivities", shown(asked), expected)]
-        known = quantities(model) if asked else {}
+            return [Fault("sensitivities", shown(names), expected)]
+        known = quantities(model) if names else {}
         faults = [
             unknown("parameter or initial state", name, known)
-            for name in asked
+            for name in names
             if not isinstance(name, str) or name not in known
         ]
-        return [*faults, *steps_faults("sensitivities", self.method, model)] if asked else faults
+        return [*faults, *steps_faults("sensitivities", self.method, model)] if names else faults
 
     def faults(self) -> list[Fault]:
         """Return the faults of everything but the duration and the grid, which depends on it."""
@@ -162,15 +162,15 @@ def read_accuracy(value: object) -> Request | None:
     return Request(float(value)) if is_real(value) else None  # type: ignore[arg-type]  # a real number
 
 
-def steps_faults(what: str, method: str, model: EngineModel) -> list[Fault]:
+def steps_faults(subject: str, method: str, model: EngineModel) -> list[Fault]:
     """Return the fault of what follows the steps of a run that has none of ours, or lists near pairs."""
     if method not in SUNDIALS:
         if method not in METHODS or listing(model, tuple(table() for table in METHODS[method])) is None:
             return []
-        found = f"a run by {method} of {model.k} pairs, which lists the near ones"
-        return [Fault(what, found, "a model of fewer pairs, or a method without a list", 'method="esdirk"')]
+        actual = f"a run by {method} of {model.k} pairs, which lists the near ones"
+        return [Fault(subject, actual, "a model of fewer pairs, or a method without a list", 'method="esdirk"')]
     expected = f"a method of {', '.join(IN_GRAPH)}, whose steps are followed"
-    return [Fault(what, f"a run by {method}", expected, f'method="{METHOD}"')]
+    return [Fault(subject, f"a run by {method}", expected, f'method="{METHOD}"')]
 
 
 @dataclass(frozen=True)
@@ -209,18 +209,18 @@ def read(
     """
     faults = [*before, *settings.faults(), *settings.sensitivity_faults(model)]
     known, key = _remembered(model), _key((settings.duration, parameters, initial, digest_of(model.signals)))
-    given = None if faults else known.get(key)
-    seconds = read_duration(model, parameters, settings.duration, faults) if given is None else given.seconds
+    request = None if faults else known.get(key)
+    seconds = read_duration(model, parameters, settings.duration, faults) if request is None else request.seconds
     times = times_of(settings.grid, seconds, faults)
     faults += input_faults(model, seconds, faults)
-    if given is not None and not faults:
-        return given, times
+    if request is not None and not faults:
+        return request, times
     bound, q, u = start_of(model, parameters, initial, faults)
     latches = np.array([0.0 if name not in initial else si_of(model, name, initial[name]) for name in model.latches])
     inside, pressed = overlaps(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
-    given = RunRequest(
+    request = RunRequest(
         bound,
         q,
         u,
@@ -235,8 +235,8 @@ def read(
     )
     if len(known) >= REMEMBERED:
         known.clear()
-    known[key] = given
-    return given, times
+    known[key] = request
+    return request, times
 
 
 def check(
@@ -267,9 +267,9 @@ def input_faults(model: EngineModel, seconds: float, before: Sequence[Fault] = (
             expected = f"its value in {unit}{f': {meaning}' if meaning else ''}"
             faults.append(Fault(where, "no value", expected, f'inputs={{"{name}": ...}}, or --input {name}=...'))
         elif signal.begins[0] > 0 or signal.end < seconds * (1 - 1e-12):
-            found = f"{signal.text} from {signal.begins[0]:g} s to {signal.end:g} s"
+            actual = f"{signal.text} from {signal.begins[0]:g} s to {signal.end:g} s"
             way_out = "shorten the run, or add a sample at each end that says how it goes on"
-            faults.append(Fault(where, found, f"values over the whole run, from 0 to {seconds:g} s", way_out))
+            faults.append(Fault(where, actual, f"values over the whole run, from 0 to {seconds:g} s", way_out))
         elif signal.smooth < model.smooth.get(name, (-1, ""))[0]:
             derivatives, use = model.smooth[name]
             jumps = ("the value", "its rate", "its second derivative")[signal.smooth + 1]
@@ -301,8 +301,8 @@ def read_duration(
 ) -> float:
     """Return a duration [s], that of revolutions with these parameters; faults are appended."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
-    given = plain_value(duration)
-    duration = f"{given[0]!r} {given[1]}" if isinstance(given, tuple) and len(given) == 2 else given
+    value = plain_value(duration)
+    duration = f"{value[0]!r} {value[1]}" if isinstance(value, tuple) and len(value) == 2 else value
     with contextlib.suppress(ValueError, TypeError):
         # on a command line "24" is 24 s, as 24 is
         duration = float(duration) if isinstance(duration, str) else duration

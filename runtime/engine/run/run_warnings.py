@@ -97,20 +97,20 @@ def floored(count: int, floor: float) -> Iterator[str]:
     yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law took for the approach speed"
 
 
-def left_law(model: EngineModel, found: Sequence[Lasting], ends: History) -> Iterator[str]:
+def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> Iterator[str]:
     """Yield one warning of contacts that left their damping law, with their share of what it dissipates."""
-    if not found:
+    if not lasting:
         return
-    worst, pairs = max(found, key=attrgetter("ratio")), list(dict.fromkeys([each.pair for each in found]))
+    worst, pairs = max(lasting, key=attrgetter("ratio")), list(dict.fromkeys([each.pair for each in lasting]))
     share = ""
     if model.has_ledger:
         booked = [model.nq + model.nu + model.module.DISSIPATED[model.pairs.index(pair)] for pair in pairs]
         spent = float((ends.part("y")[-1, booked] - ends.part("y")[0, booked]).sum())
-        part = sum([each.dissipated for each in found]) / spent if spent > 0 else 0.0
+        part = sum([each.dissipated for each in lasting]) / spent if spent > 0 else 0.0
         if spent > 0:
             share = f" ({f'{part:.0%}' if part >= SMALL else f'less than {SMALL:.0%}'} of its dissipation)"
     of = f" of {', '.join(pairs)}"
-    which = f"{len(found)} contacts{of}, the worst" if len(found) > 1 else f"a contact{of},"
+    which = f"{len(lasting)} contacts{of}, the worst" if len(lasting) > 1 else f"a contact{of},"
     yield (
         f"{which} since t = {worst.since:.4g} s, left the law of damping{share}: gap rates up to {worst.ratio:.2g} times the approach speed v0; "
         "take a law without v0 (`hertzwerk laws`), or raise approach_floor, the least v0"

@@ -90,8 +90,8 @@ class SingleRun:
             return stated
         rough = max(tolerance or 0.0, ROUGH)  # of no run for an accuracy is the tolerance larger
 
-        def run(scales: Scales, seen: Observer) -> None:
-            ending = self.observe(rough, scales, [seen], BLOCK)
+        def run(scales: Scales, sizes: Observer) -> None:
+            ending = self.observe(rough, scales, [sizes], BLOCK)
             if ending.error is not None:
                 raise ending.error
 
@@ -112,29 +112,29 @@ class SingleRun:
         compared: states are kept as well at which other runs are to be compared; checks: keep only those that such a run
         is compared at, and impacts.
         """
-        needs, given = self.needs, self.request
+        needs, request = self.needs, self.request
         if checks is not None:
             times, needs = checks.times, Needs.IMPACTS if self.model.k else Needs.ENDS
         elif compared and self.model.k:
             needs |= Needs.IMPACTS
         if times is not None and Needs.STEPS in needs:
             needs = EVERYTHING
-        kept = Steps() if times is None and Needs.STEPS in needs else Grid(np.zeros(0) if times is None else times)
+        record = Steps() if times is None and Needs.STEPS in needs else Grid(np.zeros(0) if times is None else times)
         findings = Findings(
             self.model,
             self.method,
             needs=needs,
-            duration=given.seconds,
-            period=given.period,
+            duration=request.seconds,
+            period=request.period,
             begin=self.begin,
         )
-        later = isinstance(kept, Steps)
-        other = Sampled(self.begin, given.seconds, POINTS, later=later) if compared else kept
-        observers: list[Observer] = [kept, findings]
-        if other is not kept:
+        later = isinstance(record, Steps)
+        other = Sampled(self.begin, request.seconds, POINTS, later=later) if compared else record
+        observers: list[Observer] = [record, findings]
+        if other is not record:
             observers.append(other)
         block = None if later else BLOCK
-        if other is kept and needs is Needs.ENDS and times is None:
+        if other is record and needs is Needs.ENDS and times is None:
             block = ENDS
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         ending = self.observe(tolerance, scales, observers, block, progress, 1.0 if checks is None else checks.shorter)
@@ -149,7 +149,7 @@ class SingleRun:
             tolerance=tolerance,
             limits=self.limits,
             ending=ending,
-            recorded=kept,
+            recorded=record,
             compared=other,
             findings=findings,
             counted=counted,
@@ -263,7 +263,7 @@ class SingleRun:
 def set_up(
     model: EngineModel,
     settings: Settings,
-    given: RunRequest,
+    request: RunRequest,
     start: Resume | None = None,
     needs: Needs = Needs.STEPS,
     began: float = math.inf,
@@ -274,7 +274,7 @@ def set_up(
     Raises InputError where C is requested and there is no compiler.
     """
     deadline, compiled = began + settings.limits.wall_time, settings.compiled
-    independent = model.without_redundancy(given.dependent)
+    independent = model.without_redundancy(request.dependent)
     try:
         engine = engine_for(independent, settings.method, compiled, partial(keep_to, deadline))
     except TimeOverError:
@@ -282,7 +282,7 @@ def set_up(
         engine = engine_for(independent, settings.method, compiled)
     code = engine.code
     provider = AutomaticCallers(code, compiled=compiled is True, changes=compiled == "auto") if code else None
-    return SingleRun(model, settings.method, engine, given, settings.limits, provider, start, needs, deadline)
+    return SingleRun(model, settings.method, engine, request, settings.limits, provider, start, needs, deadline)
 
 
 @dataclass(frozen=True)
@@ -310,8 +310,8 @@ def _locked(model: EngineModel, history: History) -> str:
     margins = np.nan_to_num(history.margins()[-1])
     names = (*model.loads, *((*grips_of(model), *model.loads, *grips_of(model)) if model.fed else ()))
     least = float(margins.min())
-    found = [name for name, margin in zip(names, margins, strict=True) if margin <= max(least, CLOSE)]
-    return ", ".join(dict.fromkeys(found)) if least <= CLOSE else ""
+    locked = [name for name, margin in zip(names, margins, strict=True) if margin <= max(least, CLOSE)]
+    return ", ".join(dict.fromkeys(locked)) if least <= CLOSE else ""
 
 
 def _deepest(model: EngineModel, history: History) -> str:

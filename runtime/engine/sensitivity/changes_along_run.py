@@ -60,7 +60,7 @@ def follow(
     history: History,
     directions: Directions,
     begin: np.ndarray,
-    given: frozenset[str],
+    stated: frozenset[str],
     *,
     compiled: bool,
     renew: Renew | None = None,
@@ -75,7 +75,7 @@ def follow(
     ny, floor = sizes["y"], _floor_changes(history, directions)
     first = np.zeros((ny + history.model.nm, directions.count))
     first[: len(begin)] = begin
-    _latch(history, directions, floor, first[:ny], first[ny:], given)
+    _latch(history, directions, floor, first[:ny], first[ny:], stated)
     after_event = switched(history)
     if compiled and after_event[1:].any():
         use_compiled(tables_of_events(history, directions.count))
@@ -117,8 +117,8 @@ def _floor_changes(history: History, directions: Directions) -> np.ndarray:
     parameters = list(history.model.parameters)
     if "approach_floor" not in parameters:
         return np.zeros(directions.count)
-    found: np.ndarray = directions.dp[parameters.index("approach_floor")]
-    return found
+    changes: np.ndarray = directions.dp[parameters.index("approach_floor")]
+    return changes
 
 
 def _latch(
@@ -127,7 +127,7 @@ def _latch(
     floor: np.ndarray,
     state: np.ndarray,
     memory: np.ndarray,
-    given: frozenset[str],
+    stated: frozenset[str],
 ) -> None:
     """Set the changes of the approach speeds of pairs that touch at the start."""
     places = watched_columns(history.model)["gap_rate"]
@@ -135,5 +135,5 @@ def _latch(
     least = history.controls[history.engine.layouts.controls["floor"]][0]
     mode, rates = history.part("mode")[0], history.part("gap_rate")[0]
     for row, (name, _, pair) in enumerate(history.model.module.LATCHES):
-        if mode[pair] == CONTACT and name not in given:
+        if mode[pair] == CONTACT and name not in stated:
             memory[row] = -change[pair] if -rates[pair] > least else floor

@@ -80,14 +80,14 @@ class Lyapunov:
         return math.log(limit / error) / largest
 
     def __str__(self) -> str:
-        found = "\n".join(str(exponent) for exponent in self.exponents)
-        return f"{found}\n{self.reason}, at {self.until:.6g} s" if self.reason else found
+        lines = "\n".join(str(exponent) for exponent in self.exponents)
+        return f"{lines}\n{self.reason}, at {self.until:.6g} s" if self.reason else lines
 
 
 def lyapunov(
     history: History,
     bound: BoundParameters,
-    given: frozenset[str],
+    stated: frozenset[str],
     scales: np.ndarray,
     count: int = 1,
     *,
@@ -111,30 +111,30 @@ def lyapunov(
     directions = directions_of(model, bound.p, bound.c, np.zeros((len(model.parameters), columns)))
     renewal = _Renewal(history, directions, of_motion, scales, one=count == 1)
     most = int(np.clip(len(history.t) // INTERVALS, 1, LINKS)) if count > 1 else None
-    found = follow(history, directions, begin, given, compiled=compiled, renew=renewal, most=most)
-    known = len(history.t) if not found.reason else max(int(np.searchsorted(history.t, found.until)), 1)
-    return _of(history.t[:known], renewal, count, dimension, found.until, found.reason)
+    followed = follow(history, directions, begin, stated, compiled=compiled, renew=renewal, most=most)
+    known = len(history.t) if not followed.reason else max(int(np.searchsorted(history.t, followed.until)), 1)
+    return _of(history.t[:known], renewal, count, dimension, followed.until, followed.reason)
 
 
 @per_model
 def depended_on(model: EngineModel) -> np.ndarray:
     """Return whether each state (ny,) is of the motion: no memory that nothing depends on."""
-    given = model.symbols(ARGUMENTS)
-    parts = ca.vertcat(rates(model)(*given), watched(model)(*given))
-    found: np.ndarray = np.any(ca.DM(ca.jacobian(parts, given[1]).sparsity(), 1.0).full(), axis=0)
-    found[: model.nq + model.nu] = True
-    return found
+    arguments = model.symbols(ARGUMENTS)
+    parts = ca.vertcat(rates(model)(*arguments), watched(model)(*arguments))
+    depends: np.ndarray = np.any(ca.DM(ca.jacobian(parts, arguments[1]).sparsity(), 1.0).full(), axis=0)
+    depends[: model.nq + model.nu] = True
+    return depends
 
 
 @per_model
 def constrained(model: EngineModel) -> Any:
     """Build the function of what stays zero: constraints, their rates, norms of quaternions less 1."""
-    t, y, _, _, c, _ = given = model.symbols(ARGUMENTS)
+    t, y, _, _, c, _ = arguments = model.symbols(ARGUMENTS)
     q, u, _ = model.parts(y)
-    found = [ca.sumsqr(q[first : first + 4]) - 1 for first in model.quaternions]
+    residuals = [ca.sumsqr(q[first : first + 4]) - 1 for first in model.quaternions]
     if model.nl:
-        found += model.function("constraints").call([t, q, u, c])
-    return ca.Function("constrained", given, [ca.densify(ca.vertcat(ca.SX(0, 1), *found))])
+        residuals += model.function("constraints").call([t, q, u, c])
+    return ca.Function("constrained", arguments, [ca.densify(ca.vertcat(ca.SX(0, 1), *residuals))])
 
 
 def _free(
@@ -150,8 +150,8 @@ def _free(
     across = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), np.finfo(float).tiny)
     _, values, vectors = np.linalg.svd(across)
     rank = int(np.count_nonzero(values > DEPENDENT * values.max(initial=0.0)))
-    found: np.ndarray = basis @ vectors[rank:].T
-    return found
+    free: np.ndarray = basis @ vectors[rank:].T
+    return free
 
 
 def _is_constrained(model: EngineModel) -> bool:
@@ -227,5 +227,13 @@ def _exponent(number: int, local: np.ndarray, step: float) -> Average:
     name = f"lyapunov_exponent_{number}"
     if not np.isfinite(local).all():
         return Average(name, "1/s", -math.inf, None, 0, step, "every such change dies out")
-    found = estimate(local)
-    return Average(name, "1/s", found.mean, found.half_width, found.blocks, found.intervals * step, found.reason)
+    estimated = estimate(local)
+    return Average(
+        name,
+        "1/s",
+        estimated.mean,
+        estimated.half_width,
+        estimated.blocks,
+        estimated.intervals * step,
+        estimated.reason,
+    )

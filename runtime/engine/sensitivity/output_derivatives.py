@@ -66,11 +66,11 @@ class OutputDerivatives:
 
     def __getitem__(self, output: str) -> np.ndarray:
         """Derivatives of an output, shape (P,); raises NoDerivativeError."""
-        found: np.ndarray = np.asarray(self._derivatives(output), dtype=float)
-        if not np.isfinite(found).all():
+        derivatives: np.ndarray = np.asarray(self._derivatives(output), dtype=float)
+        if not np.isfinite(derivatives).all():
             reason = self.of.reason or "its derivative is not finite"
             raise NoDerivativeError(f"{reason}, at {self.of.until:.6g} s" if self.of.reason else reason)
-        return found
+        return derivatives
 
     def _derivatives(self, output: str) -> np.ndarray:
         run, model = self.run, self.run.model
@@ -90,16 +90,16 @@ class OutputDerivatives:
         raise NoDerivativeError(without_derivative(output) or OWN)
 
     def _at(self, time: float, history: str) -> np.ndarray:
-        found: np.ndarray = self.of.along(np.array([time]), history)[0]
-        return found
+        derivatives: np.ndarray = self.of.along(np.array([time]), history)[0]
+        return derivatives
 
-    def _largest_impact(self, what: str, pair: str) -> np.ndarray:
+    def _largest_impact(self, quantity: str, pair: str) -> np.ndarray:
         some = [i for i, impact in enumerate(self.run.impacts) if pair in ("", impact.contact)]
         if not some:
             return np.zeros(len(self.of.names))
-        top = max(some, key=lambda i: getattr(self.run.impacts[i], what))
-        found: np.ndarray = self.of.along_impacts(what)[top]
-        return found
+        top = max(some, key=lambda i: getattr(self.run.impacts[i], quantity))
+        derivatives: np.ndarray = self.of.along_impacts(quantity)[top]
+        return derivatives
 
     # -- integrals ---------------------------------------------------------------------------------------------------
 
@@ -117,15 +117,15 @@ class OutputDerivatives:
         changes = self.of.along(history.t[index] + later, name)
         values = history.between(index, later)[name]
         weight = np.outer(h, np.tile(weights / 2, panels)).ravel() * slope(values)
-        found: np.ndarray = weight @ changes
+        derivatives: np.ndarray = weight @ changes
         rows, instants = self.of.events
         if len(rows):
             before, after = self._sides(name, rows)
             jump, known = of(before) - of(after), np.isfinite(instants).all(axis=1)
             if np.any(np.abs(jump[~known]) > LEVEL * np.max(np.abs(of(values)))):
                 raise NoDerivativeError(STOPS)
-            found += jump[known] @ instants[known]
-        return found
+            derivatives += jump[known] @ instants[known]
+        return derivatives
 
     def _sides(self, name: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the limits of a history before and after the events before rows (n,).
@@ -139,8 +139,8 @@ class OutputDerivatives:
 
         def limit(index: np.ndarray, begin: np.ndarray, by: np.ndarray) -> np.ndarray:
             near, far = (history.between(index, begin + part * by)[name] for part in (1, 2))
-            found: np.ndarray = 2 * near - far
-            return found
+            extrapolated: np.ndarray = 2 * near - far
+            return extrapolated
 
         return limit(rows - 1, steps[rows - 1], -by[rows - 1]), limit(rows, 0 * steps[rows], by[rows])
 
@@ -155,8 +155,8 @@ class OutputDerivatives:
 
     def _mean(self, name: str) -> np.ndarray:
         self._within_horizon()
-        found: np.ndarray = self._integral(name, lambda h: h, np.ones_like) / self._time
-        return found
+        derivatives: np.ndarray = self._integral(name, lambda h: h, np.ones_like) / self._time
+        return derivatives
 
     def _norm(self, name: str, order: int) -> np.ndarray:
         self._within_horizon()
@@ -164,8 +164,8 @@ class OutputDerivatives:
         if value == 0:
             raise NoDerivativeError("it is zero throughout, where a root has no derivative")
         by = self._integral(name, lambda h: (h / value) ** order, lambda h: order * (h / value) ** (order - 1) / value)
-        found: np.ndarray = value * by / (order * self._time)
-        return found
+        derivatives: np.ndarray = value * by / (order * self._time)
+        return derivatives
 
     @property
     def _time(self) -> float:
@@ -193,15 +193,15 @@ class OutputDerivatives:
         return self.of.after_event(int(near[0]), name)
 
     def _peak_to_peak(self, name: str) -> np.ndarray:
-        found: np.ndarray = self._extreme(name, 1) - self._extreme(name, -1)
-        return found
+        derivatives: np.ndarray = self._extreme(name, 1) - self._extreme(name, -1)
+        return derivatives
 
 
 _REDUCERS: dict[str, Callable[[OutputDerivatives, str], np.ndarray]] = {
-    "max": lambda found, name: found._extreme(name, 1),
-    "min": lambda found, name: found._extreme(name, -1),
+    "max": lambda derivatives, name: derivatives._extreme(name, 1),
+    "min": lambda derivatives, name: derivatives._extreme(name, -1),
     "mean": OutputDerivatives._mean,
-    "rms": lambda found, name: found._norm(name, 2),
+    "rms": lambda derivatives, name: derivatives._norm(name, 2),
     "peak_to_peak": OutputDerivatives._peak_to_peak,
-    **{kind: lambda found, name, order=order: found._norm(name, order) for kind, order in NORMS.items()},  # type: ignore[misc]
+    **{kind: lambda derivatives, name, order=order: derivatives._norm(name, order) for kind, order in NORMS.items()},  # type: ignore[misc]
 }

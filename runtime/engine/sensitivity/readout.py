@@ -31,19 +31,19 @@ class Readout:
 
     def __call__(self, model: EngineModel) -> Any:
         """Build the function; raises KeyError for an unknown history."""
-        given = model.symbols(ARGUMENTS)
-        value = Expressions(model, given)[self.name]
-        return ca.Function("readout", given, [ca.densify(ca.SX(value))])
+        arguments = model.symbols(ARGUMENTS)
+        value = Expressions(model, arguments)[self.name]
+        return ca.Function("readout", arguments, [ca.densify(ca.SX(value))])
 
 
 class Expressions:
     """Expressions of histories by name, in a state under its modes; KeyError for an unknown one."""
 
-    def __init__(self, model: EngineModel, given: list[Any]) -> None:
+    def __init__(self, model: EngineModel, arguments: list[Any]) -> None:
         self.model = model
-        self.t, self.y, self.mode, self.m, self.c, self.p = given
+        self.t, self.y, self.mode, self.m, self.c, self.p = arguments
         self.q, self.u, self.z = model.parts(self.y)
-        self.ends = written_flow(model).at(*given[:-1])
+        self.ends = written_flow(model).at(*arguments[:-1])
 
     def __getitem__(self, name: str) -> Any:
         model, m = self.model, self.m
@@ -96,16 +96,16 @@ class Expressions:
         if part == "penetration":
             return penetrations(self.model, at, self.mode, self.c)[j]
         if part == "sliding_velocity":
-            found = self.model.function(f"contact_{pair}").call([self.t, self.q, self.u, self.z, self.m, self.c])[3]
-            return ca.if_else(self.mode[j] == CONTACT, found, 0)  # apart, the direction of contact may not exist
+            value = self.model.function(f"contact_{pair}").call([self.t, self.q, self.u, self.z, self.m, self.c])[3]
+            return ca.if_else(self.mode[j] == CONTACT, value, 0)  # apart, the direction of contact may not exist
         return self.ends[{"normal_force": "force"}.get(part, part)][j]
 
-    def _reading(self, asked: Reading) -> Any:
+    def _reading(self, reading: Reading) -> Any:
         """Reading; of a contact 0 while its surfaces are apart."""
-        model, found, of_contact = self.model, readings_of(self.model), asked.function == CONTACTS
-        constants = found.module.constants(self.p)
-        touching = [] if of_contact else [self._reading(found.rows[name]) for name in found.module.TOUCHING]
-        given = {
+        model, readings, of_contact = self.model, readings_of(self.model), reading.function == CONTACTS
+        constants = readings.module.constants(self.p)
+        touching = [] if of_contact else [self._reading(readings.rows[name]) for name in readings.module.TOUCHING]
+        values = {
             **{"t": self.t, "q": self.q, "u": self.u, "z": self.z, "m": self.m, "friction": self.ends["friction"]},
             **{"a": self.ends["dy"][model.nq : model.nq + model.nu], "touching": ca.vertcat(ca.SX(0, 1), *touching)},
             "multipliers": self._held() if model.nl else ca.SX(0, 1),
@@ -113,10 +113,12 @@ class Expressions:
             if model.has_function("loads")
             else ca.SX.zeros(model.function("accelerations").size1_out(1)),
             "c": ca.vertcat(
-                ca.SX(constants)[: len(found.module.CONSTANTS) - model.npieces], self.c[model.nc - model.npieces :]
+                ca.SX(constants)[: len(readings.module.CONSTANTS) - model.npieces], self.c[model.nc - model.npieces :]
             ),
         }
-        results = getattr(found.module, asked.function)(*(given[name] for name in READ_FROM[asked.function].split()))
-        columns = results[asked.result] if isinstance(results, tuple) else results
-        value = columns[[row.name for row in found.together(asked)].index(asked.name)]
-        return ca.if_else(self.mode[asked.result] == CONTACT, value, 0) if of_contact else value
+        results = getattr(readings.module, reading.function)(
+            *(values[name] for name in READ_FROM[reading.function].split())
+        )
+        columns = results[reading.result] if isinstance(results, tuple) else results
+        value = columns[[row.name for row in readings.together(reading)].index(reading.name)]
+        return ca.if_else(self.mode[reading.result] == CONTACT, value, 0) if of_contact else value

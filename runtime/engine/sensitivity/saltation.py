@@ -94,8 +94,8 @@ class Jumps:
     @cached_property
     def determined(self) -> np.ndarray:
         """Whether guards determine the time of each event (j,), and it changes smoothly."""
-        found: np.ndarray = self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
-        return found
+        determined: np.ndarray = self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
+        return determined
 
     @cached_property
     def change(self) -> np.ndarray:
@@ -109,14 +109,14 @@ class Jumps:
             return np.zeros((len(self.rows), self.change.shape[2]))
         first = np.arange(len(self.rows)), self.guards.argmax(axis=1)
         speed = np.where(self.determined, self.speed[first], np.inf)
-        found: np.ndarray = -self.change[first] / speed[:, None]
-        return found
+        time: np.ndarray = -self.change[first] / speed[:, None]
+        return time
 
     @cached_property
     def then(self) -> np.ndarray:
         """Maps (j, size, n + P) to the changes of what is watched, at the events."""
-        found: np.ndarray = self.change + self.speed[:, :, None] * self.time[:, None]
-        return found
+        changes: np.ndarray = self.change + self.speed[:, :, None] * self.time[:, None]
+        return changes
 
     def maps(self, floor: np.ndarray) -> np.ndarray:
         """Return the maps (j, n, n + P) to the changes after the events.
@@ -125,9 +125,9 @@ class Jumps:
         """
         (before, after), time = self.slopes, self.time[:, None]
         (events, ny), n = before.shape, before.shape[1] + self.at.to_memory.shape[2]
-        found = np.zeros((events, n, n + len(floor)))
-        found[:, np.arange(n), np.arange(n)] = 1
-        state, memory = found[:, :ny], found[:, ny:]
+        maps = np.zeros((events, n, n + len(floor)))
+        maps[:, np.arange(n), np.arange(n)] = 1
+        state, memory = maps[:, :ny], maps[:, ny:]
         state += before[:, :, None] * time
         for row, pair in self.ledgers:
             state[:, row] += self.booked[:, [pair]] * self.then[:, self.places["stored"].start + pair]
@@ -141,10 +141,10 @@ class Jumps:
             memory[of == FLOORED, latch] = np.append(np.zeros(n), floor)
         # the margin tells that sliding ends along the slip; across it, friction has held it to a straight end
         held = self.rested[self.stops]
-        stopped = np.concatenate([held.to_state, held.to_memory], axis=2) @ found[self.stops]
+        stopped = np.concatenate([held.to_state, held.to_memory], axis=2) @ maps[self.stops]
         stopped[:, :, n:] += held.by_constants
         state[self.stops] = stopped
-        return found
+        return maps
 
     def first_without(self, before: np.ndarray, least: np.ndarray) -> tuple[int, str]:
         """Return the first event after which there is no derivative, and why; else how many events, and "".
@@ -177,11 +177,11 @@ def switched(history: History) -> np.ndarray:
 def _sliding(history: History) -> np.ndarray:
     """Return the slips (rows, ns), of pairs that slide in two directions 1 or 0: theirs follow the motion."""
     model = history.model
-    found = history.part("m")[:, model.nm - model.ns :].copy()
+    slips = history.part("m")[:, model.nm - model.ns :].copy()
     for group in groups_of(grips_of(model)):
         if len(group) > 1:
-            found[:, group] = np.any(found[:, group] != 0, axis=1, keepdims=True)
-    return found
+            slips[:, group] = np.any(slips[:, group] != 0, axis=1, keepdims=True)
+    return slips
 
 
 def _happened(history: History) -> np.ndarray:
@@ -189,9 +189,9 @@ def _happened(history: History) -> np.ndarray:
     mode, counted = history.part("mode"), np.diff(history.part("events")[:, 0])
     some = np.flatnonzero(counted)
     begun = ((mode[some + 1] == CONTACT) & (mode[some] == FLIGHT)).sum(axis=1)
-    found = np.zeros(len(counted), dtype=bool)
-    found[some] = counted[some] > begun
-    return found
+    happened = np.zeros(len(counted), dtype=bool)
+    happened[some] = counted[some] > begun
+    return happened
 
 
 def events_of(history: History, after: np.ndarray, directions: Directions) -> Jumps:
@@ -249,11 +249,11 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
 
 def _stopping(history: History, index: np.ndarray) -> np.ndarray:
     """Return whether a pair that slid in two directions sticks after the steps (j,) from rows `index`."""
-    sliding, found = _sliding(history), np.zeros(len(index), dtype=bool)
+    sliding, stopping = _sliding(history), np.zeros(len(index), dtype=bool)
     for group in groups_of(grips_of(history.model)):
         if len(group) > 1:
-            found |= (sliding[index, group[0]] == 1) & (sliding[index + 1, group[0]] == 0)
-    return found
+            stopping |= (sliding[index, group[0]] == 1) & (sliding[index + 1, group[0]] == 0)
+    return stopping
 
 
 def tables_of_events(history: History, count: int) -> list[Rowwise]:
@@ -273,8 +273,8 @@ def _slipping(history: History, index: np.ndarray, before: np.ndarray, h: np.nda
     turned = slips[index] != slips[index + 1]
     own = turned & (np.abs(margin) <= np.abs(rate) * NEAR * h[:, None])
     first = turned & (np.cumsum(turned, axis=1) == 1)
-    found: np.ndarray = np.where(own.any(axis=1)[:, None], own, first)
-    return found
+    slipping: np.ndarray = np.where(own.any(axis=1)[:, None], own, first)
+    return slipping
 
 
 def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.ndarray:
@@ -292,10 +292,10 @@ def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.
     )
     change, before = third - second, second - first
     curved = change - before
-    found: np.ndarray = third - np.where(
+    rates: np.ndarray = third - np.where(
         np.abs(change) < np.abs(before), change**2 / np.where(curved == 0, 1, curved), 0
     )
-    return found
+    return rates
 
 
 def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
@@ -307,8 +307,8 @@ def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
         moved[:, layout["y"]] += longest * rows[:, layout["dy"]]
     parts = (moved[:, layout[part]] for part in PARTS)
     pieces = [rows[:, layout["pieces"]]] if history.model.inputs else []
-    found: np.ndarray = _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
-    return found
+    rates: np.ndarray = _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
+    return rates
 
 
 @per_model
@@ -318,7 +318,7 @@ def _rates(model: EngineModel) -> Rowwise:
 
 def _parts(model: EngineModel) -> tuple[list[Any], dict[str, Any]]:
     """Arguments of `watched`, and expressions in them by name."""
-    t, y, mode, m, c, _ = given = model.symbols(ARGUMENTS)
+    t, y, mode, m, c, _ = arguments = model.symbols(ARGUMENTS)
     ends = written_flow(model).at(t, y, mode, m, c)
     q, u, _ = model.parts(y)
     parts = {name: ends[name] for name in GUARDS}
@@ -326,28 +326,28 @@ def _parts(model: EngineModel) -> tuple[list[Any], dict[str, Any]]:
         parts["stored"] = model.function("energy")(t, q, u, c)[2]
     if model.ne:
         parts["jumped"] = jump(model)(t, y, c, LEVEL)[: model.nq]
-    return given, parts
+    return arguments, parts
 
 
 @per_model
 def watched_columns(model: EngineModel) -> dict[str, slice]:
     """Rows of `watched` by name."""
-    found, start = {}, 0
+    columns, start = {}, 0
     for name, part in _parts(model)[1].items():
-        found[name] = slice(start, start := start + part.numel())
-    return found
+        columns[name] = slice(start, start := start + part.numel())
+    return columns
 
 
 @per_model
 def watched(model: EngineModel) -> Any:
     """Build the function of everything that a jump depends on."""
-    given, parts = _parts(model)
-    return ca.Function("watched", given, [ca.vertcat(*map(ca.vec, parts.values()))])
+    arguments, parts = _parts(model)
+    return ca.Function("watched", arguments, [ca.vertcat(*map(ca.vec, parts.values()))])
 
 
 @per_model
 def rested(model: EngineModel) -> Any:
     """Build the function of the state (ny) whose sticking pairs are at rest."""
-    t, y, mode, m, c, _ = given = model.symbols(ARGUMENTS)
+    t, y, mode, m, c, _ = arguments = model.symbols(ARGUMENTS)
     slips = m[model.nm - model.ns :]
-    return ca.Function("rested", given, [at_rest(model)(t, y, mode, m, c, slips)[1] if model.ns else y])
+    return ca.Function("rested", arguments, [at_rest(model)(t, y, mode, m, c, slips)[1] if model.ns else y])

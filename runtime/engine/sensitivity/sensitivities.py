@@ -97,7 +97,7 @@ def _difference(model: EngineModel, bound: BoundParameters, initial: Mapping[str
     step = STEP * (abs(value) or 1.0)
 
     def at(change: float) -> np.ndarray:
-        moved, given = bound, dict(initial)
+        moved, values = bound, dict(initial)
         if name in parameters:
             p = bound.p.copy()
             p[parameters.index(name)] += change
@@ -105,9 +105,9 @@ def _difference(model: EngineModel, bound: BoundParameters, initial: Mapping[str
             c[model.nc - model.npieces :] = bound.c[model.nc - model.npieces :]
             moved = replace(bound, p=p, c=c)
         else:
-            given[name] = (value + change, joints.units[name])
+            values[name] = (value + change, joints.units[name])
         faults: list[Fault] = []
-        q, u = read_start(model, moved, given, faults)
+        q, u = read_start(model, moved, values, faults)
         if faults:
             raise InputError(f"start of {model.name} with another {name}", faults)
         if model.ne:
@@ -117,8 +117,8 @@ def _difference(model: EngineModel, bound: BoundParameters, initial: Mapping[str
         return np.concatenate([q, u])
 
     whole, half = ((at(d) - at(-d)) / (2 * d) for d in (step, step / 2))
-    found: np.ndarray = (4 * half - whole) / 3
-    return found
+    derivative: np.ndarray = (4 * half - whole) / 3
+    return derivative
 
 
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
@@ -185,11 +185,11 @@ class Sensitivities:
 
     # -- what is read ------------------------------------------------------------------------------------------------
 
-    def __getitem__(self, asked: tuple[str, str]) -> np.ndarray:
+    def __getitem__(self, key: tuple[str, str]) -> np.ndarray:
         """Derivative of a history with respect to a name, shape (rows,), SI.
 
         At the run's steps; nan beyond `until`."""
-        name, to = asked
+        name, to = key
         everywhere = np.arange(len(self.history.rows))
         return self._at(everywhere, np.zeros(len(everywhere)), name)[:, self._column(to)]
 
@@ -243,7 +243,7 @@ class Sensitivities:
         return {
             name: {
                 "final": {state: float(self.at(np.array([end]), state, name)[0]) for state in states},
-                "impacts": {what: self.impacts(what, name).tolist() for what in OF_IMPACT},
+                "impacts": {quantity: self.impacts(quantity, name).tolist() for quantity in OF_IMPACT},
                 "until": self.until,
                 "reason": self.reason,
             }
@@ -254,24 +254,24 @@ class Sensitivities:
         """Return the SI unit text of a derivative, such as "N/(m/s)"."""
         return ratio(self.history.units[name], quantities(self.history.model)[to])
 
-    def impacts(self, what: str, to: str) -> np.ndarray:
+    def impacts(self, quantity: str, to: str) -> np.ndarray:
         """Return the derivatives of one number of the impacts, shape (impacts,).
 
         what    "t", "speed", "peak_force" or "peak_penetration"
 
         nan for the onset of a contact that the run began with, and beyond `until`.
         """
-        return self.along_impacts(what)[:, self._column(to)]
+        return self.along_impacts(quantity)[:, self._column(to)]
 
-    def along_impacts(self, what: str) -> np.ndarray:
+    def along_impacts(self, quantity: str) -> np.ndarray:
         """Return the derivatives (impacts, P) of one number of the impacts by all `names`."""
         onsets = []
         for pair, mode in enumerate(self.history.part("mode").T):
             touching = goes_on(mode, False)
             rows = np.flatnonzero(touching & ~np.concatenate([[False], touching[:-1]]))
             onsets += [(int(row), pair) for row in rows]
-        of = self._peaks if what in PEAKS else self._onset
-        changes: np.ndarray = of(what, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)
+        of = self._peaks if quantity in PEAKS else self._onset
+        changes: np.ndarray = of(quantity, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)
         return changes
 
     # -- how it is found ---------------------------------------------------------------------------------------------
@@ -279,34 +279,34 @@ class Sensitivities:
     def _at(self, index: np.ndarray, h: np.ndarray, name: str) -> np.ndarray:
         """Return the changes (n, P) of a history a time h (n,) [s] after rows `index` (n,), under their modes."""
         history = self.history
-        found, ny = self._followed.after[index], history.engine.layouts.state.sizes["y"]
+        after, ny = self._followed.after[index], history.engine.layouts.state.sizes["y"]
         moves = h > 0
         apart = np.append(self._followed.apart, False)[index] & moves
-        found[apart] = along(
-            transitions(history, index[apart], h[apart], self._followed.switched, self._directions), found[apart]
+        after[apart] = along(
+            transitions(history, index[apart], h[apart], self._followed.switched, self._directions), after[apart]
         )
         moves &= ~apart
         if moves.any():
-            found[moves] = later(
-                history, index[moves], h[moves], found[moves], self._directions.dc, self._followed.switched
+            after[moves] = later(
+                history, index[moves], h[moves], after[moves], self._directions.dc, self._followed.switched
             )
         rows = history.later(history.rows[index], h)
         at = tangent(Readout(name), history, rows, self._directions)
-        changes: np.ndarray = at.along(found[:, :ny], found[:, ny:])[:, 0]
+        changes: np.ndarray = at.along(after[:, :ny], after[:, ny:])[:, 0]
         return changes
 
-    def _onset(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+    def _onset(self, quantity: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of times or approach speeds of onsets before rows of the run."""
         event = self._followed.at_rows[rows]
         speeds = watched_columns(self.history.model)["gap_rate"].start + pairs
-        changes = self._followed.times[event] if what == "t" else -self._followed.then[event, speeds]
+        changes = self._followed.times[event] if quantity == "t" else -self._followed.then[event, speeds]
         return np.where(event[:, None] >= 0, changes, np.nan)
 
-    def _peaks(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+    def _peaks(self, quantity: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of the largest forces or penetrations of contacts from rows of the run on.
 
         They are those at its instant: the time of a largest value does not count."""
-        history, (part, sign, history_of) = self.history, PEAKS[what]
+        history, (part, sign, history_of) = self.history, PEAKS[quantity]
         values, rates = (sign * history.part(kind) for kind in (part, f"{part}_rate"))
         mode, t = history.part("mode"), history.t
         index, end = rows.copy(), np.full(len(rows), len(t) - 1)
@@ -315,7 +315,7 @@ class Sensitivities:
             end[k] = row + apart[0] if len(apart) else end[k]
             top = row + int(np.argmax(values[row : end[k], pair]))
             index[k] = top if rates[top, pair] > 0 else top - 1
-        found = np.empty((len(rows), len(self.names)))
+        changes = np.empty((len(rows), len(self.names)))
         inside = index >= rows  # else largest at its onset
         low, high = np.zeros(len(rows)), t[np.minimum(index + 1, end)] - t[index]
         place = history.columns(f"{part}_rate").start + pairs
@@ -326,16 +326,16 @@ class Sensitivities:
         for pair in np.unique(pairs):
             name = f"{history.model.pairs[pair]}.{history_of}"
             some = pairs == pair
-            found[some & inside] = self._at(index[some & inside], low[some & inside], name)
-            found[some & ~inside] = self._just_after(name, rows[some & ~inside])
-        return found
+            changes[some & inside] = self._at(index[some & inside], low[some & inside], name)
+            changes[some & ~inside] = self._just_after(name, rows[some & ~inside])
+        return changes
 
     def _just_after(self, name: str, rows: np.ndarray) -> np.ndarray:
         """Return the changes (n, P) of a history just after the events before rows, whose times change too."""
         event, ny = self._followed.at_rows[rows], self.history.engine.layouts.state.sizes["y"]
-        found = tangent(Readout(name), self.history, self.history.rows[rows], self._directions)
-        rate, changes = found.rate(self.history.part("dy")[rows])[:, 0], self._followed.after[rows]
-        there = found.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._followed.times[event]
+        derivative = tangent(Readout(name), self.history, self.history.rows[rows], self._directions)
+        rate, changes = derivative.rate(self.history.part("dy")[rows])[:, 0], self._followed.after[rows]
+        there = derivative.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._followed.times[event]
         return np.where(event[:, None] >= 0, there, np.nan)
 
     def _column(self, to: str) -> int:

@@ -67,8 +67,8 @@ def columns_of(dc: np.ndarray) -> Columns:
 
 def changes_of(dc: np.ndarray) -> np.ndarray:
     """Return the changes (nd,) of constants, column after column, without those that are zero."""
-    found: np.ndarray = dc.T[dc.T != 0]
-    return found
+    changes: np.ndarray = dc.T[dc.T != 0]
+    return changes
 
 
 @dataclass(frozen=True)
@@ -93,12 +93,12 @@ def link(_: EngineModel, integrator: Integrator, methods: tuple[int, ...], colum
         for table in (integrator.tables[method] for method in methods)
         for contacts in contact_classes(integrator.model)
     ]
-    given = _arguments(integrator, columns)
-    x, linear = given[0], given[2]
+    arguments = _arguments(integrator, columns)
+    x, linear = arguments[0], arguments[2]
     n = x.size1()
     still = ca.MX.zeros(len(columns), 2)
-    idle = ca.Function("idle", given, [x, still])
-    mapped = ca.Function("mapped", given, [ca.mtimes(linear[:, :n], x) + linear[:, n:], still])
+    idle = ca.Function("idle", arguments, [x, still])
+    mapped = ca.Function("mapped", arguments, [ca.mtimes(linear[:, :n], x) + linear[:, n:], still])
     return Link(ca.Function.conditional("link", [idle, *steps], mapped), 1 + len(steps))
 
 
@@ -150,13 +150,13 @@ class _Begin:
 
 def _begin(integrator: Integrator, columns: Columns) -> _Begin:
     layouts = integrator.layouts
-    x, row, _, controls, dc = given = _arguments(integrator, columns)
+    x, row, _, controls, dc = arguments = _arguments(integrator, columns)
     sizes = [1, 1, *(layouts.state.sizes[part] for part in PARTS)]
     h, even, *parts = ca.vertsplit(row, [0, *np.cumsum(sizes).tolist()])
     start = dict(zip(PARTS, parts, strict=True))
     run = layouts.within(layouts.controls.split(controls), {**start, "stop": 0})
     c, ny = relax_redundant(integrator.model)(start, run)["c"], start["y"].numel()
-    return _Begin(given, h, even, start, run, c, x[:ny, :], x[ny:, :], dc)
+    return _Begin(arguments, h, even, start, run, c, x[:ny, :], x[ny:, :], dc)
 
 
 def _combined(weights: Sequence[float], slopes: list[Any]) -> Any:
@@ -198,11 +198,11 @@ def _implicit(integrator: Integrator, contacts: Contacts, columns: Columns) -> A
         linearised(model, contacts),
         _changes(model, contacts, columns),
     )
-    t, y, *given = (at.start[part] for part in PARTS[:4])
-    given.append(at.c)
+    t, y, *conditions = (at.start[part] for part in PARTS[:4])
+    conditions.append(at.c)
     time, pace = at.within(table.c[0])
-    J = linear(t, y, *given)[0]
-    slopes, changes = [pace * rates(t, y, *given)], [pace * change(t, y, *given, at.S, at.M, at.dc)]
+    J = linear(t, y, *conditions)[0]
+    slopes, changes = [pace * rates(t, y, *conditions)], [pace * change(t, y, *conditions, at.S, at.M, at.dc)]
     solved: Any = 1
     last: Any = 0  # largest square of the last changes by Newton's method, in tolerances
     for row, node, predictor in zip(table.A[1:], table.c[1:], table.predictors[1:], strict=True):
@@ -212,16 +212,16 @@ def _implicit(integrator: Integrator, contacts: Contacts, columns: Columns) -> A
         known = y + _combined(row[:-1], slopes)
         w = table.gamma * _combined(predictor, slopes)
         for _ in range(ITERATIONS):
-            by = solve(step * rates(time, known + w, *given) - w)
+            by = solve(step * rates(time, known + w, *conditions) - w)
             w += by
         last = ca.fmax(last, ca.mmax((by / (at.run["tolerance"] * at.run["scale"])) ** 2))
         state, S = known + w, at.S + _combined(row[:-1], changes)
-        own, sources = linear(time, state, *given)[0], step * change(time, state, *given, S, at.M, at.dc)
-        found = ca.horzcat(*map(solver_of_calls(own, step, model.nq), ca.horzsplit(sources)))
-        solved *= solves(own, step, found, sources)
+        own, sources = linear(time, state, *conditions)[0], step * change(time, state, *conditions, S, at.M, at.dc)
+        solution = ca.horzcat(*map(solver_of_calls(own, step, model.nq), ca.horzsplit(sources)))
+        solved *= solves(own, step, solution, sources)
         slopes.append(w / table.gamma)
-        changes.append(found / table.gamma)
-    end = S + found
+        changes.append(solution / table.gamma)
+    end = S + solution
     error = ca.mtimes(at.weights, _combined(table.error.weights, changes) ** 2)
     results = [ca.vertcat(end, at.M), at.squares(ca.if_else(ca.logic_and(solved, last <= 1), error, np.inf), end)]
     return ca.Function("implicit_step", at.arguments, results)
@@ -245,47 +245,51 @@ def _changes(model: EngineModel, contacts: Contacts, columns: Columns) -> Any:
 
     Forward along the columns costs each of them some times the rates; by Jacobians it is little but their nonzeros.
     """
-    _, y, _, m, c = given = model.symbols("t y mode m c")
+    _, y, _, m, c = arguments = model.symbols("t y mode m c")
     fixed, count = model.npieces if model.inputs else 0, len(columns)  # inputs are given, and do not change
     S, M = (ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m)))
     rows, of = [row for rows in columns for row in rows], [k for k, rows in enumerate(columns) for _ in rows]
     dc = ca.SX.sym("dc", len(rows))
     of_constants = ca.SX(ca.Sparsity.triplet(model.nc, count, rows, of), dc)
     of_constants = ca.vertcat(of_constants[: model.nc - fixed, :], ca.SX(fixed, count))
-    rates, by, along = written_flow(model, contacts).rates(*given), ca.vertcat(y, m, c), ca.vertcat(S, M, of_constants)
+    rates, by, along = (
+        written_flow(model, contacts).rates(*arguments),
+        ca.vertcat(y, m, c),
+        ca.vertcat(S, M, of_constants),
+    )
     ways = [ca.jtimes(rates, by, along)]
     if count > 1 and written_flow(model, contacts).rates.n_instructions() <= SMALL:
         ways.append(ca.mtimes(ca.jacobian(rates, by), along))
-    found = [ca.Function("changes", [*given, S, M, dc], [ca.cse(ca.densify(way))]) for way in ways]
-    return min(found, key=lambda function: function.n_instructions())
+    functions = [ca.Function("changes", [*arguments, S, M, dc], [ca.cse(ca.densify(way))]) for way in ways]
+    return min(functions, key=lambda function: function.n_instructions())
 
 
 def _chain(link: Link) -> Any:
     """Build the function of many links in a row -> X and error after each."""
-    kind, *given = link.function.mx_in()
-    x, row, linear, controls, dc = given
-    many = ca.Function("link", [x, ca.vertcat(kind, row), linear, controls, dc], link.function.call([kind, *given]))
+    kind, *arguments = link.function.mx_in()
+    x, row, linear, controls, dc = arguments
+    many = ca.Function("link", [x, ca.vertcat(kind, row), linear, controls, dc], link.function.call([kind, *arguments]))
     for i, size in enumerate(SIZES):
         x, rows, maps, controls, dc = (
             ca.MX.sym(name, part.size1(), part.size2() * (size if name in ("rows", "linear") else 1))
             for name, part in zip(("x", "rows", "linear", "controls", "dc"), many.mx_in(), strict=True)
         )
-        given, found = [x, rows, maps, controls, dc], []
+        arguments, results = [x, rows, maps, controls, dc], []
         width = x.size2()
         for row, linear in zip(
             ca.horzsplit(rows, rows.size2() // size), ca.horzsplit(maps, maps.size2() // size), strict=True
         ):
-            found.append(many.call([x, row, linear, controls, dc], False, True))
-            x = found[-1][0][:, -width:]
-        many = ca.Function(f"links_{i}", given, [ca.horzcat(*part) for part in zip(*found, strict=True)])
+            results.append(many.call([x, row, linear, controls, dc], False, True))
+            x = results[-1][0][:, -width:]
+        many = ca.Function(f"links_{i}", arguments, [ca.horzcat(*part) for part in zip(*results, strict=True)])
     return many
 
 
 def along(maps: np.ndarray, before: np.ndarray) -> np.ndarray:
     """Return the changes (..., P) that maps (..., n + P) make of those before them (..., n, P)."""
     n = before.shape[-2]
-    found: np.ndarray = maps[..., :n] @ before + maps[..., n:]
-    return found
+    after: np.ndarray = maps[..., :n] @ before + maps[..., n:]
+    return after
 
 
 @per_model
@@ -475,16 +479,16 @@ def later(
 
     index (j,): the rows; before (j, n, P): changes at them
     """
-    found = np.empty_like(before)
+    after = np.empty_like(before)
     rows = links_after(history, index, h, switched)
     for first in range(0, before.shape[2], WIDTH):
         some = slice(first, first + WIDTH)
-        given, changes = before[:, :, some].swapaxes(1, 2), dc[:, some]
+        columns, changes = before[:, :, some].swapaxes(1, 2), dc[:, some]
         constant = np.concatenate([history.controls, changes_of(changes)])
         one = _rowwise(history.model, history.engine, methods_of(history), columns_of(changes))
-        (x,) = one(constant, given.reshape(len(index), -1), rows)
-        found[:, :, some] = x.reshape(given.shape).swapaxes(1, 2)
-    return found
+        (x,) = one(constant, columns.reshape(len(index), -1), rows)
+        after[:, :, some] = x.reshape(columns.shape).swapaxes(1, 2)
+    return after
 
 
 @per_model
@@ -493,6 +497,6 @@ def _rowwise(model: EngineModel, integrator: Integrator, methods: tuple[int, ...
     row = ca.MX.sym("row", 1 + row.numel())  # its kind first
     both, column = ca.MX.sym("both", controls.numel() + dc.numel()), ca.MX.sym("x", x.numel())
     c, changes = ca.vertsplit(both, [0, controls.numel(), both.numel()])
-    given = [ca.reshape(column, *x.shape), row[1:], ca.MX.zeros(*linear.shape), c, changes]
-    after, _ = link(model, integrator, methods, columns).function.call([row[0], *given])
+    arguments = [ca.reshape(column, *x.shape), row[1:], ca.MX.zeros(*linear.shape), c, changes]
+    after, _ = link(model, integrator, methods, columns).function.call([row[0], *arguments])
     return Rowwise(ca.Function("later", [both, column, row], [ca.vec(after)]), constant=0)

@@ -46,13 +46,13 @@ class Tangent:
 
     def along(self, state: np.ndarray, memory: np.ndarray) -> np.ndarray:
         """Return the change (n, size, P) where y and m change by these (n, ny, P), (n, nm, P), at fixed time."""
-        found: np.ndarray = self.to_state @ state + self.to_memory @ memory + self.by_constants
-        return found
+        change: np.ndarray = self.to_state @ state + self.to_memory @ memory + self.by_constants
+        return change
 
     def rate(self, slope: np.ndarray) -> np.ndarray:
         """Return the rate (n, size) of the value where y moves at dy/dt (n, ny)."""
-        found: np.ndarray = self.to_time + (self.to_state @ slope[..., None])[..., 0]
-        return found
+        rate: np.ndarray = self.to_time + (self.to_state @ slope[..., None])[..., 0]
+        return rate
 
 
 @dataclass(frozen=True)
@@ -127,5 +127,5 @@ def rowwise(model: EngineModel, build: Callable[[EngineModel], Any], count: int)
 @per_model
 def rates(model: EngineModel) -> Any:
     """Return the function of dy/dt (ny)."""
-    given = model.symbols(ARGUMENTS)
-    return ca.Function("rates", given, [written_flow(model).rates(*given[:-1])])
+    arguments = model.symbols(ARGUMENTS)
+    return ca.Function("rates", arguments, [written_flow(model).rates(*arguments[:-1])])

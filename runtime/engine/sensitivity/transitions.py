@@ -54,14 +54,14 @@ def transitions(
     places, row = np.concatenate([np.zeros((0, len(_COLUMNS))), *parts]), index[of]
     ny = history.engine.layouts.state.sizes["y"]
     n, block = ny + history.model.nm, max(int(BYTES / (8 * (ny * NODES) ** 2)), 1)
-    found = np.zeros((len(index), n, n + directions.count))
-    found[:, np.arange(n), np.arange(n)] = 1
+    maps = np.zeros((len(index), n, n + directions.count))
+    maps[:, np.arange(n), np.arange(n)] = 1
     for first in range(0, len(row), block):
         some = slice(first, first + block)
         for k, grown in zip(of[some], _over(history, history.rows[row[some]], places[some], directions), strict=True):
-            found[k, :ny] += grown[:, :n] @ found[k]
-            found[k, :ny, n:] += grown[:, n:]
-    return found
+            maps[k, :ny] += grown[:, :n] @ maps[k]
+            maps[k, :ny, n:] += grown[:, n:]
+    return maps
 
 
 _COLUMNS = ("begin", "end", "event", "head")
@@ -101,8 +101,8 @@ def _distances(least: float, most: float, head: float) -> np.ndarray:
     if first >= most or not np.isfinite(most):
         return np.zeros(0)
     count = int(np.ceil(np.log(most / first) / np.log(GROWTH)))
-    found: np.ndarray = most * (first / most) ** (np.arange(count, 0, -1) / count)
-    return found
+    distances: np.ndarray = most * (first / most) ** (np.arange(count, 0, -1) / count)
+    return distances
 
 
 def _heads(history: History, events: np.ndarray) -> np.ndarray:
@@ -116,8 +116,8 @@ def _heads(history: History, events: np.ndarray) -> np.ndarray:
     changed = np.concatenate([mode[:1] == CONTACT, mode[1:] != mode[:-1]])[events]
     gap, rate = np.abs(rows.part("gap")), np.abs(rows.part("gap_rate"))
     wide = HEAD * bound
-    found: np.ndarray = np.where(changed & (gap < wide) & (rate > 0), wide / np.where(rate > 0, rate, 1), 0).max(axis=1)
-    return found
+    heads: np.ndarray = np.where(changed & (gap < wide) & (rate > 0), wide / np.where(rate > 0, rate, 1), 0).max(axis=1)
+    return heads
 
 
 @per_model
@@ -132,17 +132,17 @@ def _over(history: History, rows: np.ndarray, places: np.ndarray, directions: Di
     """
     head = places[:, _COLUMNS.index("head")] != 0
     widths = history.engine.layouts.state.sizes["y"], history.model.nm, directions.count
-    found = np.empty((len(rows), widths[0], sum(widths)))
+    growth = np.empty((len(rows), widths[0], sum(widths)))
     for some, over in ((~head, _collocated), (head, _by_powers)):
         if some.any():
-            found[some] = over(history, rows[some], places[some], directions)
-    return found
+            growth[some] = over(history, rows[some], places[some], directions)
+    return growth
 
 
 def _sources(history: History, rows: np.ndarray, directions: Directions) -> np.ndarray:
     """Return the rates of the changes (n, ny, ny + nm + P) by state, memory and directions."""
-    found = tangent(rates, history, rows, directions)
-    return np.concatenate([found.to_state, found.to_memory, found.by_constants], axis=2)
+    derivative = tangent(rates, history, rows, directions)
+    return np.concatenate([derivative.to_state, derivative.to_memory, derivative.by_constants], axis=2)
 
 
 def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> np.ndarray:

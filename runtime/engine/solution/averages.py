@@ -156,20 +156,20 @@ def averages_by_name(
     Those OF_IMPACTS need the impacts of the run alone, the others sums. Raises InputError.
     """
     faults: list[Fault] = []
-    asked, skipped = (seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
+    length, skipped = (seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
     if skip == 0:
         skipped = 0.0
     span = run.end - run.start
-    if not faults and asked is not None and asked > span:
-        faults.append(Fault("interval", f"{asked:g} s", f"at most the run's {span:g} s"))
+    if not faults and length is not None and length > span:
+        faults.append(Fault("interval", f"{length:g} s", f"at most the run's {span:g} s"))
     if not faults and skipped is not None and skipped >= span:
         faults.append(Fault("skip", f"{skipped:g} s", f"less than the run's {span:g} s"))
     if faults:
         raise InputError(f"averages of {run.model.name}", faults)
-    dt, count = run.findings.intervals(asked, run.end)
+    dt, count = run.findings.intervals(length, run.end)
     first = math.ceil((TRANSIENT * count if skipped is None else skipped / dt) - 1e-9)
-    shows_largest = asked is not None or run.findings.period is not None
-    return dict(_averages(run, dt, count, partial(run.findings.sums, asked), first, shows_largest=shows_largest))
+    shows_largest = length is not None or run.findings.period is not None
+    return dict(_averages(run, dt, count, partial(run.findings.sums, length), first, shows_largest=shows_largest))
 
 
 def seconds(name: str, value: str | float | None, faults: list[Fault]) -> float | None:
@@ -208,8 +208,16 @@ def _averages(
                 return Average(name, unit, None, None, 0, dt, "the run holds values that are not finite")
             if w is not None and not np.any(w):
                 return Average(name, unit, None, None, 0, dt, "no impact after the transient")
-            found = estimate(x, w, floor=tolerance * scale)
-            return Average(name, unit, found.mean, found.half_width, found.blocks, found.intervals * dt, found.reason)
+            estimated = estimate(x, w, floor=tolerance * scale)
+            return Average(
+                name,
+                unit,
+                estimated.mean,
+                estimated.half_width,
+                estimated.blocks,
+                estimated.intervals * dt,
+                estimated.reason,
+            )
 
         return name, computed
 

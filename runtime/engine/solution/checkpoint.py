@@ -61,7 +61,7 @@ def checkpoint_of(model: EngineModel, ending: Ending, initial: Mapping[str, Valu
 
 def digest(model: EngineModel) -> str:
     """Return the digest of a generated module's text, and of the values of its inputs."""
-    return "-".join((_text_digest(model), *(given[:32] for given in [digest_of(model.signals)] if given)))
+    return "-".join((_text_digest(model), *(of_inputs[:32] for of_inputs in [digest_of(model.signals)] if of_inputs)))
 
 
 @per_model

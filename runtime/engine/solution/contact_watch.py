@@ -100,8 +100,8 @@ class Watch:
 
         Peaks are found within the steps, to the accuracy of the run.
         """
-        (found,) = impacts_of([self])
-        return found
+        (impacts,) = impacts_of([self])
+        return impacts
 
 
 class Lasting(NamedTuple):
@@ -155,12 +155,12 @@ class LastingContacts:
         begins, ends = edges[::2], edges[1::2]
         if not len(begins):
             return
-        found = rows[begins]
-        found[:, 2] = np.maximum.reduceat(rows[:, 2], begins)
+        contacts = rows[begins]
+        contacts[:, 2] = np.maximum.reduceat(rows[:, 2], begins)
         if ends[-1] == len(rows):
-            self._open[j], found, ends = found[-1], found[:-1], ends[:-1]
-        found[:, 3] = rows[ends, 3] - found[:, 3]
-        left = found[found[:, 2] > BEYOND]
+            self._open[j], contacts, ends = contacts[-1], contacts[:-1], ends[:-1]
+        contacts[:, 3] = rows[ends, 3] - contacts[:, 3]
+        left = contacts[contacts[:, 2] > BEYOND]
         if left.size:
             self._ended.append((j, left))
 
@@ -178,8 +178,8 @@ def impacts_of(watches: Sequence[Watch]) -> list[tuple[Impact, ...]]:
     last = _with_peaks([(watch, [*watch.ended, *watch.open.values()]) for watch in watches])
     place = watches[0].model.pairs.index
     return [
-        tuple(sorted([*watch.known, *found], key=lambda impact: (impact.t, place(impact.contact))))
-        for watch, found in zip(watches, last, strict=True)
+        tuple(sorted([*watch.known, *impacts], key=lambda impact: (impact.t, place(impact.contact))))
+        for watch, impacts in zip(watches, last, strict=True)
     ]
 
 
@@ -191,22 +191,22 @@ def follow(watches: Sequence[Watch]) -> None:
         for j in sorted(open_or_new):
             _follow(left, pieces, j)
         many = [(watch, watch.ended) for watch in left if sum(len(some.t) for some in watch.ended) >= TOGETHER]
-        for (watch, _), found in zip(many, _with_peaks(many), strict=True):
-            watch.known += found
+        for (watch, _), impacts in zip(many, _with_peaks(many), strict=True):
+            watch.known += impacts
             watch.ended = []
 
 
-def _with_peaks(found: Sequence[tuple[Watch, Sequence[Contacts]]]) -> list[list[Impact]]:
+def _with_peaks(contacts: Sequence[tuple[Watch, Sequence[Contacts]]]) -> list[list[Impact]]:
     """Return the contacts of every run with their peaks."""
-    parts = [some for _, of_run in found for some in of_run]
+    parts = [some for _, of_run in contacts for some in of_run]
     if not parts:
-        return [[] for _ in found]
-    counts = [sum(len(some.t) for some in of_run) for _, of_run in found]
-    controls = np.repeat([watch.view.controls for watch, _ in found], counts, axis=0)
+        return [[] for _ in contacts]
+    counts = [sum(len(some.t) for some in of_run) for _, of_run in contacts]
+    controls = np.repeat([watch.view.controls for watch, _ in contacts], counts, axis=0)
     pairs = np.repeat([some.pair for some in parts], [len(some.t) for some in parts])
     t, speed, left, _, tops = (np.concatenate(tables) for tables in list(zip(*parts, strict=True))[1:])
-    values = peaks(found[0][0].view, controls, pairs, tops)
-    names = found[0][0].model.pairs
+    values = peaks(contacts[0][0].view, controls, pairs, tops)
+    names = contacts[0][0].model.pairs
     columns = (pairs, t, speed, values[:, 0], left - t, values[:, 1])
     impacts = (
         Impact(names[j], t, speed, force, None if math.isnan(duration) else duration, penetration)
@@ -248,18 +248,18 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     shifts = (np.array([rows.start for _, rows in pieces]) - starts)[run][:, None]
     onsets = np.where(joins[:, None], 0, begins[:, None] + shifts)  # or before
     tops = _beside(pieces, run, places + shifts, onsets)
-    found = Contacts(j, t[begins], speeds, lefts, largest, tops)
+    contacts = Contacts(j, t[begins], speeds, lefts, largest, tops)
     bounds = np.searchsorted(run, np.arange(len(watches) + 1)).tolist()
     for watch, earlier, (first, stop) in zip(watches, begun, pairwise(bounds), strict=True):
         if first == stop:
             continue
         if earlier is not None and joins[first]:
-            found.goes_on_from(earlier, first)
+            contacts.goes_on_from(earlier, first)
         last = stop - int(goes[stop - 1])
         if last > first:
-            watch.ended.append(found.part(first, last))
+            watch.ended.append(contacts.part(first, last))
         if last < stop:
-            watch.open[j] = found.part(last, stop)
+            watch.open[j] = contacts.part(last, stop)
 
 
 def goes_on(modes: np.ndarray, before: bool | Sequence[bool], starts: int | np.ndarray = 0) -> np.ndarray:
@@ -267,20 +267,20 @@ def goes_on(modes: np.ndarray, before: bool | Sequence[bool], starts: int | np.n
 
     before    whether it is open before the rows of each run, which begin at `starts`
     """
-    found: np.ndarray = modes == CONTACT
+    touches: np.ndarray = modes == CONTACT
     released = modes == RELEASED
     if released.any():
         latest = np.maximum.accumulate(np.where(released, -1, np.arange(len(modes))))
         lengths = np.diff(np.append(starts, len(modes)))
-        found = np.where(latest < np.repeat(starts, lengths), np.repeat(before, lengths), found[latest])
-    return found
+        touches = np.where(latest < np.repeat(starts, lengths), np.repeat(before, lengths), touches[latest])
+    return touches
 
 
 def _before(values: np.ndarray, starts: np.ndarray, first: bool | Sequence[bool]) -> np.ndarray:
     """Return the values (n,) of the rows before, of runs that begin at `starts` after these first ones."""
-    found = np.append(False, values[:-1])
-    found[starts] = first
-    return found
+    before = np.append(False, values[:-1])
+    before[starts] = first
+    return before
 
 
 def _joined(pieces: Sequence[Piece], part: str, pair: int) -> np.ndarray:
@@ -319,8 +319,8 @@ def _crests(block: History, rows: slice, sign: int, values: np.ndarray, rates: n
     with np.errstate(all="ignore"):
         place = rising / (np.sqrt(square * square - 3 * cube * rising) - square)
         crest = start + place * (rising + place * (square + place * cube))
-        found = (rising > 0) & (falling < 0) & (crest < CREST * np.maximum(start, end))
-    return np.append(np.full(rows.stop - rows.start - len(h), -math.inf), np.where(found, crest, -math.inf))
+        has_crest = (rising > 0) & (falling < 0) & (crest < CREST * np.maximum(start, end))
+    return np.append(np.full(rows.stop - rows.start - len(h), -math.inf), np.where(has_crest, crest, -math.inf))
 
 
 def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets: np.ndarray) -> np.ndarray:
@@ -331,7 +331,7 @@ def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets
     slips the last one counts: the step behind it goes on from there.
     """
     bounds = np.searchsorted(run, np.arange(len(pieces) + 1))
-    found = []
+    rows = []
     for (block, _), (first, stop) in zip(pieces, pairwise(bounds), strict=True):
         least, last = onsets[first:stop], len(block.rows) - 1
         top = _last_change(block)[places[first:stop]]
@@ -344,23 +344,23 @@ def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets
                 if not goes_on.any():
                     break
                 sides[:, :, side] = beside + BESIDE[side] * goes_on
-        found.append(block.rows[sides])
-    return np.concatenate(found)
+        rows.append(block.rows[sides])
+    return np.concatenate(rows)
 
 
 def _at_once(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Return whether times [s] are the same but for rounding."""
-    found: np.ndarray = np.abs(one - other) <= AT_ONCE * np.abs(other)
-    return found
+    same: np.ndarray = np.abs(one - other) <= AT_ONCE * np.abs(other)
+    return same
 
 
 def _last_change(block: History) -> np.ndarray:
     """Return for each row (n,) itself, or the last one at its time that friction has changed to."""
-    found, model = np.arange(len(block.rows)), block.engine.model
+    last, model = np.arange(len(block.rows)), block.engine.model
     if not model.ns:
-        return found
+        return last
     slips = block.rows[:, block.columns("m")][:, slips_in(model)]
     changed = (slips[1:] != slips[:-1]).any(axis=1) & _at_once(block.t[1:], block.t[:-1])
     for i in np.flatnonzero(changed)[::-1]:
-        found[i] = found[i + 1]
-    return found
+        last[i] = last[i + 1]
+    return last

@@ -56,14 +56,14 @@ class Samples:
     def top(self, of: Callable[[History], np.ndarray]) -> tuple[float, float]:
         """Return the time [s] of the largest value of a quantity in the run, and that value."""
         times, values = self.t, of(self.history)
-        found = times[np.argmax(values)], np.max(values)
+        best = times[np.argmax(values)], np.max(values)
         for _ in range(ZOOMS):
             i = int(np.argmax(values))
             times = np.linspace(times[max(i - 1, 0)], times[min(i + 1, len(times) - 1)], POINTS)
             values = of(self.run.at(times))
-            if np.max(values) > found[1]:
-                found = times[np.argmax(values)], np.max(values)
-        return float(found[0]), float(found[1])
+            if np.max(values) > best[1]:
+                best = times[np.argmax(values)], np.max(values)
+        return float(best[0]), float(best[1])
 
     def extremes(self, name: str) -> Extremes:
         """Return the extremes of a history."""

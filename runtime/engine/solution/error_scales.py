@@ -65,8 +65,8 @@ def error(
     n = model.nq + model.nu
     apart = (y[..., :n] - reference[..., :n]) / scales.state[:n]
     if dy is None or reference_dy is None:
-        found: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
-        return found
+        largest: np.ndarray = np.max(np.abs(apart), axis=-1, initial=0.0)
+        return largest
     first, second = (distance(apart, part[..., :n] / scales.state[:n], scales.pace)[0] for part in (dy, reference_dy))
     least: np.ndarray = np.minimum(first, second)
     return least
@@ -85,17 +85,20 @@ def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> tuple[np.ndar
     with e_0 = 0, f_0 = pace.
     """
     sizes = np.abs(rates)
-    found = np.max(np.abs(apart) * pace / (sizes + pace), axis=-1, initial=0.0)
+    distances = np.max(np.abs(apart) * pace / (sizes + pace), axis=-1, initial=0.0)
     for i in range(apart.shape[-1]):
         e, f, size = (part[..., i : i + 1] for part in (apart, rates, sizes))
         both = np.maximum(size + sizes, np.finfo(float).tiny)
-        found = np.maximum(found, np.max(np.abs(e * rates - apart * f) / both, axis=-1, initial=0.0))
+        distances = np.maximum(distances, np.max(np.abs(e * rates - apart * f) / both, axis=-1, initial=0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
-        centres, radii = np.where(sizes > 0, apart / rates, 0.0), np.where(sizes > 0, found[..., None] / sizes, np.inf)
+        centres, radii = (
+            np.where(sizes > 0, apart / rates, 0.0),
+            np.where(sizes > 0, distances[..., None] / sizes, np.inf),
+        )
     first = np.max(centres - radii, axis=-1, initial=-np.inf)
     last = np.min(centres + radii, axis=-1, initial=np.inf)
-    reach = found / pace
-    return found, (np.maximum(first, -reach) + np.minimum(last, reach)) / 2
+    reach = distances / pace
+    return distances, (np.maximum(first, -reach) + np.minimum(last, reach)) / 2
 
 
 def departure(model: EngineModel, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
@@ -111,8 +114,8 @@ def rounding(model: EngineModel, scales: Scales, y: np.ndarray) -> float:
 
 def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """Return the largest scaled difference of the first n entries."""
-    found: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
-    return found
+    largest: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
+    return largest
 
 
 def of_parameters(model: EngineModel, bound: BoundParameters) -> Scales:
@@ -129,9 +132,9 @@ def of_run(model: EngineModel, stated: Scales, rough: Callable[[Scales, Sizes], 
     units = list(model.units.values())
     scales = _completed(stated, units, GUESS)
     for _ in range(ROUNDS):
-        seen = Sizes(units)
-        rough(scales, seen)
-        scales = _completed(stated, units, GUESS | seen.largest())
+        sizes = Sizes(units)
+        rough(scales, sizes)
+        scales = _completed(stated, units, GUESS | sizes.largest())
     return scales
 
 
@@ -157,14 +160,14 @@ class Sizes:
 
     def largest(self) -> dict[str, float]:
         """Return the largest size of each unit; for lengths the penetration, or the way without contact."""
-        found: dict[str, float] = {}
+        sizes: dict[str, float] = {}
         for unit, size in zip(self._units, self._largest, strict=True):
-            found[unit] = max(found.get(unit, 0.0), float(size))
+            sizes[unit] = max(sizes.get(unit, 0.0), float(size))
         if self._depth > 0:
-            found["m"] = self._depth
-        found["N"] = max(found.get("N", 0.0), self._force)
-        found["J"] = max(found.get("J", 0.0), found["N"] * found.get("m", 0.0))
-        return {unit: size for unit, size in found.items() if _sound(np.array(size))}
+            sizes["m"] = self._depth
+        sizes["N"] = max(sizes.get("N", 0.0), self._force)
+        sizes["J"] = max(sizes.get("J", 0.0), sizes["N"] * sizes.get("m", 0.0))
+        return {unit: size for unit, size in sizes.items() if _sound(np.array(size))}
 
 
 def _completed(stated: Scales, units: list[str], sizes: dict[str, float]) -> Scales:

@@ -171,8 +171,8 @@ class History(Histories):
         """Return the pairs that are not in flight at some row."""
         if self.near is not None:
             return self.near.busy()
-        found: list[int] = np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
-        return found
+        busy: list[int] = np.flatnonzero(np.any(self.part("mode") != FLIGHT, axis=0)).tolist()
+        return busy
 
     def columns(self, name: str) -> slice:
         """Return the columns of a part in a row."""
@@ -295,13 +295,13 @@ class History(Histories):
         """Return the time derivatives of the outputs, shape (rows, outputs)."""
         model, moving = self.model, slice(0, self.model.nq + self.model.nu)
         tables = (self.part("t"), self.part("y")[:, moving], self.part("dy")[:, moving])
-        found: np.ndarray = _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
-        return found
+        rates: np.ndarray = _output_rates(model)(self.controls[: model.nc], *tables, *self.pieces)[0]
+        return rates
 
     def touches(self, pair: int) -> np.ndarray:
         """Return whether the surfaces of a pair touch, shape (rows,)."""
-        found: np.ndarray = self.of_pair("mode", pair) == CONTACT
-        return found
+        touching: np.ndarray = self.of_pair("mode", pair) == CONTACT
+        return touching
 
     def held(self) -> np.ndarray:
         """Return the forces that hold the constraints, shape (rows, nl)."""
@@ -319,8 +319,8 @@ class History(Histories):
     @property
     def _holding(self) -> list[np.ndarray]:
         parts = (self.part(part) for part in ("t", "y", "mode", "m"))
-        found: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
-        return found
+        forces: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
+        return forces
 
     def at(self, times: np.ndarray) -> History:
         """Return histories at other times [s] within the run; at an event, the state just after it."""
@@ -332,9 +332,9 @@ class History(Histories):
                 f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
             )
         index = np.searchsorted(t, times, side="right") - 1
-        found = self.between(index, times - t[index])
-        found.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
-        return found
+        history = self.between(index, times - t[index])
+        history.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
+        return history
 
     def _rows_at(self, times: np.ndarray) -> History:
         """Return the rows at times [s] that are among them."""
@@ -391,18 +391,18 @@ class History(Histories):
         """
         methods = rows[:, self.columns("method")][:, 0]
         if (methods == methods[:1]).all():
-            given = self.controls if controls is None else controls
-            return function(self.model, self.engine, int(methods[0]))(given, rows, *tables)[0]
+            constants = self.controls if controls is None else controls
+            return function(self.model, self.engine, int(methods[0]))(constants, rows, *tables)[0]
         order, parts = np.argsort(methods, kind="stable"), []
         for method in sorted(set(methods.tolist())):  # np.unique would import what takes as long as 20 short runs
             here = methods == method
             evaluate = function(self.model, self.engine, int(method))
-            given = self.controls if controls is None else controls[here]
-            parts += evaluate(given, rows[here], *(table[here] for table in tables))
+            constants = self.controls if controls is None else controls[here]
+            parts += evaluate(constants, rows[here], *(table[here] for table in tables))
         joined = np.concatenate(parts)
-        found = np.empty_like(joined)
-        found[order] = joined
-        return found
+        ordered = np.empty_like(joined)
+        ordered[order] = joined
+        return ordered
 
     def of(self, rows: np.ndarray) -> History:
         """Return histories over other rows (n, ns) of the same run."""
@@ -410,13 +410,13 @@ class History(Histories):
 
     def with_names(self, names: Iterable[str]) -> History:
         """Return the same histories with readings listed among them; raises KeyError for an unknown name."""
-        asked = [name for name in names if not isinstance(name, str) or not self.units.lists(name)]
-        for name in asked:
+        readings = [name for name in names if not isinstance(name, str) or not self.units.lists(name)]
+        for name in readings:
             self[name]
-        asked = list(dict.fromkeys(asked))
-        if not asked:
+        readings = list(dict.fromkeys(readings))
+        if not readings:
             return self
-        return self._with(self.rows, (*self.beside, *asked), steps=self.steps)
+        return self._with(self.rows, (*self.beside, *readings), steps=self.steps)
 
     def _with(self, rows: np.ndarray, beside: tuple[str, ...], *, steps: bool) -> History:
         """Return histories of the same run over some rows."""
@@ -461,9 +461,9 @@ def rowwise(model: EngineModel, function: str, constant: int) -> Rowwise:
 
 @per_model
 def _gap_of(model: EngineModel, j: int) -> Rowwise:
-    given = model.symbols("t q u c")
-    found = [x[j] for x in model.function("gaps").call(given)]
-    return Rowwise(ca.Function("gap_of", given, found), constant=3)
+    arguments = model.symbols("t q u c")
+    gap = [x[j] for x in model.function("gaps").call(arguments)]
+    return Rowwise(ca.Function("gap_of", arguments, gap), constant=3)
 
 
 @per_model
@@ -481,8 +481,8 @@ def _output_rates(model: EngineModel) -> Rowwise:
     t, q, u, c = model.symbols("t q u c")
     x, at, moves = ca.vertcat(q, u), *(ca.SX.sym(name, model.nq + model.nu) for name in ("x", "moves"))
     rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q, u), ca.vertcat(1, moves))
-    found = ca.Function("output_rates", [t, at, moves, c], [ca.substitute(ca.densify(rates), x, at)])
-    return Rowwise(model.with_pieces(found, 3), constant=3)
+    function = ca.Function("output_rates", [t, at, moves, c], [ca.substitute(ca.densify(rates), x, at)])
+    return Rowwise(model.with_pieces(function, 3), constant=3)
 
 
 @per_model

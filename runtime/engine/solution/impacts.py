@@ -48,14 +48,14 @@ def peaks(history: History, controls: np.ndarray, pairs: np.ndarray, tops: np.nd
     """
     count, kinds, _, ns = tops.shape
     k = history.engine.model.k
-    asked = np.zeros((count, kinds, 2, kinds * k))
+    weights = np.zeros((count, kinds, 2, kinds * k))
     for kind, (_, _, sign) in enumerate(KINDS):
-        asked[np.arange(count), kind, :, history.places(tops[:, kind, 1], pairs) + kind * k] = sign
+        weights[np.arange(count), kind, :, history.places(tops[:, kind, 1], pairs) + kind * k] = sign
     sides = (tops[:, :, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3)))
-    found = history.by_method(
-        crest, *sides, asked.reshape(-1, asked.shape[-1]), controls=np.repeat(controls, kinds * 2, axis=0)
+    values = history.by_method(
+        crest, *sides, weights.reshape(-1, weights.shape[-1]), controls=np.repeat(controls, kinds * 2, axis=0)
     ).reshape(count, kinds, 2, 3)
-    at_top, within = found[:, :, 0, 1], found[:, :, :, 2]
+    at_top, within = values[:, :, 0, 1], values[:, :, :, 2]
     largest: np.ndarray = np.maximum(at_top, within.max(axis=2))
     return largest
 
@@ -64,8 +64,8 @@ def peaks(history: History, controls: np.ndarray, pairs: np.ndarray, tops: np.nd
 def crest(model: EngineModel, integrator: Integrator, method: int) -> Rowwise:
     """Build the function that finds the crest of a value in the step between two rows.
 
-    (controls, state, upper, asked) -> values at the row, at the next, and at the crest, -inf where there is none.
-    `asked` (2 k) is the sign of one value among the normal forces and gaps of all pairs; of a gap the value is the
+    (controls, state, upper, weights) -> values at the row, at the next, and at the crest, -inf where there is none.
+    `weights` (2 k) is the sign of one value among the normal forces and gaps of all pairs; of a gap the value is the
     penetration. A crest is where the rate of the value falls through zero in the step between the rows: first that of
     the cubic through values and rates of both, then by inverse quadratic interpolation, or halving where that is not
     safe (Chandrupatla, Adv. Eng. Softw. 28 (1997) 145). It is flat: where the next root is within PEAK of the step,
@@ -74,58 +74,58 @@ def crest(model: EngineModel, integrator: Integrator, method: int) -> Rowwise:
     vectors, model = integrator.layouts, integrator.model
     sizes = {"controls": vectors.controls.size, "state": vectors.state.size, "asked": len(KINDS) * model.k}
     kind: Any = ca.MX if isinstance(model, NearModel) else ca.SX
-    controls, state, asked = (kind.sym(name, size) for name, size in sizes.items())
+    controls, state, weights = (kind.sym(name, size) for name, size in sizes.items())
     trial, upper = vectors.trial.symbol("trial", kind), vectors.state.symbol("upper", kind)
     old, new, end = vectors.state.split(state), vectors.state.split(upper), vectors.trial.split(trial)
     c = vectors.within(vectors.controls.split(controls), old)["c"]
 
     def rate(parts: dict[str, Any]) -> Any:
         of_each = ca.vertcat(*(parts[name] for _, name, _ in KINDS))
-        return ca.sum1(ca.if_else(asked == 0, 0, asked * of_each))
+        return ca.sum1(ca.if_else(weights == 0, 0, weights * of_each))
 
     def value(parts: dict[str, Any], mode: Any) -> Any:
         of_each = ca.vertcat(parts["force"], penetrations(model, parts, mode, c))
-        return ca.sum1(ca.if_else(asked == 0, 0, of_each))
+        return ca.sum1(ca.if_else(weights == 0, 0, of_each))
 
     h = new["t"] - old["t"]
     held = [ca.vertcat(parts["mode"], parts["m"][slips_in(model)]) for parts in (old, new)]
     changed = (h != 0) * ca.mmax(held[0] != held[1])  # there the step ended otherwise
     rates = ca.vertcat(rate(old), ca.if_else(h == 0, rate(old), rate(new)))
     values = ca.vertcat(value(old, old["mode"]), value(new, new["mode"]))
-    ends = ca.Function("ends", [controls, state, upper, asked], [h, changed, *ca.vertsplit(rates), values])
-    at_trial = ca.Function("at_trial", [controls, state, trial, asked], [rate(end), value(end, old["mode"])])
+    ends = ca.Function("ends", [controls, state, upper, weights], [h, changed, *ca.vertsplit(rates), values])
+    at_trial = ca.Function("at_trial", [controls, state, trial, weights], [rate(end), value(end, old["mode"])])
 
-    given: list[Any] = [ca.MX.sym(name, size) for name, size in {**sizes, "h": 1}.items()]
-    controls, state, asked, h = given
+    arguments: list[Any] = [ca.MX.sym(name, size) for name, size in {**sizes, "h": 1}.items()]
+    controls, state, weights, h = arguments
 
     def at(h: Any) -> Any:
-        return at_trial(controls, state, integrator.step(method)(state, controls, h), asked)
+        return at_trial(controls, state, integrator.step(method)(state, controls, h), weights)
 
     at_high = ca.MX.sym("at_high")
-    as_taken = ca.Function("as_taken", [at_high, *given], [at_high])
-    end_of_step = ca.Function.if_else("end_of_step", ca.Function("whole", [at_high, *given], [at(h)[0]]), as_taken)
+    as_taken = ca.Function("as_taken", [at_high, *arguments], [at_high])
+    end_of_step = ca.Function.if_else("end_of_step", ca.Function("whole", [at_high, *arguments], [at(h)[0]]), as_taken)
     search = ca.MX.sym("search", 8)
     rate_there, value_there = at(search[6])
-    found = ca.MX.sym("found")
+    known = ca.MX.sym("found")
     after, gain = _narrowed()(search, rate_there, h)
-    once = ca.Function("once", [search, found, *given], [after, value_there + gain])
-    kept = ca.Function("kept", [search, found, *given], [search, found])
+    once = ca.Function("once", [search, known, *arguments], [after, value_there + gain])
+    unchanged = ca.Function("kept", [search, known, *arguments], [search, known])
     for tries in TRIES:
-        searched, best = search, found
-        goes_on = ca.Function.if_else("goes_on", once, kept)
+        searched, best = search, known
+        goes_on = ca.Function.if_else("goes_on", once, unchanged)
         for _ in range(tries):
-            searched, best = goes_on(searched[7], searched, best, *given)
-        once = ca.Function("tried", [search, found, *given], [searched, best])
+            searched, best = goes_on(searched[7], searched, best, *arguments)
+        once = ca.Function("tried", [search, known, *arguments], [searched, best])
     upper = ca.MX.sym("upper", vectors.state.size)
-    h, changed, at_low, at_high, values = ends(controls, state, upper, asked)
-    at_high = end_of_step(changed, at_high, controls, state, asked, h)
+    h, changed, at_low, at_high, values = ends(controls, state, upper, weights)
+    at_high = end_of_step(changed, at_high, controls, state, weights, h)
     at_low = ca.if_else(
         at_low == 0, ca.fabs(at_high), at_low
     )  # a force begins with no slope, or none that is known, and rises
     within = ca.logic_and(at_low > 0, at_high < 0)
     guess = h * _crest_of_cubic()(*ca.vertsplit(values), h * at_low, h * at_high)
-    _, best = once(ca.vertcat(0, h, h, at_low, at_high, at_high, guess, within), -math.inf, controls, state, asked, h)
-    return Rowwise(ca.Function("crest", [controls, state, upper, asked], [ca.vertcat(values, best)]), constant=None)
+    _, best = once(ca.vertcat(0, h, h, at_low, at_high, at_high, guess, within), -math.inf, controls, state, weights, h)
+    return Rowwise(ca.Function("crest", [controls, state, upper, weights], [ca.vertcat(values, best)]), constant=None)
 
 
 def _crest_of_cubic() -> Any:

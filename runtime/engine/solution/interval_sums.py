@@ -103,9 +103,9 @@ class Summing:
         if stop > self._known:
             marks = self._marks[self._known : stop]
             places = np.searchsorted(t, marks, side="right")
-            found = block.at(marks).rows
-            self._memory.append(self._memory_of(block.of(found)))
-            rows, marked = np.insert(rows, places, found, axis=0), np.insert(marked, places, True)
+            within = block.at(marks).rows
+            self._memory.append(self._memory_of(block.of(within)))
+            rows, marked = np.insert(rows, places, within, axis=0), np.insert(marked, places, True)
         if self._model.k and len(rows) > 1:
             interval = self._known - 1 + np.cumsum(marked)[:-1]
             with np.errstate(invalid="ignore", over="ignore"):  # a run without a good end may hold what is no number
@@ -175,10 +175,10 @@ def _top(f0: np.ndarray, f1: np.ndarray, g0: np.ndarray, g1: np.ndarray) -> tupl
     return peaks, np.divide(g0, root - square, out=np.zeros_like(f0), where=peaks), square, cube
 
 
-def _peak(*given: np.ndarray) -> np.ndarray:
+def _peak(*values: np.ndarray) -> np.ndarray:
     """Return the peak of the quintic by values and slopes at both ends and values at NODES; NaN if none."""
-    peaks, x, *_ = _top(*given[:4])
-    coefficients = np.linalg.solve(_SEXTUPLE, np.array(given))  # (6, n), of rising powers
+    peaks, x, *_ = _top(*values[:4])
+    coefficients = np.linalg.solve(_SEXTUPLE, np.array(values))  # (6, n), of rising powers
     slope, bend = (np.polynomial.polynomial.polyder(coefficients, m) for m in (1, 2))
     for _ in range(3):
         value, rate = (np.polynomial.polynomial.polyval(x, c, tensor=False) for c in (slope, bend))

@@ -47,12 +47,12 @@ def _method_for_steps(method: str, history: History) -> str:
     if others or method in SUNDIALS or not len(history.rows):
         return ""
     rows = history.rows[-LAST:]
-    (found,) = _fastest(history.model)(history.controls, rows)
-    stiff = bool(np.mean(found[:, 0] > method_choice.STIFF / 2) > MOST)
+    (rates,) = _fastest(history.model)(history.controls, rows)
+    stiff = bool(np.mean(rates[:, 0] > method_choice.STIFF / 2) > MOST)
     explicit = isinstance(table, RungeKutta)
     if explicit and stiff:
         return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or {' or '.join(IMPLICIT)}"
-    if explicit and _alternates(found[:, 1:]):
+    if explicit and _alternates(rates[:, 1:]):
         return f"step after step of {method} crosses the layer in which friction reverses: {AUTO}, or {' or '.join(IMPLICIT)}"
     if not explicit and not stiff:
         return f"nothing is stiff there, and steps of {method} are shorter than those of dop853: {AUTO}"
@@ -152,7 +152,7 @@ _OUTCOMES = {
 
 
 def unreachable(
-    asked: float,
+    requested: float,
     floor: float,
     method: str,
     tighter: Outcome | None = None,
@@ -174,38 +174,40 @@ def unreachable(
     by, why = (f" of {method}", "") if better else ("", f": {many if foreseen else rounding}")
     if tighter is not None:
         why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
-    alone = f', or "{brief(asked, 3)} at the end", which this run meets' if end is not None and end <= asked else ""
+    alone = (
+        f', or "{brief(requested, 3)} at the end", which this run meets' if end is not None and end <= requested else ""
+    )
     return Outcome(
         "accuracy_unreachable",
-        f"no tolerance{by} {gives} an error below {brief(floor, 2)}{' at the end' if end is None else ''}, {brief(asked, 3)} was requested{why}",
+        f"no tolerance{by} {gives} an error below {brief(floor, 2)}{' at the end' if end is None else ''}, {brief(requested, 3)} was requested{why}",
         _first(better, f"request an accuracy above {brief(floor, 2)}{alone}, or simulate a shorter time"),
     )
 
 
-def unknown(asked: float, tighter: Outcome) -> Outcome:
+def unknown(requested: float, tighter: Outcome) -> Outcome:
     """Return the outcome of a complete run whose error is unknown because no other run reaches the end."""
     return Outcome(
         "accuracy_unknown",
-        f"the run is complete, but whether its error is below {brief(asked, 3)} is not known: the runs to compare it with end as {tighter.name}, "
+        f"the run is complete, but whether its error is below {brief(requested, 3)} is not known: the runs to compare it with end as {tighter.name}, "
         f"{tighter.message}",
         "take another method, or request less accuracy; tolerance= in place of accuracy= makes one run without an estimate",
     )
 
 
-def too_long(asked: float, error: ErrorEstimate, tolerance: float) -> Outcome:
+def too_long(requested: float, error: ErrorEstimate, tolerance: float) -> Outcome:
     """Return the outcome of a complete run, at a tolerance, that is longer than its horizon of prediction."""
-    known = reach(error, tolerance, asked)
+    known = reach(error, tolerance, requested)
     return Outcome(
         "beyond_horizon",
-        f"an error of {brief(asked, 3)}{' at the end' if error.at_end else ''} is out of reach: {beyond_horizon(error)}",
+        f"an error of {brief(requested, 3)}{' at the end' if error.at_end else ''} is out of reach: {beyond_horizon(error)}",
         f"simulate {known:.4g} s, up to which a smaller tolerance is expected to be so accurate, perhaps longer; for statistics take this run, "
         "or tolerance= in place of accuracy=",
     )
 
 
-def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> Outcome | None:
+def not_closed(unclosed: float, requested: float, tolerance: float, steps: int) -> Outcome | None:
     """Return the outcome of a complete run whose energy balance exceeds its accuracy; None if it closes."""
-    most = max(CLOSES * asked, (CLOSES + steps) * tolerance)
+    most = max(CLOSES * requested, (CLOSES + steps) * tolerance)
     if unclosed <= most:
         return None
     return Outcome(

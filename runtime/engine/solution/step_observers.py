@@ -50,12 +50,12 @@ EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
 def finders(model: EngineModel, integrator: Integrator, needs: Needs) -> list[Rowwise]:
     """Return the functions that find what is needed in runs by the integrator's first method."""
     peaks = bool(needs & (Needs.IMPACTS | Needs.STEPS))
-    found: list[Rowwise] = []
+    functions: list[Rowwise] = []
     if peaks and model.k:
-        found.append(crest(model, integrator, 0))
+        functions.append(crest(model, integrator, 0))
     if needs & (Needs.SUMS | Needs.STEPS):
-        found += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
-    return list(dict.fromkeys(found))
+        functions += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
+    return list(dict.fromkeys(functions))
 
 
 class Observer(Protocol):
@@ -171,8 +171,8 @@ class Findings:
             if watch is not None and watch.waiting and not run._later:
                 alike.setdefault(id(watch.view.engine), []).append((run, watch))
         for some in alike.values():
-            for (run, _), found in zip(some, impacts_of([watch for _, watch in some]), strict=True):
-                run.impacts = found
+            for (run, _), impacts in zip(some, impacts_of([watch for _, watch in some]), strict=True):
+                run.impacts = impacts
 
     def _needed(self, need: Needs) -> None:
         """Raise LookupError if something is requested that was not found."""

@@ -41,50 +41,50 @@ TOGETHER = 40  # most constraints in a dependent group: with more, choosing amon
 
 
 def assemble(
-    model: EngineModel, bound: BoundParameters, q: Array, u: Array, given: Collection[str]
+    model: EngineModel, bound: BoundParameters, q: Array, u: Array, fixed: Collection[str]
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates (nq,), speeds (nu,) of the joints with loops and journals closed, and faults.
 
-    Those named in `given` are kept. Where a journal cannot be centred it may be anywhere in its bush: the other
+    Those named in `fixed` are kept. Where a journal cannot be centred it may be anywhere in its bush: the other
     coordinates then stay as passed, or, where that is outside, go where the journals are nearest to their middles.
     """
     loops, ideal = _Loops(model.joints, bound), _Loops(model.joints, bound, whole=model)
     stated = q
-    q, faults = _position(loops, stated, given)
+    q, faults = _position(loops, stated, fixed)
     if journals(model) and (faults or not ideal.closed(q)):
-        centred, unclosed = _position(ideal, stated, given)
+        centred, unclosed = _position(ideal, stated, fixed)
         if not unclosed:
             q, faults = centred, ()
         elif not faults and not ideal.inside(q):
             if any(fault.found.startswith(UNDER) for fault in unclosed):
                 return q, u, unclosed
-            nearest = _nearest(ideal, stated, given)
+            nearest = _nearest(ideal, stated, fixed)
             if nearest is None:
-                return q, u, _with_closing_change(ideal, stated, given, unclosed)
+                return q, u, _with_closing_change(ideal, stated, fixed, unclosed)
             q = nearest
     if faults:
         return q, u, faults
     if not journals(model):
-        return q, *_speed(loops, q, u, given)
-    moving, unclosed = _speed(ideal, q, u, given)
+        return q, *_speed(loops, q, u, fixed)
+    moving, unclosed = _speed(ideal, q, u, fixed)
     if unclosed and loops.rows:  # the journals move in their bushes, the loops stay closed
-        return q, *_speed(loops, q, u, given)
+        return q, *_speed(loops, q, u, fixed)
     under = tuple(fault for fault in unclosed if fault.found.startswith(UNDER))
     return q, moving, under
 
 
 def assemble_at(
-    model: EngineModel, bound: BoundParameters, q: Array, u: Array, given: Collection[str], seats: Array
+    model: EngineModel, bound: BoundParameters, q: Array, u: Array, fixed: Collection[str], seats: Array
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates, speeds and faults with journals at rest at the eccentricities `seats` [m].
 
-    Those named in `given` are kept; faults where they prevent closing.
+    Those named in `fixed` are kept; faults where they prevent closing.
     """
     loops = _Loops(model.joints, bound, whole=model, seats=seats)
-    unknown = [i for i, name in enumerate(loops.model.coordinates) if name not in given]
+    unknown = [i for i, name in enumerate(loops.model.coordinates) if name not in fixed]
     q = _closed(loops, q, unknown, loops.at(q).size)
-    q, faults = _position(loops, q, given)
-    u, more = _speed(loops, q, u, given)
+    q, faults = _position(loops, q, fixed)
+    u, more = _speed(loops, q, u, fixed)
     return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
 
 
@@ -113,26 +113,26 @@ def eccentricities(model: EngineModel) -> Any:
     return ca.Function("eccentricities", at, [e, ca.jtimes(e, ca.vertcat(t, q), rates)])
 
 
-def _nearest(ideal: _Loops, q: Array, given: Collection[str]) -> Array | None:
+def _nearest(ideal: _Loops, q: Array, fixed: Collection[str]) -> Array | None:
     """Return the position with closed loops whose journals are nearest to the middles of their bushes.
 
     None if there is none.
     """
-    unknown = [i for i, name in enumerate(ideal.model.coordinates) if name not in given]
+    unknown = [i for i, name in enumerate(ideal.model.coordinates) if name not in fixed]
     loops, tries = replace(ideal, whole=None), _tries(ideal, q, unknown, ideal.at(q).size)
-    return next((found for found in tries if loops.closed(found) and ideal.inside(found)), None)
+    return next((place for place in tries if loops.closed(place) and ideal.inside(place)), None)
 
 
 def _with_closing_change(
-    ideal: _Loops, q: Array, given: Collection[str], faults: tuple[Fault, ...]
+    ideal: _Loops, q: Array, fixed: Collection[str], faults: tuple[Fault, ...]
 ) -> tuple[Fault, ...]:
     """Add to faults of an over-determined start the least change of one given coordinate that closes it."""
     ways = []
     for i, name in enumerate(ideal.model.coordinates):
-        if name in given and ideal.model.units[name] != "1":
-            found, unclosed = _position(ideal, q, [other for other in given if other != name])
+        if name in fixed and ideal.model.units[name] != "1":
+            closed, unclosed = _position(ideal, q, [other for other in fixed if other != name])
             if not unclosed:
-                ways.append((abs(found[i] - q[i]) / ideal.scales[0][i], i, found[i]))
+                ways.append((abs(closed[i] - q[i]) / ideal.scales[0][i], i, closed[i]))
     if not ways:
         return faults
     _, i, there = min(ways)
@@ -207,10 +207,10 @@ def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
     sizes = np.where(lengths, *(np.max(norms, where=which, initial=1e-300) for which in (lengths, ~lengths)))
     scaled = matrix / sizes[:, None]
     values = np.linalg.svd(scaled, compute_uv=False)
-    kept = int(np.sum(values > rank * values[0]))
-    if kept == len(scaled):  # as nearly always; vectors take ten times as long
-        return np.zeros((0, kept))
-    ways: Array = np.linalg.svd(scaled)[0][:, kept:].T
+    count = int(np.sum(values > rank * values[0]))
+    if count == len(scaled):  # as nearly always; vectors take ten times as long
+        return np.zeros((0, count))
+    ways: Array = np.linalg.svd(scaled)[0][:, count:].T
     return ways
 
 
@@ -266,7 +266,7 @@ class _Loops:
         if self.whole is None:
             return True
         q, u = self.whole.placed(self.bound, q, np.zeros(self.model.nu))
-        return not any(found.too_deep for found in intrusions(self.whole, self.bound, q, u))
+        return not any(overlap.too_deep for overlap in intrusions(self.whole, self.bound, q, u))
 
     @cached_property
     def scales(self) -> tuple[Array, Array]:
@@ -298,9 +298,9 @@ class _Loops:
         """Describe what is open, by joint: the worst of each."""
         worst: dict[str, tuple[float, str]] = {}
         for (name, unit), value, least in zip(self.rows, np.abs(residual), size, strict=True):
-            whose, _, what = name.rpartition(".")
+            whose, _, kind = name.rpartition(".")
             if not value <= least and value >= worst.get(whose, (0.0, ""))[0]:
-                couples = what in ("off", "turned")  # a joint's have an axis
+                couples = kind in ("off", "turned")  # a joint's have an axis
                 worst[whose] = (value, f"{whose} {'off' if couples else 'open'} by {value:.3g}"
                                 f"{f' {unit}' if unit != '1' else ' rad' if couples else ''}")  # fmt: skip
         return [text for _, text in worst.values()]
@@ -325,15 +325,15 @@ def residuals(model: EngineModel, whole: EngineModel | None) -> Any:
 @per_model
 def judged(model: EngineModel, whole: EngineModel | None) -> Callers:
     """Build the function (t, q, u, c, scales of u) -> residuals, and how large they may be: see `At`."""
-    given, scale, units = (
+    arguments, scale, units = (
         model.symbols("t q u c"),
         ca.SX.sym("scale", model.nu),
         [row[1] for row in _rows(model, whole)],
     )
-    _, q, u, _ = given
-    found = residuals(model, whole)(*given)
-    sizes = _sizes(found[2], q, units), _sizes(found[3], ca.fmax(ca.fabs(u), scale), units)
-    return Callers(ca.Function("judged", [*given, scale], [*found, *sizes]))
+    _, q, u, _ = arguments
+    values = residuals(model, whole)(*arguments)
+    sizes = _sizes(values[2], q, units), _sizes(values[3], ca.fmax(ca.fabs(u), scale), units)
+    return Callers(ca.Function("judged", [*arguments, scale], [*values, *sizes]))
 
 
 def _rows(model: EngineModel, whole: EngineModel | None) -> tuple[tuple[str, str], ...]:
@@ -354,28 +354,28 @@ def _sizes(jacobian: Any, values: Any, units: Sequence[str]) -> Any:
     return ca.vertcat(*(CLOSED * largest[unit] for unit in units))
 
 
-def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:
+def _position(loops: _Loops, q: Array, fixed: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:
     model = loops.model
     if not loops.rows:
         return q, ()
     names = model.coordinates
-    unknown = [i for i, name in enumerate(names) if name not in given]
+    unknown = [i for i, name in enumerate(names) if name not in fixed]
     phi, _, jacobian, _, size, _ = loops.at(q)
     if (np.abs(phi) <= size).all():
         return q, ()
-    found, *others = _tries(loops, q, unknown, size)
+    position, *others = _tries(loops, q, unknown, size)
     if others:
         reach = _reach(model, jacobian)
         closed = [x for x in others if np.all(np.abs(loops.at(x).phi) <= size)]
-        found = min(closed, key=lambda x: float(np.linalg.norm((x - q) / reach)), default=found)
-    phi, _, jacobian, *_ = loops.at(found)
+        position = min(closed, key=lambda x: float(np.linalg.norm((x - q) / reach)), default=position)
+    phi, _, jacobian, *_ = loops.at(position)
     unclosed = loops.unclosed(phi, size)
     closing = jacobian * loops.scales[0] / size[:, None]
-    closing = np.vstack([closing, np.max(np.abs(closing)) * _norms(model, found)])
+    closing = np.vstack([closing, np.max(np.abs(closing)) * _norms(model, position)])
     free = _undetermined(closing[:, unknown], [names[i] for i in unknown])
     if unclosed:
         remedy = _remedies(
-            [name for name in names if name in given],
+            [name for name in names if name in fixed],
             loops.drives if not free[0] else [],
             f"no place that was tried closes it: check {'its couplings and ' if loops.couplings else ''}the lengths between its joints, "
             "or state positions nearer to one in the scene's Start",
@@ -384,14 +384,14 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
             "start, positions", f"over-determined or out of reach: {', '.join(unclosed)}", loops.wanted, remedy
         )
         return q, (fault,)
-    return found, _under_determined("positions", *free)
+    return position, _under_determined("positions", *free)
 
 
 def _tries(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Iterator[Array]:
     """Yield the results of Gauss-Newton iterations from q and, if that one stays open, from places around."""
-    found = _closed(loops, q, unknown, size)
-    yield found
-    if np.all(np.abs(loops.at(found).phi) <= size):
+    position = _closed(loops, q, unknown, size)
+    yield position
+    if np.all(np.abs(loops.at(position).phi) <= size):
         return
     reach = _reach(loops.model, loops.at(q).by_q)
     for shift in np.random.default_rng(0).uniform(-0.7, 0.7, (TRIES, len(q))) * reach:
@@ -406,9 +406,9 @@ def _norms(model: EngineModel, q: Array) -> Array:
     return rows
 
 
-def _remedies(given: list[str], drives: list[str], otherwise: str) -> str:
+def _remedies(fixed: list[str], drives: list[str], otherwise: str) -> str:
     """Suggest what to leave out of a start whose loops stay open."""
-    ways = [f"given: {', '.join(given)}; leave some of it to be found"] if given else []
+    ways = [f"given: {', '.join(fixed)}; leave some of it to be found"] if fixed else []
     if drives:
         ways.append(
             f"driven by {', '.join(drives)}: more than the loop has freedoms for, or past where it can go; leave one out"
@@ -441,11 +441,11 @@ def _closed(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Array:
     return q
 
 
-def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:
+def _speed(loops: _Loops, q: Array, u: Array, fixed: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:
     model = loops.model
     if not loops.rows:
         return u, ()
-    unknown = [i for i, name in enumerate(model.speeds) if name not in given]
+    unknown = [i for i, name in enumerate(model.speeds) if name not in fixed]
     scale = loops.scales[1]
     _, rate, _, jacobian, _, size = loops.at(q, u)
     if (np.abs(rate) <= size).all():
@@ -453,14 +453,14 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
     weighted = jacobian[:, unknown] * scale[unknown] / size[:, None]
     u = u.copy()
     u[unknown] += scale[unknown] * np.linalg.lstsq(weighted, -rate / size, rcond=RANK)[0]
-    found = loops.unclosed(loops.at(q, u).rate, size)
-    kept = [name for name in model.speeds if name in given]
-    if found:
-        remedy = _remedies(kept, loops.drives, "the mechanism is locked here")
+    unclosed = loops.unclosed(loops.at(q, u).rate, size)
+    held = [name for name in model.speeds if name in fixed]
+    if unclosed:
+        remedy = _remedies(held, loops.drives, "the mechanism is locked here")
         return u, (
             Fault(
                 "start, speeds",
-                f"over-determined: {', '.join(f'{f}/s' for f in found)}",
+                f"over-determined: {', '.join(f'{f}/s' for f in unclosed)}",
                 "speeds at which the loops stay closed",
                 remedy,
             ),
@@ -487,8 +487,8 @@ def _undetermined(matrix: Array, names: list[str]) -> tuple[int, list[str]]:
     return len(names) - rank, [name for name, part in zip(names, moves, strict=True) if part > np.sqrt(RANK)]
 
 
-def _under_determined(what: str, count: int, names: list[str]) -> tuple[Fault, ...]:
+def _under_determined(quantity: str, count: int, names: list[str]) -> tuple[Fault, ...]:
     if not count:
         return ()
     more = f"{count} more value{'s' if count > 1 else ''} among them"
-    return (Fault(f"start, {what}", f"{UNDER}: {', '.join(names)}", more, "in the scene's Start, or `initial`"),)
+    return (Fault(f"start, {quantity}", f"{UNDER}: {', '.join(names)}", more, "in the scene's Start, or `initial`"),)

@@ -93,9 +93,9 @@ def unknown_because(model: EngineModel) -> str:
         return "it has no joint with clearance"
     if model.guides:
         return f"{', '.join(model.guides)} guide with a clearance that cannot be closed"
-    found = len(journals(model)) + model.nl
-    if found != model.nu:
-        return f"closed clearances and loops make {found} equations for {model.nu} freedoms, so it moves by its masses and forces"
+    equations = len(journals(model)) + model.nl
+    if equations != model.nu:
+        return f"closed clearances and loops make {equations} equations for {model.nu} freedoms, so it moves by its masses and forces"
     return ""
 
 
@@ -177,8 +177,8 @@ class _Closure:
         return here
 
     def _jacobian(self, t: float, q: Array, c: Array) -> Array:
-        (found,) = self.jacobian(t, q, c)
-        return found.reshape(self.nu, self.nu)  # of one freedom it is a vector
+        (matrix,) = self.jacobian(t, q, c)
+        return matrix.reshape(self.nu, self.nu)  # of one freedom it is a vector
 
     def _step(self, here: _Position, t: float, c: Array) -> tuple[_Position, Array]:
         q, u, a, corrections = self.step(here.t, here.q, here.u, t - here.t, c)

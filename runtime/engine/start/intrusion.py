@@ -56,20 +56,20 @@ def intrusions(model: EngineModel, bound: BoundParameters, q: np.ndarray, u: np.
     """Return the pairs that overlap deeply at coordinates q (nq,) and speeds u (nu,), t = 0."""
     if not model.k:
         return ()
-    given = {"t": 0.0, "q": q, "u": u, "c": bound.c}
-    gap, rate = pair_values(model, "gaps", range(model.k), given)
+    state = {"t": 0.0, "q": q, "u": u, "c": bound.c}
+    gap, rate = pair_values(model, "gaps", range(model.k), state)
     inside = np.flatnonzero(gap < 0).tolist()
     if not inside:
         return ()
     (applied,) = model.evaluate("applied", 0.0, q, u, bound.c)
     pressed = applied.copy()
     valid: dict[int, bool] = {}
-    latched = given | {"z": np.zeros(model.nz), "m": np.full(model.nm, UNDAMPED)}
+    latched = state | {"z": np.zeros(model.nz), "m": np.full(model.nm, UNDAMPED)}
     for pairs, rows, (forces, _, _, _, defined, *_) in values_by_kind(model, "contact", inside, latched):
         np.add.at(pressed, rows, forces)
         valid |= dict(zip(pairs, defined[:, 0] >= 0.5, strict=True))
-    own = _accelerations(model, inside, given, applied)
-    out = _accelerations(model, inside, given, pressed) - own
+    own = _accelerations(model, inside, state, applied)
+    out = _accelerations(model, inside, state, pressed) - own
     sizes = _sizes(model, bound)
     deep = []
     for j, driven, loaded in zip(inside, out.tolist(), own.tolist(), strict=True):
@@ -82,10 +82,10 @@ def intrusions(model: EngineModel, bound: BoundParameters, q: np.ndarray, u: np.
     return tuple(deep)
 
 
-def _accelerations(model: EngineModel, pairs: list[int], given: dict[str, Any], forces: np.ndarray) -> np.ndarray:
+def _accelerations(model: EngineModel, pairs: list[int], state: dict[str, Any], forces: np.ndarray) -> np.ndarray:
     """Return the second derivatives of gaps under generalised forces [m/s^2]."""
-    a, *_ = model.evaluate("accelerations", *(given[x] for x in "tqu"), forces, given["c"])
-    return pair_values(model, "gap_accelerations", pairs, given | {"a": a})[0]
+    a, *_ = model.evaluate("accelerations", *(state[x] for x in "tqu"), forces, state["c"])
+    return pair_values(model, "gap_accelerations", pairs, state | {"a": a})[0]
 
 
 def _depth(

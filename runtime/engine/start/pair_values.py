@@ -17,17 +17,17 @@ if TYPE_CHECKING:
 INPUTS = {"gaps": "t q u c", "gap_accelerations": "t q u a c", "contact": "t q u z m c"}
 
 
-def pair_values(model: EngineModel, name: str, pairs: Sequence[int], given: Mapping[str, Any]) -> list[np.ndarray]:
+def pair_values(model: EngineModel, name: str, pairs: Sequence[int], state: Mapping[str, Any]) -> list[np.ndarray]:
     """Return results of "gaps" or "gap_accelerations" for some pairs (n,), by rising numbers.
 
     given    inputs of the whole model by name
     """
-    results = [found for _, _, found in values_by_kind(model, name, pairs, given)]
+    results = [values for _, _, values in values_by_kind(model, name, pairs, state)]
     return [np.concatenate(column)[:, 0] for column in zip(*results, strict=True)]
 
 
 def values_by_kind(
-    model: EngineModel, name: str, pairs: Sequence[int], given: Mapping[str, Any]
+    model: EngineModel, name: str, pairs: Sequence[int], state: Mapping[str, Any]
 ) -> Iterator[tuple[list[int], np.ndarray, list[np.ndarray]]]:
     """Yield the pairs of a kind, the rows of u that each works on, and tables of results (n, size)."""
     inputs = INPUTS[name].split()
@@ -36,7 +36,7 @@ def values_by_kind(
         groups = [[pair] for pair in pairs] if name == "contact" else [list(pairs)]
         for of in groups:
             whole = f"contact_{model.pairs[of[0]]}" if name == "contact" else name
-            results = model.evaluate(whole, *(given[part] for part in inputs))
+            results = model.evaluate(whole, *(state[part] for part in inputs))
             yield (
                 of,
                 np.arange(len(results[0]))[None],
@@ -49,8 +49,8 @@ def values_by_kind(
     for kind, of in kinds.items():
         rows = [np.array([members[pair][i] for pair in of]) for i in range(1, 5)]
         places = dict(zip("quzma", [*rows, rows[1]], strict=True))
-        tables = [given[x][places[x]] if x in places else np.full((len(of), 1), given[x]) for x in inputs[:-1]]
-        yield of, rows[1], _of_kind(model, name, kind)(given["c"], *tables)
+        tables = [state[x][places[x]] if x in places else np.full((len(of), 1), state[x]) for x in inputs[:-1]]
+        yield of, rows[1], _of_kind(model, name, kind)(state["c"], *tables)
 
 
 @per_model

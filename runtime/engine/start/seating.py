@@ -54,7 +54,7 @@ class _Seat:
 
 
 def seat(
-    model: EngineModel, bound: BoundParameters, q: Array, u: Array, given: Collection[str]
+    model: EngineModel, bound: BoundParameters, q: Array, u: Array, fixed: Collection[str]
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates (nq,), speeds (nu,) of the joints with journals seated, and faults.
 
@@ -82,7 +82,7 @@ def seat(
             np.linalg.norm(wanted[each.rows] - at[each.rows]) <= SETTLED * each.clearance for each in seats
         )
         at = wanted
-        q, u, faults = assemble_at(model, bound, q, u, given, at)
+        q, u, faults = assemble_at(model, bound, q, u, fixed, at)
         if settled or faults:
             return q, u, faults
     return q, u, (_no_seat("their seats do not converge: the direction of their forces changes with their position"),)
@@ -150,7 +150,10 @@ def _second_rates(model: EngineModel) -> Any:
     return ca.Function("second_rates", [t, q, u, a, c], [second])
 
 
-def _no_seat(found: str) -> Fault:
+def _no_seat(problem: str) -> Fault:
     return Fault(
-        "start, seated journals", found, "journals that rest in their bushes", "Without seated=True they start centred."
+        "start, seated journals",
+        problem,
+        "journals that rest in their bushes",
+        "Without seated=True they start centred.",
     )

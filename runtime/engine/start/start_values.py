@@ -35,14 +35,14 @@ def stated_values(
 ) -> tuple[dict[str, Value], dict[str, Value]]:
     """Return parameters and initial states, which may stand among the parameters too; faults are appended."""
     own, states = split_values(model, _plain("parameters", parameters, faults))
-    given = _plain("initial", initial, faults)
-    faults += [Fault(name, "among parameters and initial", "one of the two") for name in given if name in states]
-    return own, {**states, **given}
+    stated = _plain("initial", initial, faults)
+    faults += [Fault(name, "among parameters and initial", "one of the two") for name in stated if name in states]
+    return own, {**states, **stated}
 
 
 def _plain(where: str, values: Mapping[str, Value] | None, faults: list[Fault]) -> dict[str, Value]:
-    given = named_values(where, {} if values is None else values, faults)
-    return {name: plain_value(value) for name, value in given.items()}
+    stated = named_values(where, {} if values is None else values, faults)
+    return {name: plain_value(value) for name, value in stated.items()}
 
 
 @np.errstate(all="ignore")  # what is not finite is a fault, or an outcome
@@ -53,13 +53,13 @@ def start_of(
 
     Raises InputError with every fault, those passed included.
     """
-    found = list(faults)
+    problems = list(faults)
     bound, wrong = model.check(parameters)
-    given = not isinstance(initial, Mapping) or len(initial) > 0  # what is no mapping is a fault, told below
-    stated = None if bound is None or given else as_stated(model, bound)
-    q, u = read_start(model, bound, initial, found) if stated is None else stated
-    if bound is None or found:
-        raise InputError(model.name, wrong + found)
+    has_initial = not isinstance(initial, Mapping) or len(initial) > 0  # what is no mapping is a fault, told below
+    stated = None if bound is None or has_initial else as_stated(model, bound)
+    q, u = read_start(model, bound, initial, problems) if stated is None else stated
+    if bound is None or problems:
+        raise InputError(model.name, wrong + problems)
     return bound, q, u
 
 
@@ -140,21 +140,21 @@ def overlaps(
 
     faults, warnings = [], []
     held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""
-    for found in intrusions(model, bound, q, u):
-        way_out = _separating_change(model, bound, initial, found.pair)
-        if not found.too_deep:
+    for overlap in intrusions(model, bound, q, u):
+        way_out = _separating_change(model, bound, initial, overlap.pair)
+        if not overlap.too_deep:
             warnings.append(
-                f"{found.pair} starts {found.depth:.3g} m deep: stiffness alone would throw that apart at "
-                f"{found.speed:.3g} m/s, faster than the scene is{held}; {way_out}"
+                f"{overlap.pair} starts {overlap.depth:.3g} m deep: stiffness alone would throw that apart at "
+                f"{overlap.speed:.3g} m/s, faster than the scene is{held}; {way_out}"
             )
             continue
-        if not found.in_range:
-            why = f"a penetration of {found.depth:.3g} m, so deep that its law is not defined there"
+        if not overlap.in_range:
+            why = f"a penetration of {overlap.depth:.3g} m, so deep that its law is not defined there"
             expected = "surfaces that are apart, or touch"
         else:
-            why = f"a penetration of {found.depth:.3g} m, which would throw the surfaces apart at {found.speed:.3g} m/s"
-            expected = f"at most about {found.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
-        faults.append(Fault(f"start, {found.pair}", why, expected, way_out))
+            why = f"a penetration of {overlap.depth:.3g} m, which would throw the surfaces apart at {overlap.speed:.3g} m/s"
+            expected = f"at most about {overlap.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
+        faults.append(Fault(f"start, {overlap.pair}", why, expected, way_out))
     return faults, tuple(warnings)
 
 

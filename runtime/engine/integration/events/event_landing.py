@@ -88,12 +88,12 @@ def settle(model: EngineModel, vectors: Layouts, table: Table, right: Flow) -> A
     """
     names = ("state", "controls", "next", "verdict")
     parts = (vectors.state, vectors.controls, vectors.state, vectors.verdict)
-    given = [ca.MX.sym(name, part.size) for name, part in zip(names, parts, strict=True)]
-    state, controls, end, verdict = given
+    arguments = [ca.MX.sym(name, part.size) for name, part in zip(names, parts, strict=True)]
+    state, controls, end, verdict = arguments
     decide = _decide(model, vectors, table)
     if not (model.k or model.ns or model.ne):
-        decided, _ = decide(*given, NO_EVENT, 0, ca.DM(0, 1))
-        return ca.Function("settle", given, [decided], names, ["new"])
+        decided, _ = decide(*arguments, NO_EVENT, 0, ca.DM(0, 1))
+        return ca.Function("settle", arguments, [decided], names, ["new"])
     run = vectors.within(vectors.controls.split(controls), vectors.state.split(state))
     known = moved_floors = floors(model, vectors.state.split(end), run["c"])
     *gaps, ending = polynomials(model, vectors).call([state, controls, end, known])
@@ -102,25 +102,25 @@ def settle(model: EngineModel, vectors: Layouts, table: Table, right: Flow) -> A
     if model.k:
         suspect = gaps.pop()
         at_gap = _if(any_of(suspect), search(model.k), NO_EVENT, suspect, *gaps)
-    wanted, asked = ca.MX.sym("wanted", count), forces.mx_in()
-    searched = ca.Function("searched", [wanted, *asked], [search(count)(wanted, *forces(*asked))])
+    wanted, of_forces = ca.MX.sym("wanted", count), forces.mx_in()
+    searched = ca.Function("searched", [wanted, *of_forces], [search(count)(wanted, *forces(*of_forces))])
     at_force = _if(any_of(ending), searched, NO_EVENT, ending, state, controls, end, known)
-    theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force, known)
+    theta, delta = _aim(model, vectors, table)(*arguments, at_gap, at_force, known)
     if model.k:
         moved = _nudge(model, vectors, right)
         still = moved.mx_in()
         rest = ca.Function("rest", still, [*still[2:4], still[-1]])
-        end, verdict, moved_floors = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta, known)
+        end, verdict, moved_floors = ca.Function.if_else("nudge", moved, rest)(delta != 0, *arguments, delta, known)
     decided, switched = decide(state, controls, end, verdict, theta, delta, moved_floors)
     if model.k and ca.mmax(ends_with_force(model)):
-        lowest = _lowest(model, vectors)(state, controls, given[2], decided)
+        lowest = _lowest(model, vectors)(state, controls, arguments[2], decided)
         retake = _without_pull(model, vectors, right, decide)
-        decided, switched = retake(lowest[0] < NO_EVENT, *given, known, decided, switched, *lowest)
+        decided, switched = retake(lowest[0] < NO_EVENT, *arguments, known, decided, switched, *lowest)
     changed = switch(model, vectors, right)
     before, after, run = changed.mx_in()
     keep = ca.Function("keep", [before, after, run], [after])
     decided = ca.Function.if_else("change", changed, keep)(switched, state, decided, controls)
-    return ca.Function("settle", given, [decided], names, ["new"])
+    return ca.Function("settle", arguments, [decided], names, ["new"])
 
 
 def reject(vectors: Layouts, table: Table) -> Any:
@@ -131,7 +131,7 @@ def reject(vectors: Layouts, table: Table) -> Any:
     in_contact = old["class"] >= IN_CONTACT
     shrunk = ca.if_else(in_contact * old["fresh_contact"], onset_factor(error), factor(table, error))
     h = h * ca.if_else(finite, ca.fmin(shrunk, SAFETY), 0.1)
-    kept, h = h, limited_by_singular(table, h, old["ahead"])
+    unlimited, h = h, limited_by_singular(table, h, old["ahead"])
     stuck = (h < 4 * EPS * ca.fabs(old["t"])) + (old["t"] + h <= old["t"]) > 0
     why = ca.if_else(finite, ca.if_else(error >= LOST, CONSTRAINT_LOST, STEP_TOO_SMALL), NOT_FINITE)
     status = ca.if_else(stuck, why, RUNNING)
@@ -141,8 +141,8 @@ def reject(vectors: Layouts, table: Table) -> Any:
         **old,
         "dy": ca.if_else(behind, end["dy"], old["dy"]),
         "h": h,
-        "h_flight": ca.if_else(in_contact, old["h_flight"], kept),
-        "h_contact": ca.if_else(in_contact, kept, old["h_contact"]),
+        "h_flight": ca.if_else(in_contact, old["h_flight"], unlimited),
+        "h_contact": ca.if_else(in_contact, unlimited, old["h_contact"]),
         "accepted": ca.DM(0),
         "after_rejection": ca.DM(1),
         "retakes": ca.DM(0),
@@ -168,9 +168,9 @@ def _aim(model: EngineModel, vectors: Layouts, table: Table) -> Any:
     """
     arguments, (old, run, end, _) = vectors.symbols("state controls next verdict")
     theta, force, known = (vectors.kind.sym(name, n) for name, n in (("gap", 1), ("force", 1), ("floors", 2 * model.k)))
-    asked = [*arguments, theta, force, known]
+    inputs = [*arguments, theta, force, known]
     if not model.k:
-        return ca.Function("aim", asked, [ca.fmin(theta, force), ca.DM(0)])
+        return ca.Function("aim", inputs, [ca.fmin(theta, force), ca.DM(0)])
     tol, _, _ = tolerances(model, run, end, known)
     times = time_to_root(*signed_gaps(old["mode"], end))
     # its fifth power, the nudge's error, is below the tolerance; its square where it crosses a jump
@@ -188,7 +188,7 @@ def _aim(model: EngineModel, vectors: Layouts, table: Table) -> Any:
         alone *= ca.mmin(end["event"] + near * end["event_rate"] > 0)
     within = (delta <= near) * (old["h"] + delta <= run["t_end"] - old["t"])
     within *= isinstance(table, RungeKutta)  # what is stiff is not moved by an explicit step
-    return ca.Function("aim", asked, ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)]))
+    return ca.Function("aim", inputs, ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)]))
 
 
 def _jumps(model: EngineModel, mode: Any) -> Any:
@@ -222,12 +222,12 @@ def _without_pull(model: EngineModel, vectors: Layouts, right: Flow, decide: Any
     below = _below(model, vectors, right)
     state, controls, end, theta, *levels = below.mx_in()
     step = [state, controls, end, ca.MX.sym("verdict", vectors.verdict.size), ca.MX.sym("floors", 2 * model.k)]
-    given = [*step, *(ca.MX.sym(name, size) for name, size in (("decided", vectors.state.size), ("switched", 1)))]
-    given += [theta, *levels]
-    retaken = ca.Function("retaken", given, decide(*step[:4], theta, 0, step[4]))
-    kept = ca.Function("kept", given, given[5:7])
-    cut = ca.Function.if_else("unpulled", retaken, kept)(below(state, controls, end, theta, *levels), *given)
-    return ca.Function.if_else("without_pull", ca.Function("cut", given, cut), kept)
+    inputs = [*step, *(ca.MX.sym(name, size) for name, size in (("decided", vectors.state.size), ("switched", 1)))]
+    inputs += [theta, *levels]
+    retaken = ca.Function("retaken", inputs, decide(*step[:4], theta, 0, step[4]))
+    unchanged = ca.Function("kept", inputs, inputs[5:7])
+    cut = ca.Function.if_else("unpulled", retaken, unchanged)(below(state, controls, end, theta, *levels), *inputs)
+    return ca.Function.if_else("without_pull", ca.Function("cut", inputs, cut), unchanged)
 
 
 def _lowest(model: EngineModel, vectors: Layouts) -> Any:
@@ -240,10 +240,10 @@ def _lowest(model: EngineModel, vectors: Layouts) -> Any:
     arguments, (old, run, end, new) = vectors.symbols("state controls next after")
     ended = ends_with_force(model) * (old["mode"] == CONTACT) * (new["mode"] != CONTACT)
     most = ca.if_else(new["mode"] == RELEASED, ca.fmin(end["force"], 0), 0)  # where it runs out it is aimed below zero
-    found = dips(model, run, old, end)
-    first = reduce(ca.fmin, (ca.mmin(at) for at, _ in found))
+    minima = dips(model, run, old, end)
+    first = reduce(ca.fmin, (ca.mmin(at) for at, _ in minima))
     theta = ca.if_else(any_of(ended), 1 - NEAR, ca.if_else(new["accepted"], first, NO_EVENT))
-    least = (ca.if_else(at == theta, value, ca.inf) for at, value in found)
+    least = (ca.if_else(at == theta, value, ca.inf) for at, value in minima)
     results = [theta, ca.if_else(ended, most, -ca.inf), *least]
     return ca.Function("lowest", arguments, ca.cse([*map(ca.densify, results)]))
 
@@ -268,8 +268,8 @@ def _below(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
         now, higher = inside[value], ca.fmin(old[value], end[value])
         pulls += (now < LOW * higher) * (ca.fabs(now - least) < AGREE * (higher - least))
     pressed = (old["mode"] == RELEASED) + (old["force"] > small)
-    found = any_of((pulls * pressed > 0) * (inside["gap"] < -tol)) * (old["retakes"] < LOCATED)
-    return ca.Function("below", [*arguments, theta, *levels], [found])
+    below = any_of((pulls * pressed > 0) * (inside["gap"] < -tol)) * (old["retakes"] < LOCATED)
+    return ca.Function("below", [*arguments, theta, *levels], [below])
 
 
 def _decide(model: EngineModel, vectors: Layouts, table: Table) -> Any:
@@ -359,15 +359,15 @@ def _steps_to_continue(table: Table, old: Parts, error: Any, accepted: Any, begu
     h, in_contact = old["h"], old["class"] >= IN_CONTACT
     first = in_contact * old["fresh_contact"]
     change = ca.if_else(first, onset_factor(error), factor(table, error))
-    kept = ca.if_else(in_contact, old["h_contact"], old["h_flight"])
+    planned = ca.if_else(in_contact, old["h_contact"], old["h_flight"])
     grown = h * ca.if_else(old["after_rejection"], ca.fmin(change, 1), ca.if_else(first, ONSET_GROW, change))
-    full = h >= kept * (1 - 1e-9)
-    kept = ca.if_else(accepted, step_to_continue(h, kept, grown), kept)
+    full = h >= planned * (1 - 1e-9)
+    planned = ca.if_else(accepted, step_to_continue(h, planned, grown), planned)
     h_onset = ca.if_else(accepted * first * full, h * change, old["h_onset"])
-    h_contact = ca.if_else(in_contact, kept, old["h_contact"])
+    h_contact = ca.if_else(in_contact, planned, old["h_contact"])
     at_onset = ca.if_else(in_contact, ca.fmin(h_contact, h_onset), h_onset)  # another pair may be in contact already
     return {
-        "h_flight": ca.if_else(in_contact, old["h_flight"], kept),
+        "h_flight": ca.if_else(in_contact, old["h_flight"], planned),
         "h_contact": ca.if_else(begun, at_onset, h_contact),
         "h_onset": h_onset,
     }

@@ -184,7 +184,7 @@ def dips(
     Each (k), by cubics that go low between two higher values; NO_EVENT where there is none, or a step is too long for the force,
     as where one decays at once by damping: the trapezoidal rule then misses the change of speed. What begins within the tolerance is none.
     """
-    found, h, (_, speed, a), (_, speed1, a1) = [], start["h"], *([side[part] for part in GAP] for side in (start, end))
+    minima, h, (_, speed, a), (_, speed1, a1) = [], start["h"], *([side[part] for part in GAP] for side in (start, end))
     resolved = ca.fabs(speed1 - speed - h / 2 * (a + a1)) < AGREE * h / 2 * (ca.fabs(a) + ca.fabs(a1))
     small = LANDING * run["tolerance"]
     sizes = small * run["scales"][2], small * run["scales"][1]
@@ -200,10 +200,10 @@ def dips(
             * (end[rate] > 0)
             * (ca.fmin(f, f1) > ca.fmax(least / LOW, size))
         )
-        found.append(
+        minima.append(
             (ca.if_else(low * resolved * (theta > NEAR) * (start["retakes"] < BELIEVED), theta, NO_EVENT), least)
         )
-    return found
+    return minima
 
 
 @per_model
@@ -274,12 +274,12 @@ def endings(model: EngineModel, layouts: Layouts) -> Any:
 
 
 def _beside_pairs(
-    model: EngineModel, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], found: Any
+    model: EngineModel, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], any_end: Any
 ) -> Any:
     """Return whether the modes of pairs end (k), followed by whether frictions change and events happen."""
     if model.ns:
-        found = ca.vertcat(found, _slipping(model, run, start, end)[0])
-    return ca.vertcat(found, falls(run, start, end)[0]) if model.ne else found
+        any_end = ca.vertcat(any_end, _slipping(model, run, start, end)[0])
+    return ca.vertcat(any_end, falls(run, start, end)[0]) if model.ne else any_end
 
 
 def _endings(
@@ -289,19 +289,19 @@ def _endings(
 
     A force that goes on beyond zero, pulling, takes friction with it and brings it back: a kink, located for both signs.
     """
-    found = []
+    conditions = []
     for (mode, value, rate), small, counts in zip(
         RUNS_OUT, (tol_force, tol_rate), (ends_with_force(model), 1), strict=True
     ):
         falls = counts * (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
-        found.append((falls, start[value], end[value], start[rate], end[rate], small))
+        conditions.append((falls, start[value], end[value], start[rate], end[rate], small))
     if any(rubs_till_it_pulls(model)):
         goes_on = ca.DM(rubs_till_it_pulls(model)) * (start["mode"] == CONTACT) * (end["gap"] < -tol)
         for sign in (1, -1):
             values = [sign * side[part] for part in ("force", "force_rate") for side in (start, end)]
             falls = goes_on * (values[1] < -tol_force) * (values[0] > -AT_START * values[1])
-            found.append((falls, *values, tol_force))
-    return found
+            conditions.append((falls, *values, tol_force))
+    return conditions
 
 
 def _slipping(
@@ -328,24 +328,24 @@ def search(k: int) -> Any:
     NO_EVENT where there is none. MX, lazy: pairs not wanted cost nothing, nor are they looked through where there are many.
     """
     wanted, margin, doubt = (ca.MX.sym(name, k) for name in ("wanted", "margin", "doubt"))
-    given = [wanted, ca.MX.sym("bernstein", 6, k), margin, doubt]
-    found = locate()
-    none = ca.Function("none", found.mx_in(), [ca.MX(NO_EVENT)])
-    lazy = ca.Function.if_else("lazy", found, none)
+    arguments = [wanted, ca.MX.sym("bernstein", 6, k), margin, doubt]
+    located = locate()
+    none = ca.Function("none", located.mx_in(), [ca.MX(NO_EVENT)])
+    lazy = ca.Function.if_else("lazy", located, none)
 
-    def of(count: int, *given: Any) -> Any:
-        wanted, bernstein, margin, doubt = given
+    def of(count: int, *arguments: Any) -> Any:
+        wanted, bernstein, margin, doubt = arguments
         return ca.mmin(lazy.map(count)(wanted.T, bernstein, margin.T, doubt.T))
 
-    every = ca.Function("every", given, [of(k, *given)])
+    every = ca.Function("every", arguments, [of(k, *arguments)])
     if k <= MANY:
         return every
     places = places_of(wanted, SOME)
     rows = ca.repmat(6 * places.T, 6, 1) + ca.DM(range(6))
-    taken = (part.get_nz(False, at) for part, at in zip(given[1:], (rows, places, places), strict=True))
-    some = ca.Function("some", given, [of(SOME, places < k, *taken)])
+    taken = (part.get_nz(False, at) for part, at in zip(arguments[1:], (rows, places, places), strict=True))
+    some = ca.Function("some", arguments, [of(SOME, places < k, *taken)])
     few = ca.sum1(wanted) <= SOME
-    return ca.Function("search", given, [ca.Function.if_else("searched", some, every)(few, *given)])
+    return ca.Function("search", arguments, [ca.Function.if_else("searched", some, every)(few, *arguments)])
 
 
 @cache

@@ -94,15 +94,15 @@ def switch(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     if model.ne:
         y = jump(model)(after["t"], y, run["c"], due(run, after))
     _, *tolerance = tolerances(model, run, {**after, "y": y})
-    asked, late = ca.DM(0, 1), ca.DM(0)
+    undecided, late = ca.DM(0, 1), ca.DM(0)
     if model.ns:
         small = margin_tolerances(model, run, m, after, *tolerance)
-        asked, breaks = undecided_and_breaking(
+        undecided, breaks = undecided_and_breaking(
             model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"]
         )
         late = _since_zero(after, breaks)
-    asks = [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, run, m, after, tolerance)]
-    booked = ca.Function("booked", arguments, [*asks, late])
+    problem = [after["t"], y, after["mode"], m, run["c"], undecided, *_slip_tolerances(model, run, m, after, tolerance)]
+    booked = ca.Function("booked", arguments, [*problem, late])
     y, m, busy = (vectors.kind.sym(name, size) for name, size in (("y", y.numel()), ("m", model.nm), ("busy", 1)))
     end = right.symbols(vectors.kind)
     inputs = [*arguments[1:], m, y, busy, *end.values()]
@@ -118,15 +118,15 @@ def switch(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     if model.ne:
         new["h"] = ca.fmin(after["h"], time_to_event(run, end, after["t"]))
     resumed = ca.Function("resumed", inputs, [vectors.state.join(new)])
-    given, (_, after, run) = vectors.symbols("before after controls", ca.MX)
-    *asks, late = booked.call(given)
-    m, y, busy = resolve_slips(model).call(asks)
+    symbols, (_, after, run) = vectors.symbols("before after controls", ca.MX)
+    *problem, late = booked.call(symbols)
+    m, y, busy = resolve_slips(model).call(problem)
     ends = right.ends.call([after["t"], y, after["mode"], m, run["c"]])  # called: it runs seldom
     if model.ns:
         y += late * (ends[0] - after["dy"])
         ends = right.ends.call([after["t"], y, after["mode"], m, run["c"]])
-    state = resumed(*given[1:], m, y, busy, *ends)
-    return ca.Function("switch", given, [state], ["before", "after", "controls"], ["next"])
+    state = resumed(*symbols[1:], m, y, busy, *ends)
+    return ca.Function("switch", symbols, [state], ["before", "after", "controls"], ["next"])
 
 
 def _since_zero(after: Parts, breaks: Any) -> Any:
@@ -199,11 +199,11 @@ def begin(model: EngineModel, vectors: Layouts, right: Flow) -> Any:
     asking = [t, y, mode, m, run["c"], ca.DM.ones(model.ns)]
     asking += _slip_tolerances(model, run, m, {**end, "t": t}, tolerance)
     touched = ca.Function("touched", [t, q, u, known, controls], [*asking, floored])
-    given = touched.mx_in()
-    *asked, booked = touched.call(given)
-    slips = resolve_slips(model).call(asked)
-    state = _first(model, vectors, right)(given[0], given[4], asked[2], *slips, booked)
-    return ca.Function("begin", given, [state], ["t", "q", "u", "latches", "controls"], ["state"])
+    arguments = touched.mx_in()
+    *problem, booked = touched.call(arguments)
+    slips = resolve_slips(model).call(problem)
+    state = _first(model, vectors, right)(arguments[0], arguments[4], problem[2], *slips, booked)
+    return ca.Function("begin", arguments, [state], ["t", "q", "u", "latches", "controls"], ["state"])
 
 
 def _first(model: EngineModel, vectors: Layouts, right: Flow) -> Any:

@@ -50,21 +50,21 @@ def settling(groups: Groups) -> Any:
     groups: the places of each pair's tangents. slip: directions of sliding, 0 while sticking; kept for pairs that are not
     open. busy: 1 if no forces were found.
     """
-    given = _symbols(groups, "W b open sliding slip bound")
-    W, b, still, sliding, _, bound = given
+    system = _symbols(groups, "W b open sliding slip bound")
+    W, b, still, sliding, _, bound = system
     force = solve_sticking(W, still, -b)
     over = still * (_sizes(groups, force) > bound)
     limit = still * ca.if_else(over, sliding, bound)
-    stuck = ca.Function("stuck", given, ca.cse([_within(groups, force, limit), limit, ca.mmax(over), 0]))
+    stuck = ca.Function("stuck", system, ca.cse([_within(groups, force, limit), limit, ca.mmax(over), 0]))
     limited, directions = _limited(groups), _directions(groups)
     arguments = limited.mx_in()
     lazy = ca.Function.if_else("lazy", limited, ca.Function("unchanged", arguments, arguments[4:]))
-    asked = stuck.mx_in()
-    now = stuck.call(asked)
+    inputs = stuck.mx_in()
+    now = stuck.call(inputs)
     for _ in groups:
-        now = lazy.call([now[2], *asked[:4], *now])
-    slip = directions.call([*asked[:3], *asked[4:], *now[:2]])
-    return ca.Function("settled", asked, [*slip, now[3]])
+        now = lazy.call([now[2], *inputs[:4], *now])
+    slip = directions.call([*inputs[:3], *inputs[4:], *now[:2]])
+    return ca.Function("settled", inputs, [*slip, now[3]])
 
 
 def _limited(groups: Groups) -> Any:
@@ -72,18 +72,18 @@ def _limited(groups: Groups) -> Any:
 
     Forces within their limits. Pairs at one beyond their sliding force let go of it, and the forces are computed `again`.
     """
-    starts, step, found = _start(groups), _newton(groups), _limited_force(groups)
+    starts, step, limited_force = _start(groups), _newton(groups), _limited_force(groups)
     arguments = step.mx_in()
     lazy = ca.Function.if_else("lazy", step, ca.Function("unchanged", arguments, arguments[3:]))
     n = sum(map(len, groups))
-    given = [ca.MX.sym(name, n, n if name == "W" else 1) for name in ("W", "b", "open", "sliding", "force", "limit")]
-    given += [ca.MX.sym("again"), ca.MX.sym("busy")]
-    W, b, still, sliding, _, limit = given[:6]
+    system = [ca.MX.sym(name, n, n if name == "W" else 1) for name in ("W", "b", "open", "sliding", "force", "limit")]
+    system += [ca.MX.sym("again"), ca.MX.sym("busy")]
+    W, b, still, sliding, _, limit = system[:6]
     scaled = starts.call([W, b, limit])
     now = [ca.MX.zeros(n), ca.MX.ones(len(groups)), ca.MX.ones(len(groups)) / 2, ca.MX(1)]
     for _ in range(ITERATIONS):
         now = lazy.call([now[3], *scaled, *now])
-    return ca.Function("limited", given, found.call([still, sliding, limit, *now]))
+    return ca.Function("limited", system, limited_force.call([still, sliding, limit, *now]))
 
 
 def _start(groups: Groups) -> Any:
@@ -91,12 +91,12 @@ def _start(groups: Groups) -> Any:
 
     size: of the terms in each pair's equations.
     """
-    given = _symbols(groups, "W b limit")
-    W, b, limit = given
+    arguments = _symbols(groups, "W b limit")
+    W, b, limit = arguments
     W, b = (W + REDUNDANT * ca.diag(ca.diag(W))) * ca.mtimes(limit, limit.T), b * limit
     terms = ca.fabs(b) + ca.sum2(ca.fabs(W))
     size = ca.vertcat(*(ca.mmax(terms[list(group)]) for group in groups))
-    return ca.Function("start", given, ca.cse([W, b, ca.if_else(size > 0, size, 1)]))
+    return ca.Function("start", arguments, ca.cse([W, b, ca.if_else(size > 0, size, 1)]))
 
 
 def _newton(groups: Groups) -> Any:
@@ -111,10 +111,10 @@ def _newton(groups: Groups) -> Any:
     size, push, room = (ca.SX.sym(name, k) for name in ("size", "push", "room"))
 
     def each(of_pairs: Any) -> Any:
-        found = ca.SX(x)
+        result = ca.SX(x)
         for i, group in enumerate(groups):
-            found[list(group)] = of_pairs[i]
-        return found
+            result[list(group)] = of_pairs[i]
+        return result
 
     def dots(u: Any, v: Any) -> Any:
         return ca.vertcat(*(ca.dot(u[list(group)], v[list(group)]) for group in groups))
@@ -136,10 +136,10 @@ def _newton(groups: Groups) -> Any:
     solve = eliminated([[matrix[i, j] for j in range(n)] for i in range(n)], pivoting=False)
 
     def squares(dx: Any) -> Any:
-        found = dots(dx, dx)
+        result = dots(dx, dx)
         for i, curvature in bends.items():
-            found[i] = ca.dot(dx[list(groups[i])], ca.mtimes(curvature, dx[list(groups[i])]))
-        return found
+            result[i] = ca.dot(dx[list(groups[i])], ca.mtimes(curvature, dx[list(groups[i])]))
+        return result
 
     def inside(x: Any) -> Any:
         return ca.vertcat(*((1 - gauge(x[list(groups[i])]) ** 2) / 2 for i in bends))
@@ -154,8 +154,8 @@ def _newton(groups: Groups) -> Any:
         return dx, dpush, ca.fmin(ca.mmin(edge), ca.mmin(end))
 
     def moved(dx: Any, share: Any) -> Any:
-        found = room - share * dots(normal, dx) - share**2 * squares(dx) / 2
-        return ca.fmax(found, (1 - INSIDE) * room)  # as much is left but for rounding
+        left = room - share * dots(normal, dx) - share**2 * squares(dx) / 2
+        return ca.fmax(left, (1 - INSIDE) * room)  # as much is left but for rounding
 
     dx, dpush, share = step(-product)
     share, mean = ca.fmin(share, 1), ca.sum1(product) / k
@@ -166,17 +166,17 @@ def _newton(groups: Groups) -> Any:
     share = ca.fmin(INSIDE * share, 1)
     for _ in range(CUTS if bends else 0):
         share = ca.if_else(ca.mmin(inside(x + share * dx)) < -EXACT, share / 2, share)
-    after, push, room, given = x + share * dx, push + share * dpush, moved(dx, share), [W, b, size, x, push, room]
+    after, push, room, arguments = x + share * dx, push + share * dpush, moved(dx, share), [W, b, size, x, push, room]
     if bends:
-        seen, of = inside(after), list(bends)
-        room[of] = ca.if_else(seen > EXACT, seen, room[of])
+        remaining, of = inside(after), list(bends)
+        room[of] = ca.if_else(remaining > EXACT, remaining, room[of])
         normal = ca.vertcat(*(normal_and_curvature(after[list(group)])[0] for group in groups))
     else:
         normal = after
     error = ca.mtimes(W, after) + b + each(size * push) * normal
     done = (ca.sum1(push * room) <= k * COMPLEMENTARY) * (ca.sum1(ca.fabs(error) / each(size)) <= n * BALANCED)
-    given.append(ca.SX.sym("busy"))
-    return ca.Function("newton", given, ca.cse([after, push, room, 1 - done]))
+    arguments.append(ca.SX.sym("busy"))
+    return ca.Function("newton", arguments, ca.cse([after, push, room, 1 - done]))
 
 
 def _limited_force(groups: Groups) -> Any:
@@ -189,8 +189,8 @@ def _limited_force(groups: Groups) -> Any:
         at_edge = ca.if_else(push[i] > room[i], x[group] / positive(gauge(x[group])), x[group])
         force[group] = still[group] * limit[group] * at_edge
     lets_go = _on_edge(groups, still, force, limit) * (limit > sliding)
-    given = [still, sliding, limit, x, push, room, busy]
-    return ca.Function("found", given, ca.cse([force, ca.if_else(lets_go, sliding, limit), ca.mmax(lets_go), busy]))
+    arguments = [still, sliding, limit, x, push, room, busy]
+    return ca.Function("found", arguments, ca.cse([force, ca.if_else(lets_go, sliding, limit), ca.mmax(lets_go), busy]))
 
 
 def _directions(groups: Groups) -> Any:
@@ -199,21 +199,21 @@ def _directions(groups: Groups) -> Any:
     What sticks is held by the forces of least norm, as it will be from now on: a pair that these exceed slides too. An
     onset is located where they exceed the bound by less than the forces of the interior point are known to.
     """
-    given = _symbols(groups, "W b open slip bound force limit")
-    W, b, still, slip, bound, force, limit = given
+    arguments = _symbols(groups, "W b open slip bound force limit")
+    W, b, still, slip, bound, force, limit = arguments
     edge = _on_edge(groups, still, force, limit)
     driven = ca.if_else(edge, force, 0)
     sticks = still * (1 - edge)
     held = solve_sticking(W, sticks, -(b + ca.mtimes(W, driven)))
     a = b + ca.mtimes(W, driven + held)
     beyond = sticks * (_sizes(groups, held) > ca.fmin(limit * (1 + ON_EDGE), bound))
-    found = ca.if_else(still, 0, slip)
+    directions = ca.if_else(still, 0, slip)
     for group in map(list, groups):
         # without a limit the force is none, and the pair goes where the others make it, or nowhere
         away = ca.if_else(ca.sumsqr(a[group]) > 0, unit_of(a[group]), ca.DM([1.0, *[0.0] * (len(group) - 1)]))
         way = ca.if_else(limit[group[0]] > 0, outward(-force[group]), away)
-        found[group] += edge[group] * way + beyond[group] * outward(-held[group])
-    return ca.Function("directions", given, [ca.cse(ca.densify(found))])
+        directions[group] += edge[group] * way + beyond[group] * outward(-held[group])
+    return ca.Function("directions", arguments, [ca.cse(ca.densify(directions))])
 
 
 def _symbols(groups: Groups, names: str) -> list[Any]:
@@ -223,10 +223,10 @@ def _symbols(groups: Groups, names: str) -> list[Any]:
 
 def _sizes(groups: Sequence[Sequence[int]], x: Any) -> Any:
     """Return the gauge of each pair's part of a vector, for each of its tangents."""
-    found = ca.fabs(x)
+    sizes = ca.fabs(x)
     for group in map(list, groups):
-        found[group] = gauge(x[group])
-    return found
+        sizes[group] = gauge(x[group])
+    return sizes
 
 
 def _axes(way: Any) -> Any:

@@ -55,19 +55,19 @@ def resolve_slips(model: EngineModel) -> Any:
     part of the tolerance. Sticking pairs are brought to rest by impulses, whose work is booked as friction's.
     """
     n = model.ns
-    given = [*model.symbols("t y mode m c", ca.MX), *(ca.MX.sym(name, n) for name in ("asked", "rate", "force"))]
+    arguments = [*model.symbols("t y mode m c", ca.MX), *(ca.MX.sym(name, n) for name in ("asked", "rate", "force"))]
     if not n:
-        return ca.Function("directed", given, [given[3], given[1], 0])
+        return ca.Function("directed", arguments, [arguments[3], arguments[1], 0])
     groups = tuple(map(tuple, groups_of(grips_of(model))))
     if model.fed:
-        slip, busy = settled_slips(model)(*given)
+        slip, busy = settled_slips(model)(*arguments)
     else:
         solve = pivoting(n) if len(groups) == n else settling(groups)
-        slip, busy = solve(*_problem(model)(*given))
+        slip, busy = solve(*_problem(model)(*arguments))
     if len(groups) < n:
-        slip = _ahead(model)(*given, slip)
-    m, y = at_rest(model)(*given[:5], slip)
-    return ca.Function("directed", given, [m, y, busy])
+        slip = _ahead(model)(*arguments, slip)
+    m, y = at_rest(model)(*arguments[:5], slip)
+    return ca.Function("directed", arguments, [m, y, busy])
 
 
 def pivoting(n: int) -> Any:
@@ -100,15 +100,15 @@ def _problem(model: EngineModel) -> Any:
     """
     n = model.ns
     t, y, mode, m, c = model.symbols("t y mode m c")
-    asked, rate, force = (ca.SX.sym(name, n) for name in ("asked", "rate", "force"))
+    undecided, rate, force = (ca.SX.sym(name, n) for name in ("asked", "rate", "force"))
     q, u, z = model.parts(y)
     now = grips(model, BY_MODE, t, y, mode, m, c)
     f = model.function("applied")(t, q, u, c)
     for _, contact, active in active_contacts(model, BY_MODE, mode):
         f += masked(active, contact(t, q, u, z, m, c)[0])
-    stays = now.sticks * (1 - asked)  # whatever errors have left it of speed
+    stays = now.sticks * (1 - undecided)  # whatever errors have left it of speed
     slow, way = ca.fabs(now.velocity) <= rate, ca.sign(now.velocity)
-    pull = ca.if_else(asked, way, now.direction)
+    pull = ca.if_else(undecided, way, now.direction)
     ahead = ca.SX(pull)
     for group in now.groups:
         if len(group) > 1:
@@ -116,17 +116,17 @@ def _problem(model: EngineModel) -> Any:
                 size_of(now.velocity[group]) <= AT_REST * rate[group],
                 unit_of(now.velocity[group]),
             )
-            pull[group] = ca.if_else(asked[group], opposed(now.velocity[group]), now.direction[group])
-            ahead[group] = ca.if_else(asked[group], way[group], unit_of(now.slip[group]))
+            pull[group] = ca.if_else(undecided[group], opposed(now.velocity[group]), now.direction[group])
+            ahead[group] = ca.if_else(undecided[group], way[group], unit_of(now.slip[group]))
     still = now.touching * (slow + stays > 0)
     slides = now.touching * (1 - still)
     a = model.function("accelerations").call([t, q, u, f - ca.mtimes(now.along, slides * pull * now.sliding), c])[0]
     b = now.drift + ca.mtimes(now.along[: model.nu, :].T, a)
     W = ca.mtimes(now.along[: model.nu, :].T, mobility(model, t, q, u, now.along, c))
-    bound = now.holding + ca.if_else(asked, 0, BREAKS * force)
-    first = ca.if_else(still, ca.if_else(asked, STICK, ahead), slides * ahead)
-    given = [t, y, mode, m, c, asked, rate, force]
-    return ca.Function("problem", given, ca.cse([*map(ca.densify, (W, b, still, now.sliding, first, bound))]))
+    bound = now.holding + ca.if_else(undecided, 0, BREAKS * force)
+    first = ca.if_else(still, ca.if_else(undecided, STICK, ahead), slides * ahead)
+    arguments = [t, y, mode, m, c, undecided, rate, force]
+    return ca.Function("problem", arguments, ca.cse([*map(ca.densify, (W, b, still, now.sliding, first, bound))]))
 
 
 def _round(n: int, *, one: bool) -> Any:
@@ -167,17 +167,17 @@ def settled_slips(model: EngineModel) -> Any:
     """Return the function (arguments of `resolve_slips`) -> (slips (n), busy) of a fed model."""
     n = model.ns
     t, y, mode, m, c = model.symbols("t y mode m c")
-    asked, rate, force = (ca.SX.sym(name, n) for name in ("asked", "rate", "force"))
+    undecided, rate, force = (ca.SX.sym(name, n) for name in ("asked", "rate", "force"))
     now = grips(model, BY_MODE, t, y, mode, m, c)
-    still = now.touching * ((ca.fabs(now.velocity) <= rate) + now.sticks * (1 - asked) > 0)
-    ahead = ca.if_else(asked, ca.sign(now.velocity), now.slip)
-    first = ca.if_else(still, ca.if_else(asked, STICK, ahead), now.touching * ahead)
-    slack = ca.if_else(asked, 0, BREAKS * force)
-    given = [t, y, mode, m, c, asked, rate, force]
-    begin = ca.Function("open", given, [ca.densify(part) for part in (still, slack, first, ca.SX.zeros(n))])
+    still = now.touching * ((ca.fabs(now.velocity) <= rate) + now.sticks * (1 - undecided) > 0)
+    ahead = ca.if_else(undecided, ca.sign(now.velocity), now.slip)
+    first = ca.if_else(still, ca.if_else(undecided, STICK, ahead), now.touching * ahead)
+    slack = ca.if_else(undecided, 0, BREAKS * force)
+    arguments = [t, y, mode, m, c, undecided, rate, force]
+    begin = ca.Function("open", arguments, [ca.densify(part) for part in (still, slack, first, ca.SX.zeros(n))])
     asking = begin.mx_in()
-    found = rounds(n, *(_fed_round(model, one=one) for one in (False, True)))
-    return ca.Function("settled", asking, list(found.call([*asking[:5], *begin.call(asking)])))
+    pivoting_rounds = rounds(n, *(_fed_round(model, one=one) for one in (False, True)))
+    return ca.Function("settled", asking, list(pivoting_rounds.call([*asking[:5], *begin.call(asking)])))
 
 
 def _fed_round(model: EngineModel, *, one: bool) -> Any:
@@ -195,14 +195,14 @@ def _fed_round(model: EngineModel, *, one: bool) -> Any:
     f = model.function("applied")(t, q, u, c)
     for _, contact, active in active_contacts(model, BY_MODE, mode):
         f += masked(active, contact(t, q, u, z, m, c)[0])
-    found = solved(model, now, t, q, u, f, c)
-    limit = ca.if_else(free, now.sliding, now.holding) * found.pressing + slack
-    lets_go = still * now.sticks * (ca.fabs(found.held) > limit)
-    returns = still * (1 - now.sticks) * (slip * found.rate < -ROUNDING * found.terms)
+    solution = solved(model, now, t, q, u, f, c)
+    limit = ca.if_else(free, now.sliding, now.holding) * solution.pressing + slack
+    lets_go = still * now.sticks * (ca.fabs(solution.held) > limit)
+    returns = still * (1 - now.sticks) * (slip * solution.rate < -ROUNDING * solution.terms)
     changes = lets_go + returns
     if one:
         lets_go, returns = (part * first_of(changes) for part in (lets_go, returns))
-    new = ca.if_else(lets_go, -ca.sign(found.held), ca.if_else(returns, STICK, slip))
+    new = ca.if_else(lets_go, -ca.sign(solution.held), ca.if_else(returns, STICK, slip))
     arguments = [t, y, mode, m, c, still, slack, slip, free, ca.SX.sym("busy")]
     results = [new, ca.if_else(lets_go, 1, free), ca.mmax(changes) > 0]
     return ca.Function("round", arguments, ca.cse([*map(ca.densify, results)]))
@@ -213,14 +213,17 @@ def _ahead(model: EngineModel) -> Any:
 
     Of pairs with two tangents; those that slid and go on keep theirs.
     """
-    given = [*model.symbols("t y mode m c"), *(ca.SX.sym(name, model.ns) for name in ("asked", "rate", "force", "way"))]
-    m, asked, rate, way = given[3], given[5], given[6], given[8]
-    found, slip, goes_on = ca.SX(way), m[slips_in(model)], (1 - asked) * (1 - sticking(model, m))
+    arguments = [
+        *model.symbols("t y mode m c"),
+        *(ca.SX.sym(name, model.ns) for name in ("asked", "rate", "force", "way")),
+    ]
+    m, undecided, rate, way = arguments[3], arguments[5], arguments[6], arguments[8]
+    slips, slip, goes_on = ca.SX(way), m[slips_in(model)], (1 - undecided) * (1 - sticking(model, m))
     for group in groups_of(grips_of(model)):
         if len(group) > 1:
             new = AHEAD * rate[group] * way[group]
-            found[group] = ca.if_else(goes_on[group] * (ca.sumsqr(way[group]) > 0), slip[group], new)
-    return ca.Function("ahead", given, [ca.densify(found)])
+            slips[group] = ca.if_else(goes_on[group] * (ca.sumsqr(way[group]) > 0), slip[group], new)
+    return ca.Function("ahead", arguments, [ca.densify(slips)])
 
 
 def at_rest(model: EngineModel) -> Any:
@@ -240,8 +243,8 @@ def at_rest(model: EngineModel) -> Any:
 
 def _work(model: EngineModel, now: Grips) -> Any:
     """Rates (nz, n) of the ledger per newton of each friction, of joints too."""
-    found = ca.SX(now.power)
+    work = ca.SX(now.power)
     for i, (name, *_) in zip(joints(model, now), model.rubbing, strict=True):
         if model.has_ledger:
-            found[model.memory.index(f"{name}.dissipated"), i] = -now.velocity[i]
-    return found
+            work[model.memory.index(f"{name}.dissipated"), i] = -now.velocity[i]
+    return work

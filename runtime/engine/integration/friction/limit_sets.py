@@ -65,10 +65,10 @@ def normal_and_curvature(x: Any) -> tuple[Any, Any]:
     n = x.numel()
     if n < 3:
         return x, ca.SX.eye(n)
-    found, curvature = _curved()(x, _edge(x)[0])
+    normal, curvature = _curved()(x, _edge(x)[0])
     none = ca.sumsqr(x) == 0
     at_rest = ca.diag(ca.DM([1, 1, 1 / SPINNING**2]))
-    return ca.if_else(none, 0, found), ca.if_else(none, at_rest, curvature)
+    return ca.if_else(none, 0, normal), ca.if_else(none, at_rest, curvature)
 
 
 def _parts(x: Any) -> tuple[Any, Any, Any]:
@@ -83,8 +83,8 @@ def _edge(force: Any) -> tuple[Any, Any, Any]:
     wanted = ca.atan2(turn / SPINNING, pull)
     angle = ca.atan2(turn / SPINNING**2, pull)
     for _ in range(TURNS):
-        found, slope = _aimed()(angle)
-        angle = ca.fmin(ca.fmax(angle - (found - wanted) / slope, 0), math.pi / 2)
+        aimed, slope = _aimed()(angle)
+        angle = ca.fmin(ca.fmax(angle - (aimed - wanted) / slope, 0), math.pi / 2)
     way, reach = _way(angle, across, force[2])
     return angle, way, reach
 
@@ -102,8 +102,8 @@ def _aimed() -> Any:
     """Build the function of the angle of a velocity -> angle of its force in a unit sphere, and its slope."""
     angle = ca.SX.sym("angle")
     pull, turn = _slopes(ca.cos(angle), ca.sin(angle))
-    found = ca.atan2(turn / SPINNING, pull)
-    return ca.Function("aimed", [angle], ca.cse([found, ca.jacobian(found, angle)]))
+    aimed = ca.atan2(turn / SPINNING, pull)
+    return ca.Function("aimed", [angle], ca.cse([aimed, ca.jacobian(aimed, angle)]))
 
 
 @cache
@@ -111,8 +111,8 @@ def _curved() -> Any:
     """Build the function (force, angle of its velocity) -> gradient and Hessian of half the squared gauge."""
     x, angle = ca.SX.sym("x", 3), ca.SX.sym("angle")
     across, pull, turn = _parts(x)
-    found, slope = _aimed()(angle)
-    way, reach = _way(angle - (found - ca.atan2(turn / SPINNING, pull)) / slope, across, x[2])
+    aimed, slope = _aimed()(angle)
+    way, reach = _way(angle - (aimed - ca.atan2(turn / SPINNING, pull)) / slope, across, x[2])
     normal = ca.dot(x, way) / reach**2 * way
     return ca.Function("curved", [x, angle], ca.cse([normal, ca.densify(ca.jacobian(normal, x))]))
 

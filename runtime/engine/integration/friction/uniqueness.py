@@ -33,16 +33,18 @@ def bound(still: Any, W: Any, G: Any, limits: Any, S: Any, P: Any) -> Any:
     magnitudes; S (K, n), P (K, K): of the reactions.
     """
     n, total = W.shape[0], W.shape[0] + P.shape[0]
-    found = ca.SX.zeros(total, total)
+    matrix = ca.SX.zeros(total, total)
     for i in range(n):
         own = ca.if_else(W[i, i] > 0, W[i, i], 0)  # what it cannot move has no bound
         for j in range(n):
             if j != i:
-                found[i, j] = ca.if_else(still[i], ca.fabs(W[i, j]) / own, 0)
+                matrix[i, j] = ca.if_else(still[i], ca.fabs(W[i, j]) / own, 0)
         for k in range(P.shape[0]):
-            found[i, n + k] = ca.if_else(still[i], ca.fmax(ca.fabs(limits[i, k]), ca.fabs(G[i, k]) / own), limits[i, k])
-    found[n:, :n], found[n:, n:] = S, P
-    return found
+            matrix[i, n + k] = ca.if_else(
+                still[i], ca.fmax(ca.fabs(limits[i, k]), ca.fabs(G[i, k]) / own), limits[i, k]
+            )
+    matrix[n:, :n], matrix[n:, n:] = S, P
+    return matrix
 
 
 def pivots(Q: Any) -> Any:
@@ -61,15 +63,15 @@ def pivots(Q: Any) -> Any:
 
 def reach(solve: Callable[[Any, Any, Any], Any], W: Any, still: Any, columns: Any) -> Any:
     """Return the sizes (m) of columns (n, m) in the metric of W; solve: (W, still, right) -> forces."""
-    found = [ca.dot(column, solve(W, still, column)) for column in ca.horzsplit(columns)]
-    return ca.vertcat(ca.SX(0, 1), *(ca.sqrt(ca.fmax(square, 0)) for square in found))
+    squares = [ca.dot(column, solve(W, still, column)) for column in ca.horzsplit(columns)]
+    return ca.vertcat(ca.SX(0, 1), *(ca.sqrt(ca.fmax(square, 0)) for square in squares))
 
 
 def monotone(g: Any, s: Any, P: Any) -> Any:
     """Return the margin 1 - g (I - P)^-1 s, for sizes g and s (K); not positive where it proves nothing."""
     n = P.shape[0]
-    found = pivots(ca.vertcat(ca.horzcat(P, s), ca.horzcat(g.T, ca.SX(1, 1))))
+    diagonal = pivots(ca.vertcat(ca.horzcat(P, s), ca.horzcat(g.T, ca.SX(1, 1))))
     positive = ca.SX(1)
     for i in range(n):
-        positive *= found[i] > 0
-    return ca.if_else(positive, found[n], -1)
+        positive *= diagonal[i] > 0
+    return ca.if_else(positive, diagonal[n], -1)

@@ -59,10 +59,10 @@ class Integrator:
         """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
         if method not in self._steps:
             h = self.layouts.kind.sym("h")
-            given, (start, run) = self.layouts.symbols("state controls")
+            arguments, (start, run) = self.layouts.symbols("state controls")
             trial = self.layouts.trial.join(stepper(self.model, self.tables[method], BY_MODE)(start, run, h))
             names = ["state", "controls", "h"]
-            self._steps[method] = lean("step", [*given, h], [trial], names, ["trial"])
+            self._steps[method] = lean("step", [*arguments, h], [trial], names, ["trial"])
         return self._steps[method]
 
 
@@ -76,10 +76,10 @@ def integrator(model: EngineModel, tables: tuple[Table, ...]) -> Integrator:
     alone, explicit = len(tables) == 1, isinstance(tables[0], RungeKutta)
     if alone and not (passes_by_implicit_steps(model, tables) if explicit else model.nl):
         return replace(_integrator(model, tables, tables, Choosing.NONE), requested=tables)
-    asked, tables = tables, (*tables, esdirk54() if explicit else dopri5()) if alone else tables
+    requested, tables = tables, (*tables, esdirk54() if explicit else dopri5()) if alone else tables
     first, later = (Choosing.NONE,) * 2 if alone else (Choosing.ON_SUSPICION, Choosing.EVERY_STEP)
     with_choice = cache(lambda: _integrator(model, tables, tables, later))
-    return replace(_integrator(model, tables[:1], tables, first), requested=asked, with_choice=with_choice)
+    return replace(_integrator(model, tables[:1], tables, first), requested=requested, with_choice=with_choice)
 
 
 def _integrator(
@@ -125,16 +125,18 @@ def _completions(model: EngineModel, table: Table) -> tuple[Any, Any, Any]:
     special = settle(model, vectors, table, flow(model))
     near = special
     if model.k > 1:  # one pair is always asked
-        given = special.mx_in()
+        arguments = special.mx_in()
         judge = ca.Function.if_else("judge", _unchanged(special), special)
-        near = ca.Function("asked", given, [judge(no_event_of_any_pair(model, vectors)(*given[:3]), *given)])
+        near = ca.Function(
+            "asked", arguments, [judge(no_event_of_any_pair(model, vectors)(*arguments[:3]), *arguments)]
+        )
     return near, special, reject(vectors, table)
 
 
 def _unchanged(like: Any) -> Any:
     """Return the function that leaves a step as it is; arguments as of another."""
-    given = like.mx_in()
-    return ca.Function("plain", given, [given[2]])
+    arguments = like.mx_in()
+    return ca.Function("plain", arguments, [arguments[2]])
 
 
 def _case(number: Any, method: Any, count: int) -> Any:

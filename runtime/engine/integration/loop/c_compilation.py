@@ -184,15 +184,15 @@ def _compiler() -> tuple[str, ...]:
 
     Raises NoCompilerError.
     """
-    asked = os.environ.get("CC", "").strip()
-    if asked:
+    command = os.environ.get("CC", "").strip()
+    if command:
         try:
-            name, *options = shlex.split(asked)
+            name, *options = shlex.split(command)
         except ValueError as error:
-            raise BrokenCompilerError(f"CC={asked!r} is no command: {error}") from error
+            raise BrokenCompilerError(f"CC={command!r} is no command: {error}") from error
         path = shutil.which(name)
         if path is None:
-            raise BrokenCompilerError(f"CC={asked!r} names no program that can be run")
+            raise BrokenCompilerError(f"CC={command!r} names no program that can be run")
         return (path, *options)
     for name in ("cc", "gcc", "clang"):
         path = shutil.which(name)

@@ -64,18 +64,18 @@ class CFile:
 def c_files(text: str) -> list[CFile]:
     """Return what CasADi generated as files, the first with what is exported."""
     text = _CHOSEN + _PLAIN.sub(_straight, text)
-    functions = {found["name"]: found for found in _FUNCTION.finditer(text)}
-    calls = {name: set(_CALLED.findall(found["body"])) & functions.keys() for name, found in functions.items()}
-    finishing = {name for name, found in functions.items() if found["said"] == FINISH}
+    functions = {match["name"]: match for match in _FUNCTION.finditer(text)}
+    calls = {name: set(_CALLED.findall(match["body"])) & functions.keys() for name, match in functions.items()}
+    finishing = {name for name, match in functions.items() if match["said"] == FINISH}
     if not functions:
         return [CFile(text, OFTEN)]
-    exported = [set(_CALLED.findall(found[0])) & functions.keys() for found in _EXPORTED.finditer(text)]
+    exported = [set(_CALLED.findall(match[0])) & functions.keys() for match in _EXPORTED.finditer(text)]
     calls[EXPORTED] = set().union(*exported)
     often: set[str] = set()
     for entry in exported:
         if sum(len(functions[name][0]) for name in _reached(entry, calls, set())) <= LARGE:
             often |= _reached(entry, calls, finishing)
-    large = [name for name, found in functions.items() if len(found[0]) > BESIDE]
+    large = [name for name, match in functions.items() if len(match[0]) > BESIDE]
     moved = [
         *((OFTEN, names) for names in _shares([name for name in large if name in often], functions)[1:]),
         *((SELDOM, names) for names in _shares([name for name in large if name not in often], functions)),
@@ -85,11 +85,11 @@ def c_files(text: str) -> list[CFile]:
 
 def _reached(names: set[str], calls: dict[str, set[str]], last: set[str]) -> set[str]:
     """Return the functions called by some, and by those in turn; of the last ones nothing further."""
-    found, new = set(names), names
+    reached, new = set(names), names
     while new:
-        new = {other for name in new - last for other in calls[name]} - found
-        found |= new
-    return found
+        new = {other for name in new - last for other in calls[name]} - reached
+        reached |= new
+    return reached
 
 
 def _shares(names: list[str], functions: dict[str, re.Match[str]]) -> list[list[str]]:
@@ -120,10 +120,10 @@ def _apart(
     first = next(iter(functions.values())).start()
     common = _HELPER.sub(r"static \1", text[:first])
 
-    def own(found: re.Match[str]) -> str:
-        return found[0].replace("static ", "", 1) if found["name"] in shared else found[0]
+    def own(match: re.Match[str]) -> str:
+        return match[0].replace("static ", "", 1) if match["name"] in shared else match[0]
 
-    first_file = _FUNCTION.sub(lambda found: "" if found["name"] in home else own(found), text[first:])
+    first_file = _FUNCTION.sub(lambda match: "" if match["name"] in home else own(match), text[first:])
     others = ("\n".join(own(functions[name]) for name in names) for _, names in moved)
     levels = first_level, *(level for level, _ in moved)
     bodies = (first_file, *others)
@@ -145,9 +145,9 @@ def _straight(function: re.Match[str]) -> str:
     if len(body) <= LONG:
         return f"{head}{_declared(body)}{body}  return 0;\n}}\n"
     parts, size = _parts(body)
-    given = "const casadi_real** arg, casadi_real** res, casadi_real* v"
+    parameters = "const casadi_real** arg, casadi_real** res, casadi_real* v"
     made = "".join(
-        f"static __attribute__((noinline)) void {name}_{i}({given}) {{\n{_declared(part)}{part}}}\n\n"
+        f"static __attribute__((noinline)) void {name}_{i}({parameters}) {{\n{_declared(part)}{part}}}\n\n"
         for i, part in enumerate(parts)
     )
     calls = "".join(f"  {name}_{i}(arg, res, v);\n" for i in range(len(parts)))
@@ -161,8 +161,8 @@ def _declared(body: str) -> str:
         sizes[vector] = max(sizes.get(vector, 0), int(place) + 1)
     lines = [f"  casadi_real {', '.join(_variables(_VARIABLE.findall(body)))};\n"]
     for vector, size in sizes.items():
-        constant, initial, given = ("const ", " = {0}", "arg") if vector[0] == "x" else ("", "", "res")
-        where = f"{given}[{vector[1:]}]"
+        constant, initial, array = ("const ", " = {0}", "arg") if vector[0] == "x" else ("", "", "res")
+        where = f"{array}[{vector[1:]}]"
         lines.append(f"  {'static ' if constant else ''}{constant}casadi_real none_{vector}[{size}]{initial};\n")
         lines.append(f"  {constant}casadi_real* {vector} = {where} ? {where} : none_{vector};\n")
     return "".join(lines)
@@ -184,10 +184,10 @@ def _parts(body: str) -> tuple[list[str], int]:
             read.update(name for name in names[len(target) :] if name not in written)
             written.update(target)
         taken = "".join(f"  {name}=v[{int(name[1:])}];\n" for name in _variables(read))
-        kept = "".join(f"  v[{int(name[1:])}]={name};\n" for name in _variables(written & needed))
+        saved = "".join(f"  v[{int(name[1:])}]={name};\n" for name in _variables(written & needed))
         size = max([size, *(int(name[1:]) + 1 for name in read)])
         needed = read | (needed - written)
-        parts.append(taken + "".join(piece) + kept)
+        parts.append(taken + "".join(piece) + saved)
     return parts[::-1], size
 
 

@@ -61,21 +61,21 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE, *, called: str 
     counting, layouts = tally(integrator.model), integrator.layouts
     status = layouts.state.places["status"]
     lengths = {"state": layouts.state.size, "controls": layouts.controls.size, "tally": counting.layout.size}
-    given = state, controls, counted = [ca.MX.sym(name, length) for name, length in lengths.items()]
+    arguments = state, controls, counted = [ca.MX.sym(name, length) for name, length in lengths.items()]
     after = integrator.attempt.call([state, controls], True, False)[0]  # it is written out: a call costs
-    many = ca.Function("attempt", given, [after, counting.add(counted, after, controls)])
+    many = ca.Function("attempt", arguments, [after, counting.add(counted, after, controls)])
     for i, size in enumerate(sizes):
-        (state, _, counted), states = given, []
+        (state, _, counted), states = arguments, []
         for _ in range(size):
             inputs = [state, controls, counted]
-            found, counted = many.call([*([state[status] == RUNNING] if i else []), *inputs], i == 0, False)
-            states.append(found)
-            state = found[:, -1]
+            rows, counted = many.call([*([state[status] == RUNNING] if i else []), *inputs], i == 0, False)
+            states.append(rows)
+            state = rows[:, -1]
         name = called if i + 1 == len(sizes) else f"attempts_{i}"
-        many = ca.Function(name, given, [ca.horzcat(*states), counted], [*lengths], ["states", "counted"])
+        many = ca.Function(name, arguments, [ca.horzcat(*states), counted], [*lengths], ["states", "counted"])
         if i + 1 < len(sizes):
-            state, _, counted = given
-            over = ca.Function("over", given, [ca.repmat(state, 1, many.size2_out(0)), counted])
+            state, _, counted = arguments
+            over = ca.Function("over", arguments, [ca.repmat(state, 1, many.size2_out(0)), counted])
             many = ca.Function.if_else("unless_over", many, over)
     return many
 

@@ -63,13 +63,13 @@ def choice(
 
     h [s]: the step to continue with.
     """
-    given = (old["mode"], old["m"], run["c"])
+    conditions = (old["mode"], old["m"], run["c"])
     if J is None:
-        J, _ = linearised(model, contacts)(old["t"], old["y"], *given)
+        J, _ = linearised(model, contacts)(old["t"], old["y"], *conditions)
     stiffness = h * _rate(J, model.nq, model.nu)
     slides = sliding(model, contacts)
-    v, rate, gradient = slides(old["t"], old["y"], old["dy"], *given)
-    v1, rate1, _ = slides(end["t"], end["y"], end["dy"], *given)
+    v, rate, gradient = slides(old["t"], old["y"], old["dy"], *conditions)
+    v1, rate1, _ = slides(end["t"], end["y"], end["dy"], *conditions)
     foreseen = old["h"] * ca.mtimes(gradient, ca.mtimes(J, old["dy"]))
     turned = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.DM(0)
     implicit, wary = old["method"] == IMPLICIT, old["wary"]
@@ -96,8 +96,8 @@ def suspicion(
     old: Mapping[str, Any],
     run: Mapping[str, Any],
     end: Mapping[str, Any],
-    kept: Any,
-    seen: Mapping[str, Any],
+    to_continue: Any,
+    details: Mapping[str, Any],
 ) -> dict[str, Any]:
     """Return the state's `pressure` and `status` after an explicit step, by its last two stages.
 
@@ -121,10 +121,10 @@ def suspicion(
     speeds = [i for i in range(nq, n) if not free[i]] or list(range(nq, n))
     accelerated = [nq + i for i in range(model.nu) if reacting[i, :].nnz()]
     position, speed, acceleration = (
-        ca.sumsqr((end[name][part] - seen[of][part]) * seen["weights"][part])
+        ca.sumsqr((end[name][part] - details[of][part]) * details["weights"][part])
         for name, of, part in (("y", "stage", positions), ("y", "stage", speeds), ("dy", "slope", accelerated))
     )
-    h = ca.if_else(old["retakes"] > 0, kept, old["h"]) if model.k else old["h"]
+    h = ca.if_else(old["retakes"] > 0, to_continue, old["h"]) if model.k else old["h"]
     h2, (length, pace) = h * h, ca.vertsplit(run["scales"][:2])
     damping = h2 * acceleration > STIFF**2 * speed
     vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
@@ -149,12 +149,12 @@ def _fading(model: EngineModel, end: Mapping[str, Any], run: Mapping[str, Any]) 
 
 def fastest(model: EngineModel) -> Any:
     """Build the function (state, controls) -> step times fastest rate, and sliding velocities [m/s]."""
-    given, (old, run) = layouts(model).symbols("state controls")
+    arguments, (old, run) = layouts(model).symbols("state controls")
     at = (old["mode"], old["m"], run["c"])
     J, _ = linearised(model)(old["t"], old["y"], *at)
     v, *_ = sliding(model)(old["t"], old["y"], old["dy"], *at)
-    found = ca.densify(ca.vertcat(old["h"] * _rate(J, model.nq, model.nu), v))
-    return ca.Function("fastest", given, [ca.cse(found)], ["state", "controls"], ["found"])
+    results = ca.densify(ca.vertcat(old["h"] * _rate(J, model.nq, model.nu), v))
+    return ca.Function("fastest", arguments, [ca.cse(results)], ["state", "controls"], ["found"])
 
 
 def _rate(J: Any, nq: int, nu: int) -> Any:

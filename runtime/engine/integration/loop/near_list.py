@@ -125,8 +125,8 @@ def renewed(model: NearModel, state: np.ndarray, controls: np.ndarray, departure
         rows, latches = [moving + row for row in model.rows[place]], slice(place, None, model.k)
         left, come = (int(numbers[place]) for numbers in (before, new[0]))
         if left >= 0 and (np.any(at["y"][rows]) or np.any(at["m"][latches] != 1.0)):
-            found = Departure(float(at["t"][0]), at["y"][rows], at["m"][latches].copy())
-            departures.setdefault(left, []).append(found)
+            departure = Departure(float(at["t"][0]), at["y"][rows], at["m"][latches].copy())
+            departures.setdefault(left, []).append(departure)
         for row, name in zip(rows, model.summed[place], strict=True):
             at["y"][moving + model.departed[name]] += at["y"][row]
             at["y"][row] = 0.0
@@ -156,8 +156,8 @@ def _list(
         if family.count < len(own):
             order = np.argpartition(own, family.count)
             chosen, skin = order[: family.count], min(skin, own[order[family.count]])
-        kept = np.isin(listed - family.number, chosen)
-        fresh = np.setdiff1d(chosen, listed[kept].astype(int) - family.number)
-        listed[~kept] = NONE
-        listed[np.flatnonzero(~kept)[: len(fresh)]] = family.number + fresh
+        stays = np.isin(listed - family.number, chosen)
+        fresh = np.setdiff1d(chosen, listed[stays].astype(int) - family.number)
+        listed[~stays] = NONE
+        listed[np.flatnonzero(~stays)[: len(fresh)]] = family.number + fresh
     return near, centres, np.array([max(skin, 0.0)])

@@ -36,38 +36,38 @@ class NearRows:
     def busy(self) -> list[int]:
         """Return the pairs that are not in flight at some row."""
         mode = self._rows[:, self._layout["mode"]]
-        found = [pairs[np.any(mode[rows][:, listed] != FLIGHT, axis=0)] for rows, listed, pairs in self._lists]
-        return sorted({int(pair) for pairs in found for pair in pairs})
+        busy = [pairs[np.any(mode[rows][:, listed] != FLIGHT, axis=0)] for rows, listed, pairs in self._lists]
+        return sorted({int(pair) for pairs in busy for pair in pairs})
 
     def column(self, part: str, pair: int) -> np.ndarray:
         """Return a part of a pair (n,)."""
         start = self._layout.places[part]
-        found = np.full(len(self._rows), NOT_LISTED[part])
+        column = np.full(len(self._rows), NOT_LISTED[part])
         for (rows, *_), of in zip(self._lists, self._places, strict=True):
             if pair in of:
-                found[rows] = self._rows[rows, start + of[pair]]
-        return found
+                column[rows] = self._rows[rows, start + of[pair]]
+        return column
 
     def latch(self, row: int, pair: int) -> np.ndarray:
         """Return a row of the whole model's latches, that is of a pair, at all rows (n,)."""
         i = self._model.whole_latches[pair].index(row)
-        start, found = self._layout.places["m"] + i * self._model.k, np.ones(len(self._rows))
+        start, latch = self._layout.places["m"] + i * self._model.k, np.ones(len(self._rows))
         t = self._rows[:, self._layout.places["t"]]
         for left in self._departures.get(pair, ()):
-            found[t > left.t] = left.latches[i]
+            latch[t > left.t] = left.latches[i]
         for (rows, *_), of in zip(self._lists, self._places, strict=True):
             if pair in of:
-                found[rows] = self._rows[rows, start + of[pair]]
-        return found
+                latch[rows] = self._rows[rows, start + of[pair]]
+        return latch
 
     def part(self, part: str) -> np.ndarray:
         """Return a part of the rows as of the whole model (n, size)."""
         whole, own = self._model.whole, self._rows[:, self._layout[part]]
         if part in OF_PAIRS:
-            found = np.full((len(own), whole.k), NOT_LISTED[part])
+            table = np.full((len(own), whole.k), NOT_LISTED[part])
             for rows, listed, pairs in self._lists:
-                found[rows, pairs] = own[rows][:, listed]
-            return found
+                table[rows, pairs] = own[rows][:, listed]
+            return table
         if part == "m":
             of_rows = [pair for *_, pair in whole.module.LATCHES]
             return np.array([self.latch(row, pair) for row, pair in enumerate(of_rows)]).reshape(-1, len(own)).T
@@ -79,16 +79,16 @@ class NearRows:
         """Return memory, or its rates, of all pairs (n, nz)."""
         model = self._model
         values, rows_of = own[:, model.nq + model.nu :], model.memory_rows
-        found = np.zeros((len(own), model.whole.nz))
-        found[:, model.others] = values[:, : len(model.others)]
+        memory = np.zeros((len(own), model.whole.nz))
+        memory[:, model.others] = values[:, : len(model.others)]
         for rows, listed, pairs in self._lists:
             for place, pair in zip(listed.tolist(), pairs.tolist(), strict=True):
-                found[rows, rows_of[pair]] = values[rows][:, model.rows[place]]
+                memory[rows, rows_of[pair]] = values[rows][:, model.rows[place]]
         t = self._rows[:, self._layout.places["t"]]
         for pair, departures in self._departures.items() if summed else ():
             for left in departures:
-                found[:, rows_of[pair]] += (t > left.t)[:, None] * left.memory
-        return found
+                memory[:, rows_of[pair]] += (t > left.t)[:, None] * left.memory
+        return memory
 
     def memory(self, row: int) -> np.ndarray:
         """Return a row of the whole model's memory, at all rows (n,)."""
@@ -97,17 +97,17 @@ class NearRows:
         if row in model.others:
             return np.array(self._rows[:, start + model.others.index(row)])
         pair, i = next((pair, of.index(row)) for pair, of in enumerate(model.memory_rows) if row in of)
-        found = np.zeros(len(self._rows))
+        memory = np.zeros(len(self._rows))
         for (rows, *_), of in zip(self._lists, self._places, strict=True):
             if pair in of:
-                found[rows] = self._rows[rows, start + model.rows[of[pair]][i]]
+                memory[rows] = self._rows[rows, start + model.rows[of[pair]][i]]
         t = self._rows[:, self._layout.places["t"]]
         for left in self._departures.get(pair, ()):
-            found[t > left.t] += left.memory[i]
-        return found
+            memory[t > left.t] += left.memory[i]
+        return memory
 
 
 def places(model: NearModel, lists: np.ndarray, pairs: np.ndarray) -> np.ndarray:
     """Return the places of pairs (n,) in lists (n, size)."""
-    found: np.ndarray = np.argmax(lists[:, : model.k] == pairs[:, None], axis=1)
-    return found
+    at: np.ndarray = np.argmax(lists[:, : model.k] == pairs[:, None], axis=1)
+    return at

@@ -47,14 +47,14 @@ if TYPE_CHECKING:
 LARGE = 5000  # operations
 
 
-def lean(name: str, given: Any, results: Any, *names: Any) -> Any:
+def lean(name: str, arguments: Any, results: Any, *names: Any) -> Any:
     """Build a function that does nothing twice, or a large one as it is.
 
     To find the 3 to 8 % that are done twice takes half the time that it takes to build a large one, or that of 10,000
     of its calls.
     """
-    made = ca.Function(name, given, results, *names)
-    return made if made.n_instructions() > LARGE else ca.Function(name, given, ca.cse(results), *names)
+    made = ca.Function(name, arguments, results, *names)
+    return made if made.n_instructions() > LARGE else ca.Function(name, arguments, ca.cse(results), *names)
 
 
 def pairs_by_polynomial(model: EngineModel, contacts: Contacts) -> list[int]:
@@ -68,9 +68,9 @@ def pairs_by_polynomial(model: EngineModel, contacts: Contacts) -> list[int]:
 @per_model
 def no_event_of_any_pair(model: EngineModel, vectors: Layouts) -> Any:
     """Build the function (state, controls, next) -> 1 if no pair can have an event in the step."""
-    given, (old, run, end) = vectors.symbols("state controls next")
+    arguments, (old, run, end) = vectors.symbols("state controls next")
     clear = all_of(no_event_possible(model, run, old["mode"], old, end, list(range(model.k))))
-    return ca.Function("near", given, [ca.cse(clear)], ["state", "controls", "next"], ["clear"])
+    return ca.Function("near", arguments, [ca.cse(clear)], ["state", "controls", "next"], ["clear"])
 
 
 def advance(
@@ -81,7 +81,7 @@ def advance(
     next: the state after the step if the verdict is plain; otherwise its t, y, dy and pair parts are those of the end
     of the step.
     """
-    given, (old, run) = vectors.symbols("state controls")
+    arguments, (old, run) = vectors.symbols("state controls")
     poll()  # each part takes up to a second of a large model
     mode = old["mode"] if contacts is BY_MODE else modes(model, contacts)
     name = "advance_in_contact" if contacts != () else "advance_in_flight"
@@ -90,13 +90,13 @@ def advance(
     calls_step = not stages_inlined(model, table, contacts)
     calls_jacobian = uses_calls(model) and choosing is Choosing.EVERY_STEP
     if as_vectors or not (calls_step or calls_jacobian):
-        seen: dict[str, Any] = {}
-        end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
+        details: dict[str, Any] = {}
+        end = stepper(model, table, contacts, details)({**old, "mode": mode}, run, old["h"])
         poll()
-        return lean(name, given, _judged(model, vectors, table, contacts, choosing, old, run, end, seen), *names)
+        return lean(name, arguments, _judged(model, vectors, table, contacts, choosing, old, run, end, details), *names)
 
     # what is called is computed from MX, and judged by a function of its results
-    state, controls = (ca.MX.sym(part, vector.numel()) for part, vector in zip(names[0], given, strict=True))
+    state, controls = (ca.MX.sym(part, vector.numel()) for part, vector in zip(names[0], arguments, strict=True))
     called_old = vectors.state.split(state)
     called_run = vectors.within(vectors.controls.split(controls), called_old)
     start = called_old if contacts is BY_MODE else {**called_old, "mode": ca.MX(ca.DM(mode))}
@@ -109,14 +109,16 @@ def advance(
             *(start[part] for part in ("t", "y", "mode", "m")), called_run["c"]
         )
     poll()
-    seen = {part: ca.SX.sym(part, value.sparsity()) for part, value in results.items()}
+    details = {part: ca.SX.sym(part, value.sparsity()) for part, value in results.items()}
     end = (
-        vectors.trial.split(seen["trial"])
+        vectors.trial.split(details["trial"])
         if calls_step
-        else stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
+        else stepper(model, table, contacts, details)({**old, "mode": mode}, run, old["h"])
     )
-    inputs = [seen[part] for part in results]
-    judged = lean("judged", [*given, *inputs], _judged(model, vectors, table, contacts, choosing, old, run, end, seen))
+    inputs = [details[part] for part in results]
+    judged = lean(
+        "judged", [*arguments, *inputs], _judged(model, vectors, table, contacts, choosing, old, run, end, details)
+    )
     poll()
     return ca.Function(name, [state, controls], list(judged.call([state, controls, *results.values()])), *names)
 
@@ -130,7 +132,7 @@ def _judged(
     old: dict[str, Any],
     run: dict[str, Any],
     end: dict[str, Any],
-    seen: dict[str, Any],
+    details: dict[str, Any],
 ) -> list[Any]:
     """Return [next, verdict] of a step from `old` that ends in the trial `end`."""
     contact = contacts != ()
@@ -151,13 +153,13 @@ def _judged(
     remaining = run["t_end"] - end["t"]
     passed = (error <= 1) * is_finite(end)
     clear = plain * (1 - old["fresh_contact"]) * (remaining > 0) * (steps < run["max_steps"])
-    asked = pairs_by_polynomial(model, contacts)
+    polynomial = pairs_by_polynomial(model, contacts)
     if model.ne:
         clear *= none_possible(old, end)
-    others = [j for j in range(model.k) if j not in asked]
-    if asked:
-        clear *= all_of(no_event_possible(model, run, mode, old, end, asked))
-    if not asked and may_slip(model, contacts):
+    others = [j for j in range(model.k) if j not in polynomial]
+    if polynomial:
+        clear *= all_of(no_event_possible(model, run, mode, old, end, polynomial))
+    if not polynomial and may_slip(model, contacts):
         clear *= margins_positive(model, mode, old, end)
     apart = all_of(far_apart(model, run, old, end, others)) if others else ca.DM(1)
     if contact or model.nr > model.k:
@@ -166,8 +168,8 @@ def _judged(
     grown = factor(table, error)
     grown = h * ca.if_else(old["after_rejection"], ca.fmin(grown, 1), grown)
     own = "h_contact" if contact else "h_flight"
-    kept = step_to_continue(h, old[own], grown)
-    free = ca.fmin(kept, run["h_max"]) if contact else kept
+    to_continue = step_to_continue(h, old[own], grown)
+    free = ca.fmin(to_continue, run["h_max"]) if contact else to_continue
     if model.k:
         free = limited_by_surfaces(free, old["h_onset"], mode, end)
     if model.ne:
@@ -176,7 +178,7 @@ def _judged(
     new = {
         **old,
         **end,
-        own: kept,
+        own: to_continue,
         "h": ca.if_else(1.01 * free >= remaining, remaining, free),
         "accepted": ca.DM(1),
         "after_rejection": ca.DM(0),
@@ -185,9 +187,9 @@ def _judged(
         "evaluations": old["evaluations"] + table.stages,
     }
     if choosing is Choosing.EVERY_STEP:
-        new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept, seen.get("J"))
+        new |= choice(model, contacts, {**old, "mode": mode}, run, end, to_continue, details.get("J"))
     elif choosing is Choosing.ON_SUSPICION:
-        new |= suspicion(model, contacts, old, run, end, kept, seen)
+        new |= suspicion(model, contacts, old, run, end, to_continue, details)
     judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (NEAR - SPECIAL + apart * (PLAIN - NEAR)))
     verdict = {"kind": judged, "error": error, "in_range": in_range}
     return [vectors.state.join(new), vectors.verdict.join(verdict)]

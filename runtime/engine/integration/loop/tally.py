@@ -48,9 +48,9 @@ def tally(model: EngineModel) -> Tally:
         (vectors.state.symbol("state"), vectors.controls.symbol("controls")),
     )
     at, was, limits = vectors.state.split(state), layout.split(known), vectors.controls.split(controls)["speed_limits"]
-    found = {**was, **_balance(model, at, was), **_approaches(at, was, limits)}
+    after = {**was, **_balance(model, at, was), **_approaches(at, was, limits)}
     add = ca.Function(
-        "tally", [known, state, controls], [layout.join(found)], ["tally", "state", "controls"], ["after"]
+        "tally", [known, state, controls], [layout.join(after)], ["tally", "state", "controls"], ["after"]
     )
     nothing = {name: ca.SX.zeros(size) for name, size in layout.sizes.items()}
     start = {"start": _energies(model, at)} if model.has_ledger else {}
@@ -73,11 +73,11 @@ def _balance(model: EngineModel, at: dict[str, Any], was: dict[str, Any]) -> dic
     if not model.has_ledger:
         return {}
     energies = _energies(model, at)
-    kinetic, potential, dissipated, given = ca.vertsplit(energies - was["start"])
+    kinetic, potential, dissipated, supplied = ca.vertsplit(energies - was["start"])
     size = ca.sum1(ca.fabs(energies))
     return {
-        "moved": ca.mmax(ca.vertcat(was["moved"], energies[0], *map(ca.fabs, (potential, dissipated, given)))),
-        "error": ca.fmax(was["error"], ca.fabs(kinetic + potential + dissipated - given)),
+        "moved": ca.mmax(ca.vertcat(was["moved"], energies[0], *map(ca.fabs, (potential, dissipated, supplied)))),
+        "error": ca.fmax(was["error"], ca.fabs(kinetic + potential + dissipated - supplied)),
         "size": ca.if_else(size < math.inf, ca.mmax(ca.vertcat(was["size"], ca.fabs(energies))), math.inf),
     }
 

@@ -30,12 +30,12 @@ PASSING = -1.0  # pressure of a run that takes implicit steps for a direction th
 @per_model
 def turning_rate(model: EngineModel) -> Any:
     """Build the function (state, controls) -> fastest rate [1/s] of directions, see `Grips.turning`."""
-    given, (old, run) = layouts(model).symbols("state controls")
+    arguments, (old, run) = layouts(model).symbols("state controls")
     t, y, mode, m, c = (*(old[name] for name in ("t", "y", "mode", "m")), run["c"])
     q, u, _ = model.parts(y)
     now = grips(model, BY_MODE, t, y, mode, m, c)
     rate = now.turning(ca.mtimes(now.across, mobility(model, t, q, u, now.along, c)))
-    return ca.Function("turning_rate", given, [ca.cse(rate)], ["state", "controls"], ["rate"])
+    return ca.Function("turning_rate", arguments, [ca.cse(rate)], ["state", "controls"], ["rate"])
 
 
 def passes_by_implicit_steps(model: EngineModel, tables: tuple[Table, ...]) -> bool:

@@ -103,14 +103,14 @@ class NearModel(EngineModel):
                 coordinate_rates=module.coordinate_rates,
                 applied=module.applied,
                 accelerations=module.accelerations,
-                energy=lambda *given: module.energy(*given)[:2],
+                energy=lambda *arguments: module.energy(*arguments)[:2],
                 **({"ledger": self._ledger} if whole.has_ledger else {}),
             )
         )
 
-    def _ledger(self, *given: Any) -> Any:
-        found = ca.SX(ca.vec(ca.SX(self.whole.module.ledger(*given))))
-        return ca.vertcat(found[self.others], ca.SX.zeros(self.nz - len(self.others)))
+    def _ledger(self, *arguments: Any) -> Any:
+        rates = ca.SX(ca.vec(ca.SX(self.whole.module.ledger(*arguments))))
+        return ca.vertcat(rates[self.others], ca.SX.zeros(self.nz - len(self.others)))
 
     def lists_of(self, c: Any) -> list[Any]:
         """Return the list among the constants: numbers of pairs by place, centres (3 n) when made, skin [m]."""
@@ -123,16 +123,16 @@ class NearModel(EngineModel):
         made, otherwise = _FUNCTIONS[name]
         return self.at_places(name, made(self.whole), otherwise)
 
-    def at_places(self, name: str, found: Alike, otherwise: tuple[float, ...]) -> Any:
+    def at_places(self, name: str, grouped: Alike, otherwise: tuple[float, ...]) -> Any:
         """Return a function with the results of all pairs for the places of the list.
 
         otherwise    results in a place without a pair
         """
         symbols = self.symbols("t q u a c" if name == "gap_accelerations" else "t q u c", ca.MX)
-        known = found.known([*symbols[:-1], symbols[-1][: self.whole.nc]])
+        known = grouped.known([*symbols[:-1], symbols[-1][: self.whole.nc]])
         near, *_ = self.lists_of(symbols[-1])
         columns: list[list[Any]] = [[] for _ in otherwise]
-        for kind, places, number in self.by_places(found):
+        for kind, places, number in self.by_places(grouped):
             own = near[places]
             there = own > NONE
             results, _ = kind.results_at(known, ca.if_else(there, own - number, 0), [])
@@ -140,11 +140,11 @@ class NearModel(EngineModel):
                 column.append(ca.if_else(there, value, without))
         return ca.Function(name, symbols, [ca.vertcat(*column) for column in columns])
 
-    def by_places(self, found: Alike) -> list[tuple[Kind, list[int], int]]:
+    def by_places(self, grouped: Alike) -> list[tuple[Kind, list[int], int]]:
         """Return each kind with its places and the number of its first pair."""
         return [
             (kind, [*range(family.first, family.first + family.count)], family.number)
-            for kind, family in zip(found.kinds, self.families, strict=True)
+            for kind, family in zip(grouped.kinds, self.families, strict=True)
         ]
 
     @per_model
@@ -158,9 +158,9 @@ class NearModel(EngineModel):
         v = ca.jtimes(r, ca.vertcat(t, q), ca.vertcat(1, whole.expressions("coordinate_rates", t, q, u, c)[0]))
         a = ca.jtimes(v, ca.vertcat(t, q, u), ca.vertcat(1, dy[: self.nq + self.nu]))
         now = ca.Function("now", [t, q, u, dy, c], [*map(ca.densify, ca.cse([r, v, a]))])
-        given = [t, y, dy, ca.SX.sym("constants", self.nc)]
-        found = now(t, y[: self.nq], y[self.nq : self.nq + self.nu], dy, given[3][: whole.nc])
-        return ca.Function("centres", given, [*found], ["t", "y", "dy", "c"], ["r", "v", "a"])
+        arguments = [t, y, dy, ca.SX.sym("constants", self.nc)]
+        motion = now(t, y[: self.nq], y[self.nq : self.nq + self.nu], dy, arguments[3][: whole.nc])
+        return ca.Function("centres", arguments, [*motion], ["t", "y", "dy", "c"], ["r", "v", "a"])
 
     def lengths(self, vectors: Any) -> Any:
         """Return the lengths (n) of vectors (3 n), as a row."""
@@ -206,10 +206,10 @@ def _latches(model: EngineModel) -> list[list[str]]:
 @per_model
 def latch_rows(model: EngineModel) -> list[list[int]]:
     """Return the rows of the latches of each pair."""
-    found: list[list[int]] = [[] for _ in model.pairs]
+    rows: list[list[int]] = [[] for _ in model.pairs]
     for row, (_, _, pair) in enumerate(model.module.LATCHES):
-        found[pair].append(row)
-    return found
+        rows[pair].append(row)
+    return rows
 
 
 def _by_kind(model: EngineModel, inputs: str, results: Callable[..., Any]) -> Alike:
@@ -226,12 +226,14 @@ def _by_kind(model: EngineModel, inputs: str, results: Callable[..., Any]) -> Al
         own |= {part: [[*range(sizes[part])]] * len(members) for part in ("t", "latches", "c")}
         symbols = [ca.SX.sym(part, len(own[part][0])) for part in parts]
         leaves = [[starts[part] + i for part in parts for i in own[part][k]] for k in range(len(members))]
-        found = ca.cse([ca.densify(results(family, *symbols))])
-        one = ca.Function("one", [ca.vertcat(*symbols)], found)
+        values = ca.cse([ca.densify(results(family, *symbols))])
+        one = ca.Function("one", [ca.vertcat(*symbols)], values)
         kinds.append(Kind([*range(number, number + len(members))], leaves, one))
         number += len(members)
-    given = [ca.SX.sym(part, sizes[part]) for part in parts]
-    alike = Alike([[*range(part.numel())] for part in given], ca.Function("shared", given, [ca.SX(0, 1)]), kinds)
+    arguments = [ca.SX.sym(part, sizes[part]) for part in parts]
+    alike = Alike(
+        [[*range(part.numel())] for part in arguments], ca.Function("shared", arguments, [ca.SX(0, 1)]), kinds
+    )
     return alike.with_results([[*range(kind.one.numel_out(0))] for kind in kinds])
 
 
@@ -256,18 +258,18 @@ def contacts_by_kind(model: EngineModel) -> tuple[Alike, list[list[int]], list[l
         return ca.vertcat(*entries)
 
     members = dict(model.module.FAMILIES)
-    found = _by_kind(model, "t q u latches c", contact)
+    contacts = _by_kind(model, "t q u latches c", contact)
     forces = [[u[i] for i in patterns[family][0]] for family, _, u, *_ in model.members]
     memory = [[z[i] for i in patterns[family][1]] for family, _, _, z, _ in model.members]
-    return found, forces, memory
+    return contacts, forces, memory
 
 
 @per_model
 def gaps_by_kind(model: EngineModel) -> Alike:
     """Return gaps and their rates of all pairs by kind."""
 
-    def both(family: str, *given: Any) -> Any:
-        gap, rate = _of(model, "gaps", family)(*given)
+    def both(family: str, *arguments: Any) -> Any:
+        gap, rate = _of(model, "gaps", family)(*arguments)
         return ca.vertcat(ca.SX(gap), ca.SX(rate))
 
     return _by_kind(model, "t q u c", both)
@@ -275,12 +277,14 @@ def gaps_by_kind(model: EngineModel) -> Alike:
 
 @per_model
 def _accelerations(model: EngineModel) -> Alike:
-    return _by_kind(model, "t q u a c", lambda family, *given: ca.SX(_of(model, "gap_accelerations", family)(*given)))
+    return _by_kind(
+        model, "t q u a c", lambda family, *arguments: ca.SX(_of(model, "gap_accelerations", family)(*arguments))
+    )
 
 
 @per_model
 def _energies(model: EngineModel) -> Alike:
-    return _by_kind(model, "t q u c", lambda family, *given: ca.SX(_of(model, "stored_energy", family)(*given)))
+    return _by_kind(model, "t q u c", lambda family, *arguments: ca.SX(_of(model, "stored_energy", family)(*arguments)))
 
 
 @per_model
@@ -288,11 +292,11 @@ def distances_by_kind(model: EngineModel) -> Alike:
     """Return the distances of the surfaces of all pairs by kind: outputs, or gaps where there is none."""
     first = {family: members[0][0] for family, members in model.module.FAMILIES}
 
-    def distance(family: str, *given: Any) -> Any:
+    def distance(family: str, *arguments: Any) -> Any:
         own = [name for name in model.outputs if name.startswith(f"{first[family]}.")]
         if f"{first[family]}.gap" in own:
-            return ca.SX(_of(model, "outputs", family)(*given))[own.index(f"{first[family]}.gap")]
-        return ca.SX(_of(model, "gaps", family)(*given)[0])
+            return ca.SX(_of(model, "outputs", family)(*arguments))[own.index(f"{first[family]}.gap")]
+        return ca.SX(_of(model, "gaps", family)(*arguments)[0])
 
     return _by_kind(model, "t q u c", distance)
 
@@ -308,8 +312,8 @@ _FUNCTIONS: dict[str, tuple[Callable[[EngineModel], Alike], tuple[float, ...]]] 
 @per_model
 def distances(model: EngineModel) -> Any:
     """Return the function (t, q, u, c) -> distances (k) of the surfaces of all pairs (MX)."""
-    given = model.symbols("t q u c", ca.MX)
-    return ca.Function("distances", given, distances_by_kind(model).results(given))
+    arguments = model.symbols("t q u c", ca.MX)
+    return ca.Function("distances", arguments, distances_by_kind(model).results(arguments))
 
 
 @per_model
@@ -364,15 +368,15 @@ def _bodies(model: EngineModel) -> list[tuple[int, int] | None]:
     ):
         centred = ca.SX(value)[:3].is_zero()
         rows.setdefault(pair, []).append((kind, role, body, centred))
-    found: list[tuple[int, int] | None] = []
+    bodies: list[tuple[int, int] | None] = []
     for pair in model.pairs:
         spheres = [place[body] for _, role, body, centred in rows.get(pair, ()) if centred and role != "plane"]
         kinds = {(kind, role) for kind, role, *_ in rows.get(pair, ())}
         grounded = all(body == "ground" for _, role, body, _ in rows.get(pair, ()) if role == "plane")
         if kinds == {("sphere_on_sphere", "first"), ("sphere_on_sphere", "second")} and len(spheres) == 2:
-            found.append((spheres[0], spheres[1]))
+            bodies.append((spheres[0], spheres[1]))
         elif kinds == {("sphere_on_plane", "sphere"), ("sphere_on_plane", "plane")} and len(spheres) == 1 and grounded:
-            found.append((spheres[0], -1))
+            bodies.append((spheres[0], -1))
         else:
-            found.append(None)
-    return found
+            bodies.append(None)
+    return bodies

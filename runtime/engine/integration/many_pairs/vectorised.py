@@ -38,9 +38,9 @@ class Kind:
         leaves = ca.SX.sym("leaves", self.one.numel_in(0))
         one = ca.Function("one", [leaves], [self.one(leaves)[results]])
         used = sorted({places[1] for operation, places, *_ in _instructions(one) if operation == ca.OP_INPUT})
-        own, given = ca.SX.sym("leaves", len(used)), ca.SX.zeros(leaves.numel())
-        given[used] = own
-        return Kind(self.items, [[of[i] for i in used] for of in self.leaves], ca.Function("one", [own], [one(given)]))
+        own, whole = ca.SX.sym("leaves", len(used)), ca.SX.zeros(leaves.numel())
+        whole[used] = own
+        return Kind(self.items, [[of[i] for i in used] for of in self.leaves], ca.Function("one", [own], [one(whole)]))
 
     def results(self, known: Any) -> list[Any]:
         """Return each result of all items, as vectors (MX), from inputs and shared values."""
@@ -64,30 +64,30 @@ class Kind:
         n, own = slots.numel(), own or {}
         columns = list(zip(*self.leaves, strict=True))
         varying = [i for i, of in enumerate(columns) if len(set(of)) > 1]
-        found = entries([columns[i] for i in varying] + places, slots)
-        leaves = known.get_nz(False, ca.vertcat(ca.MX(0, 1), *found[: len(varying)]))
+        selected = entries([columns[i] for i in varying] + places, slots)
+        leaves = known.get_nz(False, ca.vertcat(ca.MX(0, 1), *selected[: len(varying)]))
         gathered = [own[of[0]] if of[0] in own else known[of[0]] for of in columns]
         for i, column in zip(varying, ca.vertsplit(leaves, n) if varying else [], strict=True):
             gathered[i] = column
         if n > 1:
-            return self._over(gathered, n), found[len(varying) :]
-        return ca.vertsplit(self.one(ca.vertcat(*gathered))), found[len(varying) :]
+            return self._over(gathered, n), selected[len(varying) :]
+        return ca.vertsplit(self.one(ca.vertcat(*gathered))), selected[len(varying) :]
 
     def _over(self, gathered: list[Any], n: int) -> list[Any]:
         """Return each result of n items, as vectors (MX), from columns of their leaves."""
         work: dict[int, Any] = {}
-        found: list[Any] = [None] * self.one.numel_out(0)
+        values: list[Any] = [None] * self.one.numel_out(0)
         for operation, places, target, constant in _instructions(self.one):
             if operation == ca.OP_INPUT:
                 work[target] = gathered[places[1]]
             elif operation == ca.OP_OUTPUT:
                 value = work[places[0]]
-                found[target[1]] = value if value.numel() == n else ca.repmat(value, n, 1)
+                values[target[1]] = value if value.numel() == n else ca.repmat(value, n, 1)
             elif operation == ca.OP_CONST:
                 work[target] = ca.MX(constant)
             else:
                 work[target] = _apply(ca.MX, operation, [work[place] for place in places])
-        return found
+        return values
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,10 +123,10 @@ class Alike:
         taken = [
             [entry for i, (part, entry) in enumerate(known) if part == k and i in place] for k in range(len(self.taken))
         ]
-        given = self.shared.sx_in()
-        column = self.shared(*given)[[old - len(known) for old in used if old >= len(known)]]
+        arguments = self.shared.sx_in()
+        column = self.shared(*arguments)[[old - len(known) for old in used if old >= len(known)]]
         kinds = [Kind(kind.items, [[place[i] for i in of] for of in kind.leaves], kind.one) for kind in some]
-        return Alike(taken, ca.Function("shared", given, [column]), kinds)
+        return Alike(taken, ca.Function("shared", arguments, [column]), kinds)
 
     def rates(self, results: list[int], moving: int) -> Alike:
         """Return the items with the rate of one of their results, by kind; nothing may be shared.
@@ -147,9 +147,9 @@ class Alike:
             both = ca.vertcat(leaves, own)
             places = [[*of, *(rate[of[i]] for i in moved)] for of in kind.leaves]
             kinds.append(Kind(kind.items, places, ca.Function("one", [both], [ca.cse(one)])))
-        given = self.shared.sx_in()
-        given += [ca.SX.sym("rate", part.numel()) for part in given[:moving]]
-        shared = ca.Function("shared", given, [ca.SX(0, 1)])
+        arguments = self.shared.sx_in()
+        arguments += [ca.SX.sym("rate", part.numel()) for part in arguments[:moving]]
+        shared = ca.Function("shared", arguments, [ca.SX(0, 1)])
         return Alike([*self.taken, *self.taken[:moving]], shared, kinds).with_results([[0]] * len(kinds))
 
     def results(self, inputs: list[Any]) -> list[Any]:
@@ -165,14 +165,14 @@ class Alike:
         return sorted(range(len(items)), key=items.__getitem__)
 
 
-def alike(given: list[Any], items: list[Any], *, share: bool = True) -> Alike | None:
+def alike(symbols: list[Any], items: list[Any], *, share: bool = True) -> Alike | None:
     """Find the kinds of items, SX columns of results; None where one calls a function.
 
     Functions that are embedded, such as a search for the nearest point of a curve, are not operations on vectors.
 
     share    what several items need is computed once, for all of them; else by each item for itself
     """
-    whole = ca.Function("items", given, items)
+    whole = ca.Function("items", symbols, items)
     nodes: list[Node] = []
     roots: list[list[int]] = [[-1] * item.numel() for item in items]
     work: dict[int, int] = {}
@@ -188,32 +188,32 @@ def alike(given: list[Any], items: list[Any], *, share: bool = True) -> Alike | 
         work[target] = len(nodes) - 1
     is_shared = _shared(nodes, roots) if share else [False] * len(nodes)
     shared: dict[int, int] = {}
-    found: dict[tuple[Any, ...], tuple[list[int], list[list[int]]]] = {}
+    forms: dict[tuple[Any, ...], tuple[list[int], list[list[int]]]] = {}
     for item, of_item in enumerate(roots):
         form, leaves = _form(nodes, of_item, is_shared)
-        numbers, of_items = found.setdefault(form, ([], []))
+        numbers, of_items = forms.setdefault(form, ([], []))
         numbers.append(item)
         of_items.append(leaves)
         for leaf in leaves:
             if nodes[leaf][0] != ca.OP_INPUT:
                 shared.setdefault(leaf, len(shared))
-    used = {leaf for _, of_items in found.values() for of in of_items for leaf in of}
+    used = {leaf for _, of_items in forms.values() for of in of_items for leaf in of}
     inputs = sorted(used - shared.keys(), key=lambda leaf: nodes[leaf][2])
     place = {leaf: i for i, leaf in enumerate([*inputs, *shared])}
-    taken = [[nodes[leaf][2][1] for leaf in inputs if nodes[leaf][2][0] == i] for i in range(len(given))]
+    taken = [[nodes[leaf][2][1] for leaf in inputs if nodes[leaf][2][0] == i] for i in range(len(symbols))]
     kinds = [
         Kind(numbers, [[place[leaf] for leaf in of] for of in of_items], _function(form, len(of_items[0])))
-        for form, (numbers, of_items) in found.items()
+        for form, (numbers, of_items) in forms.items()
     ]
-    return Alike(taken, ca.Function("shared", given, [_values(given, nodes, [*shared])]), kinds)
+    return Alike(taken, ca.Function("shared", symbols, [_values(symbols, nodes, [*shared])]), kinds)
 
 
-def _values(given: list[Any], nodes: list[Node], wanted: list[int]) -> Any:
+def _values(symbols: list[Any], nodes: list[Node], wanted: list[int]) -> Any:
     """Return the values of some nodes (SX)."""
     values: list[Any] = []
     for operation, arguments, constant in nodes if wanted else ():
         if operation == ca.OP_INPUT:
-            values.append(given[constant[0]].nz[constant[1]])
+            values.append(symbols[constant[0]].nz[constant[1]])
         else:
             values.append(
                 ca.SX(constant) if not arguments else _apply(ca.SX, operation, [values[j] for j in arguments])
@@ -244,12 +244,12 @@ def over_items(function: Any) -> Any:
 
     The function itself where another is embedded.
     """
-    given, symbols = function.sx_in(), function.mx_in()
-    columns = map(ca.vertsplit, function.call(given))
-    found = alike(given, [ca.vertcat(*entries) for entries in zip(*columns, strict=True)])
-    if found is None:
+    arguments, symbols = function.sx_in(), function.mx_in()
+    columns = map(ca.vertsplit, function.call(arguments))
+    grouped = alike(arguments, [ca.vertcat(*entries) for entries in zip(*columns, strict=True)])
+    if grouped is None:
         return function
-    return ca.Function(function.name(), symbols, found.results(symbols))
+    return ca.Function(function.name(), symbols, grouped.results(symbols))
 
 
 def _form(nodes: list[Node], roots: list[int], is_shared: list[bool]) -> tuple[tuple[Any, ...], list[int]]:

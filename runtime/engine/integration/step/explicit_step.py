@@ -83,7 +83,7 @@ class Flow:
         if self.touching is None or self.of_touching is None:
             return self.rates, self.ends
         rates, ends, touching = *self.of_touching, self.touching(mode)
-        return lambda *given: rates(*given, touching), lambda *given: ends(*given, touching)
+        return lambda *arguments: rates(*arguments, touching), lambda *arguments: ends(*arguments, touching)
 
     def closed(self, t: Any, y: Any, run: Mapping[str, Any]) -> tuple[Any, Any]:
         """Return the state with closed loops and unit quaternions, and whether the loops are closed."""
@@ -127,13 +127,13 @@ def calls_parts(model: EngineModel) -> bool:
 @per_model
 def _flow_of_calls(model: EngineModel, contacts: Contacts) -> Flow:
     """Build the right-hand side from functions that it calls, of contacts by the pairs that touch."""
-    t, y, mode, _, c = given = model.symbols(ARGUMENTS, ca.MX)
+    t, y, mode, _, c = arguments = model.symbols(ARGUMENTS, ca.MX)
     q, u, _ = model.parts(y)
     at, none = (t, q, u, c), ca.DM(0, 1)
     nf = model.function("applied").numel_out(0)
     forces = contact_forces(model) if contacts is BY_MODE else None
     touching = ca.MX.sym("touching", forces.touching.numel_out(0) if forces is not None else 0)
-    asked = [*given, touching]
+    with_touching = [*arguments, touching]
 
     def motion(pushed: Any, dz: Any) -> tuple[Any, Any, Any]:
         f = model.function("applied")(*at) + pushed
@@ -148,7 +148,7 @@ def _flow_of_calls(model: EngineModel, contacts: Contacts) -> Flow:
     gap, gap_rate = of_pairs(model, "gaps")(*at)
     rates = dy
     if forces is not None:
-        now = touching[0], *asked
+        now = touching[0], *with_touching
         rates, *_ = motion(*forces.pushes(*now))
         pushed, dz, normal, in_range = forces.contacts(*now)
         dy, a, reactions = motion(pushed, dz)
@@ -165,17 +165,20 @@ def _flow_of_calls(model: EngineModel, contacts: Contacts) -> Flow:
     pair_parts = [gap, gap_rate, of_pairs(model, "gap_accelerations")(t, q, u, a, c), normal, rate, in_range]
     ends = [dy, *pair_parts, *[none] * (len(GRIP_PARTS) + len(EVENT_PARTS)), *energies, none]
 
-    def function(name: str, results: list[Any], outputs: Sequence[str], given: list[Any] = given) -> Any:
-        names = [*ARGUMENTS.split(), "touching"][: len(given)]
-        return ca.Function(name, given, [ca.densify(ca.MX(x)) for x in results], names, [*outputs])
+    def function(name: str, results: list[Any], outputs: Sequence[str], arguments: list[Any] = arguments) -> Any:
+        names = [*ARGUMENTS.split(), "touching"][: len(arguments)]
+        return ca.Function(name, arguments, [ca.densify(ca.MX(x)) for x in results], names, [*outputs])
 
-    of_touching = function("rates_of_touching", [rates], ["dy"], asked), function("ends_of_touching", ends, ENDS, asked)
-    held = function("held_of_touching", [reactions], ["reactions"], asked)
-    found = forces.touching(mode) if forces is not None else ca.DM(0, 1)
+    of_touching = (
+        function("rates_of_touching", [rates], ["dy"], with_touching),
+        function("ends_of_touching", ends, ENDS, with_touching),
+    )
+    held = function("held_of_touching", [reactions], ["reactions"], with_touching)
+    pairs = forces.touching(mode) if forces is not None else ca.DM(0, 1)
     return Flow(
-        rates=function("rates", [of_touching[0](*given, found)], ["dy"]),
-        ends=function("ends", of_touching[1](*given, found), ENDS),
-        holding=function("holding", [none, held(*given, found)], list(HELD)),
+        rates=function("rates", [of_touching[0](*arguments, pairs)], ["dy"]),
+        ends=function("ends", of_touching[1](*arguments, pairs), ENDS),
+        holding=function("holding", [none, held(*arguments, pairs)], list(HELD)),
         depends=ca.Function("depends", [y, t, c], [by_y]).jac_sparsity(0, 0),
         quaternions=model.quaternions,
         quadratures=quadratures,
@@ -207,14 +210,14 @@ def _flow(model: EngineModel, contacts: Contacts) -> Flow:
     fed = None
     if grip is not None and model.fed:
         fed = solved(model, grip, t, q, u, f, c)
-        found, f = fed.friction, fed.f
-        dz += booked(model, grip, found)
+        tangential, f = fed.friction, fed.f
+        dz += booked(model, grip, tangential)
     elif grip is not None:
         slipping = grip.slipping()
         n = len(grip.places)
-        found = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
-        f += ca.mtimes(grip.along, found)
-        dz += ca.mtimes(grip.power, found)
+        tangential = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
+        f += ca.mtimes(grip.along, tangential)
+        dz += ca.mtimes(grip.power, tangential)
     dq = model.function("coordinate_rates")(t, q, u, c)
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
@@ -233,11 +236,11 @@ def _flow(model: EngineModel, contacts: Contacts) -> Flow:
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     if grip is not None:
-        hold, grip_force[grip.places] = grip.hold(found, 1 if fed is None else fed.pressing)
+        hold, grip_force[grip.places] = grip.hold(tangential, 1 if fed is None else fed.pressing)
         gaps = at_slips(model, gap, ca.SX(-1))[grip.places]
         hold_rate = ca.if_else(gaps < 0, ca.jtimes(hold, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
         sliding = grip.pace(grip.drift + ca.mtimes(grip.across, a))
-        friction[grip.places] = found
+        friction[grip.places] = tangential
         margin[grip.places] = ca.if_else(grip.sticks, hold, grip.pace(grip.velocity))
         margin_rate[grip.places] = ca.if_else(grip.sticks, hold_rate, sliding)
     event = model.function("margins")(t, q, u, c) if model.ne else ca.SX(0, 1)
@@ -285,28 +288,28 @@ def explicit_step(
     start: Mapping[str, Any],
     run: Mapping[str, Any],
     h: Any,
-    seen: dict[str, Any] | None = None,
+    details: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Take one step of h [s] from a state under its modes and latches; return the parts of a trial.
 
-    seen: receives the last stage (an estimate of the step's end), its slope and the error weights (for
+    details: receives the last stage (an estimate of the step's end), its slope and the error weights (for
     `choose.suspicion`).
     """
-    given = (start["mode"], start["m"], run["c"])
+    conditions = (start["mode"], start["m"], run["c"])
     rates, ends = right.under(start["mode"])
     t, y = start["t"], start["y"]
     cuts = [0, y.numel() - right.quadratures, y.numel()]
-    slopes, (now, kept) = [start["dy"]], ca.vertsplit(y, cuts)
+    slopes, (now, still) = [start["dy"]], ca.vertsplit(y, cuts)
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
         moving = [ca.vertsplit(slope, cuts)[0] for slope in slopes]
-        stage = ca.vertcat(_combined(now, h, row, moving), kept)
-        slopes.append(rates(t + node * h, stage, *given))
+        stage = ca.vertcat(_combined(now, h, row, moving), still)
+        slopes.append(rates(t + node * h, stage, *conditions))
     t1 = t + h
     y1, is_closed = right.closed(t1, _combined(y, h, table.b, slopes), run)
-    end = dict(zip(ENDS, ends(t1, y1, *given), strict=True))
+    end = dict(zip(ENDS, ends(t1, y1, *conditions), strict=True))
     weights = 1 / (run["tolerance"] * run["scale"] + 4 * EPS * ca.fabs(y1))
-    if seen is not None:
-        seen |= {"stage": stage, "slope": slopes[-1], "weights": weights}
+    if details is not None:
+        details |= {"stage": stage, "slope": slopes[-1], "weights": weights}
     slopes.append(end["dy"])
     errors = (right.tangential_error(t1, y1, _weighted(estimate.weights, slopes), run) for estimate in table.errors)
     error = _norm([error * weights for error in errors], h, of_each=end["margin"].numel() > 0)
@@ -321,18 +324,18 @@ def short_step(
     Return the parts of a trial without its error: delta is too short for one that counts. jumps: 1 where a force ends with a jump at the
     surface that the step is led to, so that rates are those of a place before it, as far from it as the middle of the move.
     """
-    given = (start["mode"], start["m"], run["c"])
+    conditions = (start["mode"], start["m"], run["c"])
     rates, ends = right.under(start["mode"])
     t, y, k1 = end["t"], end["y"], end["dy"]
-    k2 = rates(t + delta / 2, y + delta / 2 * k1, *given)
-    k3 = rates(t + delta / 2, y + delta / 2 * k2, *given)
-    k4 = rates(t + delta, y + delta * k3, *given)
+    k2 = rates(t + delta / 2, y + delta / 2 * k1, *conditions)
+    k3 = rates(t + delta / 2, y + delta / 2 * k2, *conditions)
+    k4 = rates(t + delta, y + delta * k3, *conditions)
     moved = y + delta / 6 * (k1 + 2 * (k2 + k3) + k4)
     if jumps is not None:
         before = delta - ca.fabs(delta) / 2
-        moved = ca.if_else(jumps, y + delta * rates(t + before, y + before * k1, *given), moved)
+        moved = ca.if_else(jumps, y + delta * rates(t + before, y + before * k1, *conditions), moved)
     y1, _ = right.closed(t + delta, moved, run)
-    return {"t": t + delta, "y": y1, **dict(zip(ENDS, ends(t + delta, y1, *given), strict=True))}
+    return {"t": t + delta, "y": y1, **dict(zip(ENDS, ends(t + delta, y1, *conditions), strict=True))}
 
 
 def unit_quaternions(y: Any, first: tuple[int, ...]) -> Any:

@@ -61,9 +61,9 @@ def solved(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, f: Any, c: A
 
 def booked(model: EngineModel, grip: Grips, friction: Any) -> Any:
     """Return the rates (nz) of the ledger by frictions of pairs; joints' are booked with the loads."""
-    own, found = joints(model, grip), ca.SX(friction)
-    found[own] = 0
-    return ca.mtimes(grip.power, found)
+    own, of_pairs = joints(model, grip), ca.SX(friction)
+    of_pairs[own] = 0
+    return ca.mtimes(grip.power, of_pairs)
 
 
 def joints(model: EngineModel, grip: Grips) -> list[int]:
@@ -72,10 +72,10 @@ def joints(model: EngineModel, grip: Grips) -> list[int]:
 
 
 def _pressing(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
-    found, own = ca.SX.ones(len(grip.places)), joints(model, grip)
+    pressing, own = ca.SX.ones(len(grip.places)), joints(model, grip)
     if own:
-        found[own] = model.function("rubbing")(t, q, u, reactions, c)[1]
-    return found
+        pressing[own] = model.function("rubbing")(t, q, u, reactions, c)[1]
+    return pressing
 
 
 @per_model
@@ -103,22 +103,22 @@ def _sticking(model: EngineModel, n: int) -> Any:
         left = known + ca.mtimes(W, held) + ca.mtimes(G, N + follows[:, n])
         change = solve_sticking(W + ca.mtimes(G, follows[:, :n]), sticks, -left)
         held, N = held + change, N + follows[:, n] + ca.mtimes(follows[:, :n], change)
-    given = [t, q, u, f, along, across, drift, sticks, c]
-    return ca.Function("sticking", given, ca.cse([ca.densify(held), ca.densify(a)]))
+    arguments = [t, q, u, f, along, across, drift, sticks, c]
+    return ca.Function("sticking", arguments, ca.cse([ca.densify(held), ca.densify(a)]))
 
 
 def _magnitudes(parts: Any) -> tuple[Any, Any]:
     """Magnitudes (K) of vectors (3 K), one below the other, and derivatives (K, 3 K), zero at zero."""
     count = parts.numel() // 3
-    found, slopes = ca.SX(count, 1), ca.SX(count, 3 * count)
+    sizes, slopes = ca.SX(count, 1), ca.SX(count, 3 * count)
     for k in range(count):
         own = [i for i in range(3 * k, 3 * k + 3) if not parts[i].is_zero()]
         square = ca.sumsqr(parts[own]) if own else ca.SX(0)
         size = ca.sqrt(ca.if_else(square > 0, square, 1))
-        found[k] = ca.if_else(square > 0, size, 0)
+        sizes[k] = ca.if_else(square > 0, size, 0)
         for i in own:
             slopes[k, i] = parts[i] / size
-    return found, slopes
+    return sizes, slopes
 
 
 def _solved(matrix: Any, right: Any) -> Any:
@@ -131,9 +131,9 @@ def _solved(matrix: Any, right: Any) -> Any:
 
 def _loads(model: EngineModel, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
     """Loads (nf, K) per magnitude."""
-    given = model.symbols("reactions")[0]
-    slopes = ca.jacobian(model.function("loads")(t, q, u, given, c), given)[:, list(model.carried)]
-    return ca.sparsify(ca.substitute(slopes, given, reactions))
+    symbol = model.symbols("reactions")[0]
+    slopes = ca.jacobian(model.function("loads")(t, q, u, symbol, c), symbol)[:, list(model.carried)]
+    return ca.sparsify(ca.substitute(slopes, symbol, reactions))
 
 
 def _others(model: EngineModel, t: Any, q: Any, u: Any, reactions: Any, c: Any) -> Any:
@@ -148,9 +148,9 @@ def certificate(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, reactio
     n, count = len(grip.places), len(model.carried)
     f, by = model.symbols("f reactions")
     a, parts = model.function("unloaded").call([t, q, u, f, c])
-    given = ca.horzcat(grip.along, _others(model, t, q, u, reactions, c))
-    of_a = ca.substitute(ca.jtimes(a, f, given), f, ca.SX.zeros(f.numel()))
-    of_parts = ca.substitute(ca.jtimes(parts, f, given), f, ca.SX.zeros(f.numel()))
+    columns = ca.horzcat(grip.along, _others(model, t, q, u, reactions, c))
+    of_a = ca.substitute(ca.jtimes(a, f, columns), f, ca.SX.zeros(f.numel()))
+    of_parts = ca.substitute(ca.jtimes(parts, f, columns), f, ca.SX.zeros(f.numel()))
     sizes = ca.vertcat(
         ca.SX(0, n + count),
         *(ca.horzcat(*(_size(of_parts[3 * k : 3 * k + 3, j]) for j in range(n + count))) for k in range(count)),
@@ -163,15 +163,15 @@ def certificate(model: EngineModel, grip: Grips, t: Any, q: Any, u: Any, reactio
     still = ca.if_else(grip.sticks + (grip.velocity == 0) > 0, grip.touching, 0)
     limits = limits * ca.repmat(ca.if_else(still, grip.holding, grip.sliding), 1, count)
     W, G, P = sliding[:, :n], sliding[:, n:], sizes[:, n:]
-    found = pivots(bound(still, W, G, limits, sizes[:, :n], P))
+    margins = pivots(bound(still, W, G, limits, sizes[:, :n], P))
     if own:
-        return found
+        return margins
     # limits are known: where frictions are redundant, as of corners of one body, what they move together is unique
     loads = reach(solve_sticking, W, still, G)
     reactions = [
         ca.sqrt(ca.sumsqr(reach(solve_sticking, W, still, of_parts[3 * k : 3 * k + 3, :n].T))) for k in range(count)
     ]
-    return ca.if_else(monotone(loads, ca.vertcat(ca.SX(0, 1), *reactions), P) > 0, 1, found)
+    return ca.if_else(monotone(loads, ca.vertcat(ca.SX(0, 1), *reactions), P) > 0, 1, margins)
 
 
 def _size(vector: Any) -> Any:

@@ -75,7 +75,7 @@ def linearised(model: EngineModel, contacts: Contacts = BY_MODE) -> Any:
 @per_model
 def _linearised_by_calls(model: EngineModel, contacts: Contacts) -> Any:
     """Build the function `linearised` (MX) from functions shared by all classes of attempts."""
-    t, y, mode, m, c = given = model.symbols(ARGUMENTS, ca.MX)
+    t, y, mode, m, c = arguments = model.symbols(ARGUMENTS, ca.MX)
     f, df = _applied_derivatives(model)(t, y, c)
     dz = ca.DM(model.nz, y.numel() + 1)
     for j, pair in enumerate(model.pairs):
@@ -86,7 +86,7 @@ def _linearised_by_calls(model: EngineModel, contacts: Contacts) -> Any:
     direct, mobility = _motion_derivatives(model)(t, y, f, c)
     J = direct + ca.mtimes(mobility, df) + ca.vertcat(ca.DM(model.nq + model.nu, y.numel() + 1), dz)
     n = y.numel()
-    return ca.Function("linearised", given, [J[:, :n], ca.densify(J[:, n])], ARGUMENTS.split(), ["J", "dt"])
+    return ca.Function("linearised", arguments, [J[:, :n], ca.densify(J[:, n])], ARGUMENTS.split(), ["J", "dt"])
 
 
 @per_model
@@ -108,8 +108,8 @@ def _contact_derivatives(model: EngineModel, pair: str) -> Any:
     q, u, z = model.parts(y)
     f, dz, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
     x = ca.vertcat(y, t)
-    found = [masked(active, f), _masked_finite(ca.jacobian(f, x), active), _masked_finite(ca.jacobian(dz, x), active)]
-    return ca.Function("of_contact", [t, y, m, c, active], ca.cse(found))
+    results = [masked(active, f), _masked_finite(ca.jacobian(f, x), active), _masked_finite(ca.jacobian(dz, x), active)]
+    return ca.Function("of_contact", [t, y, m, c, active], ca.cse(results))
 
 
 @per_model
@@ -161,18 +161,18 @@ def _linearised(model: EngineModel, contacts: Contacts) -> Any:
         f += masked(active, f_j)
         df += _masked_finite(ca.jacobian(f_j, x), active)
         dz += _masked_finite(ca.jacobian(dz_j, x), active)
-    given, of_given, sticks, n = [f], [df], ca.SX(0, 1), 0
+    quantities, derivatives, sticks, n = [f], [df], ca.SX(0, 1), 0
     if may_slip(model, contacts):
         grip = grips(model, contacts, t, y, mode, m, c)
         shapes = [grip.along.sparsity(), grip.power.sparsity()]
-        given += [_nonzeros(grip.along), _nonzeros(grip.power), grip.drift, grip.slipping()]
-        of_given += [_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
+        quantities += [_nonzeros(grip.along), _nonzeros(grip.power), grip.drift, grip.slipping()]
+        derivatives += [_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in quantities[1:]]
         sticks, n = grip.sticks, len(grip.places)
     if model.fed and n:
         return _linearised_fed(model, grip, f, df, dz, arguments)
     if n and uses_calls(model):
-        return _linearised_with_friction(model, grip, given, of_given, dz, arguments)
-    known = [ca.SX.sym("known", value.numel()) for value in given]
+        return _linearised_with_friction(model, grip, quantities, derivatives, dz, arguments)
+    known = [ca.SX.sym("known", value.numel()) for value in quantities]
     symbols = ca.SX.sym("sticks", sticks.numel())
     force, *grip_symbols = known
     dq = model.function("coordinate_rates")(t, q, u, c)
@@ -187,7 +187,7 @@ def _linearised(model: EngineModel, contacts: Contacts) -> Any:
         power += model.function("ledger")(t, q, u, reactions, c)
     dy, inner = ca.vertcat(dq, a, power), ca.vertcat(*known)
     of_inner = ca.Function("of_inner", [x, inner, symbols, c], [ca.jacobian(dy, x), ca.jacobian(dy, inner)])
-    n, parts, outer = y.numel(), [ca.vertcat(*given), ca.vertcat(*of_given), sticks, dz], arguments
+    n, parts, outer = y.numel(), [ca.vertcat(*quantities), ca.vertcat(*derivatives), sticks, dz], arguments
     if uses_calls(model):  # matrices are multiplied by a loop, not entry by entry
         parts_of = ca.Function("of_forces", arguments, ca.cse(parts))
         outer = model.symbols(ARGUMENTS, ca.MX)
@@ -201,16 +201,16 @@ def _linearised(model: EngineModel, contacts: Contacts) -> Any:
 
 
 def _linearised_with_friction(
-    model: EngineModel, grip: Grips, given: list[Any], of_given: list[Any], dz: Any, arguments: list[Any]
+    model: EngineModel, grip: Grips, quantities: list[Any], derivatives: list[Any], dz: Any, arguments: list[Any]
 ) -> Any:
-    """Build `linearised` of a large model; given: forces and grips, and their derivatives by (y, t).
+    """Build `linearised` of a large model; quantities: forces and grips, and their derivatives by (y, t).
 
     What sticks follows from the equations that it solves, not from their written out solution: with the tangential
     accelerations r, 0 = dr + W dfriction, column by column.
     """
     t, y, _, _, c = arguments
     (q, u, _), x, n = model.parts(y), ca.vertcat(y, t), len(grip.places)
-    force, *parts, drift, _ = known = [ca.SX.sym("known", value.numel()) for value in given]
+    force, *parts, drift, _ = known = [ca.SX.sym("known", value.numel()) for value in quantities]
     along, rates = (ca.SX(of.sparsity(), part) for of, part in zip((grip.along, grip.power), parts, strict=True))
     friction = ca.SX.sym("friction", n)
     a, reactions, *_ = model.function("accelerations").call([t, q, u, force + ca.mtimes(along, friction), c])
@@ -218,16 +218,18 @@ def _linearised_with_friction(
     if model.has_ledger:
         power += model.function("ledger")(t, q, u, reactions, c)
     dq, tangential = model.function("coordinate_rates")(t, q, u, c), drift + ca.mtimes(along[: model.nu, :].T, a)
-    found, inner = ca.vertcat(dq, a, power, tangential), ca.vertcat(*known)
-    changes = [ca.jacobian(found, by) for by in (x, inner, friction)]
+    stacked, inner = ca.vertcat(dq, a, power, tangential), ca.vertcat(*known)
+    changes = [ca.jacobian(stacked, by) for by in (x, inner, friction)]
     of_inner = ca.Function("of_inner", [x, inner, friction, c], ca.cse(changes))
     W, right, sticks = ca.SX.sym("W", n, n), ca.SX.sym("right", n), ca.SX.sym("sticks", n)
     solved = ca.Function("of_stuck", [W, sticks, right], [ca.cse(solve_sticking(W, sticks, right))])
-    parts_of = ca.Function("of_forces", arguments, ca.cse([ca.vertcat(*given), ca.vertcat(*of_given), grip.sticks, dz]))
+    parts_of = ca.Function(
+        "of_forces", arguments, ca.cse([ca.vertcat(*quantities), ca.vertcat(*derivatives), grip.sticks, dz])
+    )
 
     outer = model.symbols(ARGUMENTS, ca.MX)
     at, run, (values, of_values, stick, booked_by) = ca.vertcat(outer[1], outer[0]), outer[4], parts_of.call(outer)
-    cuts = [0, *accumulate(value.numel() for value in given)]
+    cuts = [0, *accumulate(value.numel() for value in quantities)]
     pushed, pressed, _, *speeds = ca.vertsplit(values, cuts)
     acting: list[Any] = [pushed, ca.MX(grip.along.sparsity(), pressed), *speeds, stick]
     carried = forces(model, n)(outer[0], *model.parts(outer[1])[:2], *acting, run)
@@ -248,9 +250,9 @@ def _linearised_fed(model: EngineModel, grip: Grips, f: Any, df: Any, dz: Any, a
     q, u, _ = model.parts(y)
     x, fixed = ca.vertcat(y, t), ("sticks", "slip")
     varies = "along", "pushing", "power", "drift", "across", "sliding"
-    given = [f, *(_nonzeros(getattr(grip, name)) for name in varies)]
-    of_given = [df, *(_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in given[1:])]
-    force, *parts = known = [ca.SX.sym("known", value.numel()) for value in given]
+    quantities = [f, *(_nonzeros(getattr(grip, name)) for name in varies)]
+    derivatives = [df, *(_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in quantities[1:])]
+    force, *parts = known = [ca.SX.sym("known", value.numel()) for value in quantities]
     symbols = [ca.SX.sym(name, len(grip.places)) for name in fixed]
     shaped = {name: ca.SX(getattr(grip, name).sparsity(), part) for name, part in zip(varies, parts, strict=True)}
     shaped |= dict(zip(fixed, symbols, strict=True))
@@ -262,10 +264,10 @@ def _linearised_fed(model: EngineModel, grip: Grips, f: Any, df: Any, dz: Any, a
         power += model.function("ledger")(t, q, u, reactions, c)
     dy, inner = ca.vertcat(model.function("coordinate_rates")(t, q, u, c), a, power), ca.vertcat(*known)
     of_inner = ca.Function("of_inner", [x, inner, *symbols, c], [ca.jacobian(dy, x), ca.jacobian(dy, inner)])
-    direct, mobility = of_inner(x, ca.vertcat(*given), grip.sticks, grip.slip, c)
+    direct, mobility = of_inner(x, ca.vertcat(*quantities), grip.sticks, grip.slip, c)
     n = y.numel()
     J = ca.sparsify(
-        direct + ca.mtimes(mobility, ca.vertcat(*of_given)) + ca.vertcat(ca.SX(model.nq + model.nu, n + 1), dz)
+        direct + ca.mtimes(mobility, ca.vertcat(*derivatives)) + ca.vertcat(ca.SX(model.nq + model.nu, n + 1), dz)
     )
     results = ca.cse([J[:, :n], ca.densify(J[:, n])])
     return ca.Function("linearised", arguments, results, ARGUMENTS.split(), ["J", "dt"])
@@ -305,27 +307,29 @@ class Stepper:
     sliding: Any
     nq: int
 
-    def __call__(self, start: Parts, run: Parts, h: Any, seen: dict[str, Any] | None = None) -> dict[str, Any]:
-        """Take one step of h [s] from a state; return the parts of a trial. `seen` receives the Jacobian J."""
-        table, given = self.table, (start["mode"], start["m"], run["c"])
+    def __call__(self, start: Parts, run: Parts, h: Any, details: dict[str, Any] | None = None) -> dict[str, Any]:
+        """Take one step of h [s] from a state; return the parts of a trial. `details` receives the Jacobian J."""
+        table, conditions = self.table, (start["mode"], start["m"], run["c"])
         t, y = start["t"], start["y"]
-        J, dt = self.linear(t, y, *given)
-        if seen is not None:
-            seen["J"] = J
+        J, dt = self.linear(t, y, *conditions)
+        if details is not None:
+            details["J"] = J
         solve = (solver_of_calls if isinstance(J, ca.MX) else solver)(J, h * table.gamma, self.nq)
         least = run["tolerance"] * run["scale"]
         if isinstance(table, Rosenbrock):
-            y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, given, h)
+            y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, conditions, h)
         else:
-            y1, slope, error, converged = _diagonally_implicit(table, self.right, solve, dt, start, given, h, least)
+            y1, slope, error, converged = _diagonally_implicit(
+                table, self.right, solve, dt, start, conditions, h, least
+            )
         y1, is_closed = self.right.closed(t + h, y1, run)
-        end = self.right.at(t + h, y1, *given)
+        end = self.right.at(t + h, y1, *conditions)
         if slope is not None:
             end["dy"] = slope
         error = self.right.tangential_error(t + h, y1, error, run)
         norm = self.right.error(ca.if_else(converged, _norm(error, least, y1), DIVERGED), is_closed)
-        v, rate, gradient = self.sliding(t, y, start["dy"], *given)
-        v1, rate1, _ = self.sliding(t + h, y1, end["dy"], *given)
+        v, rate, gradient = self.sliding(t, y, start["dy"], *conditions)
+        v1, rate1, _ = self.sliding(t + h, y1, end["dy"], *conditions)
         if v.numel():
             foreseen = h * ca.mtimes(gradient, ca.mtimes(J, start["dy"]))
             part = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, h))
@@ -355,7 +359,7 @@ def fraction_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: A
 
 
 def _rosenbrock(
-    table: Rosenbrock, right: Flow, solve: Any, J: Any, dt: Any, start: Parts, given: Any, h: Any
+    table: Rosenbrock, right: Flow, solve: Any, J: Any, dt: Any, start: Parts, conditions: Any, h: Any
 ) -> tuple[Any, Any, Any, Any]:
     """Take a Rosenbrock step; return y1, None (no slope), the error, whether the systems were solved.
 
@@ -365,7 +369,7 @@ def _rosenbrock(
     U: list[Any] = []
     first: Any = None
     for a, c, alpha, gamma in zip(table.a, table.c, table.alpha, table.gammas, strict=True):
-        slope = right.rates(t + alpha * h, y + _sum(a, U), *given) if U else start["dy"]
+        slope = right.rates(t + alpha * h, y + _sum(a, U), *conditions) if U else start["dy"]
         known = h * slope + _sum(c, U)
         r = table.gamma * (known + gamma * h * h * dt if gamma else known)
         first = r if first is None else first
@@ -385,7 +389,7 @@ def solves(J: Any, step: Any, x: Any, r: Any) -> Any:
 
 
 def _diagonally_implicit(
-    table: DiagonallyImplicit, right: Flow, solve: Any, dt: Any, start: Parts, given: Any, h: Any, least: Any
+    table: DiagonallyImplicit, right: Flow, solve: Any, dt: Any, start: Parts, conditions: Any, h: Any, least: Any
 ) -> tuple[Any, Any, Any, Any]:
     """Take a diagonally implicit step; return y1, the slope there, the error, whether Newton converged.
 
@@ -396,7 +400,7 @@ def _diagonally_implicit(
     t, y, slope, gamma = start["t"], start["y"], start["dy"], table.gamma
     slopes = [h * slope]  # h k
     converged: Any = 1
-    iterate = _iteration(right, solve, given, h * gamma, least, y)
+    iterate = _iteration(right, solve, conditions, h * gamma, least, y)
     for row, node, predictor in zip(table.A[1:], table.c[1:], table.predictors[1:], strict=True):
         known = y + _sum(row[:-1], slopes)
         if len(slopes) > 1:
@@ -416,16 +420,18 @@ def _diagonally_implicit(
     return y1, w / (h * gamma), _sum(table.error.weights, slopes), converged
 
 
-def _iteration(right: Flow, solve: Any, given: Any, step: Any, least: Any, y: Any) -> Any:
+def _iteration(right: Flow, solve: Any, conditions: Any, step: Any, least: Any, y: Any) -> Any:
     """Return (t, known, w) -> (w after one Newton iteration, norm of its change); one call if MX."""
 
-    def improved(solve: Any, given: Any, step: Any, least: Any, y: Any, t: Any, known: Any, w: Any) -> tuple[Any, Any]:
-        change = solve(step * right.rates(t, known + w, *given) - w)
+    def improved(
+        solve: Any, conditions: Any, step: Any, least: Any, y: Any, t: Any, known: Any, w: Any
+    ) -> tuple[Any, Any]:
+        change = solve(step * right.rates(t, known + w, *conditions) - w)
         return w + change, _norm(change, least, y)
 
     if not isinstance(solve, Elimination):
-        return partial(improved, solve, given, step, least, y)
-    parts = [solve.known, *given, step, least, y]
+        return partial(improved, solve, conditions, step, least, y)
+    parts = [solve.known, *conditions, step, least, y]
     kind = ca.MX if right.rates.is_a("MXFunction") else ca.SX
     symbols: list[Any] = [kind.sym("x", part.size1()) for part in (*parts, step, y, y)]
     entries, mode, m, c, *others = symbols

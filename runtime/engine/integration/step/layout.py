@@ -61,9 +61,9 @@ class Layout:
         Raises ValueError if a part is missing, unknown or of another size.
         """
         columns = {name: ca.DM(part) if isinstance(part, int | float) else part for name, part in parts.items()}
-        found = {name: column.numel() for name, column in columns.items()}
-        if found != dict(self.sizes):
-            raise ValueError(f"found parts {found}, expected {dict(self.sizes)}")
+        sizes = {name: column.numel() for name, column in columns.items()}
+        if sizes != dict(self.sizes):
+            raise ValueError(f"found parts {sizes}, expected {dict(self.sizes)}")
         return ca.vertcat(*(ca.densify(columns[name]) for name in self.sizes))
 
 
@@ -103,9 +103,9 @@ class Layouts:
         pieces = self.state.sizes["pieces"]
         if not pieces:
             return run
-        kept = self.controls.sizes["c"] - pieces
+        own = self.controls.sizes["c"] - pieces
         stop = state["stop"] if self.state.sizes["stop"] else run["t_end"]
-        return {**run, "c": ca.vertcat(run["c"][:kept], state["pieces"]), "t_end": stop}
+        return {**run, "c": ca.vertcat(run["c"][:own], state["pieces"]), "t_end": stop}
 
 
 # Pairs beyond which what handles a step is in operations on vectors (MX): loops in C, not an operation for each pair.

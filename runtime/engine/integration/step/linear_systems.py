@@ -157,10 +157,10 @@ def _ordered(core: list[int], first: list[int], matrix: dict[tuple[int, int], An
     place = {i: at for at, i in enumerate(core)}
     through = [[place[i] for i, j in matrix if j == f and i in place] for f in first]
     onward = [[place[j] for i, j in matrix if i == f and j in place] for f in first]
-    found = {(place[i], place[j]) for i, j in matrix if i in place and j in place}
-    found |= {(i, j) for rows, columns in zip(through, onward, strict=True) for i in rows for j in columns}
-    found |= {(j, i) for i, j in found} | {(i, i) for i in place.values()}
-    rows, columns = zip(*sorted(found), strict=True)
+    filled = {(place[i], place[j]) for i, j in matrix if i in place and j in place}
+    filled |= {(i, j) for rows, columns in zip(through, onward, strict=True) for i in rows for j in columns}
+    filled |= {(j, i) for i, j in filled} | {(i, i) for i in place.values()}
+    rows, columns = zip(*sorted(filled), strict=True)
     return [core[i] for i in ca.Sparsity.triplet(len(core), len(core), rows, columns).amd()]
 
 

@@ -38,15 +38,15 @@ def stored_energies(model: EngineModel) -> Any:
     """Return the function (t, q, u, c) -> elastic energies (k) [J] of the pairs (MX)."""
     if isinstance(model, NearModel):
         return model.of_places("stored")
-    given = model.symbols("t q u c")
-    return over_items(ca.Function("stored", given, [model.function("energy")(*given)[2]]))
+    arguments = model.symbols("t q u c")
+    return over_items(ca.Function("stored", arguments, [model.function("energy")(*arguments)[2]]))
 
 
 @per_model
 def energies_of_bodies(model: EngineModel) -> Any:
     """Return the function (t, q, u, c) -> kinetic and potential energy [J] without that of the pairs."""
-    given = model.symbols("t q u c")
-    return ca.Function("energies", given, model.function("energy").call(given)[:2])
+    arguments = model.symbols("t q u c")
+    return ca.Function("energies", arguments, model.function("energy").call(arguments)[:2])
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +74,7 @@ def contact_forces(model: EngineModel) -> ContactForces | None:
     """Build the functions of the contacts of many pairs; None where pairs are not alike."""
     if isinstance(model, NearModel):
         return _OfPlaces(model).functions()
-    t, y, m, c = given = model.symbols("t y m c")
+    t, y, m, c = arguments = model.symbols("t y m c")
     q, u, z = model.parts(y)
     nf = model.function("applied").numel_out(0)
     items: list[Any] = []
@@ -84,8 +84,8 @@ def contact_forces(model: EngineModel) -> ContactForces | None:
         f, dz = ca.sparsify(f), ca.sparsify(dz)
         rows.append((*f.sparsity().row(), *(nf + row for row in dz.sparsity().row())))
         items.append(ca.vertcat(ca.SX(0, 1), *f.nonzeros(), *dz.nonzeros(), normal, valid))
-    found = alike(given, items, share=False)
-    return None if found is None else _Evaluation(model, found, rows).functions()
+    grouped = alike(arguments, items, share=False)
+    return None if grouped is None else _Evaluation(model, grouped, rows).functions()
 
 
 _Placed: TypeAlias = tuple[Kind, list[int], Any]
@@ -100,10 +100,10 @@ class _Evaluation:
 
     _sparse = SPARSE
 
-    def __init__(self, model: EngineModel, found: Alike, rows: list[tuple[int, ...]]) -> None:
-        self._model, self._alike, self._rows = model, found, rows
+    def __init__(self, model: EngineModel, grouped: Alike, rows: list[tuple[int, ...]]) -> None:
+        self._model, self._alike, self._rows = model, grouped, rows
         self._nf = model.function("applied").numel_out(0)
-        self._places = [places for _, places, _ in self._kinds(found)]
+        self._places = [places for _, places, _ in self._kinds(grouped)]
         self._ladder = [rung for rung in LADDER if self._sparse * rung <= max(map(len, self._places))]
         self._most = [
             max((rung for rung in self._ladder if self._sparse * rung <= len(of)), default=0) for of in self._places
@@ -113,15 +113,15 @@ class _Evaluation:
         """Build all functions."""
         t, y, mode, m, c = self._model.symbols("t y mode m c", ca.MX)
         touching, dy = ca.MX.sym("touching", 1 + sum(self._most)), ca.MX.sym("dy", y.numel())
-        given, forces = [t, y, mode, m, c, touching], [self._forces(kind.items[0]) for kind in self._alike.kinds]
+        arguments, forces = [t, y, mode, m, c, touching], [self._forces(kind.items[0]) for kind in self._alike.kinds]
         pushes = self._alike.with_results([[*range(n)] for n in forces])
         rates = self._alike.rates(forces, 1 + len(self._states()))
         at, moving = self._inputs(t, y, m, c, dy)
         return ContactForces(
             touching=ca.Function("touching", [mode], [self._touching(mode)]),
-            pushes=self._by_rung("pushes", given, pushes, at, []),
-            contacts=self._by_rung("contacts", given, self._alike, at, [0, 1]),
-            rates=self._by_rung("force_rates", [*given, dy], rates, moving, [0]),
+            pushes=self._by_rung("pushes", arguments, pushes, at, []),
+            contacts=self._by_rung("contacts", arguments, self._alike, at, [0, 1]),
+            rates=self._by_rung("force_rates", [*arguments, dy], rates, moving, [0]),
             depends=self._depends(pushes),
             reads_memory=any(place >= self._model.nq + self._model.nu for place in pushes.taken[1]),
         )
@@ -138,9 +138,9 @@ class _Evaluation:
         """Return the inputs of the items, and those of their rates."""
         return [t, y, m, c], [t, y, m, c, ca.MX(1), dy]
 
-    def _kinds(self, found: Alike) -> list[_Placed]:
+    def _kinds(self, grouped: Alike) -> list[_Placed]:
         """Return each kind, the pairs of its places, and what else says which item is in which place."""
-        return [(kind, kind.items, None) for kind in found.kinds]
+        return [(kind, kind.items, None) for kind in grouped.kinds]
 
     def _depends(self, pushes: Alike) -> Any:
         """Return the pattern (DM) of generalised force and dz by y."""
@@ -180,32 +180,36 @@ class _Evaluation:
             rung = rung + ca.mmax(counts[[i for i, size in enumerate(slots) if size >= most]] > most)
         return ca.vertcat(rung, added(ca.MX(none), place, own))
 
-    def _by_rung(self, name: str, given: list[Any], found: Alike, inputs: list[Any], otherwise: list[float]) -> Any:
-        """Build the function (rung, given) -> sums of forces, if `found` has any, and values of each pair."""
+    def _by_rung(
+        self, name: str, arguments: list[Any], grouped: Alike, inputs: list[Any], otherwise: list[float]
+    ) -> Any:
+        """Build the function (rung, arguments) -> sums of forces, if `grouped` has any, and values."""
         *some, every = (
-            ca.Function(f"{name}_{rung or 'all'}", given, self._case(found, given, inputs, otherwise, rung))
+            ca.Function(f"{name}_{rung or 'all'}", arguments, self._case(grouped, arguments, inputs, otherwise, rung))
             for rung in (*self._ladder, None)
         )
         return ca.Function.conditional(name, some or [every], every)
 
     def _case(
-        self, found: Alike, given: list[Any], inputs: list[Any], otherwise: list[float], rung: int | None
+        self, grouped: Alike, arguments: list[Any], inputs: list[Any], otherwise: list[float], rung: int | None
     ) -> list[Any]:
         """Return the results of as many pairs of each kind as a rung has, of all if its highest has fewer."""
-        _, _, mode, _, _, touching, *_ = given
-        known = found.known(inputs)
+        _, _, mode, _, _, touching, *_ = arguments
+        known = grouped.known(inputs)
         start, k = 1, self._model.k
         at: list[Any] = [ca.MX(0, 1)]
         pushes: list[Any] = [ca.MX(0, 1)]
         of_pairs = [ca.MX(ca.DM([value] * k)) for value in otherwise]
-        for kind, most in zip(self._kinds(found), self._most, strict=True):
+        for kind, most in zip(self._kinds(grouped), self._most, strict=True):
             forces = kind[0].one.numel_out(0) - len(otherwise)
             if rung is not None and rung <= most:
-                columns, rows, places = self._at(found, kind, known, given, touching[start : start + rung], forces)
+                columns, rows, places = self._at(
+                    grouped, kind, known, arguments, touching[start : start + rung], forces
+                )
             else:
                 active = mode[kind[1]] == CONTACT
                 idle = [*[0.0] * forces, *otherwise]
-                values, rows, places = self._of_all(found, kind, known, given, forces)
+                values, rows, places = self._of_all(grouped, kind, known, arguments, forces)
                 columns = [ca.if_else(active, x, value) for x, value in zip(values, idle, strict=True)]
             start += most
             at += [row if isinstance(row, ca.MX) else ca.MX(ca.DM(row)) for row in rows]
@@ -219,13 +223,13 @@ class _Evaluation:
         total = added(ca.MX(self._nf + self._model.nz, 1), ca.vertcat(*at), ca.vertcat(*pushes))
         return [total[: self._nf], total[self._nf :], *of_pairs]
 
-    def _at(self, found: Alike, kind: _Placed, known: Any, given: list[Any], slots: Any, forces: int) -> _Values:
+    def _at(self, grouped: Alike, kind: _Placed, known: Any, arguments: list[Any], slots: Any, forces: int) -> _Values:
         """Return the results of a kind in some of its places (MX), the rows of its forces and the pairs."""
         of, items, _ = kind
         columns, (*rows, pairs) = of.results_at(known, slots, [*self._columns(items, forces), tuple(items)])
         return columns, rows, pairs
 
-    def _of_all(self, found: Alike, kind: _Placed, known: Any, given: list[Any], forces: int) -> _Values:
+    def _of_all(self, grouped: Alike, kind: _Placed, known: Any, arguments: list[Any], forces: int) -> _Values:
         """Return the results of a kind in all of its places, the rows of its forces and the pairs."""
         of, items, _ = kind
         return of.results(known), self._columns(items, forces), items
@@ -245,9 +249,9 @@ class _OfPlaces(_Evaluation):
     _sparse = 2  # all places are looked up as well
 
     def __init__(self, model: NearModel) -> None:
-        found, forces, memory = contacts_by_kind(model.whole)
+        grouped, forces, memory = contacts_by_kind(model.whole)
         self._memory = [len(rows) for rows in memory]
-        super().__init__(model, found, [tuple(rows) for rows in forces])
+        super().__init__(model, grouped, [tuple(rows) for rows in forces])
 
     def _forces(self, item: int) -> int:
         return len(self._rows[item]) + self._memory[item]
@@ -261,12 +265,12 @@ class _OfPlaces(_Evaluation):
         at = [t, q, u, ca.DM.ones(self._alike.shared.numel_in(LATCHES)), c[: whole.nc]]
         return at, [*at, ca.MX(1), dq, du]
 
-    def _kinds(self, found: Alike) -> list[_Placed]:
-        return self._model.by_places(found)
+    def _kinds(self, grouped: Alike) -> list[_Placed]:
+        return self._model.by_places(grouped)
 
-    def _at(self, found: Alike, kind: _Placed, known: Any, given: list[Any], slots: Any, forces: int) -> _Values:
+    def _at(self, grouped: Alike, kind: _Placed, known: Any, arguments: list[Any], slots: Any, forces: int) -> _Values:
         of, places, first = kind
-        _, _, _, m, c, *_ = given
+        _, _, _, m, c, *_ = arguments
         near, *_ = self._model.lists_of(c)
 
         def chosen(column: Any, otherwise: float) -> Any:
@@ -274,7 +278,7 @@ class _OfPlaces(_Evaluation):
 
         number = near[places]
         item = chosen(ca.if_else(number > NONE, number - first, len(of.items)), len(of.items))
-        inputs = [(part, entry) for part, entries in enumerate(found.taken) for entry in entries]
+        inputs = [(part, entry) for part, entries in enumerate(grouped.taken) for entry in entries]
         latches = {
             i: chosen(m[[entry * self._model.k + place for place in places]], 1)
             for i, (part, entry) in enumerate(inputs)
@@ -286,6 +290,6 @@ class _OfPlaces(_Evaluation):
         (*memory, pairs) = [*of_place, tuple(places)] if slots is None else entries([*of_place, tuple(places)], slots)
         return columns, [*rows, *memory], pairs
 
-    def _of_all(self, found: Alike, kind: _Placed, known: Any, given: list[Any], forces: int) -> _Values:
-        columns, rows, pairs = self._at(found, kind, known, given, None, forces)
+    def _of_all(self, grouped: Alike, kind: _Placed, known: Any, arguments: list[Any], forces: int) -> _Values:
+        columns, rows, pairs = self._at(grouped, kind, known, arguments, None, forces)
         return columns, rows, list(pairs)

@@ -48,15 +48,17 @@ def _softness(model: EngineModel) -> Any:
     rows = ca.mtimes(ca.jacobian(rate, u), ca.diag(size))
     softness = c[model.nc - model.nl :]
     for members, rank in model.dependent:
-        kept = _independent([ca.densify(rows[i, :]) / (length if model.is_length[i] else 1) for i in members], rank)
-        for i, stays in zip(members, kept, strict=True):
+        independent = _independent(
+            [ca.densify(rows[i, :]) / (length if model.is_length[i] else 1) for i in members], rank
+        )
+        for i, stays in zip(members, independent, strict=True):
             softness[i] = ca.if_else(stays, softness[i], OUT)
     return ca.Function("softness", [t, q, c, size, length], [ca.cse(softness)])
 
 
 def _independent(rows: list[Any], rank: int) -> list[Any]:
     """Select `rank` independent rows by greedy pivoting (largest remainder first); 1 if kept, else 0."""
-    kept = [ca.SX(0)] * len(rows)
+    selected = [ca.SX(0)] * len(rows)
     remainders = [ca.sumsqr(row) for row in rows]
     for k in range(rank):
         largest = ca.mmax(ca.vertcat(*remainders))
@@ -64,9 +66,9 @@ def _independent(rows: list[Any], rank: int) -> list[Any]:
         for square in remainders:  # of equals the first
             chosen.append((square >= largest) * (1 - taken))
             taken += chosen[-1]
-        kept = [a + b for a, b in zip(kept, chosen, strict=True)]
+        selected = [a + b for a, b in zip(selected, chosen, strict=True)]
         if k + 1 < rank:
             unit = sum((row * one for row, one in zip(rows, chosen, strict=True)), start=ca.SX(0)) / ca.sqrt(largest)
             rows = [row - ca.dot(row, unit) * unit for row in rows]
-            remainders = [ca.if_else(stays, -1, ca.sumsqr(row)) for row, stays in zip(rows, kept, strict=True)]
-    return kept
+            remainders = [ca.if_else(stays, -1, ca.sumsqr(row)) for row, stays in zip(rows, selected, strict=True)]
+    return selected

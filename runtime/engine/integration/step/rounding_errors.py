@@ -41,23 +41,23 @@ def gap_rounding(model: EngineModel) -> Any:
         return model.at_places("rounding", _of_kinds(gaps_by_kind(model.whole), STATE), (0, 0))
     gaps = model.function("gaps")
     if layouts(model).kind is ca.MX:
-        given = gaps.sx_in()
-        items = zip(*map(ca.vertsplit, gaps.call(given)), strict=True)
-        found = alike(given, [ca.vertcat(*parts) for parts in items])
-        if found is not None:
+        arguments = gaps.sx_in()
+        items = zip(*map(ca.vertsplit, gaps.call(arguments)), strict=True)
+        grouped = alike(arguments, [ca.vertcat(*parts) for parts in items])
+        if grouped is not None:
             symbols = gaps.mx_in()
-            return ca.Function("rounding", symbols, _of_kinds(found, STATE).results(symbols))
+            return ca.Function("rounding", symbols, _of_kinds(grouped, STATE).results(symbols))
     return bounds(gaps, STATE)
 
 
-def _of_kinds(found: Alike, rounded: tuple[int, ...]) -> Alike:
+def _of_kinds(grouped: Alike, rounded: tuple[int, ...]) -> Alike:
     """Return the items with rounding error bounds of their results: of a kind, not of each."""
-    given = found.shared.sx_in()
-    values = found.shared(*given)
-    shared = ca.Function("shared", given, [ca.vertcat(values, bounds(found.shared, rounded)(*given))])
-    part_of, n = [part for part, entries in enumerate(found.taken) for _ in entries], values.numel()
+    arguments = grouped.shared.sx_in()
+    values = grouped.shared(*arguments)
+    shared = ca.Function("shared", arguments, [ca.vertcat(values, bounds(grouped.shared, rounded)(*arguments))])
+    part_of, n = [part for part, entries in enumerate(grouped.taken) for _ in entries], values.numel()
     kinds = []
-    for kind in found.kinds:
+    for kind in grouped.kinds:
         leaves, places = ca.SX.sym("leaves", kind.one.numel_in(0)), kind.leaves[0]
         of_shared = [i for i, place in enumerate(places) if place >= len(part_of)]
         errors = ca.SX.zeros(leaves.numel())
@@ -68,7 +68,7 @@ def _of_kinds(found: Alike, rounded: tuple[int, ...]) -> Alike:
         (found_errors,) = _propagated(kind.one, [leaves], [errors])
         one = ca.Function("one", [ca.vertcat(leaves, known)], [ca.cse(found_errors)])
         kinds.append(Kind(kind.items, [[*of, *(of[i] + n for i in of_shared)] for of in kind.leaves], one))
-    return Alike(found.taken, shared, kinds)
+    return Alike(grouped.taken, shared, kinds)
 
 
 def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
@@ -76,12 +76,12 @@ def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
 
     rounded: the inputs that are rounded themselves.
     """
-    given = [ca.SX.sym(f"x{i}", function.sparsity_in(i)) for i in range(function.n_in())]
-    errors = [EPS * ca.fabs(part) if i in rounded else ca.SX.zeros(part.sparsity()) for i, part in enumerate(given)]
-    return ca.Function("rounding", given, ca.cse(_propagated(function, given, errors)))
+    arguments = [ca.SX.sym(f"x{i}", function.sparsity_in(i)) for i in range(function.n_in())]
+    errors = [EPS * ca.fabs(part) if i in rounded else ca.SX.zeros(part.sparsity()) for i, part in enumerate(arguments)]
+    return ca.Function("rounding", arguments, ca.cse(_propagated(function, arguments, errors)))
 
 
-def _propagated(function: Any, given: list[Any], known: list[Any]) -> list[Any]:
+def _propagated(function: Any, arguments: list[Any], known: list[Any]) -> list[Any]:
     """Return rounding error bounds of an SX function's results from its arguments and bounds of theirs."""
     errors = [ca.SX.zeros(function.sparsity_out(i)) for i in range(function.n_out())]
     work: dict[int, Sequence[Any]] = {}
@@ -92,13 +92,13 @@ def _propagated(function: Any, given: list[Any], known: list[Any]) -> list[Any]:
             function.instruction_output(k),
         )
         if operation == ca.OP_INPUT:
-            work[target[0]] = given[places[0]].nz[places[1]], known[places[0]].nz[places[1]]
+            work[target[0]] = arguments[places[0]].nz[places[1]], known[places[0]].nz[places[1]]
         elif operation == ca.OP_OUTPUT:
             errors[target[0]].nz[target[1]] = work[places[0]][1]
         elif operation == ca.OP_CALL:
             called = function.instructions_sx()[k].which_function()
-            found = _call(called, [work[place] for place in places])
-            work |= {place: entry for place, entry in zip(target, found, strict=True) if place >= 0}
+            results = _call(called, [work[place] for place in places])
+            work |= {place: entry for place, entry in zip(target, results, strict=True) if place >= 0}
         elif operation == ca.OP_CONST:
             work[target[0]] = ca.SX(function.instruction_constant(k)), ca.SX(0)
         else:

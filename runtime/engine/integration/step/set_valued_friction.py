@@ -89,11 +89,11 @@ class Grips:
     @property
     def direction(self) -> Any:
         """Direction (n) of sliding that friction opposes; 0 for pairs that stick."""
-        found = ca.SX(self.slip)
+        direction = ca.SX(self.slip)
         for group in self.groups:
             if len(group) > 1:
-                found[group] = opposed(_ahead(self.velocity[group], self.slip[group]))
-        return found
+                direction[group] = opposed(_ahead(self.velocity[group], self.slip[group]))
+        return direction
 
     def slipping(self) -> Any:
         """Return the friction forces (n) [N] of the pairs that slide."""
@@ -126,11 +126,11 @@ class Grips:
 
     def pace(self, velocity: Any) -> Any:
         """Return the speeds (n) along their slips of pairs that slide, of velocities (n) or their rates."""
-        found = self.slip * velocity
+        speeds = self.slip * velocity
         for group in self.groups:
             if len(group) > 1:
-                found[group] = ca.dot(unit_of(self.slip[group]), velocity[group])
-        return found
+                speeds[group] = ca.dot(unit_of(self.slip[group]), velocity[group])
+        return speeds
 
 
 def _ahead(velocity: Any, slip: Any) -> Any:
@@ -201,13 +201,13 @@ def slip_tolerances(
 def sticking(model: EngineModel, m: Any) -> Any:
     """Return for each slip (ns) whether it is one of a grip that sticks or is apart."""
     slips = m[slips_in(model)]
-    found = slips == STICK
+    stuck = slips == STICK
     for group in groups_of(grips_of(model)):
         if len(group) > 1:
-            still = reduce(mul, (found[i] for i in group))
+            still = reduce(mul, (stuck[i] for i in group))
             for i in group:
-                found[i] = still
-    return found
+                stuck[i] = still
+    return stuck
 
 
 def slips_in(model: EngineModel) -> slice:
@@ -228,8 +228,8 @@ def grips(model: EngineModel, contacts: Contacts, t: Any, y: Any, mode: Any, m: 
     for j in dict.fromkeys(pairs):
         own = [i for i, pair in enumerate(pairs_of(model)) if pair == j]
         active = mode[j] == CONTACT if contacts is BY_MODE and j != NO_PAIR else ca.SX(1)
-        found = (joint_grips(model) if j == NO_PAIR else pair_grip(model, j)).call([t, y, m, c])
-        values = [masked(active, value) for value in found]
+        evaluated = (joint_grips(model) if j == NO_PAIR else pair_grip(model, j)).call([t, y, m, c])
+        values = [masked(active, value) for value in evaluated]
         values += [values[0][: model.nu, :].T, values[0]] if j != NO_PAIR else []
         columns.append([*values, ca.repmat(active, len(own)), masked(active, stuck[own]), slips[own]])
     joined = list(zip(*columns, strict=True))
@@ -253,12 +253,14 @@ def pair_grip(model: EngineModel, j: int) -> Any:
     return ca.Function("grip", [t, y, m, c], ca.cse(results))
 
 
-def pair_grips(model: EngineModel, j: int, *given: Any) -> tuple[Any, Any, Any, Any, Any]:
+def pair_grips(model: EngineModel, j: int, *arguments: Any) -> tuple[Any, Any, Any, Any, Any]:
     """Return velocity (n), along (nf, n), power (nz, n), sliding and holding (n) of a pair's n slips.
 
-    given: (t, q, u, z, m, c).
+    arguments: (t, q, u, z, m, c).
     """
-    _, _, _, velocity, _, along, power, sliding, holding, *turning = model.function(f"contact_{model.pairs[j]}")(*given)
+    _, _, _, velocity, _, along, power, sliding, holding, *turning = model.function(f"contact_{model.pairs[j]}")(
+        *arguments
+    )
     velocity = ca.vertcat(*([velocity] if j in rubbing(model) else []), *turning)
     own = [grip for grip, pair in zip(grips_of(model), pairs_of(model), strict=True) if pair == j]
     along, power = (ca.reshape(part, part.numel() // len(own), len(own)) for part in (along, power))
@@ -300,9 +302,9 @@ def forces(model: EngineModel, n: int) -> Any:
     slides = ca.if_else(sticks, 0, slipping)
     a = model.function("accelerations").call([t, q, u, f + ca.mtimes(along, slides), c])[0]
     W = ca.mtimes(along[: model.nu, :].T, mobility(model, t, q, u, along, c))
-    found = solve_sticking(W, sticks, -(drift + ca.mtimes(along[: model.nu, :].T, a)))
+    held = solve_sticking(W, sticks, -(drift + ca.mtimes(along[: model.nu, :].T, a)))
     arguments = [t, q, u, f, along, drift, slipping, sticks, c]
-    return ca.Function("friction", arguments, [ca.cse(ca.if_else(sticks, found, slides))])
+    return ca.Function("friction", arguments, [ca.cse(ca.if_else(sticks, held, slides))])
 
 
 def mobility(model: EngineModel, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
@@ -326,11 +328,11 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
     diagonal = [ca.if_else(coupled[i][i] > 0, (1 + share) * coupled[i][i], 1) for i in range(n)]
     regular = [[diagonal[i] if i == j else coupled[i][j] for j in range(n)] for i in range(n)]
     solve = eliminated(regular, pivoting=False)
-    found = ca.vertcat(*solve([right[i] for i in range(n)]))
+    solution = ca.vertcat(*solve([right[i] for i in range(n)]))
     for _ in range(REFINEMENTS if n > 1 else 0):
-        residual = [right[i] - sum((coupled[i][j] * found[j] for j in range(n)), start=ca.SX(0)) for i in range(n)]
-        found = found + ca.vertcat(*solve(residual))
-    return found
+        residual = [right[i] - sum((coupled[i][j] * solution[j] for j in range(n)), start=ca.SX(0)) for i in range(n)]
+        solution = solution + ca.vertcat(*solve(residual))
+    return solution
 
 
 # -- modes and events --------------------------------------------------------------------------------------------------
@@ -369,8 +371,8 @@ def undecided_and_breaking(
     touches, fresh = touching(model, mode), 1 - touching(model, was)
     sticks = sticking(model, m)
     rests = (margin < -small) + (margin <= small) * (margin_rate < 0) > 0
-    asked = touches * (fresh + (1 - sticks) * rests > 0)
-    return asked, touches * (1 - fresh) * sticks * (margin < -BREAKS * small)
+    undecided = touches * (fresh + (1 - sticks) * rests > 0)
+    return undecided, touches * (1 - fresh) * sticks * (margin < -BREAKS * small)
 
 
 def directed(model: EngineModel) -> list[list[int]]:

@@ -76,8 +76,8 @@ def explicit_near(state: Layout, tables: tuple[Table, ...], taken: tuple[Table, 
 
 def _gap(table: Table) -> tuple[float, float, float]:
     """Return the first node of a step and the usable part of its widest gap between nodes."""
-    found = table.alpha if hasattr(table, "alpha") else table.c
-    nodes = np.unique(np.clip([0.0, 1.0, *found], 0, 1))
+    places = table.alpha if hasattr(table, "alpha") else table.c
+    nodes = np.unique(np.clip([0.0, 1.0, *places], 0, 1))
     gaps = np.diff(nodes)
     widest = int(np.argmax(gaps))
     margin = MARGIN * gaps[widest]

@@ -49,12 +49,12 @@ def onset_factor(error: Any) -> Any:
     return _within(SAFETY / ca.fmax(error, 1e-30) ** (1 / ONSET_ORDER))
 
 
-def step_to_continue(h: Any, kept: Any, grown: Any) -> Any:
+def step_to_continue(h: Any, planned: Any, grown: Any) -> Any:
     """Return the step [s] to continue with after an accepted one.
 
     A step shortened by an event or by the end of the run does not reduce it.
     """
-    return ca.if_else(h < kept * (1 - 1e-9), ca.fmax(kept, grown), grown)
+    return ca.if_else(h < planned * (1 - 1e-9), ca.fmax(planned, grown), grown)
 
 
 def limited_by_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any], resting: Any = 0) -> Any:

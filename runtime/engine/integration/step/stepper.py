@@ -28,21 +28,21 @@ def stages_inlined(model: EngineModel, table: Table, contacts: Contacts) -> bool
     return bool(table.stages * explicit_step.flow(model, contacts).rates.n_instructions() <= INLINED)
 
 
-def stepper(model: EngineModel, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
+def stepper(model: EngineModel, table: Table, contacts: Contacts, details: dict[str, Any] | None = None) -> Take:
     """Return (start, run, h) -> trial: one step of h [s] with the forces of these contacts.
 
-    `seen` as in `explicit.explicit_step`.
+    `details` as in `explicit.explicit_step`.
     """
     right, within = explicit_step.flow(model, contacts), relax_redundant(model)
     if isinstance(table, RungeKutta):
 
         def take(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
-            return explicit_step.explicit_step(table, right, start, within(start, run), h, seen)
+            return explicit_step.explicit_step(table, right, start, within(start, run), h, details)
     else:
         implicitly = implicit_step.stepper(model, table, right, contacts)
 
         def take(start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
-            return implicitly(start, within(start, run), h, seen)
+            return implicitly(start, within(start, run), h, details)
 
     if not model.ns:
         return take

@@ -96,7 +96,7 @@ class RungeKutta:
 
 
 def require_order(
-    what: str, A: np.ndarray, weights: np.ndarray, order: int, *, solution: bool, several: np.ndarray | None = None
+    claim: str, A: np.ndarray, weights: np.ndarray, order: int, *, solution: bool, several: np.ndarray | None = None
 ) -> None:
     """Raise unless the weights meet every condition up to the order.
 
@@ -117,16 +117,16 @@ def require_order(
         phi = np.array([elementary(tree) for tree in trees(nodes)])
         expected = np.array([1 / _density(tree) if solution else 0.0 for tree in trees(nodes)])
         require(
-            f"{what} meet the conditions of order {nodes}", phi @ weights, expected, np.abs(phi) @ np.abs(weights) + 1
+            f"{claim} meet the conditions of order {nodes}", phi @ weights, expected, np.abs(phi) @ np.abs(weights) + 1
         )
 
 
-def require(what: str, found: np.ndarray, expected: np.ndarray, magnitude: np.ndarray) -> None:
+def require(claim: str, found: np.ndarray, expected: np.ndarray, magnitude: np.ndarray) -> None:
     """Raise unless found equals expected to rounding, relative to the magnitudes summed."""
     worst = float(np.max(np.abs(found - expected) / magnitude))
     if not worst <= TOLERANCE:
         raise ValueError(
-            f"found a fault in a coefficient table, expected that {what}: off by {worst:.2g}, allowed {TOLERANCE:.2g}"
+            f"found a fault in a coefficient table, expected that {claim}: off by {worst:.2g}, allowed {TOLERANCE:.2g}"
         )
 
 
