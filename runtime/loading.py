@@ -7,51 +7,94 @@ import importlib.util
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
-from hertzwerk.runtime.engine.model import model as plain
+from hertzwerk.runtime.engine.model.generated_text import text_of
+from hertzwerk.runtime.engine.model.model import Declaration, EngineModel
 
 if TYPE_CHECKING:
+    import numpy as np
     from matplotlib.figure import Figure
 
     from hertzwerk.derive.declare.scene.scene import Scene
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.signal import Signal
+    from hertzwerk.derive.exchange.readable_equations.readable_record import Readable
+    from hertzwerk.runtime.engine.model.binding import Port, Value
+    from hertzwerk.runtime.engine.model.model import BoundParameters
     from hertzwerk.runtime.output.tables.history_meanings import Histories
 
 
 OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  # functions beside the module's
 
 
-class Model(plain.EngineModel):
-    """Model of a scene that can be simulated and drawn, as `load` returns it.
+class Model:
+    """Model of a scene that can be simulated, studied and drawn, as `load` returns it.
 
-    `module` is any target of `load`; `declaration` is its origin, where it is a generated module that has one.
+    Raises InputError for what `load` refuses.
     """
 
-    def __init__(
-        self,
-        module: Target | SimpleNamespace,
-        declaration: plain.Declaration | None = None,
-        dependent: tuple[plain.Dependent, ...] = (),
-        signals: Mapping[str, Signal] | None = None,
-    ) -> None:
-        if not isinstance(module, ModuleType | SimpleNamespace):
-            loaded = load(module)
-            module, declaration = loaded.module, loaded.declaration
-        super().__init__(module, declaration, dependent, signals)
+    def __init__(self, target: Target) -> None:
+        self._engine = engine_model(target)
+
+    @property
+    def engine(self) -> EngineModel:
+        """Model as the engine has it: sizes, rows, and functions by the parts of the state."""
+        return self._engine
+
+    @property
+    def name(self) -> str:
+        """Name of the scene."""
+        return self.engine.name
+
+    @property
+    def summary(self) -> str:
+        """Description of the scene in one line."""
+        return str(self.engine.module.SUMMARY)
+
+    @property
+    def text(self) -> str:
+        """Text of the generated module; empty for a saved run, which has none."""
+        return text_of(self.engine.module)
+
+    @property
+    def parameters(self) -> Mapping[str, Port]:
+        """Parameters by name: unit, default in that unit, meaning."""
+        return self.engine.parameters
+
+    @property
+    def states(self) -> Mapping[str, str]:
+        """SI units of the integrated states by name: coordinates, speeds, memory."""
+        return self.engine.units
+
+    @property
+    def inputs(self) -> Mapping[str, tuple[str, str]]:
+        """Unit and meaning of the inputs by name."""
+        return self.engine.inputs
+
+    @property
+    def effects(self) -> Mapping[str, tuple[str, str]]:
+        """Kind and description of the effects by name, which `without` leaves out."""
+        return {name: (kind, text) for name, kind, text in self.engine.module.EFFECTS}
+
+    @property
+    def pairs(self) -> tuple[str, ...]:
+        """Names of the contact pairs."""
+        return self.engine.pairs
 
     @property
     def histories(self) -> Histories:
         """All histories of a run by name, unit and meaning, shown as a table; readings are derived here."""
         from hertzwerk.runtime.output.tables.history_meanings import entries
 
-        return entries(self)
+        return entries(self.engine)
+
+    def bind(self, parameters: Mapping[str, Value] | None = None) -> BoundParameters:
+        """Return the defaults overridden by `parameters`, in SI; raises InputError with every fault."""
+        return self.engine.bind(parameters)
 
     def function(self, name: str, method: str = "dop853") -> Any:
         """Return a CasADi function of the module, the right-hand side, or the time loop; raises InputError.
@@ -61,23 +104,30 @@ class Model(plain.EngineModel):
         others are the module's, which documents their arguments; "contact_<pair>" is a pair's
         """
         if name in OF_FLOW:
-            return getattr(flow(self), name)
+            return getattr(flow(self.engine), name)
         if name not in OF_LOOP:
             try:
-                return super().function(name)
+                return self.engine.function(name)
             except InputError as error:
                 (fault,) = error.faults
                 more = ", ".join((*OF_FLOW, *OF_LOOP))
                 raise InputError(self.name, [replace(fault, expected=f"{fault.expected}, {more}")]) from None
         if method not in IN_GRAPH:
             raise InputError(self.name, [unknown("method", method, IN_GRAPH)])
-        made = integrator(self, tuple(table() for table in IN_GRAPH[method]))
+        made = integrator(self.engine, tuple(table() for table in IN_GRAPH[method]))
         return made.step() if name == "step" else getattr(made, name)
 
-    def _repr_html_(self) -> str:
-        from hertzwerk.runtime.output.tables.notebook import of_model
+    def evaluate(self, name: str, *arguments: float | np.ndarray) -> list[np.ndarray]:
+        """Evaluate one of the module's functions on numbers and vectors, in SI; its results as vectors."""
+        return self.engine.evaluate(name, *arguments)
 
-        return of_model(self, self.draw())
+    def equations(self) -> Readable:
+        """Return the equations of the model for people, derived anew from its scene.
+
+        Markdown with LaTeX, typeset in a notebook. Raises InputError for a model without its scene, as a saved run
+        has it.
+        """
+        return self.engine.equations()
 
     def draw(
         self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None
@@ -88,13 +138,21 @@ class Model(plain.EngineModel):
         """
         from hertzwerk.runtime.output.drawings import picture
 
-        return picture.of_start(self, parameters, initial)
+        return picture.of_start(self.engine, parameters, initial)
+
+    def __repr__(self) -> str:
+        return repr(self.engine)
+
+    def _repr_html_(self) -> str:
+        from hertzwerk.runtime.output.tables.notebook import of_model
+
+        return of_model(self.engine, self.draw())
 
 
 def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
     """Return the faults of arguments of a wrong type."""
     faults: list[Fault] = []
-    if not isinstance(target, str | Path | ModuleType | plain.EngineModel) and not hasattr(target, "mechanism"):
+    if not isinstance(target, str | Path | ModuleType | Model | EngineModel) and not hasattr(target, "mechanism"):
         expected = "the name of a built-in scene, a Python file, a Scene, a Model or a generated module"
         faults.append(Fault("target", shown(target), expected))
     if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
@@ -107,7 +165,7 @@ def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list
     return faults
 
 
-Target: TypeAlias = "str | Path | Scene | ModuleType | plain.EngineModel"
+Target: TypeAlias = "str | Path | Scene | ModuleType | Model | EngineModel"
 """Target of every function: a built-in scene by name, FILE.py, FILE.py:NAME, package.module:NAME, or the object itself.
 
 A file holds a scene or is a generated module.
@@ -128,43 +186,48 @@ def load(
     generated module, never import SymPy. `without` names effects to leave out, `laws` gives an effect another law by
     name, `coordinates` are "tree", "absolute" or "auto" in place of the scene's own. Raises InputError.
     """
+    return Model(engine_model(target, without=without, laws=laws, coordinates=coordinates))
+
+
+def engine_model(
+    target: Target,
+    *,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> EngineModel:
+    """Return the engine's model of any target, varied as `load` varies it; raises InputError."""
     faults = _type_faults(target, without, laws, coordinates)
     if faults:
         raise InputError("load", faults)
     varied = bool(without or laws or coordinates is not None)
-    if isinstance(target, plain.EngineModel):
-        return _varied(target, without, laws or {}, coordinates) if varied else _public(target)
+    if isinstance(target, Model):
+        target = target.engine
+    if isinstance(target, EngineModel):
+        return _varied(target, without, laws or {}, coordinates) if varied else target
     if isinstance(target, str) and not varied and target.isidentifier():
         name = f"hertzwerk.generated.{target}"
         if importlib.util.find_spec(name) is not None:
-            return Model(importlib.import_module(name), plain.Declaration(target))
+            return EngineModel(importlib.import_module(name), Declaration(target))
     from hertzwerk.runtime.engine.model import build
 
     laws = {effect: build.located_laws(law, Path.cwd()) for effect, law in (laws or {}).items()}
     how = tuple(without), tuple(laws.items()), coordinates
     if isinstance(target, str) and not build.in_python(target):
-        return Model(build.build_built_in(target, without, laws, coordinates), plain.Declaration(target, *how))
+        return EngineModel(build.build_built_in(target, without, laws, coordinates), Declaration(target, *how))
     source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
     scene = build.scene_or_module(target) if isinstance(target, str | Path) else target
     if isinstance(scene, ModuleType):
-        return load(Model(scene), without=without, laws=laws, coordinates=coordinates)
-    return Model(build.build(build.vary(scene, without, laws, coordinates), source), plain.Declaration(scene, *how))
+        model = EngineModel(scene)
+        return _varied(model, without, laws, coordinates) if varied else model
+    return EngineModel(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))
 
 
 def _varied(
-    model: plain.EngineModel, without: Sequence[str], laws: Mapping[str, str], coordinates: str | None
-) -> Model:
+    model: EngineModel, without: Sequence[str], laws: Mapping[str, str], coordinates: str | None
+) -> EngineModel:
     """Return the model of a variation of a model's scene, its inputs with their values; raises InputError."""
     of = model.declared_for("without, laws or coordinates")
     gone, changed = (*of.without, *without), {**dict(of.laws), **laws}
-    varied = load(of.target, without=gone, laws=changed, coordinates=coordinates or of.coordinates)
-    return varied.with_signals({name: signal for name, signal in model.signals.items() if name in varied.inputs})
-
-
-def _public(model: plain.EngineModel) -> Model:
-    """Return a model with histories and pictures, which shares everything that is built."""
-    if isinstance(model, Model):
-        return model
-    public = Model(model.module, model.declaration, model.dependent, model.signals)
-    public.known = model.known
-    return public
+    other = engine_model(of.target, without=gone, laws=changed, coordinates=coordinates or of.coordinates)
+    return other.with_signals({name: signal for name, signal in model.signals.items() if name in other.inputs})

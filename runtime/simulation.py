@@ -58,7 +58,7 @@ from hertzwerk.runtime.engine.solution.outcome import not_closed
 from hertzwerk.runtime.engine.solution.solution import Statistics
 from hertzwerk.runtime.engine.solution.step_observers import Needs
 from hertzwerk.runtime.engine.start.start_values import stated_values
-from hertzwerk.runtime.loading import Model, Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.output.tables import notebook
 from hertzwerk.runtime.output.tables.data_frame import data_frame
 from hertzwerk.runtime.output.tables.dataset import dataset
@@ -137,7 +137,7 @@ def simulate(
         wall_time=wall_time,
         sensitivities=sensitivities,
     )
-    model, faults = load(target), progress_faults(progress)
+    model, faults = engine_model(target), progress_faults(progress)
     values = stated_values(model, parameters, initial, faults)
     return solve(model, settings, *values, inputs, before=faults, progress=progress)
 
@@ -268,7 +268,6 @@ class Solution(plain_solution.EngineSolution):
     derivatives    by the names that `simulate(..., sensitivities=...)` was given, None without
     """
 
-    model_type = Model
     derivatives: Sensitivities | None = None
 
     def extremes(self, name: str) -> Extremes:
@@ -311,7 +310,7 @@ class Solution(plain_solution.EngineSolution):
         Raises InputError, with every fault.
         """
         began = time.perf_counter()
-        live = self.model if target is None else load(target)
+        live = self.model if target is None else engine_model(target)
         checkpoint = resumable(self, live, saved=target is None and self.history.integrator is None)
         whole = self.duration if duration is None else duration
         settings = Settings(whole, None, self.tolerance, self.method, compiled, grid, max_steps, max_events, wall_time)
@@ -476,5 +475,5 @@ class Solution(plain_solution.EngineSolution):
         path = as_path("path", path)
         from hertzwerk.runtime.output.reports.run_report import run_page
 
-        page = run_page(self, model=None if target is None else load(target))
+        page = run_page(self, model=None if target is None else engine_model(target))
         return plain_solution.write(path, page.encode(), overwrite=overwrite)

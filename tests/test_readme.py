@@ -246,7 +246,7 @@ def patterns():
 def test_every_history_is_explained():
     """Of every scene, from the list that a run has its histories of."""
     absolute = load("double_pendulum", coordinates="absolute")
-    listed = [set(units_of(model, None)) - {"t"} for model in (*map(load, NAMES), absolute)]
+    listed = [set(units_of(model.engine, None)) - {"t"} for model in (*map(load, NAMES), absolute)]
     assert set(simulate(absolute, duration=1e-6, tolerance=1e-3, method="dopri5")) == listed[-1]
     names = set().union(*listed)
     known = dict(patterns())

@@ -37,7 +37,7 @@ def continue_run(
     """
     from hertzwerk.runtime.engine.run.continuation import parameters_of
     from hertzwerk.runtime.engine.solution.history import unknown_histories
-    from hertzwerk.runtime.loading import load
+    from hertzwerk.runtime.loading import engine_model
 
     before, request = _read(folder)
     limits = limits_of(max_steps, wall_time, faults)
@@ -45,7 +45,7 @@ def continue_run(
         actual = f"{', '.join(sensitivities)}, of a run that goes on"
         faults.append(Fault("--sensitivity", actual, "a run from its start", "run the whole without --continue"))
     stopping.stage("building")
-    model = load(
+    model = engine_model(
         request["target"],
         without=tuple(request["without"]),
         laws=_laws(request["laws"], []),

@@ -34,10 +34,10 @@ def definition(
             actual, expected = f"{', '.join(stated)} beside it", "the whole definition there"
             raise InputError(target, [Fault(target, actual, expected)])
         arguments = read_definition(Path(target), function, required)
-        from hertzwerk.runtime.loading import load
+        from hertzwerk.runtime.loading import engine_model
 
         variation = {name: arguments.pop(name) for name in ("without", "laws", "coordinates") if name in arguments}
-        return {"target": load(arguments.pop("target"), **variation), **arguments}
+        return {"target": engine_model(arguments.pop("target"), **variation), **arguments}
     arguments = own(faults)
     varied = Variation.taken(target, dict(options))
     model = varied.model(faults)

@@ -13,7 +13,7 @@ from hertzwerk.runtime.cli.target_options import assignments
 from hertzwerk.runtime.system.digests import read_sealed
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.loading import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.output.reports.html_page import Origin
     from hertzwerk.runtime.output.reports.html_table import Cell
     from hertzwerk.runtime.simulation import Solution
@@ -39,12 +39,12 @@ def page_of(place: Path, target: str, scene: str | None) -> str:
         raise InputError("report", [Fault("RUN", f"{place}, a folder without {', '.join(kinds)}", expected)])
     if place.suffix == ".npz":
         return _of_run(place, {}, scene)
-    from hertzwerk.runtime.loading import load
+    from hertzwerk.runtime.loading import engine_model
     from hertzwerk.runtime.output.reports.model_report import model_page
 
     if scene is not None:
         raise InputError("report", [Fault("--scene", scene, "none: TARGET is a scene itself")])
-    return model_page(load(target))
+    return model_page(engine_model(target))
 
 
 def _of_run_folder(folder: Path, scene: str | None) -> str:
@@ -126,19 +126,19 @@ def _of_run(states: Path, content: Mapping[str, Any], scene: str | None) -> str:
     return run_page(run, model=model, origin=origin, whole=str(states), sensitivities=content.get("sensitivities"))
 
 
-def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> Model | None:
+def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> EngineModel | None:
     """Return the model of a saved run: of a built-in scene, or of a file that is named to be executed.
 
     None where it is neither, or derives to other tables than those of the run.
     """
     from hertzwerk.runtime.engine.model.build import built_in_scenes
     from hertzwerk.runtime.engine.solution.solution import SAVED
-    from hertzwerk.runtime.loading import load
+    from hertzwerk.runtime.loading import engine_model
 
     target = scene or str(request.get("target", run.model.name))
     if scene is None and target not in built_in_scenes():
         return None
-    model = load(
+    model = engine_model(
         target,
         without=tuple(request.get("without", ())),
         laws=assignments("--law", request.get("laws", ()), []),

@@ -168,11 +168,11 @@ class Variation:
         Raises InputError with the faults found before and, as names of parameters and states cannot be checked then,
         only those of `others`.
         """
-        from hertzwerk.runtime.loading import load
+        from hertzwerk.runtime.loading import engine_model
 
         laws = assignments("--law", self.laws, faults)
         try:
-            return load(self.target, without=self.without, laws=laws, coordinates=self.coordinates)
+            return engine_model(self.target, without=self.without, laws=laws, coordinates=self.coordinates)
         except InputError as error:
             raise InputError(error.subject, [*faults, *error.faults, *others()]) from error
 

@@ -20,15 +20,15 @@ CHAIN = "falling_chain_of_8"
 
 def automatic() -> Iterator[Ratio]:
     """The default method, auto, against dop853 on every scene: runs in the virtual machine, by turns, of processor time."""
-    from hertzwerk.runtime import load
     from hertzwerk.runtime.analysis.hard_cases.case_table import BY_NAME
     from hertzwerk.runtime.analysis.hard_cases.runner import model_of
     from hertzwerk.runtime.analysis.validation import scenarios
+    from hertzwerk.runtime.loading import engine_model
 
     for name in scenarios.names():
         for tolerance in TOLERANCES:
             numbers = scenarios.read(name)
-            yield _ratio(name, load(name), tolerance, numbers["duration"], numbers.get("parameters", {}))
+            yield _ratio(name, engine_model(name), tolerance, numbers["duration"], numbers.get("parameters", {}))
     chain = BY_NAME[CHAIN]
     for tolerance in TOLERANCES:
         yield _ratio(CHAIN, model_of(chain.source), tolerance, chain.duration, chain.parameters)

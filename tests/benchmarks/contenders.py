@@ -16,10 +16,10 @@ COARSE = 4  # tolerances to a decade for what takes long
 @cache
 def model(friction: bool, *, ledger: bool = False) -> Any:
     """The generated slider-crank; without the energy ledger, which no peer keeps, unless asked for."""
-    from hertzwerk.runtime import load
+    from hertzwerk.runtime.loading import engine_model
 
     name = "slider_crank" if friction else "slider_crank_frictionless"
-    return load(name, without=() if ledger else ("energy_ledger",))
+    return engine_model(name, without=() if ledger else ("energy_ledger",))
 
 
 @cache

@@ -15,9 +15,9 @@ LONG, SHORT = 240e-3, 24e-3  # s: 20 revolutions and 2
 
 def sensitivities() -> Iterator[Ratio]:
     """A run of slider_crank and its derivatives by p parameters against the run alone: issue 15 asks for 2 + 0.6 p of explicit compiled ones."""
-    from hertzwerk.runtime import load
+    from hertzwerk.runtime.loading import engine_model
 
-    model = load("slider_crank")
+    model = engine_model("slider_crank")
     names = that_matter(model)
     for compiled in (True, False):
         for method in ("dop853", "dopri5", "esdirk", "rodas"):

@@ -16,11 +16,12 @@ from typing import Any
 import numpy as np
 from random_mechanisms import KINDS, mechanisms
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.analysis.validation import scenarios
 from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST, Ladder
 from hertzwerk.runtime.engine.run.run_difference import impact_differences
 from hertzwerk.runtime.engine.solution.error_scales import error
+from hertzwerk.runtime.loading import engine_model
 
 METHODS = ("dopri5", "dop853", "rodas", "esdirk", "auto")
 ACCURACIES = tuple(10.0**-k for k in range(3, 11))
@@ -110,7 +111,7 @@ def scene(name: str) -> Motion:
     """Return the motion of a scene's scenario."""
     numbers = scenarios.read(name)
     given: Mapping[str, Any] = {part: numbers.get(part) for part in ("parameters", "initial")}
-    return Motion(name, load(name), SHORTER.get(name, numbers["duration"]), **given)
+    return Motion(name, engine_model(name), SHORTER.get(name, numbers["duration"]), **given)
 
 
 def random_motions(count: int, first: int = 0) -> Iterator[Motion]:

@@ -17,15 +17,15 @@ RUNS = 10  # of which a measurement is the shortest: a run is shorter than the t
 
 def pairs() -> Iterable[Ratio]:
     """Cost per attempt of 1, 4 and 10 contact pairs of which one touches."""
-    from hertzwerk.runtime import load
+    from hertzwerk.runtime.loading import engine_model
 
-    models = {1 + guards: load(scenes.guarded_crank(guards)) for guards in (0, 3, 9)}
+    models = {1 + guards: engine_model(scenes.guarded_crank(guards)) for guards in (0, 3, 9)}
     for compiled in (False, True):
         one, *others = medians(*(attempt(model, compiled) for model in models.values()))
         for count, cost in zip(list(models)[1:], others, strict=True):
             wanted = "<= 1.5" if compiled and count == 10 else ""
             yield Ratio(f"{count} pairs / 1 pair, per attempt, {'C' if compiled else 'VM'}", cost, one, wanted)
-    few, many = medians(*(attempt(load(scenes.balls(n)), False, FALL, runs=1) for n in (12, 24)), repeats=3)
+    few, many = medians(*(attempt(engine_model(scenes.balls(n)), False, FALL, runs=1) for n in (12, 24)), repeats=3)
     yield Ratio("24 balls / 12 balls, per attempt, VM", many, few, "<= 2.3")  # 2 ** 1.2
 
 

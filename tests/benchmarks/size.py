@@ -25,13 +25,13 @@ MEMORY = 600  # MB, most of a compiler
 
 def size() -> Iterator[Ratio]:
     """Lines of modules, C of the loop (dop853), processor time and memory of the compiler."""
-    from hertzwerk.runtime import load
     from hertzwerk.runtime.engine.model.build import built_in_scenes
     from hertzwerk.runtime.engine.model.generated_text import text_of
+    from hertzwerk.runtime.loading import engine_model
 
-    models = {f"balls, {n * (n + 1) // 2} pairs": load(scenes.balls(n)) for n in BALLS}
+    models = {f"balls, {n * (n + 1) // 2} pairs": engine_model(scenes.balls(n)) for n in BALLS}
     names = built_in_scenes()
-    models |= {name: load(name) for name in names}
+    models |= {name: engine_model(name) for name in names}
     lines = dict(zip(models, [most for most, _ in BALLS.values()], strict=False)) | LINES
     for name, most in lines.items():
         if most is not None:

@@ -72,9 +72,9 @@ def _exact(name: str, state: Any) -> np.ndarray:
 
 def cases() -> tuple[Case, ...]:
     """Settling, sticking, impacts among which friction sticks; and one impact alone, where nothing is stiff."""
-    from hertzwerk.runtime import load
+    from hertzwerk.runtime.loading import engine_model
 
-    ball, layer = load("bouncing_ball"), {"friction_speed": "1e-7 m/s"}
+    ball, layer = engine_model("bouncing_ball"), {"friction_speed": "1e-7 m/s"}
     return (
         Case("settling at restitution 0.01, 1 s", ball, 1.0, {"restitution": 0.01}),
         Case("block held on an incline, v_s = 1e-7, 2 s", incline(), 2.0, {}),

@@ -36,10 +36,10 @@ BARS = {2: ("<= 1.6", "<= 1.6"), 20: ("<= 1.15", "<= 1.3")}
 
 def sweep() -> Iterator[Ratio]:
     """A row of a stored, compiled sweep of slider_crank over its clearance against the bare loop of its run, by processor time."""
-    from hertzwerk.runtime import load
+    from hertzwerk.runtime.loading import engine_model
     from hertzwerk.runtime.studies.sweeps.batch import cores
 
-    model = load("slider_crank")
+    model = engine_model("slider_crank")
     sets = [{"clearance": f"{0.1 + 0.3 * i / ROWS:.9g} mm"} for i in range(ROWS)]
     for revolutions, bars in BARS.items():
         duration = revolutions * PERIOD

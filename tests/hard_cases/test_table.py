@@ -3,12 +3,12 @@
 import pytest
 from each import each
 
-from hertzwerk.runtime import load
 from hertzwerk.runtime.analysis.hard_cases import runner
 from hertzwerk.runtime.analysis.hard_cases.case import METHODS
 from hertzwerk.runtime.analysis.hard_cases.case_table import BY_NAME, CASES
 from hertzwerk.runtime.analysis.hard_cases.tried_steps import TRIES
 from hertzwerk.runtime.engine.run.run_request import METHOD
+from hertzwerk.runtime.loading import engine_model
 
 SLOW = {case.name for case in CASES if case.long}
 ONE_ENGINE = {
@@ -97,7 +97,7 @@ def test_every_method_claims_most_cases_and_what_is_known_to_fail_names_a_claim(
 def test_every_edge_of_every_defined_range_has_its_case(scene):
     """The lower and the upper end of each; a bound that does not exist has no edge."""
     wanted = set()
-    for name, kind, low, high, *_ in load(scene).module.LIMITS:
+    for name, kind, low, high, *_ in engine_model(scene).module.LIMITS:
         if kind == "defined":
             wanted |= {
                 f"edge_{scene}_{name}_{side}" for side, end in (("lower", low), ("upper", high)) if end is not None
@@ -109,7 +109,7 @@ def test_every_edge_of_every_defined_range_has_its_case(scene):
 def test_edges_are_at_the_end_or_a_millionth_of_the_default_from_it(case):
     _, _, rest = case.name.partition("edge_")
     scene, _, parameter = rest.removesuffix("_lower").removesuffix("_upper").partition(f"{case.source.scene}_")
-    model = load(case.source.scene)
+    model = engine_model(case.source.scene)
     rows = [row for row in model.module.LIMITS if row[0] == parameter and row[1] == "defined"]
     assert not scene
     value, default = model.bind(case.parameters)[parameter], model.bind()[parameter]

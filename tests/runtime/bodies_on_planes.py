@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from hertzwerk import load, simulate
+from hertzwerk import simulate
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Contact,
@@ -38,6 +38,7 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive import Body as RigidBody
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
+from hertzwerk.runtime.loading import engine_model
 from reference.body_on_plane import Body, Motion, motions, program
 
 SEED, GRAVITY, RUB_SPEED = 20261124, 9.81, 1e-3
@@ -100,7 +101,7 @@ def model(plane: bool, damping: str, exponent: float, friction: str):
     law = laws.coulomb(p("mu_k", "1", 0.3), p("mu_s", "1", 0.3))
     if friction == "smooth":
         law = laws.smooth_coulomb(p("mu_k", "1", 0.3), p("rub_speed", "m/s", RUB_SPEED))
-    return load(
+    return engine_model(
         Scene(
             Mechanism("thrown", (joint,), (SphereOnPlane("floor", centre, radius, GROUND.at(0, 0, 0), normal),)),
             (

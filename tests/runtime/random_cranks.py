@@ -11,7 +11,7 @@ import numpy as np
 from hertzwerk.derive import Parameter
 from hertzwerk.derive.laws import coulomb, flores, hunt_crossley, power, smooth_coulomb
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
-from hertzwerk.runtime import load
+from hertzwerk.runtime.loading import engine_model
 
 SEED, COUNT = 20261122, 620
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
@@ -43,7 +43,7 @@ def model(damping: str, friction: str):
     )
     of = effects["slider_pin_friction"]
     effects["slider_pin_friction"] = type(of)(of.name, pair=of.pair, law=FRICTION[friction](coefficient))
-    return load(replace(slider_crank, effects=tuple(effects.values())))
+    return engine_model(replace(slider_crank, effects=tuple(effects.values())))
 
 
 def cranks(count: int = COUNT, seed: int = SEED) -> Iterator[Crank]:

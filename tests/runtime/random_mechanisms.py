@@ -45,8 +45,8 @@ from hertzwerk.derive import (  # fmt: skip
     every_pair,
     laws,
 )
-from hertzwerk.runtime import load
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 
 SEED = 20261126
 
@@ -153,7 +153,9 @@ def chain(dice: Dice, name: str, draws: int) -> Drawn:
         parent = body.at(0, -length, 0)
     effects += [Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y), EnergyLedger()]
     arm = Parameter("arm", "m", 0.5)
-    made = load(Scene(Mechanism("chain", tuple(joints)), tuple(effects), Scales(arm, Parameter("pace", "m/s", 2), arm)))
+    made = engine_model(
+        Scene(Mechanism("chain", tuple(joints)), tuple(effects), Scales(arm, Parameter("pace", "m/s", 2), arm))
+    )
     found = []
     for _ in range(draws):
         angles = {q: f"{dice.uniform(-1.5, 1.5)!r} rad" for q in made.coordinates if made.units[q] == "rad"}
@@ -235,7 +237,7 @@ def balls(dice: Dice, name: str, draws: int) -> Drawn:
         effects += [Friction(f"rub_{each}", each, law) for each in names]
     effects += [Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y), EnergyLedger()]
     scales = Scales(Parameter("depth", "m", 1e-3), Parameter("pace", "m/s", 2), radius)
-    made = load(Scene(Mechanism("balls", joints, tuple(pairs)), tuple(effects), scales))
+    made = engine_model(Scene(Mechanism("balls", joints, tuple(pairs)), tuple(effects), scales))
     found = []
     for _ in range(draws):
         start = {}
@@ -277,7 +279,7 @@ def loop(dice: Dice, name: str, draws: int) -> Drawn:
     coordinates = dice.one("tree", "tree", "absolute")
     angle, speed = p("lift", "rad", 0.1, 6), p("turning", "rad/s", 0.1, 8)
     start = Start({} if driven else {"main": angle}, {} if driven else {"main": speed}, near={"left": 0.5, "foot": 1.5})
-    made = load(Scene(Mechanism("loop", joints), tuple(effects), scales, start, coordinates=coordinates))
+    made = engine_model(Scene(Mechanism("loop", joints), tuple(effects), scales, start, coordinates=coordinates))
     return Drawn(name, lambda: made, [Draw(dice.uniform(0.2, 1.2), dice.parameters(made)) for _ in range(draws)])
 
 
@@ -314,7 +316,7 @@ def tree(dice: Dice, name: str, draws: int) -> Drawn:
         places.append(body.at(a / 3, 0, -a))
     effects += [Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), Direction((1, -3, -9))), EnergyLedger()]
     size = Parameter("size", "m", 0.5)
-    made = load(
+    made = engine_model(
         Scene(Mechanism("tree", tuple(joints)), tuple(effects), Scales(size, Parameter("pace", "m/s", 2), size))
     )
     found = []

@@ -20,7 +20,7 @@ from hertzwerk.derive import (
     Scene,
     X,
 )
-from hertzwerk.runtime import load
+from hertzwerk.runtime.loading import engine_model
 
 MASS, STIFFNESS, DAMPING = 2.0, 50.0, 0.7
 
@@ -37,7 +37,7 @@ def shaken(coordinates="tree"):
     )
     scales = Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1), Parameter("arm", "m", 1))
     mechanism = Mechanism("shaker", (Prismatic("slide", GROUND, block, axis=X),))
-    return load(Scene(mechanism, effects, scales, coordinates=coordinates))
+    return engine_model(Scene(mechanism, effects, scales, coordinates=coordinates))
 
 
 def exact(times, values, *, held):

@@ -105,8 +105,8 @@ def test_a_varied_model_is_the_scene_varied():
     """A model can be varied as a name can, again and again, and keeps what it was varied by."""
     once = load("slider_crank", without=["slider_pin_friction"])
     twice, named = load(once, without=["gravity"]), load("slider_crank", without=["slider_pin_friction", "gravity"])
-    assert [row[0] for row in twice.module.EFFECTS] == [row[0] for row in named.module.EFFECTS]
-    assert load(BALL) is BALL
+    assert list(twice.effects) == list(named.effects)
+    assert load(BALL).engine is BALL.engine
 
 
 def test_whole_numbers_are_whole():

@@ -85,8 +85,8 @@ def test_a_generated_module_runs_bit_by_bit_as_its_scene(project):
     ]
     assert len({run.history.rows.tobytes() for run in runs}) == 1
     assert len(runs[0].impacts) == 1
-    module = load("my_ball_generated.py").module
-    assert load(module).module is Model(module).module is module
+    module = load("my_ball_generated.py").engine.module
+    assert load(module).engine.module is Model(module).engine.module is module
     assert Model("my_ball_generated.py").parameters == Model("my_ball.py").parameters
     told("run", "my_ball_generated.py", "--duration", "60 ms", "--out", "found")
     told("run", "--continue", "found", "--duration", "70 ms", "--out", "on")
@@ -106,7 +106,7 @@ def test_a_generated_module_runs_bit_by_bit_as_its_scene(project):
 )
 def test_a_scene_or_module_is_found_by_its_name(project, target, name, source):
     model = load(target)
-    assert (model.name, model.module.SOURCE) == (name, source)
+    assert (model.name, model.engine.module.SOURCE) == (name, source)
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.tableaux import methods
+from hertzwerk.runtime.loading import engine_model
 from reference.slider_crank import SliderCrank, reference
 
 pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
@@ -25,7 +26,7 @@ NEAR, FAR = (0.001, 0.002, 0.003, 0.004), 0.010  # s; errors grow about a hundre
 
 @cache
 def model(scene):
-    return load(scene)
+    return engine_model(scene)
 
 
 def states(history):
@@ -85,7 +86,7 @@ def in_contact(scene, method):
     """A phase of the first contact in which the force is smooth: the state at its start, its length [s], and its end by SciPy on other equations."""
     hit = reference(CRANKS[scene]).impacts[0]
     begin, length = hit.onset + 0.3 * (hit.end - hit.onset), 0.4 * (hit.end - hit.onset)
-    run = simulate(load(scene), duration="0.3 ms", tolerance=1e-11, method=method)
+    run = simulate(engine_model(scene), duration="0.3 ms", tolerance=1e-11, method=method)
     start = run.at([begin])
     assert start["slider_pin.mode"] == [1]
 
@@ -153,7 +154,7 @@ def test_a_wrong_coefficient_is_noticed(method, in_b, monkeypatch):
     with pytest.raises(AssertionError):
         check_order(COUNTS[method], errors, ORDERS[method])
     with pytest.raises(AssertionError):
-        check_convergence(*measure(load("slider_crank"), method, friction=True), ORDERS[method])
+        check_convergence(*measure(engine_model("slider_crank"), method, friction=True), ORDERS[method])
 
 
 # ---- energy ----------------------------------------------------------------------------------------------------------

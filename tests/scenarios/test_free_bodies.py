@@ -23,7 +23,8 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
 )
 from hertzwerk.derive.laws import hunt_crossley, power, smooth_coulomb
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 SIZE = Parameter("size", "m", 0.1)
 MASS = Parameter("mass", "kg", 0.9)
@@ -35,7 +36,7 @@ def spinning(*inertia, effects=()):
     """A free body about its mass centre, its start to be given."""
     triple = tuple(Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", inertia, strict=True))
     joint = Free("float", GROUND, Body("body", MASS, triple))
-    return load(Scene(Mechanism("spinning", (joint,)), (EnergyLedger(), *effects), SCALES))
+    return engine_model(Scene(Mechanism("spinning", (joint,)), (EnergyLedger(), *effects), SCALES))
 
 
 def rate(*w):
@@ -128,7 +129,7 @@ def pendulum(joint, effects=(FALL,)):
     triple = tuple(Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.05, 0.03, 0.02), strict=True))
     bob = Body("bob", MASS, triple, (0, -Parameter("l", "m", 0.5), 0))
     scene = Scene(Mechanism("swing", (joint(bob),)), (EnergyLedger(), *effects), SCALES)
-    return load(scene)
+    return engine_model(scene)
 
 
 @pytest.mark.parametrize("method", ["dop853", "rodas", "auto"])
@@ -172,7 +173,7 @@ def ball_on_floor(joint, *, friction=False):
             Friction("rub", "floor", smooth_coulomb(Parameter("friction", "1", 0.2), Parameter("v_s", "m/s", 1e-2)))
         )
     scales = Scales(length=radius, speed=Parameter("pace", "m/s", 3.0), arm=radius)
-    return load(Scene(Mechanism("ball", (joint(ball),), (floor,)), (*effects, EnergyLedger()), scales))
+    return engine_model(Scene(Mechanism("ball", (joint(ball),), (floor,)), (*effects, EnergyLedger()), scales))
 
 
 @pytest.mark.parametrize("method", ["dop853", "rodas"])

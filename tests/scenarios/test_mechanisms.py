@@ -10,10 +10,11 @@ from scipy.optimize import brentq
 
 from hertzwerk.derive import ConstantSpeed
 from hertzwerk.derive.scenes.flyball_governor import scene, w
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 from reference import flights
 
-model = cache(load)
+model = cache(engine_model)
 
 
 # ---- pendulums -------------------------------------------------------------------------------------------------------
@@ -96,7 +97,7 @@ def test_a_driven_governor_keeps_its_loops():
     """The same constraints where the spindle's motion is given and has no row of its own."""
     start = replace(scene.start, speed={})
     driven = replace(scene, effects=(ConstantSpeed("motor", "spindle", w), *scene.effects), start=start)
-    run = simulate(load(driven), duration=2.0, tolerance=1e-10, parameters={"start_speed": "100 rpm"})
+    run = simulate(engine_model(driven), duration=2.0, tolerance=1e-10, parameters={"start_speed": "100 rpm"})
     assert run.outcome.finished, run
     assert run.energy_residual < 1e-8
     angle = run.at(np.linspace(0, 2, 2001))["right_hinge.angle"]

@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 from reference import ideal_slider_crank as ideal
 from reference.slider_crank import SliderCrank, reference
 
@@ -25,7 +26,7 @@ FLUCTUATION = {"0.5 mm": 0.25, "0.05 mm": 0.05, "0.005 mm": 0.005}  # of DEAD_CE
 
 @cache
 def model(scene):
-    return load(scene)
+    return engine_model(scene)
 
 
 @cache
@@ -160,7 +161,7 @@ def test_mean_acceleration_over_any_millisecond(scene, clearance):
 
 def test_the_force_of_the_line_contact_is_that_of_its_law():
     """Liu, Zhang, Yang, pi E* L d/2 sqrt(d/(2 (c + d))), under the damping of Lankarani and Nikravesh, at every step of the first contacts."""
-    run = simulate(load("slider_crank_line"), duration="2 ms", tolerance=1e-8, compiled=False)
+    run = simulate(engine_model("slider_crank_line"), duration="2 ms", tolerance=1e-8, compiled=False)
     touching = run["slider_pin.mode"] == 1
     d, rate = run["slider_pin.penetration"][touching], -run["slider_pin.gap_rate"][touching]
     modulus, length, room, e = 207e9 / (2 * (1 - 0.3**2)), 0.015, 0.5e-3, 0.9

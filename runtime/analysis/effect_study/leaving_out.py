@@ -32,7 +32,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, is_real, progress_faults
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start.start_values import stated_values
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import EngineModel
@@ -138,7 +138,7 @@ def study_effects(
         raise InputError("effects", [Fault("within", shown(within), "a change above 0 and below 100 %, such as 0.02")])
     if not isinstance(outputs, list | tuple) or not all(isinstance(name, str) for name in outputs):
         raise InputError("effects", [Fault("outputs", shown(outputs), 'a list of names, such as ["peak_force"]')])
-    whole, faults = load(target, without=without, laws=laws), progress_faults(progress)
+    whole, faults = engine_model(target, without=without, laws=laws), progress_faults(progress)
     whole.declared_for("effects")
     own, states = stated_values(whole, parameters, initial, faults)
     bench, report = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
@@ -222,7 +222,7 @@ def leave_out(whole: EngineModel, effects: Sequence[str], names: Iterable[str]) 
     gone = frozenset(names)
     while True:
         try:
-            return gone, load(whole, without=[name for name in effects if name in gone])
+            return gone, engine_model(whole, without=[name for name in effects if name in gone])
         except InputError as error:
             at_fault = {fault.where for fault in error.faults}
             following = {name for name in effects if f"effect {name}" in at_fault} - gone

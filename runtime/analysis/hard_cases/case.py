@@ -31,10 +31,10 @@ class Source:
     def load(self) -> EngineModel:
         """Return the model; derived, or from the cache, where it is not committed."""
         from hertzwerk.runtime.engine.model.model import EngineModel
-        from hertzwerk.runtime.loading import load
+        from hertzwerk.runtime.loading import engine_model
 
         if not self.hard:
-            return load(self.scene, without=self.without, laws=dict(self.laws))
+            return engine_model(self.scene, without=self.without, laws=dict(self.laws))
         from hertzwerk.runtime.engine.model.build import build_hard_scene
 
         return EngineModel(build_hard_scene(self.scene))

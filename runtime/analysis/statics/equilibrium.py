@@ -36,7 +36,7 @@ from hertzwerk.runtime.engine.run.run_request import input_faults, read_duration
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.start.assembly import closed_near, journals
 from hertzwerk.runtime.engine.start.start_values import start_of, stated_values
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def held(model: EngineModel) -> EngineModel:
     if not drives and model.joints is model:
         return model
     scene = model.declared_for("statics").scene()
-    return load(replace(build.held(scene) if drives else scene, coordinates="tree"))
+    return engine_model(replace(build.held(scene) if drives else scene, coordinates="tree"))
 
 
 def drives_of(model: EngineModel) -> tuple[str, ...]:
@@ -260,7 +260,7 @@ def equilibrium(
     an `initial` of `simulate`. Raises InputError for bad input and for nothing else: whether there is an equilibrium
     is `Equilibrium.outcome`.
     """
-    model: EngineModel = load(target)
+    model: EngineModel = engine_model(target)
     if model.rubbing:
         names = ", ".join(name for name, *_ in model.rubbing)
         why = "set-valued friction of joints, which holds them at rest wherever they stop"

@@ -34,7 +34,7 @@ from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.model.build import located_target
 from hertzwerk.runtime.engine.run.run_request import METHOD, Settings, check
 from hertzwerk.runtime.engine.solution.history import units_of
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.loading import engine_model
 
 IMPACT_FIELDS = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}
 HISTORY_REDUCTIONS = ("final", "max", "min", "largest")
@@ -177,7 +177,7 @@ def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
     if not isinstance(content.get("scene"), str):
         return []
     try:
-        model = load(content["scene"])
+        model = engine_model(content["scene"])
     except InputError as error:
         return list(error.faults)
     faults: list[Fault] = []

@@ -40,11 +40,11 @@ class Verdict:
 
 def run_scenario(scenario: Scenario) -> EngineSolution:
     """Simulate a scenario with its own numbers; raises InputError."""
-    from hertzwerk.runtime.loading import load
+    from hertzwerk.runtime.loading import engine_model
     from hertzwerk.runtime.simulation import simulate
 
     return simulate(
-        load(scenario.scene),
+        engine_model(scenario.scene),
         duration=scenario.duration,
         accuracy=scenario.accuracy,
         method=scenario.method,

@@ -80,13 +80,13 @@ def _places(
     from hertzwerk.runtime.engine.run.run_request import METHOD
     from hertzwerk.runtime.engine.run.run_warnings import unchecked
     from hertzwerk.runtime.engine.start.start_values import split_values
-    from hertzwerk.runtime.loading import load
+    from hertzwerk.runtime.loading import engine_model
     from hertzwerk.runtime.output.drawings.picture import notes_on
     from hertzwerk.runtime.output.drawings.places import Places
     from hertzwerk.runtime.output.plots.title import differences_of
     from hertzwerk.runtime.simulation import simulate
 
-    model = load(target)
+    model = engine_model(target)
     numbers = scenarios.read(target)
     parameters, initial = split_values(model, values)
     differences = differences_of(model, parameters, initial)

@@ -12,7 +12,7 @@ from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.run.run_request import Accuracy
 from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_comparison_request
 from hertzwerk.runtime.studies.comparison.comparison_result import Compared
@@ -73,7 +73,7 @@ def compare(
     run = target if isinstance(target, EngineSolution) else None
     if run is not None and settings:
         raise InputError("compare", [Fault(", ".join(settings), "values beside a run", "none: it has its own")])
-    model = run.model if run is not None else load(cast("Target", target))
+    model = run.model if run is not None else engine_model(cast("Target", target))
     request = read_comparison_request(
         units_of(model, None) if run is None else run.units,
         data,

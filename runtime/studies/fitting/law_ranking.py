@@ -22,7 +22,7 @@ from hertzwerk.derive.common.markup import joined
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.engine.model.model import EngineModel
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.fitting.fit_result import Fitted
 from hertzwerk.runtime.studies.fitting.fitting import (
     FitRequest,
@@ -73,7 +73,7 @@ def law_variants(model: EngineModel, laws: Mapping[str, Sequence[str]]) -> tuple
             faults.append(Fault("laws", f"{name} twice", "every law once"))
             continue
         try:
-            variants[name] = load(model, laws=by_effect)
+            variants[name] = engine_model(model, laws=by_effect)
         except InputError as error:
             faults += [fault for fault in error.faults if fault not in faults]
     return variants, faults

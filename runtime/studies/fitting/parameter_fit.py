@@ -10,7 +10,7 @@ from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.free_quantities import Freed
 from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, progress_faults
 from hertzwerk.runtime.engine.start.start_values import stated_values
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.studies.comparison.comparison_request import Between
 from hertzwerk.runtime.studies.fitting.experiment import Data, Experiment
 from hertzwerk.runtime.studies.fitting.fit_result import Fitted
@@ -88,7 +88,7 @@ def fit(
     Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
     combination of quantities that the data do not identify is listed in `unidentified`.
     """
-    model, faults = load(target), progress_faults(progress)
+    model, faults = engine_model(target), progress_faults(progress)
     own, states = stated_values(model, parameters, initial, faults)
     request = read_fit(
         model,
@@ -140,7 +140,7 @@ def fit_laws(
 
     The other arguments are those of `fit`. Raises InputError with every fault.
     """
-    model, wrong = load(target), progress_faults(progress)
+    model, wrong = engine_model(target), progress_faults(progress)
     own, states = stated_values(model, parameters, initial, wrong)
     variants, faults = law_variants(model, laws)
     how = {
@@ -189,7 +189,7 @@ def fit_moments(
     Derivatives are those of a quadratic regression over runs at points of a Latin hypercube, the scatter of the runs' own statistics its covariance;
     the box of the points closes in on the best, at most twice. Raises InputError with every fault.
     """
-    model, faults = load(target), progress_faults(progress)
+    model, faults = engine_model(target), progress_faults(progress)
     own, states = stated_values(model, parameters, initial, faults)
     how = {
         **{"parameters": {**own, **states}, "inputs": inputs, "duration": duration},

@@ -26,7 +26,7 @@ from hertzwerk.runtime.engine.model.si_values import si_of, si_units, unit_at
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.minimisation.formula import Formula, names_in, read_formula
 from hertzwerk.runtime.studies.minimisation.minimum import Held, Minimum, Trial, best_of
@@ -83,7 +83,7 @@ def minimise(
     from one peak to another: `.norm8` and `.norm32` are smooth stand-ins for it. The minimum is that of
     its starts: another, local one may be lower where none began. The other arguments are those of `simulate`. Raises InputError with every fault.
     """
-    model = load(target)
+    model = engine_model(target)
     settings: dict[str, Any] = {
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import chosen
 from hertzwerk.runtime.analysis.effect_study.output_errors import Bench, Case, Measurement
-from hertzwerk.runtime.loading import Model
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.studies.paper.study_page import Cell
 
 if TYPE_CHECKING:
@@ -25,17 +25,17 @@ OUTPUTS = {  # name, unit, SI of the unit
 TOLERANCE = 1e-8  # of the loosest of the runs of a measurement
 
 
-def crank_with(law: str | None) -> Model:
+def crank_with(law: str | None) -> EngineModel:
     """Return the slider-crank with another stiffness law in its pin; None: Hertz's with a free exponent.
 
     Raises InputError.
     """
     from hertzwerk.runtime.engine.model.build import build_compared
 
-    return Model(build_compared(SCENE, PIN, law))
+    return EngineModel(build_compared(SCENE, PIN, law))
 
 
-def measure(model: Model, values: Mapping[str, Value], duration: str = TURN) -> Measurement:
+def measure(model: EngineModel, values: Mapping[str, Value], duration: str = TURN) -> Measurement:
     """Measure OUTPUTS by runs at several tolerances; see `effects.measuring`. Raises InputError."""
     bench = Bench(duration, TOLERANCE, "auto", values)
     first = bench.simulate(Case(model), max_steps=1)

@@ -154,9 +154,9 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
 
 def _bounces(form: Form, law: str, restitutions: Sequence[float]) -> Iterator[Bounce]:
     from hertzwerk.runtime.engine.model.build import build_dropped, restitution_out
-    from hertzwerk.runtime.loading import Model
+    from hertzwerk.runtime.engine.model.model import EngineModel
 
-    model = Model(build_dropped(form.name, law))
+    model = EngineModel(build_dropped(form.name, law))
     for e in restitutions:
         run = whole(simulate(model, duration=LASTING, tolerance=TOLERANCE, parameters={"restitution": e}))
         first = run.impacts[0]

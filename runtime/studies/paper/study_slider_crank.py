@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.runtime.loading import Model, load
+from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.paper.crank_runs import PIN, SCENE
@@ -142,8 +143,8 @@ def run(quick: bool, progress: Progress, sweeps: Sweeps) -> Page:
     )  # fmt: skip
 
 
-def _model(law: str, *, friction: bool) -> Model:
-    return load(SCENE, laws={PIN: law}, without=() if friction else (FRICTION,))
+def _model(law: str, *, friction: bool) -> EngineModel:
+    return engine_model(SCENE, laws={PIN: law}, without=() if friction else (FRICTION,))
 
 
 def _at(clearance: float, speed: float) -> dict[str, Value]:

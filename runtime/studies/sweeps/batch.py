@@ -46,7 +46,7 @@ from hertzwerk.runtime.engine.run.run_request import (
 )
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.start.start_values import stated_values
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.rows.row import TEXTS, Row
 from hertzwerk.runtime.studies.sweeps.rows.row_arrays import RowArrays
@@ -244,7 +244,7 @@ def simulate_many(
     first row. Ctrl-C returns the rows that are done, and so does a cluster that is gone.
     """
     began = time.perf_counter()
-    model, sets, wrong = load(target), _sets(parameter_sets), progress_faults(progress)
+    model, sets, wrong = engine_model(target), _sets(parameter_sets), progress_faults(progress)
     own_values, states = stated_values(model, parameters, initial, wrong)
     named = dict.fromkeys(name for values in sets for name in values)
     sets = [{**own_values, **states, **values} for values in sets]

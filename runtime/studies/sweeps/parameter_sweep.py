@@ -41,7 +41,7 @@ from hertzwerk.runtime.engine.run.run_request import (
 from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start.start_values import split_values, stated_values
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.studies.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.studies.sweeps.continued_rows import Chains, InMemory, key_after, read_chains, state_units
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design, Varied, read_design
@@ -225,7 +225,7 @@ def sweep(
     """
     began = time.perf_counter()
     # 1. model
-    model = load(target, without=without, laws=laws, coordinates=coordinates)
+    model = engine_model(target, without=without, laws=laws, coordinates=coordinates)
     settings: dict[str, Any] = {
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time},

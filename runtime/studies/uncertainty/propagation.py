@@ -24,7 +24,7 @@ from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END
-from hertzwerk.runtime.loading import Target, load
+from hertzwerk.runtime.loading import Target, engine_model
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import outputs_of, sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured
@@ -87,7 +87,7 @@ def propagate(
     The other arguments are those of `sweep`; with `into` every run is stored, and the same call goes on. Spreads that
     differ by more than their errors are warned of. Raises InputError with every fault.
     """
-    model = load(target)
+    model = engine_model(target)
     known = quantities(model)
     faults: list[Fault] = []
     # 1. distributions

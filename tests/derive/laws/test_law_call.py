@@ -11,8 +11,9 @@ from hertzwerk.derive.laws.law import d, v
 from hertzwerk.derive.laws.law_call import split_call
 from hertzwerk.derive.scenes.bouncing_ball import scene as ball
 from hertzwerk.derive.scenes.slider_crank import scene as crank
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.model.generated_text import text_of
+from hertzwerk.runtime.loading import engine_model
 from reference.closed_forms import collision
 
 CHI = "power_damping(chi=1e7 N s/m^2.5, m=1.5)"
@@ -60,7 +61,7 @@ def test_units_of_the_general_law_are_proven():
 
 def test_the_general_law_returns_what_the_exact_relation_says():
     """m = n: chi = h K/v0 of the first impact, in which the ball is free but for its weight."""
-    model = load("bouncing_ball", laws={"floor": CHI})
+    model = engine_model("bouncing_ball", laws={"floor": CHI})
     K, mass, speed, h = 1e8, 1.0, (2 * 9.81) ** 0.5, 0.5
     given = {"stiffness": "1e8 N/m^1.5", "mass": "1 kg", "drop_height": "1 m", "gravity": "9.81 m/s^2"}
     given |= {"floor_chi": f"{h * K / speed!r} N s/m^2.5"}
@@ -122,7 +123,7 @@ def test_several_laws_and_names_of_parameters_at_once():
 
 def test_missing_quantities_of_a_law_are_listed_in_one_error():
     with pytest.raises(InputError) as raised:
-        load("slider_crank", laws={"slider_pin_friction": "lugre(mu_s=0.2)", "slider_pin": "power(n=1.3)"})
+        engine_model("slider_crank", laws={"slider_pin_friction": "lugre(mu_s=0.2)", "slider_pin": "power(n=1.3)"})
     said = str(raised.value)
     assert "2 faults" in said and "K [N/m^n], stiffness" in said
     assert all(f"{name} [" in said for name in ("mu_k", "v_S", "s_0", "s_1", "c_v")) and "mu_s [" not in said
@@ -148,18 +149,18 @@ def test_a_law_of_a_file_is_taken_by_its_name(tmp_path, monkeypatch):
         (f"foam.toml:{own} x hunt_crossley", "foam x hunt_crossley"),
         (f"{file}:{own}", "foam x flores"),
     ):
-        assert ("floor", "contact", said) in load("bouncing_ball", laws={"floor": text}).module.EFFECTS
-    once = load("bouncing_ball", laws={"floor": "foam.toml(K=1e8 N/m^1.5)"}).module
+        assert ("floor", "contact", said) in engine_model("bouncing_ball", laws={"floor": text}).module.EFFECTS
+    once = engine_model("bouncing_ball", laws={"floor": "foam.toml(K=1e8 N/m^1.5)"}).module
     file.write_text(FOAM.replace("d**1.5", "2*d**1.5"), encoding="utf-8")
-    again = load("bouncing_ball", laws={"floor": "foam.toml(K=1e8 N/m^1.5)"}).module
+    again = engine_model("bouncing_ball", laws={"floor": "foam.toml(K=1e8 N/m^1.5)"}).module
     assert text_of(again) != text_of(once)  # the cache knows what is in the file
     with pytest.raises(InputError, match=r"one of .*foam\.toml:foam"):
-        load("bouncing_ball", laws={"floor": "foam.toml:wool(K=1 N/m)"})
+        engine_model("bouncing_ball", laws={"floor": "foam.toml:wool(K=1 N/m)"})
     with pytest.raises(InputError, match=r"none\.toml"):
-        load("bouncing_ball", laws={"floor": "none.toml"})
+        engine_model("bouncing_ball", laws={"floor": "none.toml"})
     evil = "foam.toml(K=__import__('os').abort())"
     with pytest.raises(InputError, match="a quantity in"):
-        load("bouncing_ball", laws={"floor": evil})
+        engine_model("bouncing_ball", laws={"floor": evil})
 
 
 def test_friction_with_modes_and_memory_by_the_text_of_a_law():
@@ -167,5 +168,7 @@ def test_friction_with_modes_and_memory_by_the_text_of_a_law():
         "coulomb(mu_k=friction_coefficient, mu_s=0.15)",
         "lugre(mu_k=0.1, mu_s=0.15, v_S=0.1 m/s, s_0=1e5 1/m, s_1=100 s/m, c_v=0 N s/m)",
     ):
-        run = simulate(load("slider_crank", laws={"slider_pin_friction": law}), duration="1.5 ms", tolerance=1e-6)
+        run = simulate(
+            engine_model("slider_crank", laws={"slider_pin_friction": law}), duration="1.5 ms", tolerance=1e-6
+        )
         assert run.outcome.finished and run["slider_pin_friction.dissipated"][-1] > 0

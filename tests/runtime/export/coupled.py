@@ -11,7 +11,7 @@ import fmpy
 import numpy as np
 from fmpy.fmi3 import FMU3Slave
 
-from hertzwerk import load, simulate
+from hertzwerk import simulate
 from hertzwerk.derive import (
     GROUND,
     Body,
@@ -38,6 +38,7 @@ from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.engine.solution.error_scales import error
 from hertzwerk.runtime.export import fmu
 from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.loading import engine_model
 
 DURATION, TOLERANCE, STEPS = 6e-3, 1e-9, (30, 100, 300, 1000, 3000)
 STIFFNESS, DAMPING = 200.0, 0.05  # of the shaft [N m/rad, N m s/rad]
@@ -96,7 +97,7 @@ class Part:
     def __init__(self, scene, folder, **inputs):
         file = folder / f"{scene.name}.fmu"
         if not file.exists():
-            fmu.write(ExportRequest(load(scene), {}, {}, Settings(DURATION, None, TOLERANCE, "dop853")), file)
+            fmu.write(ExportRequest(engine_model(scene), {}, {}, Settings(DURATION, None, TOLERANCE, "dop853")), file)
             fmpy.extract(file, folder / scene.name)
         about = fmpy.read_model_description(file)
         self.references = {v.name: v.valueReference for v in about.modelVariables}
@@ -123,7 +124,7 @@ def coupled(folder, steps, linear):
     """States by name at the end of both units, stepped at the same time; inputs are held, or go on as they changed."""
     wide = DURATION / steps
     one, other = (
-        Part(ENGINE, folder, load=0.0),
+        Part(ENGINE, folder, engine_model=0.0),
         Part(CRANK, folder, shaft_angle=0.0, shaft_speed=float(5000 * np.pi / 30)),
     )
     before = None
@@ -134,7 +135,7 @@ def coupled(folder, steps, linear):
         rates = {}
         if linear:
             rates = {"load__rate": 0.0 if before is None else (load_now - before) / wide}
-        one.set(load=load_now, **rates)
+        one.set(engine_model=load_now, **rates)
         rates = {"shaft_angle__rate": speed, "shaft_speed__rate": acceleration} if linear else {}
         other.set(shaft_angle=angle, shaft_speed=speed, **rates)
         before = load_now
@@ -149,7 +150,7 @@ WHOLE_STATES += [f"{joint}.speed" for joint in ("shaft", "main_bearing", "crank_
 
 def study(folder, steps=STEPS):
     """Rows (communication step [s], error with held inputs, with linear ones), and the error of the scene itself."""
-    model = load(WHOLE)
+    model = engine_model(WHOLE)
     whole, check = (
         simulate(model, duration=DURATION, tolerance=each, method="dop853") for each in (TOLERANCE, TOLERANCE / 100)
     )

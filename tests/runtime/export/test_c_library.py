@@ -8,17 +8,18 @@ import numpy as np
 import pytest
 from libraries import Library, compile_c
 
-from hertzwerk import InputError, load, simulate
+from hertzwerk import InputError, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import c_library
 from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.loading import engine_model
 
 TOLERANCE, DURATION = 1e-7, 2.0
 
 
 def exported(folder, target, duration, *, method="dop853", tolerance=TOLERANCE, parameters=None, outputs=(), **rest):
-    model = load(target) if isinstance(target, str) else target
+    model = engine_model(target) if isinstance(target, str) else target
     settings = Settings(duration, None, tolerance, method)
     asked = ExportRequest(model, parameters or {}, rest.pop("initial", {}), settings, outputs)
     c_library.write(asked, folder)
@@ -39,7 +40,7 @@ def same_bits(library, run, simulation, rounding=0.0):
 
 
 def test_one_call_to_the_end_gives_the_bits_of_a_run(ball):
-    run = simulate(load("bouncing_ball"), duration=DURATION, tolerance=TOLERANCE, method="dop853")
+    run = simulate(engine_model("bouncing_ball"), duration=DURATION, tolerance=TOLERANCE, method="dop853")
     simulation = ball.simulation()
     assert simulation.run(DURATION) == 0
     same_bits(ball, run, simulation)
@@ -57,11 +58,11 @@ def test_parameters_and_start_are_followed_as_in_a_run(ball):
     settings = {"duration": DURATION, "tolerance": TOLERANCE, "method": "dop853", "parameters": texts}
     simulation = ball.simulation(**given)
     assert simulation.run(DURATION) == 0
-    same_bits(ball, simulate(load("bouncing_ball"), **settings), simulation)
+    same_bits(ball, simulate(engine_model("bouncing_ball"), **settings), simulation)
     simulation = ball.simulation(**given)
     assert simulation("set_start", ball.find("start", "vertical.speed"), 1.5) == 0
     assert simulation.run(DURATION) == 0
-    run = simulate(load("bouncing_ball"), **settings, initial={"vertical.speed": "1.5 m/s"})
+    run = simulate(engine_model("bouncing_ball"), **settings, initial={"vertical.speed": "1.5 m/s"})
     same_bits(ball, run, simulation)
 
 
@@ -140,14 +141,14 @@ def test_it_compiles_without_a_warning_and_runs_under_sanitizers(compiler, ball,
 @pytest.mark.slow
 def test_slider_crank_closes_its_start_under_other_parameters(tmp_path):
     library = exported(tmp_path / "c", "slider_crank", 0.004)
-    run = simulate(load("slider_crank"), duration=0.004, tolerance=TOLERANCE, method="dop853")
+    run = simulate(engine_model("slider_crank"), duration=0.004, tolerance=TOLERANCE, method="dop853")
     simulation = library.simulation()
     assert simulation.run(0.004) == 0
     same_bits(library, run, simulation)
     turned = library.simulation(crank_radius=0.06, rod_length=0.15)
     assert turned("start", 0.004) == 0
     texts = {"crank_radius": "60 mm", "rod_length": "150 mm"}
-    run = simulate(load("slider_crank"), duration=0.004, tolerance=TOLERANCE, method="dop853", parameters=texts)
+    run = simulate(engine_model("slider_crank"), duration=0.004, tolerance=TOLERANCE, method="dop853", parameters=texts)
     assert turned.vector("states") == pytest.approx([run[name][0] for name in library.names("state")], rel=1e-11)
 
 

@@ -13,7 +13,7 @@ from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 from libraries import FLAGS
 
-from hertzwerk import InputError, load, simulate
+from hertzwerk import InputError, simulate
 from hertzwerk.derive import (
     GROUND,
     Body,
@@ -34,6 +34,7 @@ from hertzwerk.derive import (
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import fmu
 from hertzwerk.runtime.export.export_request import ExportRequest
+from hertzwerk.runtime.loading import engine_model
 
 TOLERANCE, DURATION, MASS = 1e-8, 1.0, 0.5
 HEADERS = Path(fmpy.__file__).parent / "c-code"
@@ -68,7 +69,7 @@ def made(folder, model, name, fmi=3, duration=DURATION):
 def pushed(request, tmp_path_factory):
     """The unit of a pushed mass, unpacked."""
     folder = tmp_path_factory.mktemp("pushed")
-    file = made(folder, load(PUSHED), "pushed_mass", request.param)
+    file = made(folder, engine_model(PUSHED), "pushed_mass", request.param)
     return file, fmpy.read_model_description(file), fmpy.extract(file, folder / "unpacked")
 
 
@@ -113,7 +114,9 @@ class Unit:
 def test_it_is_valid_and_gives_the_bits_of_a_run(pushed):
     file, description, _ = pushed
     assert validate_fmu(str(file)) == []
-    run = simulate(load(PUSHED), duration=DURATION, tolerance=TOLERANCE, method="dop853", inputs={"push": "-3 N"})
+    run = simulate(
+        engine_model(PUSHED), duration=DURATION, tolerance=TOLERANCE, method="dop853", inputs={"push": "-3 N"}
+    )
     assert len(run.impacts) > 2
     names = [v.name for v in description.modelVariables if v.causality == "output"]
     assert {"slide.travel", "wall.normal_force", "energy", "wall.dissipated"} <= {*names}
@@ -148,7 +151,7 @@ def test_it_tells_units_starts_and_causality(pushed):
 
 def test_parameters_and_starts_are_set_before_the_motion(pushed):
     unit = Unit(pushed, push=0.0, mass=0.25, **{"start.slide.speed": -1.0})
-    run = simulate(load(PUSHED), duration=DURATION, tolerance=TOLERANCE, method="dop853", inputs={"push": "0 N"},
+    run = simulate(engine_model(PUSHED), duration=DURATION, tolerance=TOLERANCE, method="dop853", inputs={"push": "0 N"},
                    parameters={"mass": "0.25 kg"}, initial={"slide.speed": "-1 m/s"})  # fmt: skip
     unit.step(DURATION)
     assert unit.get("slide.travel").tolist() == [run["slide.travel"][-1]]
@@ -203,7 +206,7 @@ def test_derivatives_of_the_last_step_by_inputs(pushed):
     unit = Unit(pushed, push=-3.0)
     unit.step(DURATION)  # through impacts: against runs under other forces
     step, settings = 1e-3, {"duration": DURATION, "tolerance": 1e-11, "method": "dop853"}
-    ends = [simulate(load(PUSHED), **settings, inputs={"push": f"{-3 + sign * step} N"}) for sign in (1, -1)]
+    ends = [simulate(engine_model(PUSHED), **settings, inputs={"push": f"{-3 + sign * step} N"}) for sign in (1, -1)]
     expected = [(ends[0][name][-1] - ends[1][name][-1]) / (2 * step) for name in UNKNOWNS[:2]]
     assert unit.derivative(UNKNOWNS[:2]) == pytest.approx(expected, rel=1e-4)
 
@@ -249,7 +252,8 @@ def test_a_bad_name_and_an_existing_file_are_refused_at_once(tmp_path):
     assert fmu.faults(tmp_path / "ball_1.fmu") == []
     with pytest.raises(InputError, match="SUNDIALS"):
         fmu.write(
-            ExportRequest(load("bouncing_ball"), {}, {}, Settings(1.0, None, TOLERANCE, "idas")), tmp_path / "a.fmu"
+            ExportRequest(engine_model("bouncing_ball"), {}, {}, Settings(1.0, None, TOLERANCE, "idas")),
+            tmp_path / "a.fmu",
         )
 
 

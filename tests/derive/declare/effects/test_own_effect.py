@@ -21,7 +21,8 @@ from hertzwerk.derive import (
     generate,
 )
 from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 HEAD = """
 from dataclasses import dataclass
@@ -119,7 +120,7 @@ def own(tmp_path):
 
 def test_an_effect_of_ones_own_is_one_class_in_a_file(own):
     """v = v0/(1 + k v0 t/m), and ledger, outputs and equations for people know of it without a line elsewhere."""
-    model = load(own(DRAG, "kg/m"))
+    model = engine_model(own(DRAG, "kg/m"))
     speeds = {"flight.x_speed": (3, "m/s"), "flight.y_speed": (4, "m/s")}
     run = simulate(model, duration=2.0, tolerance=1e-11, initial=speeds)
     assert run["air.speed"][-1] == pytest.approx(5 / (1 + 0.3 * 5 * 2 / 0.7), rel=1e-9)
@@ -129,7 +130,7 @@ def test_an_effect_of_ones_own_is_one_class_in_a_file(own):
 
 def test_an_effect_of_ones_own_on_a_joint(own):
     """The energy k q^4/4 it stores is what the block's motion gives up."""
-    run = simulate(load(own(HARDENING, "N/m^3")), duration=20.0, tolerance=1e-11)
+    run = simulate(engine_model(own(HARDENING, "N/m^3")), duration=20.0, tolerance=1e-11)
     q, u = run["slide.travel"], run["slide.speed"]
     assert 0.7 * u[-1] ** 2 / 2 + 0.3 * q[-1] ** 4 / 4 == pytest.approx(0.3 * 0.1**4 / 4, rel=1e-8)
     assert abs(q[-1]) < 0.0999
@@ -137,7 +138,7 @@ def test_an_effect_of_ones_own_on_a_joint(own):
 
 def test_an_effect_of_ones_own_at_a_pair(own):
     """The pin swings at sqrt(k/m) in its bush, which has no contact."""
-    run = simulate(load(own(CENTRING, "N/m")), duration=3.0, tolerance=1e-11)
+    run = simulate(engine_model(own(CENTRING, "N/m")), duration=3.0, tolerance=1e-11)
     rate = (0.3 / 0.7) ** 0.5
     np.testing.assert_allclose(run["flight.x"][-1], 0.01 / rate * np.sin(3 * rate), rtol=1e-8)
 
@@ -145,7 +146,7 @@ def test_an_effect_of_ones_own_at_a_pair(own):
 @pytest.mark.parametrize(("text", "unit"), [(DRAG, "N"), (HARDENING, "N/m"), (CENTRING, "N")])
 def test_the_units_of_an_effect_of_ones_own_are_proven(own, text, unit):
     with pytest.raises(InputError, match=r"(coefficient|stiffness): found k"):
-        load(own(text, unit))
+        engine_model(own(text, unit))
 
 
 @pytest.mark.parametrize(
@@ -163,7 +164,7 @@ def test_the_units_of_an_effect_of_ones_own_are_proven(own, text, unit):
 def test_own_effects_that_do_not_fit_are_refused(own, text, old, new, said):
     assert old in text
     with pytest.raises(InputError, match=said):
-        load(own(text.replace(old, new), {DRAG: "kg/m", HARDENING: "N/m^3", CENTRING: "N/m"}[text]))
+        engine_model(own(text.replace(old, new), {DRAG: "kg/m", HARDENING: "N/m^3", CENTRING: "N/m"}[text]))
 
 
 @dataclass(frozen=True)

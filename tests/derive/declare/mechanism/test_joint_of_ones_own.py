@@ -28,7 +28,8 @@ from hertzwerk.derive import (
     generate,
 )
 from hertzwerk.derive.common.execute_file import names_defined_by
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 FILE = '''
 from dataclasses import dataclass
@@ -136,7 +137,7 @@ def as_closure(chain, word, axes, other=None):
 
 def motion(declared):
     """Position and rotation of the body at TIMES."""
-    model = load(declared)
+    model = engine_model(declared)
     run = simulate(model, duration=float(TIMES[-1]), tolerance=1e-12)
     assert run.outcome.name == "finished"
     assert run.energy_residual < 1e-9

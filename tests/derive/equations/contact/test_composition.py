@@ -35,7 +35,8 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import DampingLaw, F, FrictionLaw, N, StiffnessLaw, d, k_t, s, v, v0
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 from reference.closed_forms import restitution
 
 PACE, SLIP = 0.5, 0.3  # m/s
@@ -205,7 +206,10 @@ def test_any_friction(friction):
 
 def impact(pair, stiffness, damping, friction=None, **changed):
     run = simulate(
-        load(scene(pair, stiffness, damping, friction, **changed)), duration="1 ms", tolerance=1e-10, max_steps=5000
+        engine_model(scene(pair, stiffness, damping, friction, **changed)),
+        duration="1 ms",
+        tolerance=1e-10,
+        max_steps=5000,
     )
     assert run.outcome.finished, run.outcome
     assert len(run.impacts) == 1
@@ -239,7 +243,7 @@ def test_release_rules_differ_and_tsuji_is_exact_where_the_gap_opens():
     run = impact("pin_in_bush", "hertz_point", "tsuji", e=0.7)
     assert -run.final["slide.speed"] / PACE == pytest.approx(0.7, rel=1e-8)
     assert run["joint.normal_force"].min() < 0
-    model = load(scene("pin_in_bush", "hertz_point", "tsuji", e=0.7))
+    model = engine_model(scene("pin_in_bush", "hertz_point", "tsuji", e=0.7))
     model.module.RELEASES = ("force",)
     early = simulate(model, duration="1 ms", tolerance=1e-10)
     assert -early.final["slide.speed"] / PACE > 0.71
@@ -274,7 +278,7 @@ def test_effective_mass_is_that_of_both_bodies_by_default():
         Scales(length=CLEARANCE / 100, speed=Parameter("pace", "m/s", PACE)),
         Start(position={"away": RADIUS + SMALL}, speed={"slide": Parameter("approach", "m/s", PACE)}),
     )
-    run = simulate(load(spheres), duration="1 ms", tolerance=1e-10)
+    run = simulate(engine_model(spheres), duration="1 ms", tolerance=1e-10)
     mass = PIN_MASS * BUSH_MASS / (PIN_MASS + BUSH_MASS)
     alone = Impact(LAWS["hertz_point"], LAWS["jankowski"], mass=mass, speed=PACE, e="0.7")
     assert (run.final["away.speed"] - run.final["slide.speed"]) / PACE == pytest.approx(alone.restitution, rel=1e-7)
@@ -302,7 +306,7 @@ def test_friction_takes_its_share_of_the_impulse(friction):
 def test_beyond_reach_the_run_ends():
     """A heavy, fast pin: deeper than Johnson's turning point is outside_law_range, not a wrong branch."""
     run = simulate(
-        load(scene("pin_in_bush", "johnson", "exact")),
+        engine_model(scene("pin_in_bush", "johnson", "exact")),
         duration="1 ms",
         tolerance=1e-8,
         initial={"slide.speed": "90 m/s"},

@@ -9,7 +9,8 @@ from hertzwerk.derive import LAWS, Contact, InputError, Parameter, audit_scene, 
 from hertzwerk.derive.exchange.law_sheets.law_sheet import sheet
 from hertzwerk.derive.laws.smoothing import begun, energy_begun, growths
 from hertzwerk.derive.scenes.bouncing_ball import scene
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 EPSILON = 1e-4
 K, CHI = Parameter("K", "N/m^1.5", 1e7), Parameter("chi", "N s/m^2.5", 1e6)
@@ -22,7 +23,7 @@ def smooth_ball(*law, smooth="0.1 mm"):
 
 @pytest.fixture(scope="module")
 def ball():
-    return load(smooth_ball(*DAMPED))
+    return engine_model(smooth_ball(*DAMPED))
 
 
 def force_of(model, depths, speed=0.0):
@@ -51,7 +52,7 @@ def test_the_force_has_two_derivatives_at_onset_and_join(ball):
             below, above = force_of(ball, [at - 1e-13, at + 1e-13], speed).T
             size = np.abs(force_of(ball, [EPSILON], speed)).ravel() + 1
             assert np.all(np.abs(below - above) < 1e-5 * size)
-    hard = load(scene.replace(floor=Contact("floor", *DAMPED)))
+    hard = engine_model(scene.replace(floor=Contact("floor", *DAMPED)))
     _, _, curvature = force_of(hard, [1e-12])
     assert curvature > 1e12  # what the exact law has there
 
@@ -80,7 +81,7 @@ def test_its_stored_energy_is_the_integral_of_its_force():
 
 
 def test_energy_is_kept_through_smooth_impacts():
-    model = load(smooth_ball(laws.power(K, n=1.5)))
+    model = engine_model(smooth_ball(laws.power(K, n=1.5)))
     run = simulate(model, duration="1.5 s", tolerance=1e-11, compiled=False)
     assert len(run.impacts) >= 2
     assert run.energy_residual < 1e-9
@@ -93,7 +94,7 @@ def test_a_run_deviates_by_the_length():
     """Deeper by epsilon at the same force: so is the turning point, to the share of the onset's energy."""
     how = {"duration": "0.5 s", "tolerance": 1e-10, "compiled": False}
     (exact,), (smooth,) = (
-        simulate(load(scene.replace(floor=Contact("floor", *DAMPED, smooth=of))), **how).impacts
+        simulate(engine_model(scene.replace(floor=Contact("floor", *DAMPED, smooth=of))), **how).impacts
         for of in (None, "0.1 mm")
     )
     assert smooth.peak_penetration - exact.peak_penetration == pytest.approx(EPSILON, rel=0.05)

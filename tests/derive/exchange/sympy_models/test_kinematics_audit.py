@@ -18,7 +18,8 @@ from sympy.physics.mechanics import (
 
 from hertzwerk.derive import InputError, Parameter, Scales, Start, T, from_sympy
 from hertzwerk.derive.exchange.user_files.audit_files import audit_path
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 UNITS = {"m": "kg", "l": "m", "r": "m", "J": "kg m^2", "g": "m/s^2", "k": "N/m"}
 VALUES = {"m": 0.7, "l": 0.4, "r": 0.25, "J": 0.02, "g": 9.81, "k": 300}
@@ -90,7 +91,7 @@ def test_a_contradiction_that_is_taken_as_given_is_named_wherever_the_model_goes
     model = from_sympy(method, units=units, values=values, origin=at["O"], kinematics="as given")
     length = model.parameters["l"]
     scales = Scales(length=length, speed=Parameter("pace", "m/s", 1), arm=length)
-    loaded = load(model.scene(scales=scales, start=Start(position={"q": Parameter("q0", "rad", 0.5)})))
+    loaded = engine_model(model.scene(scales=scales, start=Start(position={"q": Parameter("q0", "rad", 0.5)})))
     ((where, was_set, follows),) = loaded.module.CONTRADICTIONS
     assert where == "angular velocity of A in N"
     assert (was_set[:9], follows[:7]) == ("- u(t)*N.", "u(t)*N.")
@@ -98,7 +99,7 @@ def test_a_contradiction_that_is_taken_as_given_is_named_wherever_the_model_goes
     assert any(where in warning and "as given" in warning for warning in simulate(loaded, duration=0.01).warnings)
     sound, at, units, values = models.pendulum()
     model = from_sympy(sound, units=units, values=values, origin=at["O"], kinematics="as given")
-    assert load(model.scene(scales=scales)).module.CONTRADICTIONS == ()
+    assert engine_model(model.scene(scales=scales)).module.CONTRADICTIONS == ()
     with pytest.raises(InputError, match="as given"):
         from_sympy(sound, units=units, values=values, kinematics="unchecked")
 

@@ -17,7 +17,8 @@ from hertzwerk.derive.scenes import (
     slider_crank_dc_motor,
     tippe_top,
 )
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 SIZE = Parameter("size_of_scene", "m", 0.1)
 SCALES = Scales(length=SIZE, speed=Parameter("pace_of_scene", "m/s", 1), arm=SIZE)
@@ -65,13 +66,13 @@ def test_a_run_of_what_came_back_is_the_scenes_own():
     module = imported(scene)
     model = from_sympy(module, units=module.units, values=module.values, name="pendulum_back")
     q, u = (
-        simulate(load("double_pendulum"), duration="1 s", accuracy=1e-9)[f"{j}.{w}"]
+        simulate(engine_model("double_pendulum"), duration="1 s", accuracy=1e-9)[f"{j}.{w}"]
         for j, w in (("elbow", "angle"), ("elbow", "speed"))
     )
     names = {name: symbol.func.__name__ for name, symbol in module.names.items()}
     start = {names[f"{joint}.angle"]: scene.start.position[joint] for joint in ("shoulder", "elbow")}
     run = simulate(
-        load(model.scene(scales=SCALES, start=Start(position=start))),
+        engine_model(model.scene(scales=SCALES, start=Start(position=start))),
         duration="1 s",
         accuracy=1e-9,
     )
@@ -94,10 +95,10 @@ def test_effects_that_sympy_lacks_are_listed(scene, found):
 @pytest.mark.parametrize("speed", ["0 rad/s", pytest.param("160 rpm", marks=pytest.mark.exhaustive)])
 def test_redundant_loops_come_back_also_where_a_constraint_vanishes(speed):
     """In the plane of its spindle at rest the governor has two constraints whose rows are zero."""
-    native = load(scene := flyball_governor.scene)
+    native = engine_model(scene := flyball_governor.scene)
     module, found = imported(scene), to_sympy(scene)
     still = dict.fromkeys(module.specified, sp.S.Zero)
-    model = load(
+    model = engine_model(
         from_sympy(module, units=module.units, values=module.values, specified=still, name="back").scene(scales=SCALES)
     )
     run = simulate(native, duration="0.1 s", accuracy=1e-8, initial={"spindle.speed": speed})

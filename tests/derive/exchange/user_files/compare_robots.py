@@ -19,7 +19,7 @@ import pinocchio as pin
 from scipy.spatial.transform import Rotation
 
 from hertzwerk.derive import Coupling, Direction, EnergyLedger, Gravity, InputError, Parameter, Scales, from_urdf
-from hertzwerk.runtime import load
+from hertzwerk.runtime.loading import engine_model
 
 SCALES = Scales(
     Parameter("scale_of_lengths", "m", 1),
@@ -137,8 +137,8 @@ def compare(path, base):
     couplings = [effect for effect in robot.effects if isinstance(effect, Coupling)]
     names, kept = [effect.name for effect in robot.effects], [effect.name for effect in couplings]
     scene = robot.scene(GRAVITY, EnergyLedger(), scales=SCALES)
-    model = load(scene.without(*names))
-    coupled = load(scene.without(*(name for name in names if name not in kept))) if couplings else None
+    model = engine_model(scene.without(*names))
+    coupled = engine_model(scene.without(*(name for name in names if name not in kept))) if couplings else None
     place, size = theirs.sizes
     assert theirs.model.nv == size, f"{theirs.model.nv} speeds there, {size} here"
     q, u = ca.SX.sym("q", place), ca.SX.sym("u", size)

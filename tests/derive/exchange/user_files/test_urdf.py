@@ -29,7 +29,8 @@ from hertzwerk.derive import (
     laws,
 )
 from hertzwerk.derive.exchange.user_files.urdf import Robot
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 from reference.robots import NONE, ROBOTS, Row, urdf
 
 SCALES = Scales(length=Parameter("size", "m", 0.1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 0.1))
@@ -95,7 +96,7 @@ def state_of(robot: Robot, seed: int):
 def test_mass_matrices_of_public_robots_by_a_second_derivation(tmp_path):
     for name in ROBOTS:
         robot, rows = robot_of(tmp_path, name)
-        model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+        model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
         for seed in range(3):
             q, u = state_of(robot, seed)
             expected = textbook_mass_matrix(rows, q, name == "solo")
@@ -108,7 +109,7 @@ def test_mass_matrix_and_accelerations_against_pinocchio(tmp_path, name):
     pin = pytest.importorskip("pinocchio")  # pip install pin
     robot, rows = robot_of(tmp_path, name)
     floating = name == "solo"
-    model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES).without(*(e.name for e in robot.effects)))
+    model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES).without(*(e.name for e in robot.effects)))
     base = [pin.JointModelFreeFlyer()] if floating else []
     theirs = pin.buildModelFromUrdf(str(tmp_path / "robot.urdf"), *base)
     data = theirs.createData()
@@ -184,7 +185,7 @@ def test_joints_of_every_type_limits_and_dampers(tmp_path):
     assert (robot.limits["slide"].upper, robot.limits["slide"].effort) == (0.2, 20)
     assert robot.friction == {"turn": 0.1}
     run = simulate(
-        load(robot.scene(EnergyLedger(), scales=SCALES, start=Start({"turn": 0}, {"turn": Parameter("w", "rad/s", 2)}))),
+        engine_model(robot.scene(EnergyLedger(), scales=SCALES, start=Start({"turn": 0}, {"turn": Parameter("w", "rad/s", 2)}))),
         duration="0.3 s", accuracy=1e-8,
     )  # fmt: skip
     assert run.outcome.name == "finished"
@@ -218,14 +219,14 @@ def test_a_foot_of_the_file_falls_on_a_floor(tmp_path):
     law = laws.power(Parameter("K", "N/m^1.5", 1e8), 1.5)
     height = Parameter("height", "m", 0.62)  # 0.5 m above contact
     scene = robot.scene(GRAVITY, Contact("floor", law), pairs=(floor,), scales=SCALES, start=Start({"drop": height}))
-    run = simulate(load(scene), duration="0.4 s")
+    run = simulate(engine_model(scene), duration="0.4 s")
     assert run.impacts[0].t == pytest.approx((2 * 0.5 / 9.81) ** 0.5, rel=1e-6)
     assert run.impacts[0].speed == pytest.approx((2 * 0.5 * 9.81) ** 0.5, rel=1e-6)
 
 
 def test_a_floating_base_falls(tmp_path):
     robot, _ = robot_of(tmp_path, "solo")
-    run = simulate(load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES)), duration="0.2 s")
+    run = simulate(engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES)), duration="0.2 s")
     assert run["floating_base.z"][-1] == pytest.approx(-9.81 * 0.2**2 / 2, rel=1e-9)
 
 
@@ -350,7 +351,7 @@ def test_repairs_are_listed_and_change_nothing(tmp_path, name):
         row = next(row for row in rows if row.joint == joint)
         turned = Rotation.from_euler("xyz", row.rpy) * Rotation.from_rotvec(angle * np.array(row.axis))
         rows = [replace(row, kind="fixed", rpy=tuple(turned.as_euler("xyz"))) if each == row else each for each in rows]
-    model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+    model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
     q, u = state_of(robot, 1)
     expected = textbook_mass_matrix(rows, q, options.get("base") == "floating")
     assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max()
@@ -385,7 +386,7 @@ def test_a_robot_that_only_floats(tmp_path):
     with pytest.raises(InputError, match=r"no joint that can move; .*\n.* from_urdf\(\.\.\., base='floating'\)"):
         from_urdf(path).scene(GRAVITY, scales=SCALES)
     robot = from_urdf(path, "floating")
-    model = load(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
+    model = engine_model(robot.scene(GRAVITY, EnergyLedger(), scales=SCALES))
     q, u = state_of(robot, 2)
     expected = textbook_mass_matrix([BASE, SLED], q, True)
     assert np.abs(mass_matrix(model, q, u) - expected).max() < 1e-13 * np.abs(expected).max()

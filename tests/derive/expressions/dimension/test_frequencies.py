@@ -10,7 +10,7 @@ from hertzwerk.derive.audit.audit import advice_findings, audit_law
 from hertzwerk.derive.audit.audit_text import audit_expression
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.scenes import NAMES
-from hertzwerk.runtime import load
+from hertzwerk.runtime.loading import engine_model
 
 UNITS = {
     "f": "1/s",
@@ -59,7 +59,7 @@ def test_a_scene_is_advised_and_its_module_says_so(unit, doubts):
     body, rate = Body("slug", Parameter("mass", "kg", 1)), Parameter("rate", unit, 3)
     push = JointForce("push", "slide", Parameter("amplitude", "N", 1) * sp.cos(rate * T))
     scales = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1))
-    model = load(Scene(Mechanism("shaker", (Prismatic("slide", GROUND, body, axis=X),)), (push,), scales))
+    model = engine_model(Scene(Mechanism("shaker", (Prismatic("slide", GROUND, body, axis=X),)), (push,), scales))
     said = model.module.ADVICE
     assert len(said) == doubts
     assert all(text.startswith("effect push, force: cos(rate*t) takes rate [1/s]") for text in said)

@@ -24,13 +24,14 @@ from hertzwerk.derive import (
     X,
     Z,
 )
-from hertzwerk.runtime import load, study_effects
+from hertzwerk.runtime import study_effects
 from hertzwerk.runtime.analysis.effect_study import output_errors
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import automatic, chosen
 from hertzwerk.runtime.analysis.effect_study.leaving_out import leave_out
 from hertzwerk.runtime.analysis.effect_study.output_errors import Bench, Case, Number
 from hertzwerk.runtime.analysis.effect_study.smallest_scene import smallest
 from hertzwerk.runtime.engine.solution.outcome import Outcome
+from hertzwerk.runtime.loading import engine_model
 
 MASS, STIFFNESS, START = 2.0, 50.0, 0.1
 TINY, WHISPER = 1e-3, 1e-9  # of the stiffness
@@ -123,7 +124,7 @@ def test_what_changes_no_acceleration_is_none_seen_whatever_the_runs_say(springs
 
 def test_costs_are_those_of_the_modules(springs):
     rows = {row.effect: row for row in springs.rows}
-    headers = [load(SPRINGS, without=gone).module.__doc__ for gone in ((), ("tiny",))]
+    headers = [engine_model(SPRINGS, without=gone).module.__doc__ for gone in ((), ("tiny",))]
     whole, without = (int(re.search(r"Operations: flight (\d+)", header)[1]) for header in headers)
     assert springs.cost.flight == whole
     assert rows["tiny"].cost.flight == whole - without > 0
@@ -183,7 +184,7 @@ def test_the_search_is_bounded_and_says_so():
 
 
 def test_friction_goes_with_its_contact_and_nothing_else_does():
-    whole, effects = load("slider_crank"), ("gravity", "slider_pin", "slider_pin_friction")
+    whole, effects = engine_model("slider_crank"), ("gravity", "slider_pin", "slider_pin_friction")
     gone, model = leave_out(whole, effects, ["slider_pin"])
     assert gone == {"slider_pin", "slider_pin_friction"}
     assert [name for name, *_ in model.module.EFFECTS] == ["crank_drive", "gravity", "energy_ledger"]
@@ -233,7 +234,7 @@ def test_a_ladder_that_converges_has_the_error_of_its_first_run_twice():
 @pytest.mark.slow
 def test_past_the_horizon_two_intervals_of_a_rate_agree():
     """The mean of nine runs that part, and the blocks of a single one; without friction the crank never settles, within the horizon nothing parts."""
-    case, bench = Case(load("slider_crank_frictionless")), Bench("300 ms", 1e-6, "dop853", {})
+    case, bench = Case(engine_model("slider_crank_frictionless")), Bench("300 ms", 1e-6, "dop853", {})
     short = Bench("10 ms", 1e-6, "dop853", {})
     outputs, faults = chosen(short.simulate(case), ("impact_rate", "slider_pin.impact_rate"))
     assert faults == []
@@ -248,7 +249,7 @@ def test_past_the_horizon_two_intervals_of_a_rate_agree():
 
 
 def test_a_run_that_does_not_finish_is_replaced_by_its_neighbour_and_said(monkeypatch):
-    case, bench, run_of = Case(load("pendulum")), Bench("0.5 s", 1e-6, "dop853", {}), output_errors.simulate
+    case, bench, run_of = Case(engine_model("pendulum")), Bench("0.5 s", 1e-6, "dop853", {}), output_errors.simulate
     outputs = automatic(bench.simulate(case))
 
     def measured(*failing):

@@ -38,16 +38,17 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.laws import coulomb, power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
-from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime import equilibrium, modes, simulate
 from hertzwerk.runtime.analysis.statics import relaxation
 from hertzwerk.runtime.analysis.statics.balance import balance, grips_of
+from hertzwerk.runtime.loading import engine_model
 
 G = 9.81
 
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 def test_a_ball_dropped_from_a_metre_rests_on_hertz_law(ball):
@@ -83,7 +84,7 @@ def test_buckling_past_the_critical_load():
 
 def test_a_shaft_rests_on_two_balls_and_the_loose_ones_are_indifferent():
     """Of six balls those at 240 and 300 degrees carry 500 N, along the lines from their centres to the shaft's."""
-    found = equilibrium(load("ball_bearing"))
+    found = equilibrium(engine_model("ball_bearing"))
     assert found.outcome.name == "not_unique"
     assert {f"way_{k}.travel" for k in range(4)} <= set(found.indifferent)
     assert not any(name.startswith(("shaft", "way_4", "way_5")) for name in found.indifferent)
@@ -96,7 +97,7 @@ def test_a_shaft_rests_on_two_balls_and_the_loose_ones_are_indifferent():
 
 def test_a_governor_at_rest_hangs_straight_down():
     """Its spring is slack where arms and rods hang straight, and each half alone can give way sideways there."""
-    found = equilibrium(load("flyball_governor"))
+    found = equilibrium(engine_model("flyball_governor"))
     q = dict(zip(found.model.coordinates, found.q, strict=True))
     assert q["guide.travel"] == pytest.approx(-0.15 - 0.2, abs=1e-12)
     assert found.stable and found.indifferent == ("spindle.angle",)
@@ -126,7 +127,7 @@ def test_the_torque_that_holds_a_four_bar_by_virtual_work():
     """M = dV/dtheta, V the potential of the closed linkage by the intersection of two circles."""
     lengths = (1.0, 2.5, 2.0, 2.2)
     above = {"left": rad(0.9), "foot": rad(1.4)}
-    rest = equilibrium(load(four_bar(*lengths, 2.0, near=above)), at="0.35 s")
+    rest = equilibrium(engine_model(four_bar(*lengths, 2.0, near=above)), at="0.35 s")
 
     def potential(theta: float) -> float:
         a, b, c, d = lengths
@@ -146,7 +147,7 @@ def test_the_torque_that_holds_a_four_bar_by_virtual_work():
 
 def test_a_pin_with_clearance_rests_at_the_side_that_carries():
     """Half the rod's weight hangs on the slider's pin, and the crank's drive holds half of it: the rod lies level."""
-    rest = equilibrium(load("slider_crank"))
+    rest = equilibrium(engine_model("slider_crank"))
     assert rest.contacts["slider_pin"] == pytest.approx(0.21 * G / 2, rel=1e-3)
     assert rest.drives["crank_drive"] == pytest.approx(0.05 * 0.21 * G / 2, rel=1e-3)
     assert rest.q[0] == pytest.approx(-0.5e-3 / 0.12, rel=1e-3)  # the rod's end hangs by the clearance
@@ -154,7 +155,7 @@ def test_a_pin_with_clearance_rests_at_the_side_that_carries():
 
 def test_a_start_is_followed_to_the_time_at_which_drives_are_held():
     """M = m g x'(theta)/2 of a rod whose ends carry half each, in every turn the same; 5000 rpm: 12 ms a turn."""
-    model = load("slider_crank")
+    model = engine_model("slider_crank")
     early, late = (equilibrium(model, at=t) for t in ("3.5 ms", "27.5 ms"))
     angle = 5000 * 2 * math.pi / 60 * 3.5e-3
     slider = 0.05 * math.cos(angle) + math.sqrt(0.12**2 - (0.05 * math.sin(angle)) ** 2)
@@ -166,7 +167,7 @@ def test_a_start_is_followed_to_the_time_at_which_drives_are_held():
 
 def test_redundant_loops_swing_as_one_pendulum_and_are_named():
     """Three cranks on one coupler, two of which would do: w^2 = g (3 m L/2 + m L) / (3 (J + m L^2/4) + m L^2)."""
-    model = load(cranks())
+    model = engine_model(cranks())
     rest = equilibrium(model)
     assert rest.converged and rest.stable
     assert [math.cos(q) for q in rest.q[[0, 2]]] == pytest.approx([0, 0], abs=1e-9)
@@ -202,7 +203,7 @@ MU = Parameter("mu_k", "1", 0.2), Parameter("mu_s", "1", 0.3)
 
 def test_set_valued_friction_holds_up_to_its_limit_and_no_further():
     """Two bodies of 1 kg weigh 10 N each, only one presses: 0.3 x 10 N hold 2 kg against 2.99 N, not against 1.51."""
-    model = load(sledge(coulomb(*MU)))
+    model = engine_model(sledge(coulomb(*MU)))
     held = equilibrium(model, parameters={"downhill": "2.99 N"}, initial={"up.travel": "99.9 mm"})
     assert held.outcome.name == "found" and "one of many" in " ".join(held.notes)
     assert abs(held.sticking["floor_0"]) == pytest.approx(2.99, rel=1e-9)
@@ -230,7 +231,7 @@ def test_friction_in_two_directions_holds_up_to_its_size():
         Scales(r, Parameter("pace", "m/s", 1)),
         Start(position={"pz": r}),
     )
-    model = load(scene)
+    model = engine_model(scene)
     held = equilibrium(model, parameters={"push": "2.97 N"})
     assert held.converged
     assert held.sticking["floor"] == pytest.approx(2.97, rel=1e-9)
@@ -265,7 +266,7 @@ def test_a_drive_carries_what_friction_holds_on_it():
         Scales(r, Parameter("pace", "m/s", 1)),
         Start(position={"aside": r}),
     )
-    rest = equilibrium(load(scene))
+    rest = equilibrium(engine_model(scene))
     assert rest.converged
     assert abs(rest.sticking["side"]) == pytest.approx(2.1 * G, rel=1e-9)
     assert rest.drives["hoist"] == pytest.approx(5.1 * G, rel=1e-9)
@@ -287,7 +288,9 @@ def test_a_leaning_tower_that_just_touches_carries_the_weights_above():
     start = Start(position={f"p{i}.{axis}": (i + 1) * by for i in range(3) for axis, by in (("x", aside), ("y", h))})
     joints = [Planar(f"p{i}", GROUND, body) for i, body in enumerate(bodies)]
     rest = equilibrium(
-        load(Scene(Mechanism("tower", joints, pairs), effects, Scales(r, Parameter("pace", "m/s", 0.1), w), start))
+        engine_model(
+            Scene(Mechanism("tower", joints, pairs), effects, Scales(r, Parameter("pace", "m/s", 0.1), w), start)
+        )
     )
     assert rest.converged and not rest.indifferent
     x = np.array([0, *(rest.q[3 * i] for i in range(3))])
@@ -303,7 +306,7 @@ def test_a_leaning_tower_that_just_touches_carries_the_weights_above():
 
 
 def test_what_two_supports_share_follows_from_their_stiffness_alone():
-    model = load(sledge(floors=2))
+    model = engine_model(sledge(floors=2))
     rest = equilibrium(model)
     assert rest.outcome.name == "not_unique" and rest.indifferent == ("along.travel",)
     assert rest.indeterminate == ("floor_0", "floor_1")
@@ -314,7 +317,7 @@ def test_what_two_supports_share_follows_from_their_stiffness_alone():
 
 
 def test_the_tangent_stiffness_is_the_difference_of_forces():
-    model = load("newtons_cradle")
+    model = engine_model("newtons_cradle")
     bound, rng = model.bind(), np.random.default_rng(3)
     q, closed, mu = rng.uniform(-0.1, 0.1, model.nq), np.ones(model.k), np.zeros(len(grips_of(model)))
     at = balance(model, bound, 0.0, q, closed, np.zeros(0), mu)
@@ -327,7 +330,7 @@ def test_the_tangent_stiffness_is_the_difference_of_forces():
 
 def test_where_a_drive_of_given_speed_is_later_is_not_known():
     turned = Drive("crank_drive", "main_bearing", speed=Parameter("w", "rad/s", 500))
-    model = load(slider_crank.replace(crank_drive=turned))
+    model = engine_model(slider_crank.replace(crank_drive=turned))
     assert equilibrium(model).converged
     for ask in (equilibrium, modes):
         with pytest.raises(InputError, match=r"t = 0.001 s, for which main_bearing.angle would have to be integrated"):
@@ -338,9 +341,9 @@ def test_bad_input_is_named():
     with pytest.raises(InputError, match="target"):
         equilibrium(5)
     with pytest.raises(InputError, match="at"):
-        equilibrium(load("pendulum"), at="soon")
+        equilibrium(engine_model("pendulum"), at="soon")
     with pytest.raises(InputError, match="mass"):
-        equilibrium(load("pendulum"), parameters={"mass": "1 m"})
+        equilibrium(engine_model("pendulum"), parameters={"mass": "1 m"})
 
 
 def test_what_only_drives_move_has_forces_without_a_freedom():
@@ -361,7 +364,7 @@ def test_what_only_drives_move_has_forces_without_a_freedom():
         Scales(r, Parameter("pace", "m/s", 1)),
     )
     for coordinates in ("tree", "absolute"):
-        rest = equilibrium(load(scene.with_coordinates(coordinates)))
+        rest = equilibrium(engine_model(scene.with_coordinates(coordinates)))
         assert rest.outcome.name == "found"
         assert rest.contacts == pytest.approx({"floor": 50})
         assert rest.drives == pytest.approx({"press": G - 50})
@@ -375,7 +378,7 @@ def motor(volts, *effects):
     ohms, henry, constant = Parameter("ohms", "ohm", 0.5), Parameter("L", "mH", 2), Parameter("k", "N m/A", 0.1)
     size, pace = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1)
     winding = DCMotor("motor", "main", volts, ohms, henry, constant)
-    return load(Scene(shaft, (winding, *effects, EnergyLedger()), Scales(size, pace, size)))
+    return engine_model(Scene(shaft, (winding, *effects, EnergyLedger()), Scales(size, pace, size)))
 
 
 def test_a_motor_s_current_comes_to_rest_where_its_winding_takes_the_voltage():

@@ -29,8 +29,9 @@ from hertzwerk.derive import (  # fmt: skip
     Y,
     Z,
 )
-from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime import equilibrium, modes, simulate
 from hertzwerk.runtime.engine.start.start_values import start_of
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.insets import clearances
 from hertzwerk.runtime.output.drawings.places import Places
@@ -41,7 +42,7 @@ LINKS, LENGTH = 8, 2.0
 
 @pytest.fixture(scope="module")
 def pendulum():
-    return load("pendulum")
+    return engine_model("pendulum")
 
 
 def test_a_pendulum_hanging_upright_and_on_its_way(pendulum):
@@ -91,7 +92,7 @@ def test_a_hanging_chain_and_the_zeros_of_bessels_function():
         Revolute(f"hinge_{i}", place, body, axis=Z) for i, (place, body) in enumerate(zip(places, bodies, strict=True))
     ]
     scales = Scales(length=part, speed=Parameter("pace", "m/s", 1), arm=part)
-    model = load(
+    model = engine_model(
         Scene(
             Mechanism("chain", tuple(hinges)), (Gravity("gravity", Parameter("g", "m/s^2", G), direction=-Y),), scales
         )
@@ -119,7 +120,7 @@ def springs():
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_masses_on_springs(springs, coordinates):
     """w_k = 2 sqrt(k/m) sin((2k-1) pi / (2 (2n+1))), damping in proportion to stiffness: ratio c/k w/2."""
-    model = load(springs, coordinates=coordinates)
+    model = engine_model(springs, coordinates=coordinates)
     rest = equilibrium(model)
     assert rest.q == pytest.approx(2 * G / 500 * np.array([3, 2, 1]), rel=1e-12)
     found = modes(rest)
@@ -159,7 +160,7 @@ def turntable(drive):
 )
 def test_a_bead_on_a_turntable_whose_turning_is_frozen(drive, coordinates):
     """Along the groove r'' = (w^2 - k/m) r; y = r sin(th) has y'' = s''/s y + 2 s'/s (y' - s'/s y) + (w^2 - k/m) y, s = sin(th)."""
-    run = simulate(load(turntable(drive), coordinates=coordinates), duration="0.7 s", tolerance=1e-8)
+    run = simulate(engine_model(turntable(drive), coordinates=coordinates), duration="0.7 s", tolerance=1e-8)
     found, w, angle = modes(run, at="0.6 s"), 2 * TURN * 0.6, TURN * 0.6**2
     if coordinates == "tree":
         wanted, notes = 1j * math.sqrt(200 / 2 - w**2), 1
@@ -176,7 +177,7 @@ def test_a_bead_on_a_turntable_whose_turning_is_frozen(drive, coordinates):
 def test_orientations_that_nothing_holds_are_zeros_and_told():
     """A ball in a socket, turned by 1 rad: three turns, two swings sqrt(g/(c + d)) of the point contact's normal, one bounce."""
     turned = {"float.q0": math.cos(0.5), "float.q1": 0, "float.q2": math.sin(0.5), "float.q3": 0}
-    rest = equilibrium(load("ball_in_socket"), initial=turned)
+    rest = equilibrium(engine_model("ball_in_socket"), initial=turned)
     found = modes(rest)
     assert rest.outcome.name == "not_unique" and rest.indifferent == ("float.orientation",)
     assert [bool(mode.eigenvalue) for mode in found] == [False] * 3 + [True] * 3
@@ -197,7 +198,7 @@ def test_texts_tables_and_pictures(pendulum, tmp_path):
 
 def test_the_inset_shows_where_the_pin_is_in_a_bush_that_has_turned():
     """At the start its axes are the ground's, whatever way the bush stands: from its centre to the pin's."""
-    model = load("four_bar_clearance")
+    model = engine_model("four_bar_clearance")
     bound, q, _ = start_of(model, {}, {})
     q = q + np.array([1e-3, -2e-3])  # rad: the pin leaves the middle of its bush
     places = Places.at(model, bound, 0.0, q[None])
@@ -210,5 +211,5 @@ def test_the_inset_shows_where_the_pin_is_in_a_bush_that_has_turned():
 
 def test_sticking_joints_are_held_in_modes():
     """A particle on a slope under Coulomb's friction: it vibrates along the normal alone, with sqrt(K/m), and is nowhere free."""
-    (mode,) = modes(load(ball(dry(), turns=False)), parameters={"slope": "0.1 rad"})
+    (mode,) = modes(engine_model(ball(dry(), turns=False)), parameters={"slope": "0.1 rad"})
     assert mode.natural_frequency == pytest.approx(math.sqrt(STIFFNESS / MASS) / (2 * math.pi), rel=1e-6)

@@ -3,11 +3,12 @@
 import pytest
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.analysis.validation import scenarios
 from hertzwerk.runtime.analysis.validation.scenario import load_scenario
 from hertzwerk.runtime.analysis.validation.validate import measure, run_scenario, validate
 from hertzwerk.runtime.engine.model.build import built_in_scenes
+from hertzwerk.runtime.loading import engine_model
 
 GOOD = """
 scene = "two_spheres"
@@ -58,7 +59,7 @@ def test_built_in_scenarios_come_out(name):
 @pytest.mark.parametrize("name", scenarios.names())
 def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
     """No limit of the program's own ends it; within a horizon that is claimed runs agree, and what is met is not out of reach."""
-    scenario, model = load_scenario(name), load(name)
+    scenario, model = load_scenario(name), engine_model(name)
     duration = 10 * float(scenario.duration.split()[0])
     given = {
         "duration": f"{duration!r} {scenario.duration.split()[1]}",
@@ -121,7 +122,7 @@ FAULTS = {
 def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
     given, quantity, duration = FAULTS[name]
     parameter, _, value = given.partition(" = ")
-    scenario, model = load_scenario(name), load(name)
+    scenario, model = load_scenario(name), engine_model(name)
     plain = {"duration": duration or scenario.duration, "tolerance": scenario.accuracy, "method": scenario.method}
     for parameters, passed in (({}, True), ({parameter: value}, False)):
         if passed and not duration:

@@ -25,7 +25,7 @@ from hertzwerk.derive import (
     coordinate_of,
     speed_of,
 )
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.analysis.work_precision import accuracy_report as accuracy_report
 from hertzwerk.runtime.analysis.work_precision import reference_run as referencing
 from hertzwerk.runtime.analysis.work_precision import timed_runs
@@ -34,6 +34,7 @@ from hertzwerk.runtime.analysis.work_precision.reference_run import NoReferenceE
 from hertzwerk.runtime.analysis.work_precision.work_precision_study import decade_cost, order, study
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.integration.loop.c_compilation import available
+from hertzwerk.runtime.loading import engine_model
 
 RATE, SWING = 2.0, 3.0  # 1/s, rad/s
 METHODS, ACCURACIES = ("dop853", "esdirk"), (1e-3, 1e-5, 1e-7)
@@ -58,7 +59,7 @@ def scene():
 
 @pytest.fixture(scope="module")
 def model():
-    return load(scene())
+    return engine_model(scene())
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate, simulate_many
+from hertzwerk.runtime import simulate, simulate_many
 from hertzwerk.runtime.engine.accuracy.error_estimate import (
     CHECK,
     HALVED,
@@ -34,12 +34,13 @@ from hertzwerk.runtime.engine.run.single_run import SingleRun
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.outcome import unreachable
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
+from hertzwerk.runtime.loading import engine_model
 from reference.slider_crank import SliderCrank, reference
 
 FAR = 0.010  # s
 ASKED = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7)
 MECHANISM = SliderCrank()
-model = cache(load)
+model = cache(engine_model)
 
 
 # ---- is the estimate the error? --------------------------------------------------------------------------------------
@@ -500,7 +501,7 @@ def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatc
 
 def test_the_ball_that_bounced_nine_times_is_not_known_better_than_its_rounding():
     """Two runs agree to 3e-12 by chance; runs at other small tolerances differ by 6e-10."""
-    ball = load("bouncing_ball")
+    ball = engine_model("bouncing_ball")
     run = simulate(ball, duration="5 s", accuracy=1e-9, method="dop853", compiled=False)
     others = [simulate(ball, duration="5 s", tolerance=t, method="dop853", compiled=False) for t in (1e-12, 3e-13)]
     off = max(scaling.error(ball, run.scales, run.history.part("y")[-1], o.history.part("y")[-1]) for o in others)

@@ -25,13 +25,14 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
 )
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate, sweep
+from hertzwerk.runtime import simulate, sweep
 from hertzwerk.runtime.engine.run import accurate_run
 from hertzwerk.runtime.engine.run.run_difference import impact_differences
 from hertzwerk.runtime.engine.run.run_request import Request, read_accuracy
 from hertzwerk.runtime.engine.solution.error_scales import Scales as SolutionScales
 from hertzwerk.runtime.engine.solution.error_scales import distance, error
 from hertzwerk.runtime.engine.solution.impacts import Impact
+from hertzwerk.runtime.loading import engine_model
 
 
 def by_search(apart, rates, pace):
@@ -81,7 +82,7 @@ def test_impacts_count_by_speed_force_and_the_time_in_which_their_length_is_cove
 @pytest.mark.parametrize("asked", [1e-2, 1e-4])
 def test_the_request_holds_on_the_way_to_rest_and_of_peaks(asked):
     """On the old code `bouncing_ball` for 15 s at 1e-4 was off by 1.6e-3 on the way, and at rest by nothing."""
-    ball = load("bouncing_ball")
+    ball = engine_model("bouncing_ball")
     run = simulate(ball, duration="5 s", accuracy=asked, compiled=False)
     truth = simulate(ball, duration="5 s", tolerance=1e-13, method="dopri5", compiled=False)
     assert run.outcome.finished
@@ -95,7 +96,7 @@ def test_the_request_holds_on_the_way_to_rest_and_of_peaks(asked):
 
 
 def test_the_end_alone_is_requested_by_name():
-    run = simulate(load("four_bar_clearance"), duration="30 ms", accuracy="1e-4 at the end", compiled=False)
+    run = simulate(engine_model("four_bar_clearance"), duration="30 ms", accuracy="1e-4 at the end", compiled=False)
     assert run.outcome.finished
     assert run.error.at_end
     assert run.error.judged == run.error.end <= 1e-4
@@ -103,11 +104,11 @@ def test_the_end_alone_is_requested_by_name():
     assert read_accuracy("1e-6") == Request(1e-6)
     for wrong in ("at the end", "1e-6 at the start", "1e-20 at the end", None.__class__):
         with pytest.raises(InputError, match="accuracy"):
-            simulate(load("soft_ball"), duration="1 s", accuracy=wrong)
+            simulate(engine_model("soft_ball"), duration="1 s", accuracy=wrong)
 
 
 def test_an_error_says_the_worst_when_the_end_and_of_a_history_in_its_unit():
-    run = simulate(load("bouncing_ball"), duration="2 s", accuracy=1e-5, compiled=False)
+    run = simulate(engine_model("bouncing_ball"), duration="2 s", accuracy=1e-5, compiled=False)
     error = run.error
     assert repr(error) == f"<ErrorEstimate {error}>"
     assert len(repr(error)) < 80
@@ -141,7 +142,7 @@ def pendulum_on_a_universal_joint():
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "esdirk", "rodas"])
 def test_two_runs_of_the_same_steps_are_no_estimate(method, monkeypatch):
     """On the old code the error of three steps by dop853 was 1e-13, as those of the run that checked them were the same."""
-    hung = load(pendulum_on_a_universal_joint())
+    hung = engine_model(pendulum_on_a_universal_joint())
     truth = simulate(hung, duration="0.3 s", tolerance=1e-13, method="dop853", compiled=False)
 
     def ratio():
@@ -157,7 +158,7 @@ def test_two_runs_of_the_same_steps_are_no_estimate(method, monkeypatch):
 
 def test_extremes_are_found_within_the_steps_as_a_sweep_finds_them():
     """On the old code the largest of the steps was all there was, .4 to 2 % below the peak."""
-    crank = load("slider_crank")
+    crank = engine_model("slider_crank")
     run = simulate(crank, duration="5 ms", accuracy=1e-5, compiled=False)
     found = run.extremes("slider_pin.normal_force")
     peak = max(run.impacts, key=lambda impact: impact.peak_force)
@@ -189,7 +190,7 @@ def test_where_friction_turns_round_within_a_step_the_error_is_seen(asked, durat
     """
     units = {"clearance": "mm", "friction_speed": "mm/s", "friction_coefficient": "1"}
     given = {name: f"{size!r} {unit}" for (name, unit), size in zip(units.items(), sizes, strict=True)}
-    crank = load("slider_crank")
+    crank = engine_model("slider_crank")
     run = simulate(crank, duration=duration, accuracy=asked, method="dop853", parameters=given, compiled=False)
     truth = simulate(crank, duration=duration, tolerance=1e-13, method="dopri5", parameters=given, compiled=False)
     times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in (0, 0.4, 0.8)]))
@@ -216,7 +217,7 @@ def test_a_step_over_a_turn_is_compared_as_often_as_its_dense_output_may_bend():
 
 def test_an_error_that_goes_up_and_down_along_the_run_is_looked_for_in_a_hundred_steps_of_it():
     """As in an impact, where it oscillated with 80 of 3,183 steps: 1.3 times the estimate from 60 of them."""
-    run = simulate(load("slider_crank"), duration="12 ms", accuracy=1e-5, method="dopri5", compiled=False)
+    run = simulate(engine_model("slider_crank"), duration="12 ms", accuracy=1e-5, method="dopri5", compiled=False)
     steps = np.unique(np.searchsorted(run.t, run.error.times))
     assert len(run.t) > 1000
     assert np.diff(steps).max() < len(run.t) / 100 + 2
@@ -233,7 +234,7 @@ def test_of_a_fast_vibration_the_error_is_seen_where_no_shift_in_time_accounts_f
         start=Start(position={"slide": Parameter("stretch", "m", stretch)}),
         scales=Scales(length=Parameter("size", "m", 0.3), speed=Parameter("pace", "m/s", 1)),
     )
-    vibrating = load(scene)
+    vibrating = engine_model(scene)
     run = simulate(vibrating, duration="50 ms", accuracy=asked, method=method, compiled=False)
     times = (run.t[:-1, None] + np.diff(run.t)[:, None] * np.arange(0.02, 1, 0.02)).ravel()
     place, speed = stretch * np.cos(pulse * times), -stretch * pulse * np.sin(pulse * times)

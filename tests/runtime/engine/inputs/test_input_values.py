@@ -151,9 +151,9 @@ def test_values_that_do_not_cover_the_run_are_refused(times):
 
 def test_an_input_of_another_scene_is_unknown():
     with pytest.raises(InputError, match="no input of this name"):
-        from hertzwerk.runtime import load
+        from hertzwerk.runtime.loading import engine_model
 
-        simulate(load("soft_ball"), duration="1 ms", inputs={"push": "3 N"})
+        simulate(engine_model("soft_ball"), duration="1 ms", inputs={"push": "3 N"})
 
 
 def test_pieces_of_several_inputs_change_at_the_breakpoints_of_all():

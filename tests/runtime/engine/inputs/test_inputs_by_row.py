@@ -8,9 +8,10 @@ from click.testing import CliRunner
 from shaken import shaken
 
 from hertzwerk.derive import InputError
-from hertzwerk.runtime import Samples, Sweep, load, simulate, simulate_many, study_effects, sweep
+from hertzwerk.runtime import Samples, Sweep, simulate, simulate_many, study_effects, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, located_choices
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
 
 TIMES = (0.0, 0.5, 1.0)
@@ -121,7 +122,7 @@ def test_many_runs_have_inputs_of_their_own():
     sets = [{"push": (TIMES, LOADS["calm"])}, {"push": "2 N"}, {"push": (TIMES, LOADS["gusty"]), "push.scale": 0.5}, {}]
     table = simulate_many(shaken(), sets, inputs={"push": "1 N"}, duration="1 s", tolerance=1e-8, workers=1)
     assert table["push"].tolist()[:3] == ["samples", "2 N", "samples 2"]
-    half = tuple(0.5 * load for load in LOADS["gusty"])
+    half = tuple(0.5 * engine_model for engine_model in LOADS["gusty"])
     expected = [alone(push) for push in ((TIMES, LOADS["calm"]), "2 N", (TIMES, half), "1 N")]
     assert table[TRAVEL] == pytest.approx(expected, rel=1e-12)
     bare = simulate_many(shaken(), [{"push": "2 N"}, {"damping": "1 N s/m"}], duration="1 s", tolerance=1e-8, workers=1)
@@ -160,4 +161,4 @@ def test_effects_are_studied_under_an_input(folder):
         study_effects("pushed.py", duration="1 s", inputs={"push": "1 N", "shove": "1 N"})
     command = ("effects", "pushed.py", "--input", "push=gusty.csv", "--duration", "0.5 s", "--json")
     assert CliRunner().invoke(main, command).exit_code == 0
-    assert load("pushed.py").inputs
+    assert engine_model("pushed.py").inputs

@@ -31,7 +31,8 @@ from hertzwerk.derive import (
     Z,
 )
 from hertzwerk.derive.scenes.slider_crank import scene as crank
-from hertzwerk.runtime import Samples, load, simulate
+from hertzwerk.runtime import Samples, simulate
+from hertzwerk.runtime.loading import engine_model
 
 RNG = np.random.default_rng(5)
 TIMES = np.concatenate([[0.0], np.cumsum(RNG.uniform(0.01, 0.3, 12))])
@@ -82,7 +83,7 @@ def driven_crank(coordinates, by_input):
     value = TORQUE if by_input else Parameter("M", "N m", 20) * sp.sin(Parameter("rate", "rad/s", 800) * T)
     effects = tuple(JointForce("motor", "main_bearing", value) if e.name == "crank_drive" else e for e in crank.effects)
     start = replace(crank.start, speed={"main_bearing": crank.parameters["crank_speed"], **crank.start.speed})
-    return load(replace(crank, effects=effects, start=start).with_coordinates(coordinates))
+    return engine_model(replace(crank, effects=effects, start=start).with_coordinates(coordinates))
 
 
 @pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.slow)])
@@ -130,7 +131,7 @@ def test_a_motor_at_a_measured_voltage_and_a_controller_with_a_set_point_that_st
     motor = DCMotor("motor", "main", control.command + Input("noise", "V"), *values)
     target = Samples((0, 0.5, 2), (1000, 2000, 2000), ("s", "rpm"), "held")
     run = simulate(
-        load(_shaft(motor, control)), duration="2 s", accuracy=1e-6, inputs={"target": target, "noise": "0 V"}
+        engine_model(_shaft(motor, control)), duration="2 s", accuracy=1e-6, inputs={"target": target, "noise": "0 V"}
     )
     at = run.history.at(np.array([0.49, 2.0]))["main.speed"] * 30 / math.pi
     assert at == pytest.approx([1000, 2000], rel=2e-3) and run.energy_residual < 1e-6
@@ -140,7 +141,7 @@ def test_an_input_that_jumps_switches_a_relay_there():
     relay = Relay(
         "relay", Input("signal", "m"), unit="m", hysteresis=Parameter("band", "mm", 1), size=Parameter("width", "m", 1)
     )
-    model = load(_shaft(relay, JointForce("jets", "main", Parameter("thrust", "N m", 1e-3) * relay.output)))
+    model = engine_model(_shaft(relay, JointForce("jets", "main", Parameter("thrust", "N m", 1e-3) * relay.output)))
     for between in ("held", "linear"):
         signal = Samples((0, 0.25, 0.5, 1.1), (-1, 1, -1, -1), ("s", "m"), between)
         run = simulate(model, duration="1 s", tolerance=1e-9, inputs={"signal": signal})
@@ -156,6 +157,6 @@ def test_a_prescribed_acceleration_is_integrated():
     drive = Drive("shaker", "slide", acceleration=Input("felt", "m/s^2"))
     other = Prismatic("top", block, Body("load", Parameter("load", "kg", 1)), axis=X)
     scene = Scene(replace(table, joints=(*table.joints, other)), (drive, EnergyLedger()), scales)
-    run = simulate(load(scene), duration="2 s", tolerance=1e-10, inputs={"felt": ((0, 1, 2), (0, 3, 0))})
+    run = simulate(engine_model(scene), duration="2 s", tolerance=1e-10, inputs={"felt": ((0, 1, 2), (0, 3, 0))})
     assert run["slide.speed"][-1] == pytest.approx(3, abs=1e-9)
     assert run["slide.travel"][-1] == pytest.approx(3, abs=1e-9)  # 1/2 + 3/2 + 1

@@ -6,8 +6,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import load
 from hertzwerk.runtime.engine.model.direct_sx import DirectSX, direct
+from hertzwerk.runtime.loading import engine_model
 
 
 def nodes(function: Any) -> list[Any]:
@@ -54,6 +54,6 @@ def test_sums_products_and_entries_stay_direct_and_what_was_given_does_not_becom
 
 @pytest.mark.parametrize("name", ["slider_crank", "ball_bearing"])
 def test_results_of_a_model_are_plain(name: str) -> None:
-    model = load(name)
+    model = engine_model(name)
     arguments = model.symbols("t q u c")
     assert all(type(each) is ca.SX for each in [*arguments, *model.expressions("gaps", *arguments)])

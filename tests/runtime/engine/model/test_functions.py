@@ -38,7 +38,7 @@ def test_the_table_lists_every_function_of_a_module():
 @pytest.mark.parametrize("scene", SCENES)
 def test_functions_take_what_the_table_says(scene):
     model = load(scene)
-    names = [name for name in LISTED if name not in _INPUTS or model.has_function(name)]
+    names = [name for name in LISTED if name not in _INPUTS or model.engine.has_function(name)]
     for name in names:
         for one in [f"contact_{pair}" for pair in model.pairs] if name == "contact_<pair>" else [name]:
             function = model.function(one)
@@ -50,7 +50,7 @@ def test_functions_take_what_the_table_says(scene):
 def test_attempts_are_the_steps_of_a_run():
     model = load("slider_crank")
     run = simulate(model, duration="0.3 ms", tolerance=1e-8, method="dop853", compiled=False)
-    attempt, state, place = model.function("attempt"), layouts(model).state, 0
+    attempt, state, place = model.function("attempt"), layouts(model.engine).state, 0
     row, last = run.history.rows[0], run.history.controls
     seen = [row]
     while place < 40 and len(seen) < 12:
@@ -73,7 +73,7 @@ def test_rates_are_the_slopes_of_a_run():
 
 def test_steps_of_other_methods_and_unknown_names():
     model = load("bouncing_ball")
-    assert model.function("step", "esdirk").size1_out(0) == layouts(model).trial.size
+    assert model.function("step", "esdirk").size1_out(0) == layouts(model.engine).trial.size
     with pytest.raises(InputError, match="attempt"):
         model.function("atempt")
     with pytest.raises(InputError, match="dop853"):

@@ -7,15 +7,16 @@ from types import SimpleNamespace
 
 import pytest
 
-from hertzwerk import InputError, load, simulate
+from hertzwerk import InputError, simulate
 from hertzwerk.derive import GROUND, Body, Mechanism, Parameter, Prismatic, Scales, Scene, Y, generate
 from hertzwerk.derive.common.module_format import EMPTY, FORMAT, is_generated, require_intact, sealed
 from hertzwerk.generated import pendulum
-from hertzwerk.runtime import Model
 from hertzwerk.runtime.engine.model.generated_text import module_of
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.regenerate import generated_names
 from hertzwerk.runtime.engine.solution import saved_run
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
+from hertzwerk.runtime.loading import engine_model
 
 TEXT = Path(pendulum.__file__).read_text(encoding="utf-8")
 ALTERED = {
@@ -36,7 +37,7 @@ def imported(path):
 
 @pytest.mark.parametrize("name", generated_names())
 def test_every_module_states_its_format_and_all_tables(name):
-    module = load(name).module
+    module = engine_model(name).module
     assert module.FORMAT == FORMAT
     assert [table for table in EMPTY if not hasattr(module, table)] == []
 
@@ -51,12 +52,12 @@ def test_a_text_that_is_not_as_it_was_written_is_refused_with_the_command_that_r
     file = tmp_path / "pendulum.py"
     file.write_text(text)
     with pytest.raises(InputError, match="does not fit its digest"):
-        Model(imported(file))
+        EngineModel(imported(file))
 
 
 def test_a_module_as_it_was_written_is_not_refused(tmp_path):
     file = Path(shutil.copy(pendulum.__file__, tmp_path))
-    assert Model(imported(file)).name == "pendulum"
+    assert EngineModel(imported(file)).name == "pendulum"
     file.write_bytes(TEXT.replace("\n", "\r\n").encode())  # as Git checks it out on Windows
     require_intact(file.read_text(encoding="utf-8"), "pendulum")
 
@@ -79,14 +80,14 @@ def test_a_module_of_another_format_is_refused(old, new, found):
 
 def test_no_table_is_taken_for_empty_where_it_is_missing():
     tables = {name: value for name, value in vars(pendulum).items() if not name.startswith("__")}
-    assert Model(SimpleNamespace(**tables)).slips == ()
+    assert EngineModel(SimpleNamespace(**tables)).slips == ()
     for name in EMPTY:
         with pytest.raises(InputError, match=f"without {name}"):
-            Model(SimpleNamespace(**{table: rows for table, rows in tables.items() if table != name}))
+            EngineModel(SimpleNamespace(**{table: rows for table, rows in tables.items() if table != name}))
 
 
 def test_a_saved_run_with_tables_of_another_format_is_refused(tmp_path, monkeypatch):
-    run = simulate(load("pendulum"), duration="1 ms", tolerance=1e-6)
+    run = simulate(engine_model("pendulum"), duration="1 ms", tolerance=1e-6)
     now = run.save(tmp_path / "now.npz")
     assert EngineSolution.load(now).model.slips == ()
     for form in ("hertzwerk module 0", None):

@@ -8,9 +8,9 @@ import pytest
 from click.testing import CliRunner
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 
 OWN = """
 from dataclasses import replace
@@ -41,7 +41,7 @@ def test_show_json_holds_the_same_equations(hertzwerk):
     result = hertzwerk("derive", "bouncing_ball", "--show", "--json")
     (record,) = json.loads(result.stdout)["equations"]
     equations = [equation for section in record["sections"] for equation in section["equations"]]
-    shown = load("bouncing_ball").equations()
+    shown = engine_model("bouncing_ball").equations()
     assert [e["latex"] for e in equations] == [e.latex for e in shown.equations]
     assert equations[0]["terms"][1] | {"latex": ""} == {
         "left": False, "meaning": "gravity", "effect": "gravity", "latex": "", "text": "-gravity*mass",
@@ -68,31 +68,31 @@ def test_bad_input_says_so(hertzwerk, arguments, found):
 
 
 def test_a_model_shows_the_scene_it_was_loaded_from(tmp_path):
-    plain = load("slider_crank").equations()
-    varied = load("slider_crank", without=["slider_pin_friction"], laws={"slider_pin": "flores"}).equations()
+    plain = engine_model("slider_crank").equations()
+    varied = engine_model("slider_crank", without=["slider_pin_friction"], laws={"slider_pin": "flores"}).equations()
     assert "slider_pin_friction" in [effect.name for effect in plain.effects]
     assert "slider_pin_friction" not in [effect.name for effect in varied.effects]
     assert varied["slider_pin_hysteresis_factor"].text != plain["slider_pin_hysteresis_factor"].text
     own = tmp_path / "moon.py"
     own.write_text(OWN)
-    model = load(own)
+    model = engine_model(own)
     own.write_text("scene = None")  # the model keeps the scene it was made of
     assert "moon" in model.equations()["row vertical"].text
-    assert "moon" in load(model.declaration.scene()).equations()["row vertical"].text
+    assert "moon" in engine_model(model.declaration.scene()).equations()["row vertical"].text
 
 
 def test_the_readme_shows_an_equation_as_it_is():
     text = (Path(__file__).parents[4] / "derive" / "README.md").read_text(encoding="utf-8")
     excerpt = text.split("```math\n")[1].split("\n```")[0]
-    assert excerpt == load("slider_crank").equations()["row crank_pin"].latex
+    assert excerpt == engine_model("slider_crank").equations()["row crank_pin"].latex
 
 
 def test_a_model_of_a_built_in_scene_can_still_be_sent_to_another_process():
-    declaration = load("slider_crank", without=["gravity"]).declaration
+    declaration = engine_model("slider_crank", without=["gravity"]).declaration
     assert pickle.loads(pickle.dumps(declaration)) == declaration
 
 
 def test_a_model_without_its_scene_says_what_to_do():
-    saved = EngineModel(load("bouncing_ball").module)  # as Solution.load makes it
+    saved = EngineModel(engine_model("bouncing_ball").module)  # as Solution.load makes it
     with pytest.raises(InputError, match=r"a model without its scene.*\n.*hertzwerk derive bouncing_ball --show"):
         saved.equations()

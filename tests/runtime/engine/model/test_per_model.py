@@ -6,9 +6,10 @@ import weakref
 
 import pytest
 
-from hertzwerk.runtime import InputError, load, simulate
+from hertzwerk.runtime import InputError, simulate
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import _key
+from hertzwerk.runtime.loading import engine_model
 
 
 @per_model
@@ -22,7 +23,7 @@ class Calls(list):
 
 
 def test_results_are_kept_by_function_and_arguments():
-    one, other, calls = load("bouncing_ball"), load("bouncing_ball"), Calls()
+    one, other, calls = engine_model("bouncing_ball"), engine_model("bouncing_ball"), Calls()
     first = counted(one, calls, "a")
     assert counted(one, calls, "a") is first
     assert counted(one, calls, "b") is not first
@@ -31,7 +32,7 @@ def test_results_are_kept_by_function_and_arguments():
 
 
 def test_a_model_that_was_run_is_freed_with_what_was_built_for_it():
-    model = load("bouncing_ball")
+    model = engine_model("bouncing_ball")
     run = simulate(model, duration="0.6 s", tolerance=1e-6)
     assert run.impacts
     seen = weakref.ref(model)
@@ -48,7 +49,7 @@ def test_inputs_that_differ_are_told_apart_and_equal_ones_are_not():
 
 
 def test_bad_input_equal_to_earlier_input_is_refused():
-    model = load("bouncing_ball")
+    model = engine_model("bouncing_ball")
     simulate(model, duration="0.1 s", tolerance=1e-6, parameters={"restitution": 1.0})
     with pytest.raises(InputError):
         simulate(model, duration="0.1 s", tolerance=1e-6, parameters={"restitution": True})

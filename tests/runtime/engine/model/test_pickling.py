@@ -7,8 +7,9 @@ import pickle
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 
 RUNS = {
     "impacts": ("slider_crank", {"duration": "10 ms"}),
@@ -24,7 +25,7 @@ def restored(thing):
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 @pytest.mark.by_turns(2)
@@ -32,7 +33,7 @@ def crank():
 @pytest.mark.parametrize("name", RUNS)
 def test_a_run_is_what_it_was(name, again):
     scene, asked = RUNS[name]
-    run = simulate(load(scene), compiled=False, **asked)
+    run = simulate(engine_model(scene), compiled=False, **asked)
     twin = again(run)
     assert twin.history is not run.history
     assert twin.model is not run.model
@@ -50,11 +51,11 @@ def test_a_run_is_what_it_was(name, again):
 def test_a_copy_has_its_own_inputs(crank):
     other = copy.deepcopy(crank)
     other.module.NAME = "another"
-    assert load("slider_crank").module.NAME == crank.module.NAME == "slider_crank"
+    assert engine_model("slider_crank").module.NAME == crank.module.NAME == "slider_crank"
 
 
 def test_a_variation_keeps_its_scene():
-    model = restored(load("slider_crank", without=["slider_pin_friction"]))
+    model = restored(engine_model("slider_crank", without=["slider_pin_friction"]))
     assert "slider_pin_friction" not in [row[0] for row in model.module.EFFECTS]
     assert "tanh" not in model.equations().markdown()
 

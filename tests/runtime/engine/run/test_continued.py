@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime import InputError, Solution, load, simulate
+from hertzwerk.runtime import InputError, Solution, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import build_hard_scene
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 
-built = cache(load)  # with its functions, for all tests here
+built = cache(engine_model)  # with its functions, for all tests here
 TOLERANCE = 1e-8
 INCLINES = {name: EngineModel(build_hard_scene(name)) for name in ("incline_lugre", "incline_coulomb")}
 

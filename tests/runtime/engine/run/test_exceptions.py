@@ -9,20 +9,21 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model import caller
 from hertzwerk.runtime.engine.run import recorder
 from hertzwerk.runtime.engine.run.built_engine import engine_for
 from hertzwerk.runtime.engine.run.recorder import Recorder
 from hertzwerk.runtime.engine.solution import step_observers
+from hertzwerk.runtime.loading import engine_model
 
 ASKED = {"duration": "5 s", "tolerance": 1e-12, "compiled": False}
 
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")
@@ -131,7 +132,7 @@ def test_a_recorder_short_of_memory_keeps_the_first_rows(monkeypatch):
 def test_a_run_ends_before_its_steps_fill_the_memory(monkeypatch):
     """Half a megabyte is left: where the system hands out more than it has, no allocation fails."""
     given = {"duration": "50 ms", "tolerance": 1e-9, "compiled": False}
-    crank = load("slider_crank")
+    crank = engine_model("slider_crank")
     whole = simulate(crank, **given)
     monkeypatch.setattr(recorder, "MANY", 2**18)
     monkeypatch.setattr(recorder, "available", lambda: 2.0**19)

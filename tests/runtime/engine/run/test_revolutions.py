@@ -4,15 +4,16 @@ import pytest
 
 from hertzwerk.derive import GROUND, Body, Harmonic, Mechanism, Parameter, Ramp, Revolute, Scales, Scene, Z
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.run.drive_speed import drive_speed
+from hertzwerk.runtime.loading import engine_model
 
 CRANKS = ("slider_crank", "four_bar_clearance", "spatial_slider_crank", "journal_in_bearing")
 
 
 @pytest.mark.parametrize("name", CRANKS)
 def test_the_speed_of_a_drive_is_the_parameter_it_was_given(name):
-    model = load(name)
+    model = engine_model(name)
     (speed,) = (
         port for port in model.parameters if port in ("crank_speed", "shaft_speed", "speed", "omega", "motor_speed")
     )
@@ -22,14 +23,14 @@ def test_the_speed_of_a_drive_is_the_parameter_it_was_given(name):
 
 
 def test_in_absolute_coordinates_too():
-    model = load("slider_crank", coordinates="absolute")
+    model = engine_model("slider_crank", coordinates="absolute")
     bound = model.bind({"crank_speed": "3000 rpm"})
     assert drive_speed(model, bound) == pytest.approx(bound["crank_speed"], rel=1e-12)
 
 
 @pytest.mark.parametrize("text", ["0.1 rev", "36 deg"])
 def test_a_run_turns_as_far_as_it_was_asked_to_with_its_own_parameters(text):
-    run = simulate(load("slider_crank"), duration=text, tolerance=1e-4, parameters={"crank_speed": "3000 rpm"})
+    run = simulate(engine_model("slider_crank"), duration=text, tolerance=1e-4, parameters={"crank_speed": "3000 rpm"})
     assert run.t_end == pytest.approx(0.1 * 60 / 3000, rel=1e-15)
     longer = run.continued("0.2 rev")
     assert longer.t_end == pytest.approx(0.2 * 60 / 3000, rel=1e-15)
@@ -42,18 +43,18 @@ def driven(*drives):
     ]
     joints = [Revolute(f"pin_{i}", GROUND, arm, axis=Z) for i, arm in enumerate(arms)]
     scales = Scales(length=Parameter("size", "m", 1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 1))
-    return load(Scene(Mechanism("driven", joints=tuple(joints)), effects=drives, scales=scales))
+    return engine_model(Scene(Mechanism("driven", joints=tuple(joints)), effects=drives, scales=scales))
 
 
 def test_a_scene_without_one_drive_of_constant_speed_has_no_revolutions():
     speed, rise = Parameter("omega", "rad/s", 3), Parameter("rise", "s", 1)
     shaken = Harmonic("drive", "pin_0", Parameter("swing", "rad", 1), Parameter("pulse", "rad/s", 2))
-    for model in (load("bouncing_ball"), driven(Ramp("drive", "pin_0", speed, rise)), driven(shaken)):
+    for model in (engine_model("bouncing_ball"), driven(Ramp("drive", "pin_0", speed, rise)), driven(shaken)):
         with pytest.raises(InputError, match="one drive of constant speed"):
             simulate(model, duration="2 rev", tolerance=1e-4)
     for bad in ("0 rev", "-1 rev"):
         with pytest.raises(InputError, match="duration"):
-            simulate(load("slider_crank"), duration=bad, tolerance=1e-4)
+            simulate(engine_model("slider_crank"), duration=bad, tolerance=1e-4)
     with pytest.raises(InputError) as caught:  # all faults at once, the parameter's among them
-        simulate(load("slider_crank"), duration="2 rev", tolerance=7, parameters={"crank_sped": "1 rpm"})
+        simulate(engine_model("slider_crank"), duration="2 rev", tolerance=7, parameters={"crank_sped": "1 rpm"})
     assert {fault.where for fault in caught.value.faults} == {"tolerance", "crank_sped"}

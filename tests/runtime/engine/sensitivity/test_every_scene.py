@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.model.build import built_in_scenes
 from hertzwerk.runtime.engine.model.si_values import si_units
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.exhaustive
 
@@ -33,7 +34,7 @@ SEEN = 1e-8  # of a state, by a change of a parameter of its own size: less is t
 def case(scene, coordinates):
     """Model, names, states, and of each name the difference of the states at the end and the doubt in it."""
     try:
-        model = load(scene, coordinates=coordinates)
+        model = engine_model(scene, coordinates=coordinates)
     except InputError as refused:
         pytest.skip(str(refused).splitlines()[0])
     bound, units = model.bind(), si_units(model)

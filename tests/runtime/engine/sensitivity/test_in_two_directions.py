@@ -10,9 +10,10 @@ from balls import GRAVITY, MASS, RADIUS, ball, dry
 from tops import curling
 
 from hertzwerk.derive import Parameter, PointForce, T
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.sensitivity import saltation
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(4)  # methods that run the same code
 
@@ -25,7 +26,7 @@ PLACES = ("flight.x", "flight.z", "flight.x_speed", "flight.z_speed")
 
 @cache
 def billiard():
-    return load(ball(dry(MU)))
+    return engine_model(ball(dry(MU)))
 
 
 def after(mu, v, w, t=0.5):
@@ -97,7 +98,7 @@ def pulled():
     (body,) = (body for body in found.mechanism.bodies if body.name == "ball")
     ahead = Parameter("ahead", "1", 0.8), Parameter("aside", "1", 0.6)
     pull = PointForce("pull", body.at(0, 0, 0), (rate * ahead[0] * T, 0, rate * ahead[1] * T))
-    return load(replace(found, effects=(*found.effects, pull)))
+    return engine_model(replace(found, effects=(*found.effects, pull)))
 
 
 def dragged(mu_k, mu_s, rate, ahead, aside, t=0.5):
@@ -129,7 +130,7 @@ def test_onset_of_slip_follows_pull_and_friction(method):
 @pytest.mark.slow
 def test_a_disc_on_three_feet_comes_to_rest_as_differences_say():
     """Through one foot that sticks while the others turn about it."""
-    model, names = load(curling(dry(MU), 3)), ("slide", "mu_k")
+    model, names = engine_model(curling(dry(MU), 3)), ("slide", "mu_k")
     places = ("floor.x", "floor.y", "floor.angle")
 
     def rests(**changed):

@@ -31,10 +31,11 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.laws import power
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.accuracy.horizon import Growth, growth
 from hertzwerk.runtime.engine.sensitivity import lyapunov as lyapunovs
 from hertzwerk.runtime.engine.solution import error_scales as scaling
+from hertzwerk.runtime.loading import engine_model
 
 SIGMA, RHO, BETA = 10, 28, sp.Rational(8, 3)
 ATTRACTOR = (0.9056, 0.0, -14.5723)  # 1/s: Sprott, Chaos and Time-Series Analysis (2003), of these numbers
@@ -87,7 +88,7 @@ def means(found):
 
 def test_lorenz_has_its_published_exponents_beside_a_block_that_follows_it():
     """Longer than numbers are large: changes grow beyond e^710."""
-    model = load(block(Lorenz("attractor", "slide", Parameter("push", "N", 1), Parameter("pace", "1/s", 1))))
+    model = engine_model(block(Lorenz("attractor", "slide", Parameter("push", "N", 1), Parameter("pace", "1/s", 1))))
     run = simulate(model, duration="900 s", tolerance=1e-8, method="dop853", compiled=False)
     found = run.lyapunov(5)
     assert found.growth[-1] > 710
@@ -103,7 +104,7 @@ def test_lorenz_has_its_published_exponents_beside_a_block_that_follows_it():
 
 
 def test_at_a_saddle_they_are_the_eigenvalues():
-    model = load("pendulum")
+    model = engine_model("pendulum")
     run = simulate(model, duration="8 s", tolerance=1e-13, initial={"hinge.angle": (math.pi, "rad")}, compiled=False)
     found = run.lyapunov(2)
     settled = found.local[120:].mean(axis=0)
@@ -112,7 +113,7 @@ def test_at_a_saddle_they_are_the_eigenvalues():
 
 def test_an_oscillator_has_no_positive_exponent():
     """Neighbours of an integrable motion part like its time."""
-    found = simulate(load("pendulum"), duration="60 s", tolerance=1e-10, compiled=False).lyapunov(2)
+    found = simulate(engine_model("pendulum"), duration="60 s", tolerance=1e-10, compiled=False).lyapunov(2)
     assert found.law.kind == "power"
     assert not found.chaotic
     assert 0.5 < found.law.exponent < 1.5
@@ -125,7 +126,7 @@ def test_through_impacts_they_add_up_to_the_divergence():
     drag, gravity = Parameter("drag", "N s/m", 0.2), Parameter("gravity", "m/s^2", 9.81)
     radius = Parameter("radius", "m", 0.1)
     floor = SphereOnPlane("floor", BLOCK.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
-    model = load(
+    model = engine_model(
         block(
             Gravity("gravity", gravity, direction=-Y),
             Contact("floor", power(Parameter("stiffness", "N/m^1.5", 1e7), n=1.5)),
@@ -142,7 +143,7 @@ def test_through_impacts_they_add_up_to_the_divergence():
 
 
 def test_through_forces_that_jump_changes_grow_as_differences_of_runs():
-    model = load("bouncing_ball", laws={"floor": "power(K=1e6 N/m, n=1) x power_damping(chi=200 N s/m, m=0)"})
+    model = engine_model("bouncing_ball", laws={"floor": "power(K=1e6 N/m, n=1) x power_damping(chi=200 N s/m, m=0)"})
     how = {"duration": "0.6 s", "tolerance": 1e-12, "compiled": False}
     run = simulate(model, **how)
     assert len(run.impacts) == 1
@@ -163,7 +164,7 @@ def test_through_forces_that_jump_changes_grow_as_differences_of_runs():
 
 def test_errors_of_runs_grow_as_they_say():
     """Of two double pendulums 1e-10 apart, until they are 1e-2 apart: within 5 %, as `accuracy` fits both."""
-    model, start = load("double_pendulum"), {"shoulder.angle": (2.5, "rad"), "elbow.angle": (2.0, "rad")}
+    model, start = engine_model("double_pendulum"), {"shoulder.angle": (2.5, "rad"), "elbow.angle": (2.0, "rad")}
     run = simulate(model, duration="12 s", tolerance=1e-12, initial=start, compiled=False)
     t = np.linspace(0, 12, 400)
     errors = []
@@ -180,7 +181,7 @@ def test_constraints_leave_the_exponents_of_the_motion():
     """In coordinates of every body, with constraints, as in those of the joints."""
     both = []
     for how in ({}, {"coordinates": "absolute"}):
-        model = load("double_pendulum", **how)
+        model = engine_model("double_pendulum", **how)
         run = simulate(model, duration="5 s", tolerance=1e-10, initial={"shoulder.angle": (2.5, "rad")}, compiled=False)
         both.append(run.lyapunov(4))
     tree, absolute = both
@@ -191,12 +192,12 @@ def test_constraints_leave_the_exponents_of_the_motion():
 
 
 def test_ledgers_are_no_part_of_the_motion():
-    assert lyapunovs.depended_on(load("bouncing_ball")).sum() == 2
+    assert lyapunovs.depended_on(engine_model("bouncing_ball")).sum() == 2
 
 
 @pytest.mark.parametrize("count", [0, 3, 1.5])
 def test_no_more_exponents_than_the_motion_has(count):
-    run = simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=False)
+    run = simulate(engine_model("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=False)
     with pytest.raises(InputError, match="expected 1 to 2"):
         run.lyapunov(count)
 

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.model.si_values import si_units
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured, chosen
 
 DASHPOT = {"floor": "power(K=1e6 N/m, n=1) x power_damping(chi=200 N s/m, m=0)"}
@@ -39,12 +40,12 @@ def test_outputs_of_a_crank_with_clearance():
         "slider_pin.impulse", "guide.speed.mean", "guide.acceleration.rms", "guide.acceleration.min",
         "slider_pin.normal_force.max", "slider_pin.eccentricity_x.peak_to_peak", "main_bearing.reaction_x.rms",
     )  # fmt: skip
-    differences = worst(load("slider_crank"), "restitution", outputs, "0.6 ms")
+    differences = worst(engine_model("slider_crank"), "restitution", outputs, "0.6 ms")
     assert {name: part for name, part in differences.items() if part > 3e-5} == {}
 
 
 def test_integrals_over_a_force_that_jumps(monkeypatch):
-    model = load("bouncing_ball", laws=DASHPOT)
+    model = engine_model("bouncing_ball", laws=DASHPOT)
     outputs = ("floor.impulse", "floor.normal_force.mean", "floor.normal_force.rms", "vertical.acceleration.max")
     assert max(worst(model, "gravity", outputs[:3], "0.5 s").values()) < 3e-5
     assert worst(model, "floor_chi", outputs[3:], "0.5 s")["vertical.acceleration.max"] < 2e-5
@@ -53,12 +54,12 @@ def test_integrals_over_a_force_that_jumps(monkeypatch):
 
 
 def test_outputs_without_a_derivative_say_why():
-    run = simulate(load("bouncing_ball"), duration="0.5 s", tolerance=1e-8)
+    run = simulate(engine_model("bouncing_ball"), duration="0.5 s", tolerance=1e-8)
     found = OutputDerivatives(run, run.sensitivities("mass"))
     for output, why in (("impacts", "count"), ("floor.impact_rate", "average"), ("energy_residual", "error"),
                         ("stroke", "function of yours")):  # fmt: skip
         with pytest.raises(NoDerivativeError, match=why):
             found[output]
     assert found["floor.peak_force"][0] > 0
-    still = simulate(load("bouncing_ball"), duration="0.1 s", tolerance=1e-8)
+    still = simulate(engine_model("bouncing_ball"), duration="0.1 s", tolerance=1e-8)
     assert OutputDerivatives(still, still.sensitivities("mass"))["floor.peak_force"] == 0

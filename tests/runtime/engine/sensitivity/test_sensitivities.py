@@ -29,9 +29,10 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.laws import coulomb, power, smooth_coulomb
-from hertzwerk.runtime import Samples, load, simulate
+from hertzwerk.runtime import Samples, simulate
 from hertzwerk.runtime.engine.model.si_values import si_units
 from hertzwerk.runtime.engine.sensitivity import changes_along_run, saltation, step_chain
+from hertzwerk.runtime.loading import engine_model
 
 CRANK = {"duration": "1.5 ms", "tolerance": 1e-12}
 DASHPOT = {
@@ -82,12 +83,12 @@ def compared(model, names, read, step=1e-3, **how):
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 # -- closed forms ------------------------------------------------------------------------------------------------------
@@ -109,7 +110,7 @@ def test_flight_is_free_fall(ball):
 
 def test_a_hertz_impact_follows_its_power_laws():
     """Undamped: depth ~ (m v^2/K)^(2/5), force ~ K^(2/5) (m v^2)^(3/5); equal masses, K ~ E."""
-    spheres = load("two_spheres")
+    spheres = engine_model("two_spheres")
     run = made(spheres, {"restitution": 1.0}, duration="0.05 s", tolerance=1e-12)
     found, bound, (impact,) = run.sensitivities("mass", "youngs_modulus"), spheres.bind(), run.impacts
     for name, of_depth, of_force in (("mass", 2 / 5, 3 / 5), ("youngs_modulus", -2 / 5, 2 / 5)):
@@ -132,7 +133,7 @@ def test_a_crank_with_clearance(crank):
 
 
 def test_a_force_that_jumps_and_a_release_under_overlap():
-    model = load("bouncing_ball", laws=DASHPOT)
+    model = engine_model("bouncing_ball", laws=DASHPOT)
     run = made(model, duration="2 s", tolerance=1e-12)
     assert set(run["floor.mode"]) == {0, 1, 2}
     names, states = (
@@ -145,7 +146,7 @@ def test_a_force_that_jumps_and_a_release_under_overlap():
 @pytest.fixture(scope="module")
 def sliding():
     """A block that slides to rest: by v^2/(2 a) in v/a, with a = mu_k m g/(m + carriage)."""
-    return load(block(coulomb(Parameter("mu_k", "1", 0.2), Parameter("mu_s", "1", 0.3))))
+    return engine_model(block(coulomb(Parameter("mu_k", "1", 0.2), Parameter("mu_s", "1", 0.3))))
 
 
 def test_friction_that_stops(sliding):
@@ -180,7 +181,7 @@ def test_friction_stops_at_a_time_that_speed_and_friction_tell(sliding, monkeypa
 
 
 def test_absolute_coordinates_close_their_loops(crank):
-    model = load("slider_crank", coordinates="absolute")
+    model = engine_model("slider_crank", coordinates="absolute")
     absolute, tree = made(model, **CRANK), made(crank, **CRANK)
     for name in ("restitution", "clearance"):
         one, other = (run.sensitivities(name).at(np.array([1.4e-3]), "guide.travel", name) for run in (absolute, tree))
@@ -220,7 +221,7 @@ def test_every_history_has_a_derivative(crank):
 
 def test_steps_too_coarse_for_a_derivative_are_solved_apart(monkeypatch):
     """Damping with the fourth root of the penetration: beside the surface its derivative has no bound."""
-    model = load("bouncing_ball", laws={"floor": "power(K=1e6 N/m^1.5, n=1.5) x tsuji"})
+    model = engine_model("bouncing_ball", laws={"floor": "power(K=1e6 N/m^1.5, n=1.5) x tsuji"})
     run = made(model, duration="0.7 s", tolerance=1e-9)
     found = {}
     for name, level in (("as they are", step_chain.COARSE), ("all apart", 0.0), ("none apart", np.inf)):
@@ -234,11 +235,11 @@ def test_steps_too_coarse_for_a_derivative_are_solved_apart(monkeypatch):
 def test_implicit_steps_whose_stages_newton_s_method_does_not_reach_are_solved_apart(monkeypatch):
     """One iteration does not get there in contact, three do."""
     how = {"duration": "0.7 s", "tolerance": 1e-9}
-    exact = made(load("bouncing_ball"), **how).sensitivities("drop_height")["vertical.speed", "drop_height"][-1]
+    exact = made(engine_model("bouncing_ball"), **how).sensitivities("drop_height")["vertical.speed", "drop_height"][-1]
     shares = []
     for iterations in (step_chain.ITERATIONS, 1):
         monkeypatch.setattr(step_chain, "ITERATIONS", iterations)
-        found = made(load("bouncing_ball"), method="esdirk", **how).sensitivities("drop_height")
+        found = made(engine_model("bouncing_ball"), method="esdirk", **how).sensitivities("drop_height")
         assert found["vertical.speed", "drop_height"][-1] == pytest.approx(exact, rel=2e-4)
         shares.append(np.mean(found._followed.apart))
     assert shares[0] == 0 < 0.1 < shares[1]
@@ -246,7 +247,7 @@ def test_implicit_steps_whose_stages_newton_s_method_does_not_reach_are_solved_a
 
 def test_contacts_that_overlap_in_time_behind_implicit_steps():
     """Estimates of the steps in a row of balls that touch are up to a thousandfold too small: 6e-6 were they believed."""
-    model, how = load("newtons_cradle"), {"duration": "0.5 s"}
+    model, how = engine_model("newtons_cradle"), {"duration": "0.5 s"}
     exact = made(model, tolerance=1e-13, **how).sensitivities("length")["string_4.angle", "length"]
     found = made(model, method="esdirk", tolerance=1e-12, **how).sensitivities("length")["string_4.angle", "length"]
     assert found[-1] == pytest.approx(exact[-1], abs=1e-6 * np.abs(exact).max())
@@ -277,7 +278,12 @@ def test_many_derivatives_are_those_of_each_alone(crank):
 )
 def test_a_jump_without_one_of_its_terms_is_wrong(scene, left_out, monkeypatch, crank, sliding):
     model, to, state, how = {
-        "dashpot": (load("bouncing_ball", laws=DASHPOT), "drop_height", "floor.dissipated", {"duration": "1 s"}),
+        "dashpot": (
+            engine_model("bouncing_ball", laws=DASHPOT),
+            "drop_height",
+            "floor.dissipated",
+            {"duration": "1 s"},
+        ),
         "crank": (crank, "clearance", "guide.travel", {"duration": "0.5 ms"}),
         "sliding": (sliding, "slide", "along_0.travel", {"duration": "1 s", "changes": {"slide": 1.0}}),
     }[scene]
@@ -332,7 +338,7 @@ def test_a_graze_ends_it_by_name(crank, monkeypatch):
 
 def test_events_at_one_instant_that_would_part_have_no_derivative():
     """Two balls land at once; raising one alone parts their landings, a change of gravity does not."""
-    model = load(pair_of_balls())
+    model = engine_model(pair_of_balls())
     run = made(model, duration="0.5 s", tolerance=1e-10)
     assert len({impact.t for impact in run.impacts}) == 1
     together, parted = (run.sensitivities(name) for name in ("gravity", "left.travel"))
@@ -388,7 +394,7 @@ def test_a_load_given_as_an_input_changes_nothing_itself():
         Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1)),
     )
     samples = Samples(np.array([0.0, 0.3, 0.5, 1.0]), np.array([1.0, -2.0, 3.0, 0.0]), ("s", "N"), "held")
-    run = simulate(load(scene), duration="1 s", tolerance=1e-10, inputs={"force": samples})
+    run = simulate(engine_model(scene), duration="1 s", tolerance=1e-10, inputs={"force": samples})
     found = run.sensitivities("mass")
     np.testing.assert_allclose(found["slide.travel", "mass"], -run["slide.travel"] / 2, atol=1e-12)
     assert not found["force", "mass"].any()
@@ -403,7 +409,7 @@ def test_an_infinite_derivative_ends_them_and_says_where():
         (JointForce("root", "rail", force),),
         Scales(far, Parameter("pace", "m/s", 1.0)),
     )
-    run = simulate(load(declared), duration=1.0, tolerance=1e-9)
+    run = simulate(engine_model(declared), duration=1.0, tolerance=1e-9)
     found = run.sensitivities("F")
     assert found.reason.startswith("the equations have no finite derivatives in the step before ")
     assert found.until == run.t[1]
@@ -422,7 +428,7 @@ def test_a_ball_that_rests_in_space_has_derivatives():
         Scales(Parameter("depth", "mm", 0.1), Parameter("pace", "m/s", 1.0), arm=r),
         Start(position={"free.y": r - (m * g / K) ** sp.Rational(2, 3)}),
     )
-    run = simulate(load(declared), duration=0.01, tolerance=1e-10)
+    run = simulate(engine_model(declared), duration=0.01, tolerance=1e-10)
     found = run.sensitivities("K", "mu")
     assert found.reason == ""
     depth = (9.81 / 1e7) ** (2 / 3)

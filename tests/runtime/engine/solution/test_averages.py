@@ -8,9 +8,10 @@ from click.testing import CliRunner
 from scipy.signal import lfilter
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.solution.averages import FEWEST, MOST, estimate
+from hertzwerk.runtime.loading import engine_model
 from reference import closed_forms
 
 SEEDS = 1000
@@ -102,7 +103,11 @@ ROUND = 2 * (APART / SPEED + closed_forms.collision(STIFFNESS, 1, MASS, SPEED).d
 @pytest.fixture(scope="module")
 def between_walls():
     return simulate(
-        load("ball_between_walls"), duration=40 * ROUND, tolerance=1e-9, parameters={"restitution": 1.0}, compiled=False
+        engine_model("ball_between_walls"),
+        duration=40 * ROUND,
+        tolerance=1e-9,
+        parameters={"restitution": 1.0},
+        compiled=False,
     )
 
 
@@ -122,7 +127,7 @@ def test_a_ball_between_walls(between_walls):
 
 @pytest.mark.parametrize(("tolerance", "expected"), [(1e-6, 1e-5), (1e-9, 2e-7)])
 def test_a_bouncing_ball_presses_on_average_with_its_weight(tolerance, expected):
-    run = simulate(load("soft_ball"), duration="20 s", tolerance=tolerance, compiled=False)
+    run = simulate(engine_model("soft_ball"), duration="20 s", tolerance=tolerance, compiled=False)
     (period,) = {round((run.impacts[-1].t - run.impacts[0].t) / (len(run.impacts) - 1), 12)}
     force = named(run, interval=period)["floor.normal_force"]
     assert force.mean == pytest.approx(9.81, rel=expected)
@@ -132,7 +137,9 @@ def test_a_bouncing_ball_presses_on_average_with_its_weight(tolerance, expected)
 @pytest.mark.parametrize("law", ["kelvin_voigt", "hunt_crossley"])
 def test_an_impact_passes_on_what_the_ball_loses(law):
     """Whatever a law does at the ends of a contact, where its force may jump."""
-    model = load("ball_between_walls", laws={"right_wall": law} if law != "hunt_crossley" else None)  # which it has
+    model = engine_model(
+        "ball_between_walls", laws={"right_wall": law} if law != "hunt_crossley" else None
+    )  # which it has
     run = simulate(model, duration="100 ms", tolerance=1e-9, parameters={"restitution": 0.7}, compiled=False)
     impulse = run.findings.sums(0.05).impulse[:, model.pairs.index("right_wall")].sum()
     assert impulse == pytest.approx(MASS * (run.initial["track.speed"] - run.final["track.speed"]), rel=2e-5)
@@ -140,7 +147,7 @@ def test_an_impact_passes_on_what_the_ball_loses(law):
 
 def test_a_motor_puts_in_what_friction_takes():
     """A loaded journal turning in its bush, at rest but for that: N and F_t = mu N carry the load."""
-    run = simulate(load("journal_in_bearing"), duration="10 s", tolerance=1e-8, compiled=False)
+    run = simulate(engine_model("journal_in_bearing"), duration="10 s", tolerance=1e-8, compiled=False)
     model, values, averages = run.model, run.model.bind(), named(run)
     load_, speed = values["load"], (values["bush_radius"] - values["clearance"]) * values["speed"]
     mu = values["friction_coefficient"] * np.tanh(speed / values["friction_speed"])
@@ -162,13 +169,13 @@ CRANK = {"duration": "120 ms", "tolerance": 1e-4, "compiled": False, "max_steps"
 
 @pytest.fixture(scope="module")
 def crank():
-    return simulate(load("slider_crank_frictionless"), **CRANK)
+    return simulate(engine_model("slider_crank_frictionless"), **CRANK)
 
 
 @pytest.mark.parametrize("block", [5_000, 2**23])
 def test_a_run_on_a_grid_has_the_averages_of_its_steps(crank, block, monkeypatch):
     monkeypatch.setattr("hertzwerk.runtime.engine.run.single_run.BLOCK", block)
-    grid = simulate(load("slider_crank_frictionless"), **CRANK, grid=7)
+    grid = simulate(engine_model("slider_crank_frictionless"), **CRANK, grid=7)
     kept = named(crank)
     assert 9 in {average.blocks for average in kept.values()}  # some may be correlated: the motion is chaotic
     for name, average in named(grid).items():
@@ -191,7 +198,7 @@ def test_a_saved_run_has_them_too(crank, tmp_path):
     assert [a.mean for a in again.averages(**wider)] == pytest.approx(
         [a.mean for a in crank.averages(**wider)], rel=1e-4
     )
-    free = simulate(load("pendulum"), duration="1 s")
+    free = simulate(engine_model("pendulum"), duration="1 s")
     assert Solution.load(free.save(tmp_path / "free.npz")).averages() == free.averages() == ()
 
 

@@ -8,7 +8,7 @@ import pytest
 from bodies_on_planes import body_of
 from random_mechanisms import mechanisms
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.loop.c_compilation import available
 from hertzwerk.runtime.engine.run.built_engine import engine_for, prepare
 from hertzwerk.runtime.engine.run.recorder import OVERLAP
@@ -16,6 +16,7 @@ from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.engine.solution import step_observers
 from hertzwerk.runtime.engine.solution.contact_watch import Watch
 from hertzwerk.runtime.engine.solution.step_observers import Needs
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.simulation import solve
 
 SETTINGS = Settings("6 ms", None, 1e-6, compiled=False)
@@ -24,7 +25,7 @@ WANTED = Needs.IMPACTS | Needs.SUMS
 
 @pytest.fixture(scope="module")
 def run():
-    return solve(load("slider_crank"), SETTINGS, {}, {})
+    return solve(engine_model("slider_crank"), SETTINGS, {}, {})
 
 
 def found(model):
@@ -35,7 +36,7 @@ def found(model):
 
 @pytest.mark.skipif(not available(), reason="no C compiler")
 def test_what_is_found_as_c_is_bitwise_what_is_found_without(run):
-    model = load("slider_crank")
+    model = engine_model("slider_crank")
     before = found(model)
     finders = step_observers.finders(model, engine_for(model, SETTINGS.method, False).integrator, WANTED)
     assert not any(finder.compiled for finder in finders)
@@ -130,7 +131,7 @@ def test_peaks_are_those_within_the_steps(run, monkeypatch):
     # the seeded fault: the first place tried will do, which is the row itself
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.impacts.PEAK", 1)
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.impacts._crest_of_cubic", lambda: lambda *_: 0.0)
-    assert beside_their_steps(solve(load("slider_crank"), SETTINGS, {}, {}))
+    assert beside_their_steps(solve(engine_model("slider_crank"), SETTINGS, {}, {}))
 
 
 def test_a_step_of_rounding_at_a_peak_hides_no_crest(run):

@@ -27,13 +27,14 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.common.module_format import sealed
 from hertzwerk.derive.scenes import NAMES
-from hertzwerk.runtime import Solution, load, simulate, sweep
+from hertzwerk.runtime import Model, Solution, simulate, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.model.generated_text import module_of, text_of
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.dense_output import Samples
 from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.loading import engine_model
 
 R, L, S, MC, MR, MS, JR, W, G = 0.05, 0.16, 0.06, 0.3, 0.2, 0.4, 3e-4, 150.0, 9.81
 REDUNDANT = ("bricard", "flyball_governor")  # what holds their loops is open by redundancy, and so differs
@@ -67,7 +68,7 @@ def crank_run():
         effects=(motor, gravity(), EnergyLedger()),
         scales=Scales(length=r, speed=Parameter("pace", "m/s", 5), arm=r),
     )
-    return simulate(load(scene), duration="30 ms", tolerance=1e-11)
+    return simulate(engine_model(scene), duration="30 ms", tolerance=1e-11)
 
 
 def textbook(angle):
@@ -136,7 +137,7 @@ def test_a_slide_beyond_a_turn_is_held_by_a_force_and_a_couple_that_do_no_work()
         Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
         Start({"arm.travel": Parameter("x_0", "m", 0.1)}),
     )
-    run = simulate(load(scene), duration=0.7, tolerance=1e-11)
+    run = simulate(engine_model(scene), duration=0.7, tolerance=1e-11)
     x, across = 0.1 * np.cosh(3 * run.t), 0.2 * 2 * 3 * 0.3 * np.sinh(3 * run.t)
     assert run["arm.reaction_x"] == pytest.approx(-np.sin(3 * run.t) * across, abs=1e-8)
     assert run["arm.reaction_y"] == pytest.approx(np.cos(3 * run.t) * across, abs=1e-8)
@@ -160,7 +161,7 @@ def test_a_tilted_disc_on_a_turning_shaft_is_held_by_its_gyroscopic_couple():
         ),
         Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
     )
-    run = simulate(load(scene), duration=0.5)
+    run = simulate(engine_model(scene), duration=0.5)
     rate = turn * np.cos(tilt) * (axial * (spin + turn * np.sin(tilt)) - across * turn * np.sin(tilt))
     assert run["axle.reaction_moment_x"] == pytest.approx(-rate * np.sin(turn * run.t), abs=1e-9)
     assert run["axle.reaction_moment_z"] == pytest.approx(-rate * np.cos(turn * run.t), abs=1e-9)
@@ -168,7 +169,7 @@ def test_a_tilted_disc_on_a_turning_shaft_is_held_by_its_gyroscopic_couple():
 
 @pytest.fixture(scope="module")
 def rattling():
-    return simulate(load("slider_crank"), duration="3 ms", tolerance=1e-8)
+    return simulate(engine_model("slider_crank"), duration="3 ms", tolerance=1e-8)
 
 
 def test_contact_force_is_a_vector_that_moves_the_slider(rattling):
@@ -212,7 +213,7 @@ def carried(run, other):
 def worst_reaction(name, model):
     """Largest difference of a joint's reaction to its multiplier in absolute coordinates, over the largest there."""
     run = simulate(model, duration=4e-3 if "crank" in name else 2e-2, tolerance=1e-7, grid=5)
-    there = carried(run, load(name, coordinates="absolute"))
+    there = carried(run, engine_model(name, coordinates="absolute"))
     pairs = [
         (f"{of}.reaction_{what.split('_')[1]}", f"{of}.{what}")
         for of, _, what in (entry.partition(".") for entry in there)
@@ -244,22 +245,22 @@ def worst_reaction(name, model):
     ],
 )
 def test_reactions_of_a_tree_are_the_multipliers_of_absolute_coordinates(name):
-    assert worst_reaction(name, load(name)) < 1e-9
+    assert worst_reaction(name, engine_model(name)) < 1e-9
 
 
 def test_a_fault_in_the_inertia_is_seen():
-    model = load("double_pendulum")
+    model = engine_model("double_pendulum")
     text = model.declaration.readings("tree")
     assert worst_reaction("double_pendulum", model) < 1e-9
     wrong = sealed(text.replace("gravity = p[", "gravity = 1.0001*p["))
     assert wrong != text
-    faulty = load("double_pendulum")
+    faulty = engine_model("double_pendulum")
     faulty.declaration.__dict__["_readings"] = {"tree": wrong}
     assert worst_reaction("double_pendulum", faulty) > 1e-6
 
 
 def test_all_names_are_told_and_used_wherever_a_history_is(rattling, tmp_path):
-    entries = {entry.name: entry for entry in rattling.model.histories}
+    entries = {entry.name: entry for entry in Model(rattling.model).histories}
     assert entries["crank_drive.torque"].derived and not entries["guide.travel"].derived
     assert (
         entries["main_bearing.reaction_x"].unit == "N" and "main_bearing" in entries["main_bearing.reaction_x"].meaning
@@ -283,7 +284,7 @@ def test_all_names_are_told_and_used_wherever_a_history_is(rattling, tmp_path):
 
 
 def test_a_module_alone_says_where_readings_come_from():
-    alone = EngineModel(module_of("alone", text_of(load("pendulum").module)))
+    alone = EngineModel(module_of("alone", text_of(engine_model("pendulum").module)))
     run = simulate(alone, duration="10 ms", tolerance=1e-6)
     with pytest.raises(KeyError, match=r"load the scene, of derive/scenes/pendulum\.py, and simulate"):
         run["hinge.reaction_x"]

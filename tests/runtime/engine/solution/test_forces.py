@@ -34,7 +34,8 @@ from hertzwerk.derive import (
     coordinate_of,
 )
 from hertzwerk.derive.laws import smooth_coulomb
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 M, K, C, J, KAPPA = 2.0, 50.0, 0.7, 0.3, 4.0  # kg, N/m, N s/m, kg m^2, N m
 MASS, STIFFNESS, DAMPING = (
@@ -74,7 +75,7 @@ def follower(drive, *effects):
 
 def run(scene, duration, **options):
     given = {"tolerance": 1e-10, **options}
-    found = simulate(load(scene), duration=duration, **given)
+    found = simulate(engine_model(scene), duration=duration, **given)
     assert found.outcome.finished
     assert found.energy_residual < 100 * given["tolerance"]
     return found
@@ -125,7 +126,7 @@ def tabulated(count):
     """The follower of a table of the same sine over four half periods."""
     times = np.linspace(0, 4 * np.pi / 3, count)
     table = Table("sine", times.tolist(), (50 * np.sin(3 * times)).tolist(), ("s", "mm"))
-    return load(follower(Drive("drive", "rail", position=table(T))))
+    return engine_model(follower(Drive("drive", "rail", position=table(T))))
 
 
 def test_a_tabulated_sine_is_as_good_as_the_spline():
@@ -175,7 +176,7 @@ def test_a_ramp_is_the_integral_of_its_speed_and_of_its_acceleration(smoothness)
 
 
 def test_states_of_a_drive_can_start_elsewhere():
-    model = load(ramped(speed=SPEED * Where(T < RISE, T / RISE, 1), start=Parameter("first", "deg", 90)))
+    model = engine_model(ramped(speed=SPEED * Where(T < RISE, T / RISE, 1), start=Parameter("first", "deg", 90)))
     assert simulate(model, duration=0.1, tolerance=1e-6)["axle.angle"][0] == pytest.approx(np.pi / 2)
     run = simulate(model, duration=0.1, initial={"axle.angle": "10 deg"}, tolerance=1e-6)
     assert run["axle.angle"][0] == pytest.approx(np.pi / 18)

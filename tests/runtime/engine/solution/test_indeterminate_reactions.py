@@ -26,7 +26,7 @@ def frames(run):
 
 def end(run, name):
     """Value at the end; 0 of what is zero by structure, and no history."""
-    return run[name][-1] if name in {entry.name for entry in run.model.histories} else 0.0
+    return run[name][-1] if name in {entry.name for entry in load(run.model).histories} else 0.0
 
 
 def of_joints(run, joints):

@@ -116,7 +116,15 @@ def test_quantities_are_values_with_units(stiffness, text):
 def test_no_picture_of_an_object_is_its_address(run):
     things = [
         *(run, run.history, run.at(0.05), run.derivatives, run.sensitivity("vertical.travel", "mass"), run.impacts),
-        *(run.statistics, run.outcome, run.findings, run.model, run.model.histories, run.model.bind(), run.averages()),
+        *(
+            run.statistics,
+            run.outcome,
+            run.findings,
+            run.model,
+            load(run.model).histories,
+            run.model.bind(),
+            run.averages(),
+        ),
         *(equilibrium(BALL), modes(BALL), Normal("1 m", "1 mm"), sweep(BALL, {"mass": ["1 kg"]}, **SHORT, workers=1)),
     ]
     assert [repr(thing) for thing in things if " at 0x" in repr(thing)] == []

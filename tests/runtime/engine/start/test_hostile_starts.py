@@ -5,8 +5,8 @@ import random
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime import load
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.loading import engine_model
 
 SCENES = ("slider_crank", "bouncing_ball", "ball_in_socket", "woodpecker")
 NUMBERS = (
@@ -43,7 +43,7 @@ def test_infinite_forces_are_no_equilibrium():
 @pytest.mark.parametrize("count", [10, pytest.param(500, marks=[pytest.mark.exhaustive, pytest.mark.timeout(0)])])
 @pytest.mark.parametrize("scene", SCENES)
 def test_hostile_numbers_are_refused_or_run(scene, count):
-    rng, model = random.Random(scene), load(scene)
+    rng, model = random.Random(scene), engine_model(scene)
     units = {name: port.unit for name, port in model.parameters.items()}
     units |= {name: model.units[name] for name in (*model.coordinates, *model.speeds)}
     for _ in range(count):

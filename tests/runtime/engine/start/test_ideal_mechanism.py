@@ -32,14 +32,14 @@ from hertzwerk.derive.laws import power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.start.ideal_mechanism import ideal_motion, unknown_because
-from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.loading import engine_model
 from reference import ideal_slider_crank as closed_form
 
 R, L, W = 0.05, 0.12, 5000 * np.pi / 30
 
 
 def followed(times, parameters=None, scene="slider_crank"):
-    model = load(scene) if isinstance(scene, str) else scene
+    model = engine_model(scene) if isinstance(scene, str) else scene
     bound = model.bind(parameters or {})
     q, _ = model.function("start")(bound.p)
     return ideal_motion(model, times, np.array(q).ravel(), bound.c)
@@ -111,7 +111,7 @@ CRANKS = {
 
 @cache
 def cranked(label):
-    return load(slider_crank.replace(crank_drive=CRANKS[label][0]))
+    return engine_model(slider_crank.replace(crank_drive=CRANKS[label][0]))
 
 
 @pytest.mark.by_turns(2)
@@ -131,7 +131,7 @@ def test_an_accelerated_crank_is_the_closed_form(label, count):
 
 
 def test_a_tabulated_crank_follows_its_table():
-    model = load(slider_crank.replace(crank_drive=Drive("crank_drive", "main_bearing", position=WAVE(T))))
+    model = engine_model(slider_crank.replace(crank_drive=Drive("crank_drive", "main_bearing", position=WAVE(T))))
     t = np.linspace(0, 0.03, 31)
     ideal = followed(t, scene=model)
     assert ideal["guide.travel"] == pytest.approx(closed_form.position(0.5 * np.sin(300 * t), R, L), abs=1e-9)
@@ -167,7 +167,7 @@ def held_body(speed):
     drive = ConstantSpeed("drive", "axle", Parameter("wheel_speed", "rad/s", speed))
     joints = (Revolute("axle", GROUND, wheel, Z), Free("float", GROUND, body))
     scales = Scales(length=clearance, speed=Parameter("pace", "m/s", 1.0), arm=off)
-    return load(Scene(Mechanism("held", joints, pairs), (drive, *contacts), scales))
+    return engine_model(Scene(Mechanism("held", joints, pairs), (drive, *contacts), scales))
 
 
 def test_a_free_body_is_assembled_and_followed_on_its_quaternion():
@@ -196,7 +196,7 @@ def test_a_closed_loop_counts_beside_the_clearances():
         Revolute("near", crank.at(radius, 0, 0), coupler, Z),
         Revolute("far", second.at(radius, 0, 0), coupler.at(base, 0, 0), Z),
     )
-    model = load(replace(slider_crank, mechanism=replace(slider_crank.mechanism, joints=joints)))
+    model = engine_model(replace(slider_crank, mechanism=replace(slider_crank.mechanism, joints=joints)))
     assert (model.nu, model.nl) == (4, 2)
     t = np.linspace(0, 0.009, 13)  # on both sides of the change points, where crank and base are in one line
     t = t[np.abs(np.sin(W * t)) > 0.1]
@@ -211,7 +211,7 @@ def test_a_closed_loop_counts_beside_the_clearances():
 
 def test_a_model_without_ideal_mechanism_says_why():
     """A slider in its guide is four corners on two faces; a ball in a socket by itself keeps all its turns."""
-    assert "3 equations for 6 freedoms" in unknown_because(load("ball_in_socket"))
-    assert "no joint with clearance" in unknown_because(load("soft_ball"))
-    assert "front_upper guide with a clearance" in unknown_because(load("translational_clearance"))
-    assert unknown_because(load("spatial_slider_crank")) == ""
+    assert "3 equations for 6 freedoms" in unknown_because(engine_model("ball_in_socket"))
+    assert "no joint with clearance" in unknown_because(engine_model("soft_ball"))
+    assert "front_upper guide with a clearance" in unknown_because(engine_model("translational_clearance"))
+    assert unknown_because(engine_model("spatial_slider_crank")) == ""

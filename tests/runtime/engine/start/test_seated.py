@@ -13,8 +13,9 @@ from hertzwerk.derive.scenes.journal_in_bearing import scene as bearing
 from hertzwerk.derive.scenes.slider_crank import w
 from hertzwerk.derive.scenes.slider_crank_two_clearances import scene as with_two
 from hertzwerk.derive.scenes.translational_clearance import scene as sliding
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.start.start_values import start_of
+from hertzwerk.runtime.loading import engine_model
 
 R, L, OMEGA = 0.05, 0.12, 5000 * np.pi / 30
 ROD, SLIDER, INERTIA, CENTRE = 0.21, 0.14, 2.5e-4, 0.06
@@ -53,7 +54,7 @@ def test_a_loaded_journal_rests_as_deep_as_its_load_presses_it_and_stays(exponen
 @pytest.fixture(scope="module")
 def seated_bearing():
     oblique = PointForce("load", journal.at(0, 0, 0), (weight * 3 / 5, -weight * 4 / 5, 0))
-    return load(replace(bearing.without("bearing_friction").replace(load=oblique), start=SEATED))
+    return engine_model(replace(bearing.without("bearing_friction").replace(engine_model=oblique), start=SEATED))
 
 
 def ideal_forces(angle):
@@ -91,12 +92,12 @@ def test_journals_of_a_slider_crank_lie_where_the_ideal_joints_press_them(coordi
 
 @pytest.fixture(scope="module")
 def slider_cranks():
-    return {coordinates: load(CRANK.with_coordinates(coordinates)) for coordinates in ("tree", "absolute")}
+    return {coordinates: engine_model(CRANK.with_coordinates(coordinates)) for coordinates in ("tree", "absolute")}
 
 
 def test_a_seated_start_has_the_joints_forces_and_a_centred_one_impacts(slider_cranks):
     seated = simulate(slider_cranks["tree"], duration="0.5 ms", tolerance=1e-7)
-    centred = simulate(load("slider_crank_two_clearances"), duration="0.5 ms", tolerance=1e-7)
+    centred = simulate(engine_model("slider_crank_two_clearances"), duration="0.5 ms", tolerance=1e-7)
     for pair, force in zip(("crank_pin", "slider_pin"), ideal_forces(0)[:2], strict=True):
         first = [next(i.peak_force for i in run.impacts if i.contact == pair) for run in (seated, centred)]
         assert first[0] == pytest.approx(np.linalg.norm(force), rel=0.1)
@@ -117,7 +118,9 @@ def test_bodies_that_cannot_be_seated_are_reported():
         assert "pin_in_bush" in fault.expected
     with pytest.raises(InputError, match="expected True or False"):
         replace(bearing, start=Start(seated="yes"))
-    centred = load(replace(with_two, start=replace(with_two.start, seated=True)))  # which states where all bodies are
+    centred = engine_model(
+        replace(with_two, start=replace(with_two.start, seated=True))
+    )  # which states where all bodies are
     with pytest.raises(InputError) as refused:
         start_of(centred, {}, {})
     assert "leave some of it to be found" in refused.value.faults[0].remedy

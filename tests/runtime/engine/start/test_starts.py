@@ -26,11 +26,12 @@ from hertzwerk.derive.laws import flores, hertz_point
 from hertzwerk.derive.scenes.four_bar_clearance import base, c, coupler, crank, k, l, r, rocker, steel, w
 from hertzwerk.derive.scenes.four_bar_clearance import scene as with_one
 from hertzwerk.derive.scenes.slider_crank_three_clearances import scene as with_three
-from hertzwerk.runtime import load, simulate, simulate_many
+from hertzwerk.runtime import simulate, simulate_many
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.start.start_values import assembled, overlaps, start_of
 from hertzwerk.runtime.engine.start.stated_start import as_stated
+from hertzwerk.runtime.loading import engine_model
 from reference import scenes
 
 R, L, K, BASE, C, W = 0.05, 0.12, 0.10, 0.13, 5e-4, 1000 * np.pi / 30
@@ -86,7 +87,7 @@ def models():
     def model(scene, coordinates="tree"):
         key = (id(scene), coordinates)
         if key not in built:
-            built[key] = load(scene.with_coordinates(coordinates))
+            built[key] = engine_model(scene.with_coordinates(coordinates))
         return built[key]
 
     return model
@@ -168,7 +169,7 @@ FROM_NOTHING = replace(with_three, start=Start())
 
 @pytest.mark.parametrize("name", JOURNALS)
 def test_a_start_that_is_closed_as_it_stands_is_taken_as_it_is(name):
-    model = load(name)
+    model = engine_model(name)
     bound = model.bind()
     stated = [np.array(x).ravel() for x in model.function("start")(bound.p)]
     _, *found = start_of(model, {}, {})
@@ -183,7 +184,7 @@ def test_stated_start_values_stay_and_the_rest_is_solved_for(models):
     e = np.array(model.function("outputs")(0, q, u, bound.c)).ravel()
     assert np.hypot(*e[:2]) == pytest.approx(3e-4, rel=1e-9)  # the crank's pin is beside its middle by what was given
     assert np.hypot(*e[2:]) < 1e-9
-    shifted = start_of(load("slider_crank"), {}, {"guide.travel": "170.3 mm"})[1]
+    shifted = start_of(engine_model("slider_crank"), {}, {"guide.travel": "170.3 mm"})[1]
     assert list(shifted) == [0.0, 0.1703]
 
 
@@ -207,7 +208,7 @@ def test_too_much_and_out_of_reach_are_named_with_the_coordinate_and_the_change(
 
 def test_too_little_is_named():
     """Without its drive the crank of a start that says nothing may be anywhere."""
-    (fault,) = faults_of(load(LOWER.without("crank_drive")), {})
+    (fault,) = faults_of(engine_model(LOWER.without("crank_drive")), {})
     assert "under-determined" in fault.found
     assert "main_bearing.angle" in fault.found
     assert fault.expected == "1 more value among them"
@@ -225,7 +226,7 @@ def test_too_little_is_named():
     ],
 )
 def test_surfaces_deep_in_each_other_are_named_with_what_brings_them_apart(scene, initial, pair, change):
-    model = load(scene)
+    model = engine_model(scene)
     (fault,) = faults_of(model, initial)
     name, there = change
     assert fault.where == f"start, {pair}"
@@ -238,7 +239,7 @@ def test_surfaces_deep_in_each_other_are_named_with_what_brings_them_apart(scene
 def test_the_depth_that_is_allowed_is_that_of_hertz_at_five_times_the_speed():
     """sqrt(K d^2.5/m) = 5 sqrt(2 g h): d = 0.00083979 m, of K = 2.4e10 N/m^1.5, m = 1 kg, h = 1 m."""
     ((_, text),) = (
-        (fault.where, str(fault)) for fault in faults_of(load("bouncing_ball"), {"vertical.travel": "20 mm"})
+        (fault.where, str(fault)) for fault in faults_of(engine_model("bouncing_ball"), {"vertical.travel": "20 mm"})
     )
     assert "a penetration of 0.08 m" in text
     assert "at most about 0.00084 m" in text
@@ -246,7 +247,7 @@ def test_the_depth_that_is_allowed_is_that_of_hertz_at_five_times_the_speed():
 
 def test_a_start_one_clearance_deep_is_allowed_and_told():
     """Stiffness alone throws it apart at twice the crank's speed: an impact might press so deep, a slip of the pen as well."""
-    crank = load("slider_crank")
+    crank = engine_model("slider_crank")
     told = simulate(
         crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": "171 mm"}, method="dop853", max_steps=2000
     )
@@ -265,7 +266,9 @@ def test_a_start_one_clearance_deep_is_allowed_and_told():
 
 
 def test_a_start_far_outside_is_told_by_the_row_and_by_the_command_line(tmp_path):
-    (row,) = simulate_many(load("slider_crank"), [{"guide.travel": "170 cm"}], duration="1 ms", tolerance=1e-6).rows
+    (row,) = simulate_many(
+        engine_model("slider_crank"), [{"guide.travel": "170 cm"}], duration="1 ms", tolerance=1e-6
+    ).rows
     assert row.outcome == "bad_input"
     assert "slider_pin open by 1.53 m" in row.message
     said = CliRunner().invoke(
@@ -279,21 +282,23 @@ def test_a_start_far_outside_is_told_by_the_row_and_by_the_command_line(tmp_path
 def test_preload_in_balance_and_static_loads_are_no_mistakes():
     """The first stores 22 times the kinetic energy of the scene; a shallow start that is fast may be meant, too."""
     squeezed = simulate(
-        load("ball_between_walls"),
+        engine_model("ball_between_walls"),
         duration="1 ms",
         tolerance=1e-6,
         parameters={"gap": "-1 mm", "restitution": 1.0, "speed": "0.1 m/s"},
     )
     assert squeezed.outcome.finished
     assert len(squeezed.impacts) >= 2
-    deep = simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, initial={"vertical.travel": "0.099 m"})
+    deep = simulate(
+        engine_model("bouncing_ball"), duration="1 ms", tolerance=1e-6, initial={"vertical.travel": "0.099 m"}
+    )
     assert deep.outcome.finished
 
 
 def test_a_start_that_is_closed_as_stated_is_that_which_assembly_keeps_and_no_other_is_taken_for_one():
     kept = {}
     for name in ("slider_crank_two_clearances", "bricard", "flyball_governor", "n_four_bar", "bicycle"):
-        model = load(name)
+        model = engine_model(name)
         bound = model.bind()
         stated, found = (
             np.concatenate(model.evaluate("start", bound.p)),
@@ -308,7 +313,7 @@ def test_a_start_that_is_closed_as_stated_is_that_which_assembly_keeps_and_no_ot
 
 def test_overlaps_of_many_spheres_are_those_of_pairs_written_out_and_looked_at_one_by_one(monkeypatch):
     """Spheres pushed into each other, floor and wall; no function of all pairs is evaluated for what is wrong with one."""
-    model = load(scenes.spheres_in_box(6))
+    model = engine_model(scenes.spheres_in_box(6))
     initial = {
         "flight_2.x": "-10 mm",
         "flight_3.x": "-20 mm",

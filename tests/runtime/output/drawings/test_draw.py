@@ -101,7 +101,7 @@ def test_both_bodies_of_a_joint_have_its_point_at_one_place(turning):
 
 def test_a_start_is_assembled_before_it_is_drawn():
     """A four-bar whose crank alone is given: the coupler's end is where two circles meet."""
-    places = Places.at_start(load("n_four_bar"), {}, {"foot_0.angle": "0.4 rad"})
+    places = Places.at_start(load("n_four_bar").engine, {}, {"foot_0.angle": "0.4 rad"})
     top = point(places, "left_0", "parent")[0]
     assert top == pytest.approx([-np.sin(0.4), np.cos(0.4), 0], abs=1e-12)
     foot, reach = np.array([1.0, 0.0]), 1.0  # of the next post; beam and post are 1 m
@@ -115,7 +115,7 @@ def test_a_start_is_assembled_before_it_is_drawn():
 
 def test_points_and_axes_in_space_by_hand():
     """Spatial slider-crank: crank upright at (0, 0.1, 0.12), its end 0.08 higher; rod of 0.3 to the slider at sqrt(0.09 - 0.01 - 0.04)."""
-    places = Places.at_start(load("spatial_slider_crank"), {}, {})
+    places = Places.at_start(load("spatial_slider_crank").engine, {}, {})
     end = (0, 0.1, 0.2)
     assert point(places, "crank_ball", "socket")[0] == pytest.approx(end, abs=1e-15)
     assert point(places, "crank_ball", "ball")[0] == pytest.approx(end, abs=1e-15)
@@ -169,11 +169,11 @@ def test_everything_is_in_the_frame_and_names_cover_nothing(name):
     figure = load(name).draw()
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    drawing = Drawing.of(Places.at_start(load(name), {}, {}), PANEL)
+    drawing = Drawing.of(Places.at_start(load(name).engine, {}, {}), PANEL)
     left, right, bottom, top = drawing.frame
     assert np.all((drawing.parts.extents > (left, bottom)) & (drawing.parts.extents < (right, top)))
     main, names = figure.axes[0], [text for text in figure.axes[0].texts if text.get_gid() == "name"]
-    assert {text.get_text() for text in names} >= set(load(name).module.BODIES)
+    assert {text.get_text() for text in names} >= set(load(name).engine.module.BODIES)
     boxes = [text.get_window_extent(canvas.get_renderer()) for text in names]
     frame = main.get_window_extent()
     assert all(frame.contains(*box.p0) and frame.contains(*box.p1) for box in boxes)
@@ -203,7 +203,7 @@ def test_scenes_of_a_users_own_are_drawn_in_space_and_with_every_element(tmp_pat
     figure.savefig(tmp_path / "workshop.png")
     for name in ("post", "arm", "crown", "ball", "pull", "lift", "load", "motor", "twist"):
         assert name in texts(figure), name
-    assert Drawing.of(Places.at_start(model, {}, {}), PANEL).parts.view.names is None
+    assert Drawing.of(Places.at_start(model.engine, {}, {}), PANEL).parts.view.names is None
     with pytest.raises(InputError, match=r"knee\.angle_3"):
         model.draw(initial={"knee.angle_3": "1 rad"})
 
@@ -221,7 +221,7 @@ def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):
     with pytest.raises(InputError, match=r"(?s)saved run.*simulate again"):
         saved.draw()
     with pytest.raises(InputError, match=r"load\('bouncing_ball'\)"):
-        saved.model.draw()
+        load(saved.model).draw()
 
 
 # ---- command line ----------------------------------------------------------------------------------------------------

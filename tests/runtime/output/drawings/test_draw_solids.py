@@ -25,7 +25,7 @@ def parts_of(body):
         Start(position={"pin": Parameter("turn", "rad", TURN)}),
     )
     model = load(scene)
-    places = Places.at_start(model, None, None)
+    places = Places.at_start(model.engine, None, None)
     return model, Parts(places, view_of(places), Scale("m", 1.0))
 
 
@@ -67,7 +67,7 @@ def test_holes_are_white_and_seen_from_their_end_alone():
 
 def test_planes_of_the_ground_that_meet_are_the_walls_of_a_box():
     """Corners by hand: floor and walls end at each other, and reach as high as the fifth sphere."""
-    walls = ground_planes(Places.at_start(load("spheres_in_box"), {}, {}))
+    walls = ground_planes(Places.at_start(load("spheres_in_box").engine, {}, {}))
     corners = {tuple(np.round(corner, 9) + 0.0) for _, outline in walls.values() for corner in outline}
     assert len(walls) == 5 and all(len(outline) == 4 for _, outline in walls.values())
     assert corners == {(x, y, z) for x in (-0.05, 0.05) for y in (0.0, 0.091) for z in (-0.05, 0.05)}

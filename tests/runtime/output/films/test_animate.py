@@ -31,10 +31,11 @@ from hertzwerk.derive import (
     laws,
 )
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import build_hard_scene
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.picture import PANEL
 from hertzwerk.runtime.output.drawings.places import Places
@@ -48,12 +49,12 @@ from hertzwerk.runtime.output.plots.plot_style import CYCLE, VERMILLION
 
 @pytest.fixture(scope="module")
 def ball():
-    return simulate(load("bouncing_ball"), duration="0.6 s", tolerance=1e-6)
+    return simulate(engine_model("bouncing_ball"), duration="0.6 s", tolerance=1e-6)
 
 
 @pytest.fixture(scope="module")
 def crank():
-    return simulate(load("slider_crank"), duration="3 ms", tolerance=1e-6)
+    return simulate(engine_model("slider_crank"), duration="3 ms", tolerance=1e-6)
 
 
 def stage_of(run, frames) -> Stage:
@@ -214,7 +215,7 @@ def test_friction_that_holds_a_body_has_its_arrow_too():
 
 @pytest.mark.parametrize("name", ["slider_crank", "two_spheres", "bouncing_ball", "translational_clearance"])
 def test_contact_points_and_directions_by_hand(name):
-    model = load(name)
+    model = engine_model(name)
     initial = {"guide.travel": "169.6 mm"} if name == "slider_crank" else {}
     parts = Drawing.of(Places.at_start(model, {}, initial), PANEL).parts
     kinds = dict(model.module.PAIRS)
@@ -257,7 +258,7 @@ def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
     start = Start(position={"ball_guide": h / 2 + r, "block_guide": h})
     scales = Scales(length=r, speed=Parameter("pace", "m/s", 0.1))
     run = simulate(
-        load(Scene(Mechanism("solids", joints, pairs), effects, scales, start)), duration="5 ms", tolerance=1e-6
+        engine_model(Scene(Mechanism("solids", joints, pairs), effects, scales, start)), duration="5 ms", tolerance=1e-6
     )
     stage = stage_of(run, 5)
     stage.show(3)

@@ -9,9 +9,10 @@ from matplotlib import _constrained_layout
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.cli import run_folder
 from hertzwerk.runtime.engine.start import ideal_mechanism
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.plots import curves, save_figure
 from hertzwerk.runtime.output.plots.arrangement import Arrangement
 from hertzwerk.runtime.system import forked_tasks as processes
@@ -19,7 +20,7 @@ from hertzwerk.runtime.system import forked_tasks as processes
 
 @pytest.fixture(scope="module")
 def crank():
-    return simulate(load("slider_crank"), duration="24 ms", tolerance=1e-6)
+    return simulate(engine_model("slider_crank"), duration="24 ms", tolerance=1e-6)
 
 
 @pytest.fixture
@@ -87,7 +88,7 @@ def test_the_ideal_mechanism_is_assembled_as_often_as_a_picture_needs(crank, mon
         missed = np.abs(getattr(found, part) - getattr(exact, part)) / np.ptp(getattr(exact, part), axis=0)
         assert np.max(missed) < 1e-6  # of a deviation, which is 1/200 of a motion, a picture shows 1/1000
     times.clear()
-    long = simulate(load("slider_crank"), duration="0.4 s", tolerance=1e-4)  # 33 revolutions
+    long = simulate(engine_model("slider_crank"), duration="0.4 s", tolerance=1e-4)  # 33 revolutions
     assert curves.Curves._sampled(long).ideal is not None
     assert len(times) == sum(curves.KNOTS)
 

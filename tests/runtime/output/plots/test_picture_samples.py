@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, simulate
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.plots import picture_samples
 from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
 from hertzwerk.runtime.output.plots.picture_samples import between
@@ -16,7 +17,7 @@ EYE = 3e-3  # of a curve's range
 @pytest.fixture(scope="module")
 def crank():
     """16,000 steps, long ones in flights and short ones in contact."""
-    return simulate(load("slider_crank"), duration="0.2 s", tolerance=1e-9)
+    return simulate(engine_model("slider_crank"), duration="0.2 s", tolerance=1e-9)
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +65,7 @@ def test_the_first_impact_of_a_saved_run_is_no_polygon(crank, saved):
     "scene", ["double_pendulum", "ball_in_socket", "two_spheres", "journal_lubricated", "tippe_top"]
 )
 def test_every_history_of_a_saved_run_is_near_the_motion(scene, tmp_path):
-    run = simulate(load(scene), duration="20 ms" if scene == "journal_lubricated" else "0.3 s", tolerance=1e-8)
+    run = simulate(engine_model(scene), duration="20 ms" if scene == "journal_lubricated" else "0.3 s", tolerance=1e-8)
     kept = Solution.load(run.save(tmp_path / "run.npz"))
     times = np.linspace(0, run.t_end, 3001)
     true, found = run.at(times), between(kept, times)

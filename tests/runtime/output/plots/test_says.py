@@ -122,7 +122,7 @@ def test_titles_name_what_differs_from_the_scene(crank, monkeypatch):
         assert said in texts(figure)
         assert "crank_speed" not in texts(figure)
     assert "=" not in title.differences(crank)
-    assert "clearance = 0.1 mm" in texts(run.model.draw(parameters={"clearance": "0.1 mm"}))
+    assert "clearance = 0.1 mm" in texts(load(run.model).draw(parameters={"clearance": "0.1 mm"}))
     monkeypatch.setattr(plot_panel, "differences", lambda _: "")
     assert said not in texts(run.plot())  # it is the title that tells
 

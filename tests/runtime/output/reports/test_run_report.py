@@ -7,9 +7,10 @@ import pytest
 from click.testing import CliRunner
 from pages import Outline
 
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.model.build import scene_from
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.reports import run_report
 from hertzwerk.runtime.system.digests import sealed
 
@@ -19,7 +20,7 @@ UNPRINTABLE = f"{HOSTILE}\x00\ud800"
 
 @pytest.fixture(scope="module")
 def ball():
-    return simulate(load("soft_ball"), duration="1 s", accuracy=1e-6, parameters={"drop_height": "0.5 m"})
+    return simulate(engine_model("soft_ball"), duration="1 s", accuracy=1e-6, parameters={"drop_height": "0.5 m"})
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +70,7 @@ def test_two_pages_of_a_run_are_the_same(ball, page):
 
 
 def test_hostile_texts_stay_texts(ball):
-    model = load(scene_from("soft_ball").named("soft_ball", HOSTILE))
+    model = engine_model(scene_from("soft_ball").named("soft_ball", HOSTILE))
     run = simulate(model, duration="0.5 s", tolerance=1e-6)
     outcome = replace(run.outcome, name="event_limit", message=UNPRINTABLE, remedy=UNPRINTABLE)
     run = replace(run, warnings=(UNPRINTABLE,), outcome=outcome)
@@ -114,7 +115,7 @@ def test_saved_runs_have_equations_where_their_declaration_is_at_hand(ball, tmp_
     alone = Outline(page)
     assert "math" not in alone.texts
     assert any("holds no declaration of its scene" in text for text in alone.texts["p"])
-    assert len(Outline(run_report.run_page(saved, model=load("soft_ball"))).texts["math"]) > 20
+    assert len(Outline(run_report.run_page(saved, model=engine_model("soft_ball"))).texts["math"]) > 20
     assert saved.report(tmp_path / "x.html").read_text("utf-8") == page
     with pytest.raises(FileExistsError, match="exists"):
         saved.report(tmp_path / "x.html")

@@ -199,11 +199,13 @@ def test_every_kind_of_history_has_a_meaning_of_its_own():
     models = [load(name) for name in ("slider_crank", "ball_in_socket", "bricard", "journal_lubricated")]
     for model in models:
         found = simulate(model, duration=1e-6, tolerance=1e-3)
-        meanings = [meaning_of(model, name) for name in ("t", *found)]
+        meanings = [meaning_of(model.engine, name) for name in ("t", *found)]
         assert len(set(meanings)) == len(meanings)
-    assert meaning_of(models[0], "slider_pin.eccentricity_y") == "eccentricity in the bush's axes, of slider_pin, y"
-    assert meaning_of(models[2], "hinge_f.moment_y") == "moment that holds the closed loop of hinge_f, y"
-    assert meaning_of(models[0], "guide.acceleration") == "acceleration of guide"
+    assert (
+        meaning_of(models[0].engine, "slider_pin.eccentricity_y") == "eccentricity in the bush's axes, of slider_pin, y"
+    )
+    assert meaning_of(models[2].engine, "hinge_f.moment_y") == "moment that holds the closed loop of hinge_f, y"
+    assert meaning_of(models[0].engine, "guide.acceleration") == "acceleration of guide"
 
 
 @pytest.mark.parametrize(

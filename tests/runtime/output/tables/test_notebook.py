@@ -85,7 +85,7 @@ def test_a_model_shows_its_start_and_its_parameters():
     page = Cells(model._repr_html_())
     assert not page.open
     assert page.tags.count("img") == 1
-    assert {*model.parameters, *(name for name, _, _ in model.module.EFFECTS)} < set(page.texts)
+    assert {*model.parameters, *(name for name, _, _ in model.engine.module.EFFECTS)} < set(page.texts)
 
 
 @pytest.mark.parametrize("name", LAWS)

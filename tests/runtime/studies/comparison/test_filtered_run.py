@@ -5,7 +5,8 @@ import pytest
 from scipy import signal
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 from hertzwerk.runtime.studies.comparison.instrument import Instrument
 
@@ -15,7 +16,7 @@ NAME = "floor.normal_force"
 @pytest.fixture(scope="module")
 def ball():
     """A ball that falls for 0.45 s and touches for 0.17 ms."""
-    return simulate(load("bouncing_ball"), duration="0.47 s", tolerance=1e-9)
+    return simulate(engine_model("bouncing_ball"), duration="0.47 s", tolerance=1e-9)
 
 
 def filtered(run, times, instrument):

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import MeasuredImpacts, Measurement, fit, load, simulate
+from hertzwerk.runtime import MeasuredImpacts, Measurement, fit, simulate
+from hertzwerk.runtime.loading import engine_model
 
 SEEDS = 200
 HELD = range(179, 199)  # of 200 intervals of 95 %: binomial, 0.4 % of right ones lie below or above
@@ -36,7 +37,7 @@ def measured(run, noise, at, rng):
 @pytest.mark.exhaustive
 @pytest.mark.parametrize("scene", SCENES)
 def test_intervals_hold_the_truth_as_often_as_they_say(scene):
-    model, (true, free, noise, at) = load(scene), SCENES[scene]
+    model, (true, free, noise, at) = engine_model(scene), SCENES[scene]
     if noise is None:
         noise = dict.fromkeys(model.speeds, 5e-3)
     duration = 2.0 if isinstance(at, int) else float(at[-1]) * 1.0001
@@ -62,7 +63,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(scene):
 @pytest.mark.exhaustive
 def test_data_of_another_law_are_rejected():
     """Force of a ball with Tsuji's damping, fitted with that of Flores: its shape differs by three times the noise."""
-    model, other = load("bouncing_ball"), load("bouncing_ball", laws={"floor": "tsuji"})
+    model, other = engine_model("bouncing_ball"), engine_model("bouncing_ball", laws={"floor": "tsuji"})
     at, how = (
         np.linspace(0.4516, 0.4545, 60),
         {"free": {"restitution": (0.05, 1), "stiffness": "3e7..5e8 N/m^1.5 log"}, "map": {"f": "floor.normal_force"}},

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit, load, read_impacts, simulate
+from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit, read_impacts, simulate
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.fitting.fitting import read_fit
 from hertzwerk.runtime.studies.fitting.impact_numbers import of_impacts
 
@@ -17,12 +18,12 @@ PUBLISHED = {0.9: (9.090298887, 8.263743089, 7.512142692), 0.5: (6.629838391, 4.
 
 @pytest.fixture(scope="module")
 def walls():
-    return load("ball_between_walls")
+    return engine_model("ball_between_walls")
 
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 def heights(run, *, noise=1e-3, seed=0, end=None, count=60):

@@ -5,7 +5,8 @@ import pytest
 from scipy.stats import norm
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit_laws, load, simulate
+from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit_laws, simulate
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.fitting.fitting import read_fit
 from hertzwerk.runtime.studies.fitting.law_ranking import ranked, split_laws
 
@@ -20,7 +21,7 @@ HOW = {
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 def drops(model, heights=(0.4, 0.8, 1.2)):

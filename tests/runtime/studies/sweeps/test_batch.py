@@ -17,7 +17,8 @@ import pytest
 from handmade import point
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate, simulate_many
+from hertzwerk.runtime import simulate, simulate_many
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.simulation import solving
 
 HEIGHTS = [f"{1.5 - 0.1 * i:.1f} m" for i in range(7)]
@@ -26,7 +27,7 @@ SETTINGS = {"duration": "3 s", "tolerance": 1e-8}
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(autouse=True)
@@ -132,7 +133,7 @@ def test_a_typographic_minus_is_a_minus_and_a_key_that_is_no_text_a_row(ball, wo
 
 
 def _refused(height):
-    return simulate(load("bouncing_ball"), duration="1 s", parameters={"drop_height": height})
+    return simulate(engine_model("bouncing_ball"), duration="1 s", parameters={"drop_height": height})
 
 
 def test_errors_come_whole_from_other_processes():
@@ -151,7 +152,8 @@ def test_batches_in_threads_side_by_side(ball):
     code = """
 import multiprocessing, threading
 multiprocessing.set_start_method("forkserver")
-from hertzwerk.runtime import load, simulate, simulate_many
+from hertzwerk.runtime import simulate, simulate_many
+from hertzwerk.runtime.loading import engine_model
 ball, sets = load("bouncing_ball"), [{"drop_height": f"{0.5 + 0.01 * i} m"} for i in range(12)]
 def batch():
     sweep = simulate_many(ball, sets, duration="2 s", tolerance=1e-8, workers=2, compiled=False)
@@ -170,7 +172,8 @@ for thread in threads: thread.join()
 SHARES_NOTHING = """
 import multiprocessing, os, sys
 import numpy as np
-from hertzwerk.runtime import load, sweep
+from hertzwerk.runtime import sweep
+from hertzwerk.runtime.loading import engine_model
 def highest(run):
     return float(run["vertical.travel"].max())
 def process(run):
@@ -203,7 +206,8 @@ def test_processes_that_share_nothing_give_the_same_rows(start, tmp_path):
 def test_workers_end_with_a_parent_that_is_killed(ending):
     code = """
 import os, time
-from hertzwerk.runtime import load, simulate_many
+from hertzwerk.runtime import simulate_many
+from hertzwerk.runtime.loading import engine_model
 def tell(run):
     os.write(1, f"{os.getpid():10}\\n".encode())
     time.sleep(600 if run.initial["vertical.speed"] else 0)
@@ -327,7 +331,9 @@ def test_sets_name_the_joints_states_in_absolute_coordinates_too():
     angles = [0.2, 0.4]
     sets = [{"shoulder.angle": f"{angle} rad", "length": "0.5 m"} for angle in angles]
     tree, absolute = (
-        simulate_many(load("double_pendulum", coordinates=kind), sets, duration="0.1 s", tolerance=1e-9, workers=1)
+        simulate_many(
+            engine_model("double_pendulum", coordinates=kind), sets, duration="0.1 s", tolerance=1e-9, workers=1
+        )
         for kind in (None, "absolute")
     )
     assert list(absolute["outcome"]) == ["finished"] * 2

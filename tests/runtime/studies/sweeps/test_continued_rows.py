@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Sweep, load, simulate, sweep
+from hertzwerk.runtime import Sweep, simulate, sweep
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import sweep_store
 
 CRANK = {
@@ -20,12 +21,12 @@ OVER = {"crank_speed": "3000..5000 rpm:4"}
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 def test_a_contact_in_progress_goes_on_as_it_was():
     """Cut within a contact, the motion goes on as the whole one, if the approach speed is handed over; not without."""
-    ball, how = load("bouncing_ball"), {"tolerance": 1e-11, "compiled": False}
+    ball, how = engine_model("bouncing_ball"), {"tolerance": 1e-11, "compiled": False}
     whole = simulate(ball, duration="0.6 s", **how)
     impact = whole.impacts[0]
     cut = impact.t + impact.duration * 0.3

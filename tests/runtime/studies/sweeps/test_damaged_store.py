@@ -15,8 +15,9 @@ import pytest
 from click.testing import CliRunner
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Sweep, load, sweep
+from hertzwerk.runtime import Sweep, sweep
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import stored_rows, sweep_store
 
 ROWS = 10
@@ -29,7 +30,7 @@ HOW = {
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")

@@ -14,9 +14,10 @@ from benchmarks import rows
 from click.testing import CliRunner
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Sweep, load, sweep
+from hertzwerk.runtime import Sweep, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import parameter_sweep, stored_rows, sweep_store, sweep_table
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design, read_design
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import Keys, as_text, axes_of, design_of, read_definition
@@ -28,7 +29,7 @@ BALL = {"duration": "0.1 s", "tolerance": 1e-6, "compiled": False}
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture

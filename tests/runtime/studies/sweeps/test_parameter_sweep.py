@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate, sweep
+from hertzwerk.runtime import simulate, sweep
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Needs, known
 
 BALL = {"duration": "2 s", "tolerance": 1e-9}
@@ -15,12 +16,12 @@ CRANK = {"duration": "240 ms", "tolerance": 1e-6}
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 @pytest.mark.parametrize("workers", [1, 2])
@@ -111,7 +112,7 @@ def test_impulse_and_work_obey_the_balances_of_momentum_and_energy(ball):
 
 def test_reducers_of_a_history_have_their_closed_forms():
     """A ball thrown up that flies freely: a parabola."""
-    ball, speed, gravity, seconds = load("bouncing_ball"), 3.0, 9.81, 0.5
+    ball, speed, gravity, seconds = engine_model("bouncing_ball"), 3.0, 9.81, 0.5
     names = [f"vertical.travel.{kind}" for kind in ("max", "min", "mean", "rms", "peak_to_peak")]
     start = {"vertical.travel": "10 m", "gravity": "9.81 m/s^2"}
     (row,) = sweep(

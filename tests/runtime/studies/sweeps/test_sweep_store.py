@@ -19,7 +19,8 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.equations.inverse_dynamics import derived_histories
 from hertzwerk.derive.expressions.algebra.vectors import dot
 from hertzwerk.derive.scenes import pendulum
-from hertzwerk.runtime import Sweep, load, sweep
+from hertzwerk.runtime import Sweep, sweep
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import batch, sweep_store
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.rows.row import Row
@@ -31,7 +32,7 @@ OVER = {"drop_height": "0.5..1.5 m:5"}
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture
@@ -129,18 +130,26 @@ def test_readings_that_are_derived_otherwise_are_computed_anew(tmp_path, monkeyp
     """Their formulas are no part of the model's text: a row of theirs is that of the formulas that it was computed by."""
     over, how = {"length": "1, 2 m"}, {"duration": "0.1 s", "workers": 1, "compiled": False}
     before, other = (
-        sweep(load(pendulum.scene), over, outputs=[name], into=tmp_path / name, **how)
+        sweep(engine_model(pendulum.scene), over, outputs=[name], into=tmp_path / name, **how)
         for name in ("bob.speed.max", "hinge.angle.max")
     )
     monkeypatch.setattr(derived_histories, "dot", lambda a, b: 4 * dot(a, b))
     with pytest.raises(InputError, match="readings"):
-        sweep(load(pendulum.scene), over, outputs=["bob.speed.max"], into=tmp_path / "bob.speed.max", **how)
+        sweep(engine_model(pendulum.scene), over, outputs=["bob.speed.max"], into=tmp_path / "bob.speed.max", **how)
     now = sweep(
-        load(pendulum.scene), over, outputs=["bob.speed.max"], into=tmp_path / "bob.speed.max", widen=True, **how
+        engine_model(pendulum.scene),
+        over,
+        outputs=["bob.speed.max"],
+        into=tmp_path / "bob.speed.max",
+        widen=True,
+        **how,
     )
     np.testing.assert_allclose(now["bob.speed.max"], 2 * before["bob.speed.max"], rtol=1e-12)
     same(
-        other, sweep(load(pendulum.scene), over, outputs=["hinge.angle.max"], into=tmp_path / "hinge.angle.max", **how)
+        other,
+        sweep(
+            engine_model(pendulum.scene), over, outputs=["hinge.angle.max"], into=tmp_path / "hinge.angle.max", **how
+        ),
     )
 
 
@@ -418,7 +427,10 @@ def test_rows_that_are_stored_ten_at_a_time_would_be_found_missing(tmp_path):
 
 def test_definitions_are_plain_and_say_where_they_come_from(ball, tmp_path):
     sweep(
-        load("bouncing_ball", laws={"floor": "hunt_crossley"}), {"mass": "0.1..0.2 kg:2"}, into=tmp_path / "a", **BALL
+        engine_model("bouncing_ball", laws={"floor": "hunt_crossley"}),
+        {"mass": "0.1..0.2 kg:2"},
+        into=tmp_path / "a",
+        **BALL,
     )
     told = json.loads((tmp_path / "a" / sweep_store.DEFINITION).read_text())
     assert (told["target"], told["laws"]) == ("bouncing_ball", {"floor": "hunt_crossley"})

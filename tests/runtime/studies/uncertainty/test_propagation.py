@@ -16,9 +16,9 @@ from hertzwerk.runtime import (
     TruncatedNormal,
     Uniform,
     fit,
-    load,
     propagate,
 )
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.uncertainty import propagation_result
 from hertzwerk.runtime.studies.uncertainty.correlated import correlated_parts, covariance
 
@@ -28,7 +28,7 @@ G = 9.81
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +133,7 @@ def test_the_same_seed_gives_the_same_and_a_folder_is_gone_on_with(ball, tmp_pat
 
 
 def test_a_duration_that_is_uncertain_has_no_derivative_of_its_own():
-    crank = load("slider_crank")
+    crank = engine_model("slider_crank")
     found = propagate(crank, {"crank_speed": Normal("5000 rpm", "10 rpm")}, ["final.guide.travel"], sample=8, indices=False,
                       duration="0.01 rev", tolerance=1e-6, workers=1)  # fmt: skip
     assert "duration" in found["final.guide.travel"].reason

@@ -38,7 +38,8 @@ from hertzwerk.derive import (
     speed_of,
     state_of,
 )
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 J, R, L, K, V = 1e-3, 2.0, 5e-3, 0.1, 24.0  # kg m^2, ohm, H, N m/A, V
 ROTOR = Body("rotor", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", J))
@@ -69,7 +70,7 @@ def step_response(t, resistance=R):
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", "auto", "cvodes"])
 def test_a_motor_switched_on(method, coordinates):
     """Two time constants, the speed without load V/k, and an energy balance that closes; a resistance 1e-4 off shows."""
-    run = simulate(load(shaft(motor(), coordinates=coordinates)), duration=1.0, tolerance=1e-8, method=method)
+    run = simulate(engine_model(shaft(motor(), coordinates=coordinates)), duration=1.0, tolerance=1e-8, method=method)
     assert run.outcome.finished
     found = np.array([run["motor.current"] / (V / R), run["main.speed"] / (V / K)])
     size = np.array([[V / R], [V / K]])
@@ -87,7 +88,7 @@ def test_a_motor_switched_on(method, coordinates):
 
 def test_a_stiff_current_is_passed_by_implicit_steps():
     """L/R of a microsecond beside a mechanical time constant of 0.2 s: auto and the implicit methods take few steps."""
-    model = load(shaft(motor()))
+    model = engine_model(shaft(motor()))
     given = {"duration": 0.5, "tolerance": 1e-6, "parameters": {"L": "2e-3 mH"}}
     runs = {method: simulate(model, method=method, **given) for method in ("esdirk", "rodas", "auto", "dopri5")}
     steps = {method: run.statistics.steps for method, run in runs.items()}
@@ -100,7 +101,9 @@ def test_a_stiff_current_is_passed_by_implicit_steps():
 
 def test_a_current_that_a_jolted_crank_drives_is_not_taken_for_stiff():
     """R/L is 500/s; at impacts the current's rate follows the crank's speed, which changes much faster."""
-    run = simulate(load("slider_crank_dc_motor"), duration="6 ms", tolerance=1e-9, method="auto", compiled=False)
+    run = simulate(
+        engine_model("slider_crank_dc_motor"), duration="6 ms", tolerance=1e-9, method="auto", compiled=False
+    )
     assert len(run.impacts) >= 2
     assert not run.history.part("pressure").any()
 
@@ -116,7 +119,9 @@ def test_a_controlled_speed_of_second_order():
         Parameter("Ki", "N m/rad", Ki),
         "N m",
     )
-    run = simulate(load(shaft(JointForce("drive", "main", control.command), control)), duration=0.5, tolerance=1e-10)
+    run = simulate(
+        engine_model(shaft(JointForce("drive", "main", control.command), control)), duration=0.5, tolerance=1e-10
+    )
     decay, natural = Kp / (2 * J), np.sqrt(Ki / J)
     omega = np.sqrt(natural**2 - decay**2)
     e = w * np.exp(-decay * run.t) * (np.cos(omega * run.t) - decay / omega * np.sin(omega * run.t))
@@ -131,7 +136,7 @@ def sampled(period, duration=0.1999, **given):
     )
     drag = JointDamper("drag", "main", Parameter("b", "N m s/rad", 0.01))
     return simulate(
-        load(shaft(JointForce("drive", "main", control.command), drag, control)), duration=duration, **given
+        engine_model(shaft(JointForce("drive", "main", control.command), drag, control)), duration=duration, **given
     )
 
 
@@ -232,7 +237,7 @@ def relay(hysteresis, tolerance=1e-8, method="auto", **limits):
         ),
         SMALL,
     )
-    return simulate(load(scene), duration=1.0, tolerance=tolerance, method=method, **limits)
+    return simulate(engine_model(scene), duration=1.0, tolerance=tolerance, method=method, **limits)
 
 
 @pytest.mark.parametrize("method", ["auto", "esdirk", "cvodes"])
@@ -263,7 +268,7 @@ def test_events_follow_each_other_at_one_instant():
     first = Latch("first", "slide", 1 - speed_of("slide") / Parameter("limit", "m/s", 1.0))
     second = Latch("second", "slide", 0.5 - state_of("first.closed"))
     push = JointForce("push", "slide", Parameter("push", "N", 4) * (1 - state_of("second.closed")))
-    run = simulate(load(Scene(SLED, (first, second, push), SMALL)), duration=1.0, tolerance=1e-8)
+    run = simulate(engine_model(Scene(SLED, (first, second, push), SMALL)), duration=1.0, tolerance=1e-8)
     assert run["first.closed"].tolist() == run["second.closed"].tolist()
     closes = run.t[np.argmax(run["second.closed"] > 0)]
     assert closes == pytest.approx(0.5, rel=1e-9)  # 4 N on 2 kg reach 1 m/s
@@ -288,7 +293,8 @@ def test_events_between_impacts():
         Start(position={"slide": Parameter("height", "m", 0.012)}, speed={"slide": Parameter("thrown", "m/s", -0.4)}),
     )
     runs = {
-        method: simulate(load(scene), duration=1.0, tolerance=1e-9, method=method) for method in ("dop853", "esdirk")
+        method: simulate(engine_model(scene), duration=1.0, tolerance=1e-9, method=method)
+        for method in ("dop853", "esdirk")
     }
     for run in runs.values():
         assert run.outcome.finished
@@ -315,7 +321,7 @@ def test_the_rate_of_a_state_has_its_unit_each_second():
 
     wrong = Wrong("relay", "slide", Parameter("thrust", "N", 3), Parameter("h", "m/s", 0.1))
     with pytest.raises(InputError, match="expected W/m"):
-        load(Scene(SLED, (wrong,), SMALL))
+        engine_model(Scene(SLED, (wrong,), SMALL))
 
 
 @pytest.mark.parametrize(
@@ -329,7 +335,9 @@ def test_the_rate_of_a_state_has_its_unit_each_second():
 def test_states_that_are_not_declared_or_not_used(change, message):
     wrong = type("Wrong", (SpeedRelay,), change)
     with pytest.raises(InputError, match=message):
-        load(Scene(SLED, (wrong("relay", "slide", Parameter("thrust", "N", 3), Parameter("h", "m/s", 0.1)),), SMALL))
+        engine_model(
+            Scene(SLED, (wrong("relay", "slide", Parameter("thrust", "N", 3), Parameter("h", "m/s", 0.1)),), SMALL)
+        )
 
 
 def test_bad_motors_and_controllers_are_told_at_once():

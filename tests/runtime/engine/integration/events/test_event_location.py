@@ -10,10 +10,11 @@ from handmade import point
 from numpy.polynomial import Polynomial
 from scipy.integrate import solve_ivp
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.events.event_location import LANDING, NO_EVENT, endings, locate, tolerances
 from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
 
@@ -209,7 +210,7 @@ def test_a_contact_that_hardly_reaches_its_surface_goes_on_in_time(method):
 
 def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():
     """60 N falling to -11 N in 59 us, with rates of stiff damping that no cubic fits: as found where a landing took more than 60 retakes."""
-    model = load("bouncing_ball")
+    model = engine_model("bouncing_ball")
     vectors = layouts(model)
     force = endings(model, vectors)
     h = 5.9e-5
@@ -248,7 +249,7 @@ def test_a_graze_that_is_not_in_doubt_does_not_halve_the_step():
 
 def test_a_force_is_not_located_within_what_one_rounding_moves_it():
     """Of a coordinate of 1 m by the contact's stiffness, however stiff, and of the time; else within the tolerance."""
-    model = load("bouncing_ball")
+    model = engine_model("bouncing_ball")
     history = simulate(model, duration="1 ms", tolerance=1e-9, initial={"vertical.travel": "1 m"}).history
     vectors = layouts(model)
     at, run = vectors.state.split(ca.DM(history.rows[0])), vectors.controls.split(ca.DM(history.controls))

@@ -8,11 +8,12 @@ from balls import MASS, ball, dry
 from bodies_on_planes import body_of, run
 from each import each
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.loop.turning_slip import FOLLOWED, PASSING, implicit_near_rest, turning_rate
 from hertzwerk.runtime.engine.integration.step.layout import CALM, FINISHED, RUNNING, SUSPECT, layouts
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import dopri5
 from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import esdirk54
+from hertzwerk.runtime.loading import engine_model
 
 MU, SPEED = 0.2, 1.0
 
@@ -20,7 +21,7 @@ MU, SPEED = 0.2, 1.0
 @pytest.fixture(scope="module")
 def sliding():
     """The rows of a ball that slides and comes to roll, the run's controls, and its model."""
-    model = load(ball(dry(MU)))
+    model = engine_model(ball(dry(MU)))
     history = simulate(model, duration="0.2 s", tolerance=1e-8, initial={"flight.x_speed": f"{SPEED} m/s"}).history
     return model, history.rows, history.controls
 

@@ -32,10 +32,11 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.laws import coulomb, flores, kelvin_voigt, power
 from hertzwerk.derive.scenes import slider_crank
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.step import implicit_step
 from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(7)  # methods and sizes that run the same code
 
@@ -54,7 +55,7 @@ def dry(name="", mu_k=MU_K, mu_s=MU_S):
 @cache
 def built(scene, *given, **options):
     """The model of a scene, derived once."""
-    return load(scene(*given, **options))
+    return engine_model(scene(*given, **options))
 
 
 DRY = dry()
@@ -445,7 +446,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
     sharp = slider_crank.scene.replace(
         slider_pin_friction=Friction("slider_pin_friction", "slider_pin", dry(mu_k=0.1, mu_s=0.1))
     )
-    model, smooth = load(sharp), load("slider_crank")
+    model, smooth = engine_model(sharp), engine_model("slider_crank")
     given = {"duration": "6 ms", "tolerance": 1e-8}
     runs = {method: simulate(model, method=method, **given) for method in ("dop853", "esdirk", "cvodes")}
     travel = runs["dop853"].final["guide.travel"]

@@ -10,10 +10,11 @@ from balls import GRAVITY, MASS, RADIUS, ball, dry
 from each import each
 from jacobians import check_jacobian, start_of
 
-from hertzwerk.runtime import equilibrium, load, simulate
+from hertzwerk.runtime import equilibrium, simulate
 from hertzwerk.runtime.engine.integration.events.slip_directions import settling
 from hertzwerk.runtime.engine.integration.step import implicit_step
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import solve_sticking
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(7)  # methods that run the same code
 
@@ -26,7 +27,7 @@ ROLLING = math.atan(7 / 2 * MU)  # rad: a ball on a steeper plane slides
 @cache
 def built(**options):
     """The model of a ball, derived once."""
-    return load(ball(dry(MU), **options))
+    return engine_model(ball(dry(MU), **options))
 
 
 # ---- a ball on an incline --------------------------------------------------------------------------------------------

@@ -12,7 +12,8 @@ from hertzwerk.derive import (  # fmt: skip
     Parameter,
 )
 from hertzwerk.derive.laws import lugre
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(7)  # methods and sizes that run the same code
 
@@ -30,7 +31,7 @@ def bristles(name="", s_0=S_0):
 
 @pytest.fixture(scope="module")
 def model():
-    return load(block(bristles()))
+    return engine_model(block(bristles()))
 
 
 @pytest.fixture(scope="module")

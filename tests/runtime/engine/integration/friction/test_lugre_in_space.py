@@ -36,8 +36,9 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.laws import LAWS, kelvin_voigt, lugre, power
 from hertzwerk.derive.laws.law import FrictionLaw, N, Quantity, s, z
-from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime import equilibrium, modes, simulate
 from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(6)  # methods and coordinates that run the same code
 
@@ -55,7 +56,7 @@ def bristles():
 @cache
 def built(**options):
     """The model of a ball, derived once."""
-    return load(ball(bristles(), **options))
+    return engine_model(ball(bristles(), **options))
 
 
 def level(speed):
@@ -157,7 +158,7 @@ def driven():
         Friction("rub", "floor", bristles()),
     )  # fmt: skip
     scales = Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius)
-    return load(
+    return engine_model(
         Scene(
             Mechanism("driven", joints, (pair,)),
             effects,
@@ -219,7 +220,7 @@ def two_balls(**coordinates):
         },
     )
     scales = Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius)
-    return load(
+    return engine_model(
         Scene(Mechanism("two_balls", (Free("flight", GROUND, upper),), (pair,)), effects, scales, start, **coordinates)
     )
 

@@ -39,7 +39,8 @@ from hertzwerk.derive import (
     Z,
 )
 from hertzwerk.derive.laws import power
-from hertzwerk.runtime import equilibrium, load, modes, simulate, sweep
+from hertzwerk.runtime import equilibrium, modes, simulate, sweep
+from hertzwerk.runtime.loading import engine_model
 
 BOTH = ("tree", "absolute")
 EXACT = 1e-9
@@ -55,7 +56,9 @@ def scene(joints, pairs, *effects, **start) -> Scene:
 
 
 def run(declared: Scene, coordinates: str = "tree", duration: float = 1.0, **options):
-    found = simulate(load(declared.with_coordinates(coordinates)), duration=duration, **{"tolerance": 1e-11, **options})
+    found = simulate(
+        engine_model(declared.with_coordinates(coordinates)), duration=duration, **{"tolerance": 1e-11, **options}
+    )
     assert found.outcome.finished
     assert found.energy_residual < EXACT
     assert max(np.max(np.abs(found[name])) for name in found.model.constraints) < EXACT
@@ -84,7 +87,7 @@ def test_a_wheel_rolls_downhill_at_two_thirds_of_g_sin(coordinates, method):
 def test_a_run_warns_where_friction_could_not_hold_it():
     """The wheel needs tan(slope)/3 = 0.141."""
     assert not run(wheel(0.15)).warnings
-    model = load(wheel(mu))
+    model = engine_model(wheel(mu))
     for slope in (0.4, -0.4):
         found = simulate(model, duration=1.0, parameters={"mu": 0.13, "slope": f"{slope} rad"}, tolerance=1e-9)
         (warning,) = found.warnings
@@ -140,7 +143,9 @@ def test_a_cylinder_rolls_in_a_trough_as_a_pendulum(trough):
     cosine, sine = -found["ride.y"] / 0.7, found["ride.x"] / 0.7
     assert found["rolls.normal_force"] == pytest.approx(2 * 9.81 * (7 * cosine - 4 * np.cos(1.2)) / 3, abs=1e-7)
     assert np.abs(found["rolls.friction_force"]) == pytest.approx(np.abs(2 * 9.81 * sine / 3), abs=1e-7)
-    assert modes(load(declared), parameters={"lift": "0 rad"}).frequencies[0] == pytest.approx(1 / (2 * np.pi * slow))
+    assert modes(engine_model(declared), parameters={"lift": "0 rad"}).frequencies[0] == pytest.approx(
+        1 / (2 * np.pi * slow)
+    )
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -232,7 +237,7 @@ def test_an_upright_disc_sways_as_fast_as_published(coordinates):
 
 
 def test_a_rolling_wheel_on_a_spring_rests_and_vibrates_as_one_of_half_again_the_mass():
-    found = equilibrium(load(wheel(None, JointSpring("tie", "ride.x", Parameter("k", "N/m", 300)))))
+    found = equilibrium(engine_model(wheel(None, JointSpring("tie", "ride.x", Parameter("k", "N/m", 300)))))
     assert found.q[0] == pytest.approx(2 * 9.81 * np.sin(0.4) / 300, rel=1e-9)
     assert modes(found).frequencies == pytest.approx([np.sqrt(300 / 3) / (2 * np.pi)], rel=1e-9)
 

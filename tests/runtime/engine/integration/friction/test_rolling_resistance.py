@@ -11,7 +11,8 @@ from balls import GRAVITY, MASS, RADIUS, ball, brake, dry
 
 from hertzwerk.derive import DrillingResistance, InputError, Parameter, RollingResistance, generate
 from hertzwerk.derive.laws import smooth_coulomb
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 ARM, PATCH, LAYER, MU = 3e-4, 1e-4, 1e-2, 0.2  # m, m, rad/s, 1
 DRILL = 3 * math.pi / 16 * MU * PATCH  # m, of Hertz's pressure
@@ -35,7 +36,7 @@ def scene(law, *more, **coordinates):
 
 @cache
 def model(law, coordinates="tree"):
-    return load(scene(law, rolling(), drilling(), coordinates=coordinates))
+    return engine_model(scene(law, rolling(), drilling(), coordinates=coordinates))
 
 
 def way(speed, rate):
@@ -112,7 +113,7 @@ def arm():
 def test_a_wheel_under_a_block_slows_down_and_turns_its_guide(coordinates):
     """By c N/I; what the block is turned with, its guide holds."""
     moment, spin = ARM * 2 * GRAVITY, 100
-    run = simulate(load(brake(arm()).with_coordinates(coordinates)), duration="1 s", tolerance=1e-8)
+    run = simulate(engine_model(brake(arm()).with_coordinates(coordinates)), duration="1 s", tolerance=1e-8)
     final = run.with_histories("axle.speed", "guide.reaction_moment_z", "drag.moment_z", "drag.power")
     left = final["axle.speed"][-1]
     assert left == pytest.approx(spin - moment / 1e-3, rel=1e-6)

@@ -26,7 +26,8 @@ from hertzwerk.derive import (
     reaction_of,
 )
 from hertzwerk.derive.laws import smooth_coulomb
-from hertzwerk.runtime import equilibrium, load, simulate
+from hertzwerk.runtime import equilibrium, simulate
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(7)  # methods that run the same code
 
@@ -56,14 +57,14 @@ def scene(*more, law=None, **coordinates):
 
 @cache
 def model(coordinates="tree"):
-    return load(scene(coordinates=coordinates))
+    return engine_model(scene(coordinates=coordinates))
 
 
 @cache
 def pushed():
     """The ball under a torque about the normal that grows with time."""
     body = ball(dry(MU)).mechanism.joints[0].child.body
-    return load(scene(BodyTorque("twist", body, (0, Parameter("rise", "N m/s", 1e-5) * T, 0))))
+    return engine_model(scene(BodyTorque("twist", body, (0, Parameter("rise", "N m/s", 1e-5) * T, 0))))
 
 
 def shot(speed, heading, spin):
@@ -167,7 +168,7 @@ def test_a_wheel_under_a_block_stops_and_holds_its_guide(coordinates):
     spin, inertia, normal = 20, 1e-3, 2 * GRAVITY
     drag = RollingResistance("drag", "rub", Parameter("arm", "m", ARM))
     push = JointForce("push", "axle", Parameter("push", "N m", 0))
-    built = load(brake(drag, push).with_coordinates(coordinates))
+    built = engine_model(brake(drag, push).with_coordinates(coordinates))
     given = {"spin": (spin, "rad/s"), "push": (-0.5 * ARM * normal, "N m")}
     run = simulate(built, duration="3 s", method="dop853", tolerance=1e-8, parameters=given)
     stops = spin * inertia / (1.5 * ARM * normal)
@@ -182,7 +183,7 @@ def test_a_wheel_under_a_block_stops_and_holds_its_guide(coordinates):
 def test_resistance_alone_has_modes_beside_smoothed_friction():
     """Sliding is then no mode, and its velocity no slip: the spin stops as before."""
     smooth = smooth_coulomb(Parameter("mu_k", "1", MU), Parameter("v_s", "m/s", 1e-3))
-    built = load(scene(law=smooth))
+    built = engine_model(scene(law=smooth))
     assert [name for name, *_ in built.slips] == ["rolling.turning_1", "rolling.turning_2", "drilling.turning"]
     spin = 0.2
     run = simulate(built, duration="0.8 s", method="rodas", tolerance=1e-7, parameters={"w_y": (spin, "rad/s")})
@@ -222,7 +223,7 @@ def test_a_load_by_the_normal_force_is_one_by_the_weight():
     """Friction changes no normal force: what rolls and rests beside a load by it moves as beside a known one."""
     body, lever = ball(dry(MU)).mechanism.joints[0].child.body, Parameter("lever", "m", 1e-4)
     runs = [
-        simulate(load(scene(BodyTorque("fed", body, (0, lever * force, 0)))), duration="50 ms", tolerance=1e-9, parameters={"v_x": (0.1, "m/s")})
+        simulate(scene(BodyTorque("fed", body, (0, lever * force, 0))), duration="50 ms", tolerance=1e-9, parameters={"v_x": (0.1, "m/s")})
         for force in (normal_force_of("floor"), Parameter("weight", "N", MASS * GRAVITY))
     ]  # fmt: skip
     one, other = (run.final["flight.x_speed"] for run in runs)

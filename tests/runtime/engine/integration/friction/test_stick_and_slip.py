@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.scenes.hard.hard_scenes import falling_chain
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.events import stick_and_slip
+from hertzwerk.runtime.loading import engine_model
 
 COUNT = 4
 
@@ -72,7 +73,7 @@ def test_a_chain_comes_to_rest(static):
         "restitution": 0.5,
     }
     given = {"duration": 1, "tolerance": 1e-6, "parameters": parameters, "compiled": False, "max_steps": 20_000}
-    run = simulate(load(falling_chain(3)), method="dopri5", **given)
+    run = simulate(engine_model(falling_chain(3)), method="dopri5", **given)
     changes = sum(int(np.sum(np.diff(run[f"corner_{i}.slip"]) != 0)) for i in range(4))
     assert run.outcome.finished
     assert changes < 400
@@ -81,7 +82,7 @@ def test_a_chain_comes_to_rest(static):
 
 def test_speeds_that_end_where_a_pair_sticks_are_booked():
     """Impulses that bring a pair to rest take energy: exactly what the ledger says."""
-    model = load(falling_chain(3))
+    model = engine_model(falling_chain(3))
     bound = model.bind()
     q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
     q[:] = [0, -1e-5 + 0.01, 0.0, 0.0, 0.0]

@@ -7,13 +7,14 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.loop import c_compilation, c_files
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.loop.c_compilation import Program, c_text
 from hertzwerk.runtime.engine.integration.loop.chunk import chunk
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.run.built_engine import compile_together
+from hertzwerk.runtime.loading import engine_model
 
 
 @pytest.fixture
@@ -27,7 +28,7 @@ def small(monkeypatch, tmp_path):
 @pytest.fixture(scope="module")
 def loop():
     """The function of a crank's attempts by a method."""
-    model = load("slider_crank_frictionless")
+    model = engine_model("slider_crank_frictionless")
 
     def made(method, called="chunk"):
         return chunk(integrator(model, tuple(table() for table in METHODS[method])), called=called)
@@ -43,7 +44,7 @@ def text(loop):
 
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_many_parts_in_many_files_give_the_same_bits(small, method):
-    model = load("slider_crank_frictionless")
+    model = engine_model("slider_crank_frictionless")
     settings = {"duration": "24 ms", "tolerance": 1e-7, "method": method}
     machine = simulate(model, compiled=False, **settings)
     native = simulate(model, compiled=True, **settings)
@@ -145,7 +146,7 @@ def test_what_is_compiled_together_gives_the_same_bits_and_is_not_compiled_again
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
     made, compile_files = [], c_compilation.compile_files
     monkeypatch.setattr(c_compilation, "compile_files", lambda *given: made.append(1) or compile_files(*given))
-    model, settings = load("slider_crank_frictionless"), {"duration": "24 ms", "tolerance": 1e-7}
+    model, settings = engine_model("slider_crank_frictionless"), {"duration": "24 ms", "tolerance": 1e-7}
     machine = {method: simulate(model, method=method, compiled=False, **settings) for method in ("dopri5", "dop853")}
     compile_together([(model, method) for method in machine])
     for method, run in machine.items():

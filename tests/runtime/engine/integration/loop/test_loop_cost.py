@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.loop.chunk import chunk
 from hertzwerk.runtime.engine.integration.loop.method_choice import Choosing
@@ -17,6 +17,7 @@ from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.model.caller import Caller
 from hertzwerk.runtime.engine.run.recorder import Recorder
 from hertzwerk.runtime.engine.run.single_run import SingleRun
+from hertzwerk.runtime.loading import engine_model
 
 FLIGHT, CONTACT = (), (0,)
 BEYOND = {FLIGHT: 590, CONTACT: 757}  # operations of a dop853 step, most for sums of slopes and two error norms
@@ -36,7 +37,7 @@ def beyond_evaluations(model, contacts, choosing=Choosing.NONE):
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank_frictionless", without=("energy_ledger",))
+    return engine_model("slider_crank_frictionless", without=("energy_ledger",))
 
 
 @pytest.mark.parametrize("contacts", BEYOND)

@@ -9,7 +9,7 @@ import pytest
 from handmade import point
 
 from hertzwerk.derive.scenes.ball_bearing import bearing
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.events import event_location
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.loop.plain_attempt import advance, no_event_of_any_pair
@@ -21,6 +21,7 @@ from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import esdirk54, rodas5p
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 from reference import closed_forms, scenes
 
 pytestmark = pytest.mark.by_turns(5)  # methods and sizes that run the same code
@@ -30,7 +31,7 @@ APART, CLOSE = "1 mm", "0.1 um"  # gaps between neighbours; an impact is about 1
 
 @cache
 def row(n):
-    return load(scenes.row(n))
+    return engine_model(scenes.row(n))
 
 
 def hit(model, gap, **options):
@@ -63,14 +64,14 @@ def test_a_class_for_each_pair_changes_no_number(monkeypatch, method, gap):
 
 def test_a_pair_out_of_contact_costs_no_operation_of_a_stage():
     """Guards that nothing reaches: a stage in contact does what it does without them, and sets the rates of their ledgers to zero."""
-    bare, guarded = (load(scenes.guarded_crank(guards)) for guards in (0, 3))
+    bare, guarded = (engine_model(scenes.guarded_crank(guards)) for guards in (0, 3))
     operations = [flow(model, (0,)).rates.n_instructions() for model in (bare, guarded)]
     assert operations[1] - operations[0] == guarded.nz - bare.nz == 3
 
 
 def test_reactions_of_a_drive_beside_many_contacts_are_those_of_pairs_written_out():
     """They depend on the forces of the pairs that touch: with 24 pairs the bearing's loop was not built, nor with 48 that of its flight."""
-    model = load(bearing(12, "bearing_12"))
+    model = engine_model(bearing(12, "bearing_12"))
     assert calls_parts(model)
     random = np.random.default_rng(36)
     y = random.uniform(-1e-3, 1e-3, model.nq + model.nu + model.nz)
@@ -93,7 +94,7 @@ def operations(function):
 
 def test_a_pair_far_from_contact_costs_no_event_polynomial(monkeypatch):
     """A guard more adds to a step what it takes to see that it is far, less than a polynomial; that is left to a function called where it is not."""
-    models = [load(scenes.guarded_crank(guards)) for guards in (1, 3)]
+    models = [engine_model(scenes.guarded_crank(guards)) for guards in (1, 3)]
     (table,) = (table() for table in METHODS["dop853"])
 
     def each(make):
@@ -112,7 +113,7 @@ def test_a_pair_far_from_contact_costs_no_event_polynomial(monkeypatch):
 
 def test_far_means_clear():
     """At random gaps, rates and accelerations: no pair that is far may have an event, or doubt of one; and many are neither far nor clear."""
-    model = load(scenes.guarded_crank(3))
+    model = engine_model(scenes.guarded_crank(3))
     vectors = layouts(model)
     parts = (vectors.state, vectors.controls, vectors.state)
     given = [part.symbol(name) for part, name in zip(parts, ("state", "controls", "next"), strict=True)]
@@ -156,7 +157,7 @@ def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
     """Every result of each pair's contact goes through an operation of its own: those of the pairs that touch are in the step, and no others."""
     functions = {ca.OP_ERF: ca.erf, ca.OP_ASINH: ca.asinh, ca.OP_ATANH: ca.atanh}
     module = ModuleType("marked")
-    module.__dict__.update(load("slider_crank_three_clearances").module.__dict__)
+    module.__dict__.update(engine_model("slider_crank_three_clearances").module.__dict__)
     names = [name for name, _ in module.PAIRS]
 
     def marked(contact, mark):

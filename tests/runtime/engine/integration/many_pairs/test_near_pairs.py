@@ -4,11 +4,13 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive import InputError
-from hertzwerk.runtime import Model, load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.loop import near_list
 from hertzwerk.runtime.engine.integration.many_pairs import near_pairs
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import near_model
 from hertzwerk.runtime.engine.integration.step.layout import layouts
+from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 from reference import scenes
 
 N = 8
@@ -18,13 +20,13 @@ OPTIONS = {"duration": "0.1 s", "tolerance": 1e-7, "method": "dop853", "compiled
 @pytest.fixture(scope="module")
 def box():
     """Eight spheres in a box, 68 pairs; too few for a list unless it is asked for."""
-    return load(scenes.spheres_in_box(N))
+    return engine_model(scenes.spheres_in_box(N))
 
 
 @pytest.fixture(scope="module")
 def listed(box):
     """The same with a list of a fifth of the spheres' pairs."""
-    model = Model(box.module, box.declaration)
+    model = EngineModel(box.module, box.declaration)
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(near_pairs, "WORTH", 0.0)
         patched.setattr(near_pairs, "PLACES", 1)
@@ -84,7 +86,7 @@ def test_what_a_pair_dissipated_before_it_left_the_list_is_kept(listed, every_pa
 def test_a_state_grows_with_bodies_not_with_pairs(monkeypatch):
     monkeypatch.setattr(near_pairs, "WORTH", 0.0)
     monkeypatch.setattr(near_pairs, "PLACES", 1)
-    small, large = (near_model(load(scenes.balls(n))) for n in (6, 9))
+    small, large = (near_model(engine_model(scenes.balls(n))) for n in (6, 9))
     assert layouts(large).state.size < 1.7 * layouts(small).state.size
     assert large.whole.k > 2.1 * small.whole.k
 
@@ -127,11 +129,13 @@ def test_pairs_that_latch_nothing_are_listed(monkeypatch):
     """Damping by the stiffness alone needs no speed of approach: the run with a list did not start."""
     monkeypatch.setattr(near_pairs, "WORTH", 0.0)
     monkeypatch.setattr(near_pairs, "PLACES", 1)
-    listed = load(scenes.falling_balls(12))
+    listed = engine_model(scenes.falling_balls(12))
     assert near_model(listed) is not None and not listed.latches
     run = simulate(listed, duration="0.2 s", tolerance=1e-7, method="dopri5", compiled=False)
     monkeypatch.setattr(near_pairs, "WORTH", np.inf)
-    every = simulate(load(scenes.falling_balls(12)), duration="0.2 s", tolerance=1e-7, method="dopri5", compiled=False)
+    every = simulate(
+        engine_model(scenes.falling_balls(12)), duration="0.2 s", tolerance=1e-7, method="dopri5", compiled=False
+    )
     assert len(begun(every)) >= 5 and [pair for pair, _ in begun(run)] == [pair for pair, _ in begun(every)]
     assert [t for _, t in begun(run)] == pytest.approx([t for _, t in begun(every)], abs=1e-9)
     assert run["flight_3.z"][-1] == pytest.approx(every["flight_3.z"][-1], abs=1e-7)
@@ -140,12 +144,12 @@ def test_pairs_that_latch_nothing_are_listed(monkeypatch):
 
 @pytest.mark.exhaustive
 def test_a_hundred_spheres_move_bit_for_bit_as_with_every_pair_in_every_step(monkeypatch):
-    model = load(scenes.spheres_in_box(100, 5))
+    model = engine_model(scenes.spheres_in_box(100, 5))
     options = {"duration": "25 ms", "tolerance": 1e-6, "method": "dopri5", "compiled": False, "grid": None}
     assert near_model(model) is not None
     run = simulate(model, **options)
     monkeypatch.setattr(near_pairs, "WORTH", np.inf)
-    whole = Model(model.module, model.declaration)
+    whole = EngineModel(model.module, model.declaration)
     assert near_model(whole) is None
     every = simulate(whole, **options)
     assert len(run.impacts) > 20 and begun(run) == begun(every)

@@ -10,10 +10,11 @@ import pytest
 from rows import row
 
 from hertzwerk.derive.scenes.hard.hard_scenes import row_of_spheres, touching_row
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.analysis.hard_cases.cases import many
 from hertzwerk.runtime.engine.integration.events import event_location
 from hertzwerk.runtime.engine.integration.step.rounding_errors import bounds, gap_rounding
+from hertzwerk.runtime.loading import engine_model
 
 pytestmark = pytest.mark.by_turns(2)  # methods and sizes that run the same code
 
@@ -22,7 +23,7 @@ EPS = 2.0**-52
 
 @cache
 def model_of(count):
-    return load(touching_row(count))
+    return engine_model(touching_row(count))
 
 
 def solve(model, tolerance, duration, *, method="dop853", exponent=1.5, preload=0.0, last_speed=0.0):
@@ -82,7 +83,7 @@ def test_without_the_rounding_of_gaps_rows_end_nowhere(monkeypatch, method, tole
     monkeypatch.setattr(
         event_location, "gap_rounding", lambda model: lambda *_: (ca.DM.zeros(model.k), ca.DM.zeros(model.k))
     )
-    blind = load(touching_row(5))
+    blind = engine_model(touching_row(5))
     assert solve(blind, tolerance, 0.004, method=method).statistics.retaken > 100
     monkeypatch.undo()
     run = solve(model_of(5), tolerance, 0.004, method=method)
@@ -132,6 +133,8 @@ def test_an_accuracy_is_reached_where_coordinates_begin_at_the_spheres():
 
 def test_the_same_row_in_coordinates_from_one_origin():
     """Gaps between coordinates of their own size, as the other rows of the hard cases have them."""
-    run = simulate(load(row_of_spheres(4)), duration=0.004, tolerance=1e-12, parameters={"gap": "0 m"}, compiled=False)
+    run = simulate(
+        engine_model(row_of_spheres(4)), duration=0.004, tolerance=1e-12, parameters={"gap": "0 m"}, compiled=False
+    )
     assert run.outcome.finished
     assert math.isclose(run["path_4.speed"][-1], float(reference(4)[1][-1]), abs_tol=1e-10)

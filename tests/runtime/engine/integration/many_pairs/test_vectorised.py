@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.events.event_location import NO_EVENT, locate, search
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.loop.c_compilation import c_text
@@ -21,12 +21,13 @@ from hertzwerk.runtime.engine.integration.step.many_contacts import LADDER, SPAR
 from hertzwerk.runtime.engine.integration.step.rounding_errors import STATE, bounds, gap_rounding
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.loading import engine_model
 from reference import scenes
 
 
 @cache
 def balls(n):
-    return load(scenes.balls(n))
+    return engine_model(scenes.balls(n))
 
 
 def given(model, names, seed):
@@ -241,8 +242,10 @@ def test_c_of_vectors_has_the_digits_of_the_virtual_machine():
 @pytest.mark.parametrize("name", ["slider_crank", "tippe_top"])
 def test_called_stages_give_the_run_of_inlined_ones(name, monkeypatch):
     """The same operations in the same order, but what `cse` finds over several stages."""
-    inlined = simulate(load(name), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False)
+    inlined = simulate(engine_model(name), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False)
     monkeypatch.setattr(stepper, "INLINED", 0)
-    called = simulate(EngineModel(load(name).module), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False)
+    called = simulate(
+        EngineModel(engine_model(name).module), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False
+    )
     assert called.statistics.steps == inlined.statistics.steps
     assert called.history.part("y") == pytest.approx(inlined.history.part("y"), rel=1e-11, abs=1e-13)

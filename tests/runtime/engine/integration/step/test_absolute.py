@@ -31,7 +31,8 @@ from hertzwerk.derive.laws import coulomb
 from hertzwerk.derive.scenes.bricard import scene as bricard
 from hertzwerk.derive.scenes.n_four_bar import L, n_four_bar, v
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 
 TOLERANCE = 1e-11
 
@@ -39,7 +40,7 @@ TOLERANCE = 1e-11
 def both(scene: Scene, duration: float, tolerance: float = TOLERANCE, **options):
     """The scene's run by its joints, and by its bodies."""
     return [
-        simulate(load(scene.with_coordinates(kind)), duration=duration, tolerance=tolerance, **options)
+        simulate(engine_model(scene.with_coordinates(kind)), duration=duration, tolerance=tolerance, **options)
         for kind in ("tree", "absolute")
     ]
 
@@ -153,13 +154,15 @@ def test_friction_that_sticks_and_slips():
 
 
 def test_redundant_constraints_are_named():
-    run = simulate(load(cranks().with_coordinates("absolute")), duration=0.1)
+    run = simulate(engine_model(cranks().with_coordinates("absolute")), duration=0.1)
     assert any("middle.force_x" in warning for warning in run.warnings)
 
 
 def test_the_force_of_a_drive_holds_its_joint():
     """Work of the drive between two bodies against what its multiplier does at its speed, summed over the steps of a fine grid."""
-    absolute = simulate(load(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, grid=4001)
+    absolute = simulate(
+        engine_model(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, grid=4001
+    )
     power = absolute["pin_1.moment_angle"] * absolute["pin_1.speed"]
     t = absolute.t
     work = np.sum((power[1:] + power[:-1]) / 2 * np.diff(t))
@@ -169,7 +172,7 @@ def test_the_force_of_a_drive_holds_its_joint():
 
 @pytest.mark.exhaustive
 def test_loops_stay_closed_and_quaternions_of_norm_1_in_a_long_run():
-    run = simulate(load(ball_chain().with_coordinates("absolute")), duration=100.0, tolerance=1e-11)
+    run = simulate(engine_model(ball_chain().with_coordinates("absolute")), duration=100.0, tolerance=1e-11)
     q = run.history.part("y")[:, : run.model.nq]
     for i in run.model.quaternions:
         assert np.max(np.abs(np.linalg.norm(q[:, i : i + 4], axis=1) - 1)) < 1e-14
@@ -182,11 +185,16 @@ def test_loops_stay_closed_and_quaternions_of_norm_1_in_a_long_run():
 
 def test_initial_values_are_those_of_the_joints():
     given = {"left_1.angle": "0.2 rad", "foot_2.speed": "-1 rad/s", "foot_0.speed": "-1 rad/s"}
-    run = simulate(load(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial=given, tolerance=1e-6)
+    run = simulate(
+        engine_model(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial=given, tolerance=1e-6
+    )
     assert [run[f"post_{i}.angle"][0] for i in range(3)] == pytest.approx([-0.2] * 3, abs=1e-12)
     with pytest.raises(InputError, match=r"foot_0\.angle"):
         simulate(
-            load(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial={"post_0.x": "1 m"}, tolerance=1e-6
+            engine_model(n_four_bar(2).with_coordinates("absolute")),
+            duration=1e-3,
+            initial={"post_0.x": "1 m"},
+            tolerance=1e-6,
         )
 
 
@@ -205,6 +213,6 @@ def test_assembly_faults_are_the_same_in_words(scene):
     texts = []
     for kind in ("tree", "absolute"):
         with pytest.raises(InputError) as error:
-            simulate(load(scene.with_coordinates(kind)), duration=1.0, tolerance=1e-6)
+            simulate(engine_model(scene.with_coordinates(kind)), duration=1.0, tolerance=1e-6)
         texts.append([str(fault) for fault in error.value.faults])
     assert texts[0] == texts[1]

@@ -28,7 +28,8 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.scenes.n_four_bar import L, n_four_bar, v
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.loading import engine_model
 from reference import bricard
 
 
@@ -36,7 +37,9 @@ from reference import bricard
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", "auto"])
 def test_a02_at_4_seconds(method):
     """B0 of two windows as the benchmark library's other implementations have it; singular positions have been passed."""
-    run = simulate(load("n_four_bar"), duration=4.0, tolerance=1e-10 if method != "dopri5" else 1e-11, method=method)
+    run = simulate(
+        engine_model("n_four_bar"), duration=4.0, tolerance=1e-10 if method != "dopri5" else 1e-11, method=method
+    )
     assert run.outcome.finished
     angle = run.final["foot_0.angle"]
     limit = 1e-8 if method in ("dop853", "dopri5", "auto") else 1e-7
@@ -58,7 +61,7 @@ def test_a_quick_return_turns_as_its_one_freedom_equation_says():
         Revolute("pin", crank.at(R, 0, 0), block, axis=Z),
     )
     start = Start(position={"slot": R + base}, speed={"main": W})
-    model = load(Scene(Mechanism("quick_return", joints), (EnergyLedger(),), Scales(R, R * W, R), start))
+    model = engine_model(Scene(Mechanism("quick_return", joints), (EnergyLedger(),), Scales(R, R * W, R), start))
     run = simulate(model, duration=0.6, tolerance=1e-10)
 
     def inertia(phi):
@@ -72,7 +75,7 @@ def test_a_quick_return_turns_as_its_one_freedom_equation_says():
 
 def test_bricard_keeps_its_energy_and_its_loop():
     """One redundant constraint; by counting it could not move at all."""
-    run = simulate(load("bricard"), duration=10.0, tolerance=1e-11)
+    run = simulate(engine_model("bricard"), duration=10.0, tolerance=1e-11)
     assert run.outcome.finished
     assert run.energy_residual < 1e-9
     assert open_by(run) < 1e-9
@@ -83,7 +86,7 @@ def test_bricard_keeps_its_energy_and_its_loop():
 
 def test_a_four_bar_driven_round_follows_its_geometry():
     """Crank at constant speed: the rocker's angle by the law of cosines, at every time the same branch."""
-    run = simulate(load(four_bar(0.5, 1.5, 1.2, 1.6, 2.0)), duration=6.0, tolerance=1e-10)
+    run = simulate(engine_model(four_bar(0.5, 1.5, 1.2, 1.6, 2.0)), duration=6.0, tolerance=1e-10)
     assert run.outcome.finished
     angle = 2.0 * run.t
     tip = 0.5 * np.exp(1j * angle) - 1.6
@@ -95,7 +98,9 @@ def test_a_four_bar_driven_round_follows_its_geometry():
 
 def test_a_parallelogram_keeps_its_branch_through_the_change_point():
     """Stretched out it could go on as an antiparallelogram; driven by its own weight it stays what it was."""
-    run = simulate(load(four_bar(1.0, 2.0, 1.0, 2.0, position={"main": rad(0.4)})), duration=5.0, tolerance=1e-9)
+    run = simulate(
+        engine_model(four_bar(1.0, 2.0, 1.0, 2.0, position={"main": rad(0.4)})), duration=5.0, tolerance=1e-9
+    )
     assert run.outcome.finished
     assert np.min(run["main.angle"]) < -np.pi  # past the change points at 0 and -pi
     assert run["foot.angle"] == pytest.approx(run["main.angle"], abs=1e-6)
@@ -104,7 +109,7 @@ def test_a_parallelogram_keeps_its_branch_through_the_change_point():
 
 def test_a_mechanism_that_locks_ends_as_constraint_lost():
     """The crank is driven on, the other two are stretched out before it has gone round."""
-    run = simulate(load(four_bar(1.5, 1.2, 1.0, 2.0, 2.0)), duration=10.0, tolerance=1e-6)
+    run = simulate(engine_model(four_bar(1.5, 1.2, 1.0, 2.0, 2.0)), duration=10.0, tolerance=1e-6)
     assert run.outcome.name == "constraint_lost"
     locked = np.arccos((1.5**2 + 2.0**2 - 2.2**2) / (2 * 1.5 * 2.0)) / 2.0  # the triangle 1.5, 2, 1.2 + 1
     assert run.t[-1] == pytest.approx(locked, abs=1e-5)
@@ -113,7 +118,9 @@ def test_a_mechanism_that_locks_ends_as_constraint_lost():
 def test_after_a_thousand_turns_loops_are_closed_as_far_as_the_angles_are_known():
     """The last digit of the crank's angle moves its end by more than the tolerance: the motion is that of the first turn all the same."""
     first, late = (
-        simulate(load(four_bar(0.5, 1.5, 1.2, 1.6, position={"main": rad(angle)})), duration=1.0, tolerance=1e-13)
+        simulate(
+            engine_model(four_bar(0.5, 1.5, 1.2, 1.6, position={"main": rad(angle)})), duration=1.0, tolerance=1e-13
+        )
         for angle in (0.4, 0.4 + 2000 * np.pi)
     )
     assert first.outcome.finished
@@ -129,7 +136,7 @@ def test_after_a_thousand_turns_loops_are_closed_as_far_as_the_angles_are_known(
 
 def test_initial_values_count_as_given():
     run = simulate(
-        load("n_four_bar"),
+        engine_model("n_four_bar"),
         duration=1e-3,
         initial={"left_1.angle": "0.2 rad", "foot_2.speed": "-1 rad/s", "foot_0.speed": "-1 rad/s"},
         tolerance=1e-6,
@@ -140,7 +147,7 @@ def test_initial_values_count_as_given():
 def test_too_much_is_said_with_the_loop_and_how_far_it_is_open():
     start = Start(position={"foot_0": rad(0.3), "foot_1": rad(0.4)})
     with pytest.raises(InputError) as error:
-        simulate(load(replace(n_four_bar(2), start=start)), duration=1.0, tolerance=1e-6)
+        simulate(engine_model(replace(n_four_bar(2), start=start)), duration=1.0, tolerance=1e-6)
     (fault,) = error.value.faults
     assert "over-determined" in fault.found
     assert "right_0 open by 0.0" in fault.found
@@ -150,7 +157,7 @@ def test_too_much_is_said_with_the_loop_and_how_far_it_is_open():
 def test_speeds_that_tear_a_loop_are_refused():
     with pytest.raises(InputError, match=r"over-determined: right_0 open by 2 m/s"):
         simulate(
-            load(replace(n_four_bar(2), start=Start(speed={"foot_0": -v / L, "foot_1": v / L}))),
+            engine_model(replace(n_four_bar(2), start=Start(speed={"foot_0": -v / L, "foot_1": v / L}))),
             duration=1.0,
             tolerance=1e-6,
         )
@@ -159,7 +166,7 @@ def test_speeds_that_tear_a_loop_are_refused():
 def test_too_little_is_said_with_what_is_free():
     """Nothing given, and the zeros do not close the loop: one angle is missing."""
     with pytest.raises(InputError) as error:
-        simulate(load(four_bar(0.5, 1.5, 1.2, 1.6)), duration=1.0, tolerance=1e-6)
+        simulate(engine_model(four_bar(0.5, 1.5, 1.2, 1.6)), duration=1.0, tolerance=1e-6)
     (fault,) = error.value.faults
     assert fault.found == "under-determined: main.angle, left.angle, foot.angle"
     assert fault.expected == "1 more value among them"
@@ -179,7 +186,9 @@ def ball_crank():
     )
     gravity = Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y)
     pace = Parameter("pace", "m/s", 1.0)
-    return load(Scene(Mechanism("pushed", joints), (gravity, EnergyLedger()), Scales(length=far, speed=pace, arm=far)))
+    return engine_model(
+        Scene(Mechanism("pushed", joints), (gravity, EnergyLedger()), Scales(length=far, speed=pace, arm=far))
+    )
 
 
 @pytest.mark.parametrize("degrees", [10, 60, 100, 300])
@@ -207,14 +216,14 @@ def test_more_drives_than_a_loop_has_freedoms_are_named():
     drives = [ConstantSpeed(f"drive_{i}", f"foot_{i}", Parameter(f"pace_{i}", "rad/s", 1.0 + i)) for i in range(2)]
     window = n_four_bar(1)
     with pytest.raises(InputError) as error:
-        simulate(load(replace(window, effects=(*window.effects, *drives), start=Start())), duration=1.0)
+        simulate(engine_model(replace(window, effects=(*window.effects, *drives), start=Start())), duration=1.0)
     (fault,) = error.value.faults
     assert fault.where == "start, speeds"
     assert "over-determined: right_0 open by" in fault.found
     assert "driven by drive_0, drive_1" in fault.remedy
     assert "leave one out" in fault.remedy
     one = replace(window, effects=(*window.effects, drives[0]), start=Start())
-    assert simulate(load(one), duration=1e-2).outcome.finished
+    assert simulate(engine_model(one), duration=1e-2).outcome.finished
 
 
 # -- what holds the loops ----------------------------------------------------------------------------------------------
@@ -222,7 +231,7 @@ def test_more_drives_than_a_loop_has_freedoms_are_named():
 
 def test_the_force_in_a_hinge_is_what_its_body_needs():
     """Beam 1 of two windows, cut free: its mass times the acceleration of its centre, less its weight, is what both hinges push with."""
-    run = simulate(load("n_four_bar"), duration=0.6, tolerance=1e-11)
+    run = simulate(engine_model("n_four_bar"), duration=0.6, tolerance=1e-11)
     t, h = np.linspace(0.05, 0.55, 11), 1e-5
     angle = [run.at(t + k * h)["foot_1.angle"] for k in (-1, 0, 1)]
     centre = [
@@ -236,6 +245,7 @@ def test_the_force_in_a_hinge_is_what_its_body_needs():
 def test_redundant_constraints_are_named():
     """Nothing but the hinges across the loop's symmetry can share; the windows' constraints are independent."""
     assert any(
-        "hinge_f.moment" in warning for warning in simulate(load("bricard"), duration=0.1, tolerance=1e-6).warnings
+        "hinge_f.moment" in warning
+        for warning in simulate(engine_model("bricard"), duration=0.1, tolerance=1e-6).warnings
     )
-    assert not simulate(load("n_four_bar"), duration=0.1, tolerance=1e-6).warnings
+    assert not simulate(engine_model("n_four_bar"), duration=0.1, tolerance=1e-6).warnings

@@ -10,9 +10,10 @@ from each import each
 from handmade import point
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.engine.integration.loop import c_compilation, c_files
 from hertzwerk.runtime.engine.integration.step import explicit_step, implicit_step
+from hertzwerk.runtime.loading import engine_model
 from reference import closed_forms
 from reference.slider_crank import SliderCrank, reference
 
@@ -30,12 +31,12 @@ def little_optimised(monkeypatch):
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank_frictionless")
+    return engine_model("slider_crank_frictionless")
 
 
 def impact_alone(ball, method, **parameters):
@@ -91,7 +92,11 @@ def test_drop_on_the_plane(ball, method):
 @pytest.mark.parametrize("e", [0.9, 0.5])
 def test_between_two_walls_bounce_by_bounce(method, e):
     run = simulate(
-        load("ball_between_walls"), duration="4 s", tolerance=1e-12, method=method, parameters={"restitution": e}
+        engine_model("ball_between_walls"),
+        duration="4 s",
+        tolerance=1e-12,
+        method=method,
+        parameters={"restitution": e},
     )
     h = closed_forms.factor("hunt_crossley", str(e))
     bounces = closed_forms.ball_between_walls("1e6", 1, "1.6", 10, h, 10, "0.4", "0.8")
@@ -121,7 +126,7 @@ def test_work_at_a_given_error_of_the_slider_crank(crank):
 
 def test_landings_cost_little(crank):
     """Aimed and nudged: on parabolic flights no step is taken twice, and one in two elsewhere."""
-    run = simulate(load("ball_between_walls"), duration="4 s", tolerance=1e-8)
+    run = simulate(engine_model("ball_between_walls"), duration="4 s", tolerance=1e-8)
     assert run.statistics.events > 10
     assert run.statistics.retaken == 0
     run = simulate(crank, duration="24 ms", tolerance=1e-8)
@@ -131,14 +136,14 @@ def test_landings_cost_little(crank):
 @pytest.mark.parametrize("name", ["bouncing_ball", "slider_crank"])
 def test_compiled_is_bitwise_the_virtual_machine(name, tmp_path, monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
-    model, duration = load(name), "24 ms" if name == "slider_crank" else "5 s"
+    model, duration = engine_model(name), "24 ms" if name == "slider_crank" else "5 s"
     machine = simulate(model, duration=duration, tolerance=1e-8)
     native = simulate(model, duration=duration, tolerance=1e-8, compiled=True)
     assert np.array_equal(machine.history.rows, native.history.rows)
     libraries = list((tmp_path / "cache").iterdir())
     assert [library.suffix for library in libraries] == [".so"]
     before = libraries[0].stat().st_mtime_ns
-    again = simulate(load(name), duration=duration, tolerance=1e-8, compiled=True)
+    again = simulate(engine_model(name), duration=duration, tolerance=1e-8, compiled=True)
     assert libraries[0].stat().st_mtime_ns == before  # found, not compiled again
     assert np.array_equal(machine.history.rows, again.history.rows)
 
@@ -148,7 +153,7 @@ def test_without_a_compiler_the_message_names_the_way_out(crank, monkeypatch):
     monkeypatch.delenv("CC", raising=False)
     c_compilation._compiler.cache_clear()
     with pytest.raises(InputError, match="compiled=False"):
-        simulate(load("slider_crank"), duration="1 ms", compiled=True, tolerance=1e-6)
+        simulate(engine_model("slider_crank"), duration="1 ms", compiled=True, tolerance=1e-6)
     c_compilation._compiler.cache_clear()
 
 
@@ -247,7 +252,7 @@ def test_runs_of_one_model_side_by_side_do_not_disturb_each_other(ball):
 def squeezed(speed, duration):
     """The ball between walls that overlap it by 1 mm on either side, elastic."""
     return simulate(
-        load("ball_between_walls"),
+        engine_model("ball_between_walls"),
         duration=duration,
         tolerance=1e-11,
         parameters={"gap": "-1 mm", "restitution": 1.0, "speed": speed},
@@ -451,7 +456,7 @@ def test_a_derived_constant_without_a_value_is_bad_input(crank):
 )
 def test_geometry_that_cannot_be_names_both_lengths(scene, given, found):
     """A pin, a ball or a race without a radius, with and without a law that would notice."""
-    ((where, text), *_) = faults_of(load(scene), parameters=given).items()
+    ((where, text), *_) = faults_of(engine_model(scene), parameters=given).items()
     assert "radius" in where and where.startswith("pair ")
     assert found in text and "(0, inf) m" in text
 

@@ -26,7 +26,7 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.loop.method_choice import Choosing
 from hertzwerk.runtime.engine.integration.loop.plain_attempt import advance
@@ -45,6 +45,7 @@ from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.built_engine import engine_for
 from hertzwerk.runtime.engine.solution.error_scales import of_parameters
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.system.interrupt import defer_interrupts
 from reference import closed_forms
 
@@ -56,12 +57,12 @@ STATIC = (9.81 / 2.4e10) ** (2 / 3)  # m, penetration of the bouncing ball at re
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------
@@ -160,7 +161,7 @@ def test_a_pivot_that_vanishes_is_exchanged():
 
 @pytest.mark.parametrize(("name", "moved"), [("slider_crank", 1), ("two_spheres", 0)])
 def test_jacobian_against_differences(name, moved):
-    model = load(name)
+    model = engine_model(name)
     bound, side = model.bind(), -1 if name == "slider_crank" else 1
     (q, u), scale = start_of(model, bound), of_parameters(model, bound).state
     while float(model.function("gaps")(0, q, u, bound.c)[0]) > -0.1 * scale[moved]:
@@ -334,9 +335,9 @@ def test_a_block_sticks_in_a_layer_of_1e7(method, part):
 def test_steps_made_of_calls_are_those_written_out(method, monkeypatch):
     """Large models' steps call what those of others have written out: the same but for the order of a few sums."""
     options = {"duration": "3 ms", "tolerance": 1e-8, "method": method, "compiled": False}
-    written = simulate(load("slider_crank"), **options)
+    written = simulate(engine_model("slider_crank"), **options)
     monkeypatch.setattr(implicit, "LARGE", 0)
-    called = simulate(load("slider_crank"), **options)
+    called = simulate(engine_model("slider_crank"), **options)
     assert called.statistics.events == written.statistics.events > 0
     assert called.statistics.steps == pytest.approx(written.statistics.steps, abs=2)
     for name in ("guide.travel", "guide.speed"):
@@ -361,7 +362,7 @@ def swung():
     start = Start(position={"hip": lift, "knee": lift}, speed={"hip": pace, "knee": pace})
     scales = Scales(reach, Parameter("typical_speed", "m/s", 1.0), reach)
     effects = (Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), EnergyLedger())
-    return load(Scene(Mechanism("swung", joints), effects, scales, start).with_coordinates("absolute"))
+    return engine_model(Scene(Mechanism("swung", joints), effects, scales, start).with_coordinates("absolute"))
 
 
 def test_derivatives_of_a_constrained_motion_are_those_of_how_it_is_solved_for(swung):
@@ -415,7 +416,7 @@ def test_building_what_chooses_is_interrupted(crank):
 def test_auto_stays_explicit_on_impacts(crank):
     """Where nothing is stiff the run is that of the explicit method, step by step."""
     auto, explicit = (
-        simulate(load("slider_crank_frictionless"), duration="6 ms", tolerance=1e-7, method=method)
+        simulate(engine_model("slider_crank_frictionless"), duration="6 ms", tolerance=1e-7, method=method)
         for method in ("auto", "dop853")
     )
     assert [choice.method for choice in auto.choices] == ["explicit"]
@@ -431,7 +432,7 @@ def test_looking_for_stiffness_costs_nothing_in_free_flight_and_little_in_contac
     )
     assert flight[1] - flight[0] <= 4
     assert 10 < contact[1] - contact[0] < 0.05 * contact[0]
-    crank = load("slider_crank_two_clearances")  # whose slider no acceleration of a flight depends on
+    crank = engine_model("slider_crank_two_clearances")  # whose slider no acceleration of a flight depends on
     none, looking = (
         advance(crank, layouts(crank), table, (), c).n_instructions() for c in (Choosing.NONE, Choosing.ON_SUSPICION)
     )
@@ -455,7 +456,7 @@ def test_auto_changes_when_the_ball_settles_and_says_why(ball):
 @pytest.mark.slow
 def test_auto_leaves_implicit_steps_that_save_fewer_explicit_ones_than_they_cost():
     """Corners that rub, at 1e-9: an implicit step costs 3.3 explicit ones. It goes on bitwise from between two changes, by explicit steps alone."""
-    model = load("translational_clearance")
+    model = engine_model("translational_clearance")
     auto, explicit = (simulate(model, duration="42 ms", tolerance=1e-9, method=m) for m in ("auto", "dop853"))
     implicit = int(np.sum(auto.history.part("method")[1:]))
     assert implicit > 100
@@ -472,7 +473,7 @@ def test_auto_leaves_implicit_steps_that_save_fewer_explicit_ones_than_they_cost
 
 @pytest.mark.parametrize("method", ["cvodes", "idas"])
 def test_sundials_between_two_walls(method):
-    model, options = load("ball_between_walls"), {"duration": "1 s", "parameters": {"restitution": 0.9}}
+    model, options = engine_model("ball_between_walls"), {"duration": "1 s", "parameters": {"restitution": 0.9}}
     run = simulate(model, tolerance=1e-11, method=method, **options)
     h = closed_forms.factor("hunt_crossley", "0.9")
     bounces = closed_forms.ball_between_walls("1e6", 1, "1.6", 10, h, 10, "0.4", "0.8")

@@ -7,11 +7,12 @@ import numpy as np
 from loops import cranks
 from scipy.linalg import qr
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.step import redundant_constraints
 from hertzwerk.runtime.engine.start.start_values import dependent, start_of
+from hertzwerk.runtime.loading import engine_model
 
-model = cache(load)
+model = cache(engine_model)
 
 
 def test_the_choice_is_that_of_a_pivoted_qr_factorisation():
@@ -39,7 +40,7 @@ def test_the_groups_and_how_many_of_them_count():
     groups = [[governor.constraints[i] for i in members] for members, _ in implied(governor)]
     assert groups == [[f"{side}_foot.apart_{k}" for k in "xz"] for side in ("right", "left")]
     assert [rank for _, rank in implied(governor)] == [1, 1]
-    assert implied(load(cranks())) == (((0, 1, 2, 3), 3),)
+    assert implied(engine_model(cranks())) == (((0, 1, 2, 3), 3),)
 
 
 def test_a_singular_start_is_not_taken_for_redundancy():
@@ -48,7 +49,7 @@ def test_a_singular_start_is_not_taken_for_redundancy():
     turning = {f"{name}.speed": (1.0, "rad/s") for name in ("first", "second", "third")} | {
         "left.speed": (-1.0, "rad/s")
     }
-    assert implied(load(cranks()), flat | turning) == (((0, 1, 2, 3), 3),)
+    assert implied(engine_model(cranks()), flat | turning) == (((0, 1, 2, 3), 3),)
     windows = model("n_four_bar")
     ways = [(f"foot_{i}", -1.0) for i in range(3)] + [(f"left_{i}", 1.0) for i in range(2)]
     initial = {f"{name}.angle": (way * np.pi / 2, "rad") for name, way in ways}

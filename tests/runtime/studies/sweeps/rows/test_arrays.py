@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Sweep, load, simulate, sweep
+from hertzwerk.runtime import Sweep, simulate, sweep
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import sweep_store
 from hertzwerk.runtime.studies.sweeps.rows import poincare_section
 
@@ -20,12 +21,12 @@ FREE = {"gravity": "0 m/s^2", "start_angle": "0.25 rad"}
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 @pytest.fixture(scope="module")
 def ball():
-    return load("bouncing_ball")
+    return engine_model("bouncing_ball")
 
 
 def test_returns_of_the_drive_are_whole_turns_with_the_states_of_the_run_bitwise(crank):

@@ -15,8 +15,9 @@ from click.testing import CliRunner
 from handmade import point
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import Sweep, load, simulate_many, sweep
+from hertzwerk.runtime import Sweep, simulate_many, sweep
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.batch import engine_of
 from hertzwerk.runtime.studies.sweeps.rows import cluster
 
@@ -137,7 +138,9 @@ def test_failures_are_rows_of_batches_too(client):
     sets = [{"mass": "-1 kg"}, {"drop_height": "0.3 m"}, {"mass": "1 m"}, {"drop_height": "20 m"}]
     outputs = {"second": lambda run: run.impacts[1].speed}
     asked = {"duration": "1 s", "tolerance": 1e-6, "functions": outputs, "compiled": False}
-    alone, together = (simulate_many(load("bouncing_ball"), sets, **asked, **who) for who in ({}, {"client": client}))
+    alone, together = (
+        simulate_many(engine_model("bouncing_ball"), sets, **asked, **who) for who in ({}, {"client": client})
+    )
     assert list(together["outcome"]) == ["bad_input", "finished", "bad_input", "bad_output"]
     assert same(alone, together)
 
@@ -155,7 +158,7 @@ def test_versions_that_differ_are_refused_by_name(client, monkeypatch):
     from hertzwerk.runtime.engine.run.run_request import Settings
     from hertzwerk.runtime.studies.sweeps.rows.row_job import Job, Tasks
 
-    job = Job(load("bouncing_ball"), Settings("1 s", None, 1e-6), [])
+    job = Job(engine_model("bouncing_ball"), Settings("1 s", None, 1e-6), [])
     with pytest.raises(InputError, match=r"3\.0\.0"):  # of a worker that came after the first look
         list(here.rows(job, Tasks([(0, {})])))
 
@@ -165,7 +168,7 @@ def test_an_object_that_cannot_be_sent_is_one_clear_error(client):
     lock = threading.Lock()
     with pytest.raises(InputError, match="functions that pickle"):
         simulate_many(
-            load("bouncing_ball"),
+            engine_model("bouncing_ball"),
             [{}],
             duration="1 s",
             client=client,

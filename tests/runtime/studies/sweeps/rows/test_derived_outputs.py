@@ -5,9 +5,10 @@ import pytest
 from scipy.stats import linregress
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime import load, simulate, sweep
+from hertzwerk.runtime import simulate, sweep
 from hertzwerk.runtime.engine.sensitivity.regression import slope_of
 from hertzwerk.runtime.engine.solution.outcome import Outcome
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.rows.row import Row
 from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 
@@ -17,7 +18,7 @@ BY = f"d({PEAK})/d(restitution)"
 
 @pytest.fixture(scope="module")
 def crank():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 def test_a_derivative_is_a_column_with_its_unit_and_is_kept(crank, tmp_path):
@@ -59,7 +60,7 @@ def test_methods_and_durations_that_derivatives_cannot_follow_are_refused(crank)
 
 def test_an_average_beyond_the_horizon_says_so():
     """Of a chaotic double pendulum: errors of 1e-8 reach 1 % within ten seconds, see `test_lyapunov`."""
-    model, name = load("double_pendulum"), "d(elbow.speed.rms)/d(shoulder.angle)"
+    model, name = engine_model("double_pendulum"), "d(elbow.speed.rms)/d(shoulder.angle)"
     how = {
         "parameters": {"elbow.angle": "2 rad"},
         "outputs": [name],

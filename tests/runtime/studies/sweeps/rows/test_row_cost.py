@@ -4,10 +4,11 @@ from collections import Counter
 
 import pytest
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.model.caller import Caller
 from hertzwerk.runtime.engine.run import recorder
 from hertzwerk.runtime.engine.run.run_request import Settings
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps.rows.row_job import Job
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import chosen, finals
 
@@ -16,7 +17,7 @@ BESIDE = 12  # calls of a function beside the loop's: constants, start, scales, 
 
 @pytest.fixture(scope="module")
 def model():
-    return load("slider_crank")
+    return engine_model("slider_crank")
 
 
 def calls(model, monkeypatch, duration, outputs=()):

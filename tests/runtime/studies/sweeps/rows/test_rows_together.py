@@ -5,10 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.engine.solution.impacts import peaks
 from hertzwerk.runtime.engine.solution.step_observers import Findings
+from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.simulation import solving
 from hertzwerk.runtime.studies.sweeps.rows.row_job import Job
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import chosen, own
@@ -27,7 +28,7 @@ TASKS = (
 
 @pytest.fixture(scope="module")
 def job():
-    model = load("slider_crank")
+    model = engine_model("slider_crank")
 
     def only_small(run):
         if run.parameters["clearance"][0] > 0.48:
