@@ -382,7 +382,7 @@ def test_rows_of_a_batch_that_are_nothing_are_refused(tmp_path):
         "gcc -fno-such-option",
     ],
 )
-def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_told_of(cc, monkeypatch, tmp_path):
+def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_reported(cc, monkeypatch, tmp_path):
     """`CC=true` compiled nothing without a word, `CC="gcc -m64"` was passed over."""
     from hertzwerk.runtime.engine.integration.loop import c_compilation
 

@@ -174,3 +174,11 @@ def test_a_name_that_is_a_riddle_is_found(text):
         riddles("class A:\n    found: str\n    has_modes = True\n    def f(self):\n        found = self.has_modes")
         == []
     )
+
+
+def test_names_of_tests_are_plain():
+    """They say what holds: none begins `test_what`, none has a thing told or asked."""
+    files = sorted((ROOT / "tests").rglob("test_*.py"))
+    names = [name for file in files for name in re.findall(r"^def (test_\w+)", file.read_text("utf-8"), re.MULTILINE)]
+    assert len(names) > 2000
+    assert [name for name in names if re.match(r"test_what_|.*_(told|tells|asked)(_|$)", name)] == []

@@ -131,7 +131,7 @@ def test_every_package_is_typed_and_the_clone_is_none(package):
     assert not (ROOT / "__init__.py").exists()
 
 
-def test_the_first_names_come_from_the_package_and_nothing_heavy_before_they_are_asked_for():
+def test_the_first_names_come_from_the_package_and_nothing_heavy_before_they_are_requested():
     """`import hertzwerk` costs nothing; each name is what its home has, one that is not there is an AttributeError."""
     asked = (
         "import sys, hertzwerk\n"

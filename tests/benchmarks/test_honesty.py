@@ -37,7 +37,7 @@ def test_requests_of_random_mechanisms_hold_for_the_whole_run():
     assert within(found) >= 0.99
 
 
-def test_the_report_tells_what_is_off():
+def test_the_report_shows_the_difference():
     asked = 1e-6
     lines = list(honesty(scenes=("pendulum",), methods=("dop853",), accuracies=(1e-4, asked), at_random=0))
     assert "2 runs: 100.0% within 10" in lines[0]

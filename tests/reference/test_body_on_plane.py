@@ -236,7 +236,7 @@ MANY_AT_ONCE = {  # bodies of the generator: times at which their states are ask
 
 
 @pytest.mark.parametrize("i", MANY_AT_ONCE)
-def test_events_at_one_time_are_told_apart(i):
+def test_events_at_one_time_are_distinguished(i):
     of = [motions([body_of(i)], by, at=MANY_AT_ONCE[i]) for by in (0.0, 1e-16)]
     (one,), (other,) = of
     assert not one.wrong and not other.wrong

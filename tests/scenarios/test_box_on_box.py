@@ -282,14 +282,14 @@ def test_a_plank_across_a_plank_rests_on_four_crossings():
 # -- the declaration ---------------------------------------------------------------------------------------------------
 
 
-def test_what_acts_at_the_boxes_acts_at_each_feature():
+def test_effects_of_a_box_pair_act_at_each_feature():
     scene = pair(Contact("hit", laws.power(K, 1)), GRIP)
     assert [p.name for p in scene.mechanism.pairs] == ["hit_1", "hit_2", "hit_3", "hit_4"]
     assert [e.pair for e in scene.effects if e.kind == "friction"] == ["hit_1", "hit_2", "hit_3", "hit_4"]
     assert len(pair(space=True).mechanism.pairs) == 24
 
 
-def test_faults_of_boxes_are_told_at_once():
+def test_faults_of_boxes_are_reported_at_once():
     body = Body.box("a", W, H, D, density=RHO)
     flat, thin, heavy = Parameter("flat", "mm", 1.5), Parameter("thin", "mm", -1), Parameter("heavy", "kg", 1)
     bad = (

@@ -205,7 +205,7 @@ def test_a_box_stands_on_a_box(z):
 # -- the declaration ---------------------------------------------------------------------------------------------------
 
 
-def test_what_acts_at_a_box_acts_at_each_corner_that_has_none_of_its_own():
+def test_effects_of_a_box_act_at_each_corner_without_its_own():
     soft = Contact("floor_3", laws.power(Parameter("K_soft", "N/m", 1e3), 1))
     scene = standing(soft, GRIP, y=0.2)
     assert [effect.name for effect in scene.effects if effect.kind == "contact"] == [f"floor_{i}" for i in (1, 2, 4, 3)]

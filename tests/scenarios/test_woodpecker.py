@@ -44,14 +44,14 @@ def test_the_default_method_runs_the_woodpecker(toy):
 
 
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])
-def test_an_explicit_method_is_told_what_suits_it(toy, method):
+def test_a_suitable_method_is_recommended_in_place_of_an_explicit_one(toy, method):
     run = simulate(toy, duration="0.5 s", tolerance=1e-6, method=method, max_steps=5_000)
     assert run.outcome.name == "too_many_steps"
     assert f"stability holds the steps of {method} down" in run.outcome.remedy
     assert 'method="auto"' in run.outcome.remedy
 
 
-def test_an_implicit_method_where_nothing_is_stiff_is_told_so():
+def test_an_implicit_method_where_nothing_is_stiff_gets_that_remark():
     model, options = load("double_pendulum"), {"duration": "1 s", "tolerance": 1e-11, "max_steps": 300}
     run = simulate(model, method="esdirk", **options)
     assert run.outcome.name == "too_many_steps"
@@ -59,7 +59,7 @@ def test_an_implicit_method_where_nothing_is_stiff_is_told_so():
     assert simulate(model, **options).outcome.finished  # as it was told to
 
 
-def test_a_method_that_rounds_too_often_is_told_which_does_not():
+def test_another_method_is_recommended_where_one_rounds_too_often():
     model, options = load("double_pendulum"), {"duration": "8 s", "accuracy": 1e-12}
     for method in ("dopri5", "esdirk"):
         run = simulate(model, method=method, **options)

@@ -89,7 +89,7 @@ def test_the_catalogue_gives_what_is_owed(name):
 
 
 @pytest.mark.parametrize("wrong", WRONG)
-def test_a_law_that_does_not_is_told_with_the_point(wrong):
+def test_a_law_that_fails_is_reported_with_the_point(wrong):
     law, said = WRONG[wrong]
     fault, *_ = law_faults(law)
     assert said in str(fault)

@@ -48,7 +48,7 @@ ADVISED = (
 )
 
 
-def test_the_flagship_is_told_that_its_law_is_of_another_contact_and_which_laws_fit():
+def test_the_flagship_s_law_of_another_contact_is_reported_with_laws_that_fit():
     (said,) = advice(crank)
     assert said == (
         "slider_pin: a pin in bush touches along a line, and hertz_point is a law of point contact; "
@@ -91,7 +91,7 @@ def test_every_pair_and_every_law_says_its_form():
         assert set(law.forms) <= set(FORMS)
 
 
-def test_what_does_not_say_its_form_raises():
+def test_a_missing_form_raises():
     class Blob(PinInBush):
         form = None
 

@@ -16,7 +16,7 @@ FOLDER = Path(__file__).parents[3] / "derive" / "laws"
 
 
 @pytest.mark.parametrize(("option", "file"), [("--markdown", "README.md"), ("--stub", "__init__.pyi")])
-def test_what_is_committed_is_what_the_command_writes(option, file):
+def test_committed_listings_are_those_the_command_writes(option, file):
     printed = CliRunner().invoke(main, ["laws", option])
     assert printed.exit_code == 0
     assert (FOLDER / file).read_text(encoding="utf-8") == printed.stdout, (

@@ -228,7 +228,7 @@ def test_other_operations_are_no_function():
     assert len(found.sites) == 3 or len(found.steps) < 6
 
 
-def test_what_another_part_reads_is_computed_before():
+def test_values_that_another_part_reads_are_computed_before():
     """A step of one pair that another reads cannot be within the call alone."""
     one = rows("a b c d", "b c d e", "c d e f", "pair_0_apart e f g")
     [found] = shared_and_same(one)

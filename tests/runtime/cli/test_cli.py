@@ -233,7 +233,7 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
     assert written() == []
 
 
-def test_a_run_tells_its_error_and_what_the_next_decade_costs(hertzwerk):
+def test_a_run_reports_its_error_and_what_the_next_decade_costs(hertzwerk):
     done = hertzwerk("run", "two_spheres", "--no-plots", "--accuracy", "2.5e-5")
     (told,) = [line for line in done.output.splitlines() if line.startswith("accuracy")]
     assert re.fullmatch(
@@ -308,7 +308,7 @@ def test_another_outcome_exits_1_and_keeps_what_there_is(hertzwerk):
     assert json.loads(Path("runs/ball_between_walls-001/run.json").read_text())["outcome"] == "too_many_steps"
 
 
-def test_validate_tells_every_check_and_fails_if_one_does(hertzwerk):
+def test_validate_reports_every_check_and_fails_if_one_does(hertzwerk):
     done = hertzwerk("validate", "two_spheres")
     assert done.exit_code == 0
     assert "0.3 (1 - e)/2" in done.output
@@ -462,7 +462,7 @@ def test_errors_go_to_stderr_and_nothing_to_stdout(tmp_path, monkeypatch):
     assert "accuracy" in done.stderr
 
 
-def test_the_version_is_told():
+def test_the_version_is_reported():
     done = process("--version")
     assert done.returncode == 0
     assert "casadi" in done.stdout

@@ -111,13 +111,13 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
         (("minimise", "bouncing_ball", "--objective", "mass", "--constraint", "mass"), ("--constraint",)),
     ],
 )
-def test_bad_options_are_told_at_once(arguments, places):
+def test_bad_options_are_reported_at_once(arguments, places):
     told = run(*arguments, "--duration", "0.1 s")
     assert told.exit_code == 2
     assert all(place in told.output for place in places)
 
 
-def test_bad_files_are_told_at_once(file):
+def test_bad_files_are_reported_at_once(file):
     told = run("propagate", file("target = 3\nsampel = 8\n"))
     assert told.exit_code == 2
     assert all(place in told.output for place in ("sampel", "sample", "uncertain", "duration", "target"))

@@ -90,7 +90,7 @@ def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     assert again.exit_code == 2 and "--into: found fitted, which has other content" in again.output
 
 
-def test_json_alone_writes_nothing_and_what_is_not_told_is_another_outcome(hertzwerk, data, tmp_path):
+def test_json_alone_writes_nothing_and_an_undetermined_fit_is_another_outcome(hertzwerk, data, tmp_path):
     done = hertzwerk(
         "--measured",
         "one.csv",

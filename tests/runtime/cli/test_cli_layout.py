@@ -50,7 +50,7 @@ def test_a_table_in_panels_has_every_word_whole_and_begins_each_with_the_first_c
         assert len("  ".join(lines[0])) <= max(width, unbroken)
 
 
-def test_what_fits_is_one_panel_as_in_a_pipe():
+def test_a_table_that_fits_is_one_panel_as_in_a_pipe():
     table = ("law", "grade"), [("flores", "A"), ("a law", "")]
     assert list(tabulated(*table, 80)) == list(tabulated(*table, None)) == [
         [["law   ", "grade"], ["flores", "A    "], ["a law ", "     "]]

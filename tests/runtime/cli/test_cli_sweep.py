@@ -71,7 +71,7 @@ def test_options_a_file_and_python_make_the_same_table(tmp_path):
     assert python.to_csv(tmp_path / "python.csv").read_bytes() == table
 
 
-def test_json_is_one_object_and_writes_nothing_unasked(tmp_path):
+def test_json_is_one_object_and_writes_no_file(tmp_path):
     done = run("bouncing_ball", *OPTIONS, "--json")
     assert done.exit_code == 0
     told = json.loads(done.stdout)
@@ -95,7 +95,7 @@ def test_a_table_is_written_by_the_ending_of_its_file(tmp_path, ending):
         assert (tmp_path / "new" / f"t.{ending}").read_bytes() == python.read_bytes()
 
 
-def test_a_table_that_cannot_be_written_is_told_before_a_row_is_computed(tmp_path, monkeypatch):
+def test_a_table_that_cannot_be_written_is_reported_before_a_row_is_computed(tmp_path, monkeypatch):
     (tmp_path / "t.nc").touch()
     monkeypatch.setitem(sys.modules, "xarray", None)
     done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--workers", "few")
@@ -104,7 +104,7 @@ def test_a_table_that_cannot_be_written_is_told_before_a_row_is_computed(tmp_pat
     assert [path.name for path in tmp_path.iterdir()] == ["t.nc"]
 
 
-def test_a_table_that_fails_later_is_told_and_the_rest_is_there(tmp_path, monkeypatch):
+def test_a_table_that_fails_later_is_reported_and_the_rest_is_there(tmp_path, monkeypatch):
     monkeypatch.setattr(Sweep, "to_file", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
     done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--into", "a", "--workers", 1)
     assert (done.exit_code, "disk full" in done.stderr) == (1, True)
@@ -112,7 +112,7 @@ def test_a_table_that_fails_later_is_told_and_the_rest_is_there(tmp_path, monkey
     assert len(Sweep.load("a")) == 6
 
 
-def test_rows_that_fail_are_told_and_are_another_outcome():
+def test_rows_that_fail_are_reported_and_are_another_outcome():
     done = run("bouncing_ball", "--over", "mass=-1,1 kg", "--duration", "0.1 s", "--tolerance", "1e-5", "--into", "a")
     assert done.exit_code == 1
     assert re.search(r"bad_input +1 row: mass: found -1 kg", done.stdout)
@@ -215,7 +215,7 @@ def test_files_of_laws_are_seen_from_a_folder(text, there):
         ),
     ],
 )
-def test_bad_input_is_told_at_once_and_nothing_is_written(tmp_path, arguments, told):
+def test_bad_input_is_reported_at_once_and_nothing_is_written(tmp_path, arguments, told):
     done = run(*arguments)
     assert done.exit_code == 2
     for each in told:

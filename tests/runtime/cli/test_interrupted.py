@@ -244,7 +244,7 @@ def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run,
     assert "overview.png could not be made" in done.output
 
 
-def test_a_large_csv_is_not_written_unasked(run, monkeypatch):
+def test_a_large_csv_is_written_on_request_only(run, monkeypatch):
     monkeypatch.setattr(run_folder, "CSV_LIMIT", 1000)
     code, said, told = run("--no-plots")
     assert code == 0

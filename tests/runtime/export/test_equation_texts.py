@@ -38,7 +38,7 @@ def test_mathml_is_a_page_of_formulas():
     assert "default-src" in page  # it fetches nothing
 
 
-def test_a_file_for_sympy_has_the_values_asked_for():
+def test_a_file_for_sympy_has_the_values_requested():
     module = types.ModuleType("slider_crank")
     exec(printed("--sympy", "--set", "clearance=0.7 mm"), module.__dict__)
     values = {symbol.name: (value, module.units[symbol]) for symbol, value in module.values.items()}

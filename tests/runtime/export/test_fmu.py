@@ -128,7 +128,7 @@ def test_it_is_valid_and_gives_the_bits_of_a_run(pushed):
     assert parts.get("slide.travel", "slide.speed") == pytest.approx(whole.get("slide.travel", "slide.speed"), abs=1e-6)
 
 
-def test_it_tells_units_starts_and_causality(pushed):
+def test_it_reports_units_starts_and_causality(pushed):
     by_name = {v.name: v for v in pushed[1].modelVariables}
     found = {name: (v.causality, v.variability, v.unit, v.displayUnit, v.start) for name, v in by_name.items()}
     assert found["radius"] == ("parameter", "fixed", "m", "mm", "0.01")
@@ -211,7 +211,7 @@ def test_derivatives_of_the_last_step_by_inputs(pushed):
     assert unit.derivative(UNKNOWNS[:2]) == pytest.approx(expected, rel=1e-4)
 
 
-def test_it_returns_early_at_an_impact_where_asked_and_logs_it(pushed):
+def test_it_returns_early_at_an_impact_where_requested_and_logs_it(pushed):
     said = []
     unit = Unit(pushed, early=True, push=-3.0, log=lambda _, status, *text: said.append((status, *text)))
     found = unit.step(DURATION)

@@ -55,7 +55,7 @@ def hertzwerk(*arguments):
         ("propagation.json", ("report",)),
     ],
 )
-def test_what_commands_read_back_is_refused_where_it_is_damaged(tmp_path, file, arguments):
+def test_damaged_records_are_refused(tmp_path, file, arguments):
     (tmp_path / file).parent.mkdir(exist_ok=True)
     record = digests.sealed(
         {"distribution": {"names": ["mass"]}, "request": {"target": "bouncing_ball"}, "name": "bouncing"}

@@ -55,7 +55,7 @@ def refuse():
         os.waitpid(-1, os.WNOHANG)
 
 
-def test_what_a_task_raises_is_raised_and_no_process_is_left(monkeypatch):
+def test_errors_of_tasks_are_raised_and_no_process_is_left(monkeypatch):
     """Tried in a process of its own: this one may have servers of `multiprocessing` as children, by another test."""
     monkeypatch.setattr(module, "cores", lambda: 2)
     own = multiprocessing.get_context("fork").Process(target=refuse)

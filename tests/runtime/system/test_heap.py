@@ -24,5 +24,5 @@ def faults(begin):
 
 
 @pytest.mark.skipif(sys.platform != "linux" or platform.libc_ver()[0] != "glibc", reason="GNU's C library")
-def test_what_is_freed_is_taken_again_without_faults():
+def test_freed_memory_is_reused_without_page_faults():
     assert faults("keep_freed()") < 20 < 500 < faults("pass")

@@ -83,7 +83,7 @@ def test_a_coupling_that_cannot_be_is_refused(label):
     assert all(fault.where.startswith("effect mesh") for fault in caught.value.faults)
 
 
-def test_all_faults_are_told_at_once():
+def test_all_faults_are_reported_at_once():
     with pytest.raises(InputError) as caught:
         scene(Coupling("mesh", "rack", "wheel", number), Coupling("belt", "wheel", "wheel", -2), Coupling("screw"))
     assert [fault.where for fault in caught.value.faults] == ["effect screw"]  # the form first

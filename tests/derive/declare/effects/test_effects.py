@@ -191,7 +191,7 @@ BAD = {
 
 
 @pytest.mark.parametrize("effect", SOUND, ids=lambda e: f"{type(e).__name__} {e.text}"[:60])
-def test_what_is_varied_below_is_sound(effect):
+def test_unvaried_declarations_are_sound(effect):
     assert effect.text in generate(bench(effect))
 
 

@@ -57,7 +57,7 @@ def test_an_input_has_the_unit_that_it_is_declared_with():
     assert "voltage: found push [N]" in found(DCMotor("motor", "guide", force, *values))
 
 
-def test_every_fault_of_a_declaration_is_told_at_once():
+def test_every_fault_of_a_declaration_is_reported_at_once():
     text = found(
         JointForce("one", "guide", Input("push", "N")),
         JointForce("two", "guide", Input("push", "kN")),

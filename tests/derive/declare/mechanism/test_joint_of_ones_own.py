@@ -175,7 +175,7 @@ UNRULED = {
 
 
 @pytest.mark.parametrize("name", UNRULED)
-def test_what_no_rule_closes_is_refused_in_loops_and_absolute_coordinates_and_runs_as_a_tree(chain, name):
+def test_joints_without_a_rule_run_as_trees_and_are_refused_in_loops(chain, name):
     word, *axes = UNRULED[name]
     tree = as_tree(chain, word, axes, away=True)
     assert np.max(np.abs(motion(tree) - motion(of_built_in(word, axes, away=True)))) < 1e-8

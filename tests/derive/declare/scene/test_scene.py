@@ -238,7 +238,7 @@ BAD = {
 }  # fmt: skip
 
 
-def test_what_is_varied_below_is_sound():
+def test_unvaried_declarations_are_sound():
     assert drop().name == "drop"
     assert heavy(parameter()).parameters["mass"].default == 1.0
     assert turning(Parameter("J", "kg m^2", 1.0)).free[0].key == "axle"

@@ -181,7 +181,7 @@ def test_a_table_is_no_surface():
         pair(CustomPair("touch", HERE, THERE, APART[1] - bump(APART[0]), (0, 1, 0), (APART[0], 0, APART[2])))
 
 
-def test_a_matrix_of_inertia_is_told_what_is_taken():
+def test_a_matrix_of_inertia_is_refused_with_the_accepted_forms():
     for matrix in ([[1, 0, 0], [0, 1, 0], [0, 0, 1]], np.eye(3)):
         with pytest.raises(InputError, match=r"body block, inertia[\s\S]*three principal ones"):
             joint(Revolute("pin", GROUND, Body("block", MASS, matrix), axis=Z))

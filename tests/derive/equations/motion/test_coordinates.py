@@ -362,7 +362,7 @@ def faults_of(scene: Scene) -> dict[str, str]:
     return {fault.where: fault.found for fault in error.value.faults}
 
 
-def test_inertias_that_cannot_be_told_come_all_at_once():
+def test_unknown_inertias_are_reported_all_at_once():
     nothing, full = P("nothing", "kg m^2", 0.0), (ACROSS, ACROSS, ACROSS)
     one, two, three = (
         Body("one", 0),
@@ -417,7 +417,7 @@ def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
     }
 
 
-def test_an_arm_is_asked_for_where_bodies_turn():
+def test_an_arm_is_needed_where_bodies_turn():
     m, J, length, w = P("mass", "kg", 1.0), P("inertia", "kg m^2", 0.1), P("reach", "m", 1.0), P("pace", "rad/s", 1.0)
     arm, bead = Body("arm", m, J), Body("bead", m, J)
     joints = (Revolute("axle", GROUND, arm, Z), Prismatic("rail", arm, bead, X))

@@ -71,7 +71,7 @@ def test_local_exponent_is_the_slope_in_a_log_log_plot(sheets, name):
             assert point.exponent == pytest.approx(float(sp.Rational(sheets[name].local_exponent)), rel=1e-12)
 
 
-def test_what_the_paper_s_model_calls_n_and_what_it_is(sheets):
+def test_exponents_of_the_models_named_after_the_paper(sheets):
     """The models named after it have n = 1, at every penetration; the secant of Liu's law is stated so too, and is 3/2 at small penetration."""
     for name in ("wang_liu_internal", "wang_liu_external"):
         found = sheets[name]

@@ -314,7 +314,7 @@ def test_every_effect_is_listed_with_the_equations_it_enters(read, name):
     assert numbers == list(range(1, len(numbers) + 1))
 
 
-def test_effects_that_share_a_parameter_are_told_apart(read):
+def test_effects_that_share_a_parameter_are_distinguished(read):
     """Both walls have the same stiffness and restitution."""
     shown, _ = read("ball_between_walls")
     assert "left_wall" not in shown["right_wall_elastic_force"].effects

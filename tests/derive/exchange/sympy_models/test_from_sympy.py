@@ -112,7 +112,7 @@ def test_a_length_that_is_forgotten_is_named_in_the_users_own_expression(arm, wh
     assert fault.found.startswith(found)
 
 
-def test_every_symbol_without_a_unit_or_a_value_is_told_at_once():
+def test_every_symbol_without_a_unit_or_a_value_is_reported_at_once():
     wind, k = dynamicsymbols("wind"), sp.Symbol("k")
     method, at, units, values = models.pendulum(extra=wind + k)
     with pytest.raises(InputError) as caught:
@@ -294,7 +294,7 @@ def test_whipples_bicycle_has_its_published_eigenvalues():
     assert found == pytest.approx(published, rel=1e-8)
 
 
-def test_what_bodies_store_is_not_put_in_by_their_weight():
+def test_weight_with_a_stored_potential_does_no_other_work():
     """A bob on a string beside a push of 2 N: the energy of its height is stored, and only the push puts work in, 2 N times its way."""
     method, at, units, values = models.pendulum(extra=sp.Symbol("push"))
     (bob,) = method.bodies

@@ -236,7 +236,7 @@ def faults_of(folder: Path, text: str, base: str = "fixed") -> str:
     return str(caught.value)
 
 
-def test_every_fault_of_elements_is_told_at_once(tmp_path):
+def test_every_fault_of_elements_is_reported_at_once(tmp_path):
     told = faults_of(
         tmp_path,
         '<robot name="r"><link name="a"><inertial><mass value="heavy"/><inertia ixx="1" iyy="nan" izz="1"/></inertial>'
@@ -255,7 +255,7 @@ def test_every_fault_of_elements_is_told_at_once(tmp_path):
         assert part in told, told
 
 
-def test_every_fault_between_elements_is_told_at_once(tmp_path):
+def test_every_fault_between_elements_is_reported_at_once(tmp_path):
     told = faults_of(
         tmp_path,
         '<robot name="r"><link name="base"/><link name="a"/>'

@@ -278,7 +278,7 @@ def test_where_differentiates_branch_by_branch():
     assert force.fdiff(3) == Where(d > 0, 0, 1)
 
 
-def test_where_evaluates_only_when_asked():
+def test_where_evaluates_once_its_condition_is_decided():
     force = Where(d > 0, K * d**2, v)
     assert force.func is Where
     assert force.subs(d, 3).doit() == 9 * K

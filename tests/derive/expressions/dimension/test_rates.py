@@ -52,7 +52,7 @@ def test_of_two_rates_one_is_mistaken_where_it_alone_counts_an_angle(one, other)
         ("1/s", "1/s^2"),
     ],
 )
-def test_an_angle_is_told_in_rates_alone(one, other):
+def test_an_angle_counts_in_rates_alone(one, other):
     assert not parse_unit(one).mistaken_for(parse_unit(other))
     assert not parse_unit(other).mistaken_for(parse_unit(one))
 

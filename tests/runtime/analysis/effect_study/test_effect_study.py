@@ -116,7 +116,7 @@ def test_without_an_estimate_of_the_error_it_would_be_a_number(monkeypatch):
     assert row.changes[SPEED].relative is not None
 
 
-def test_what_changes_no_acceleration_is_none_seen_whatever_the_runs_say(springs):
+def test_an_effect_that_changes_no_acceleration_changes_no_output(springs):
     (row,) = (row for row in springs.rows if row.effect == "energy_ledger")
     assert {(change.relative, change.noise) for change in row.changes.values()} == {(None, 0.0)}
     assert "same accelerations" in row.notes[0]
@@ -165,7 +165,7 @@ def test_the_search_tries_all_together():
     assert searched({"a": 5.0, "b": 5.0}, 2.0).left_out == ()
 
 
-def test_what_follows_goes_along_and_what_falls_apart_stays():
+def test_dependent_effects_go_together_and_failing_runs_keep_theirs():
     following = {"contact": frozenset({"contact", "friction"}), "friction": frozenset({"friction"})}
     found = searched({"contact": 1.0, "friction": -1.0}, 0.5, following)
     assert found.left_out == ("contact", "friction")

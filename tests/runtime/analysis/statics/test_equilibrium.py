@@ -305,7 +305,7 @@ def test_a_leaning_tower_that_just_touches_carries_the_weights_above():
         )
 
 
-def test_what_two_supports_share_follows_from_their_stiffness_alone():
+def test_two_supports_share_by_their_stiffness_alone():
     model = engine_model(sledge(floors=2))
     rest = equilibrium(model)
     assert rest.outcome.name == "not_unique" and rest.indifferent == ("along.travel",)
@@ -346,7 +346,7 @@ def test_bad_input_is_named():
         equilibrium(engine_model("pendulum"), parameters={"mass": "1 m"})
 
 
-def test_what_only_drives_move_has_forces_without_a_freedom():
+def test_a_body_moved_by_drives_alone_has_forces():
     """A ball that is held half a millimetre deep in a floor: K d carries, and its drive takes what that is beside the weight."""
     ball, r, deep = Body("ball", Parameter("m", "kg", 1)), Parameter("r", "mm", 10), Parameter("h", "mm", 9.5)
     scene = Scene(

@@ -174,7 +174,7 @@ def test_a_bead_on_a_turntable_whose_turning_is_frozen(drive, coordinates):
     assert len(found.notes) == notes
 
 
-def test_orientations_that_nothing_holds_are_zeros_and_told():
+def test_orientations_that_nothing_holds_are_zeros_and_reported():
     """A ball in a socket, turned by 1 rad: three turns, two swings sqrt(g/(c + d)) of the point contact's normal, one bounce."""
     turned = {"float.q0": math.cos(0.5), "float.q1": 0, "float.q2": math.sin(0.5), "float.q3": 0}
     rest = equilibrium(engine_model("ball_in_socket"), initial=turned)

@@ -280,7 +280,7 @@ def test_the_command_prints_json_writes_a_new_folder_and_never_overwrites(hertzw
     assert "never overwrites" in again.stderr
 
 
-def test_bad_input_is_told_all_at_once(hertzwerk, tmp_path):
+def test_bad_input_is_reported_all_at_once(hertzwerk, tmp_path):
     done = hertzwerk("pendulum", "--set", "length", "--set", "gravity=1 kg", "--duration", "soon")
     assert done.exit_code == 2
     assert all(word in done.stderr for word in ("--set", "gravity", "duration"))

@@ -177,7 +177,7 @@ def test_a_third_run_whose_own_error_is_larger_than_expected_confirms_nothing_fa
     assert ladder_result.run.data <= 1e-6
 
 
-def test_a_third_run_that_fails_tells_nothing_and_one_that_is_stopped_ends_the_search():
+def test_a_third_run_that_fails_shows_nothing_and_one_that_is_stopped_ends_the_search():
     ladder_result = of_one_sign(0.9e-6, third=End.FAILED, log=[])
     assert (ladder_result.verdict, ladder_result.error.runs) == (Verdict.MET, 3)
     assert ladder_result.error.end == pytest.approx(0.9e-6 * 5 / 8)
@@ -284,7 +284,7 @@ def test_a_run_that_fails_at_every_tolerance_is_returned_as_far_as_it_got():
     assert len(ladder_result.error.values) == 103
 
 
-def test_where_tighter_runs_fail_one_of_nearly_the_same_tolerance_tells_the_error():
+def test_where_tighter_runs_fail_one_of_nearly_the_same_tolerance_shows_the_error():
     ladder_result, log = search(1e-6, 1e-8, fails=(2, 3))
     assert (ladder_result.verdict, ladder_result.run.data) == (Verdict.MET, (1e-8, True))
     assert log == pytest.approx([1e-8, 1e-8 / CHECK, 1e-8 / CHECK**2, 1e-8 * NEAR])

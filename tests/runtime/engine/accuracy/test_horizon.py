@@ -36,7 +36,7 @@ def test_an_exponential_under_ripples_and_scatter_keeps_its_rate():
 
 
 @pytest.mark.parametrize("exponent", [1.0, 2.0])
-def test_a_power_of_time_is_told_from_an_exponential(exponent):
+def test_a_power_of_time_is_distinguished_from_an_exponential(exponent):
     found = of(1e-7 * T**exponent)
     assert found.kind == "power"
     assert found.exponent == pytest.approx(exponent, rel=0.02)

@@ -134,7 +134,7 @@ def test_faults_name_the_input_and_what_is_wrong(value, said):
     assert text.startswith(("input push", "table lift")) and said in text
 
 
-def test_a_run_tells_all_its_faults_at_once():
+def test_a_run_reports_all_its_faults_at_once():
     given = {"psh": "3 N"}
     with pytest.raises(InputError) as error:
         simulate(shaken(), duration="2 s", inputs=given, parameters={"mass": "2 N"}, method="euler")

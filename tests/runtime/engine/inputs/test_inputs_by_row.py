@@ -141,7 +141,7 @@ def test_many_runs_have_inputs_of_their_own():
         ({"push": []}, "no value"),
     ],
 )
-def test_bad_choices_are_told_at_once(folder, over, told):
+def test_bad_choices_are_reported_at_once(folder, over, told):
     with pytest.raises(InputError, match=told):
         sweep(shaken(), over, **HOW)
 

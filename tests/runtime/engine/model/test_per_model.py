@@ -41,7 +41,7 @@ def test_a_model_that_was_run_is_freed_with_what_was_built_for_it():
     assert seen() is None
 
 
-def test_inputs_that_differ_are_told_apart_and_equal_ones_are_not():
+def test_inputs_that_differ_are_distinguished_and_equal_ones_are_not():
     values = (1, True, 1.0, "1", None, 0.0, -0.0, math.nan, (1, "m"), (1.0, "m"), (True, "m"), {"a": 1}, {"a": True})
     assert len({_key(value) for value in values}) == len(values)
     assert _key(("24 ms", {"mass": (0.2, "kg")}, {})) == _key(("24 ms", {"mass": (0.2, "kg")}, {}))

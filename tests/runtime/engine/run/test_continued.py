@@ -183,7 +183,7 @@ def test_a_folder_goes_on_in_a_new_one_bitwise(hertzwerk):
     assert any("goes on from" in warning for warning in told["warnings"])
 
 
-def test_what_is_not_as_the_run_was_is_refused_with_the_difference(hertzwerk):
+def test_options_that_differ_from_the_run_are_refused_with_the_difference(hertzwerk):
     assert hertzwerk("slider_crank", *SET, "--duration", "1 ms", "--grid", "100", "--out", "one").exit_code == 0
     for options, words in (
         (("--set", "clearance=0.2 mm"), "0.3 mm"),

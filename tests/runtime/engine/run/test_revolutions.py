@@ -29,7 +29,7 @@ def test_in_absolute_coordinates_too():
 
 
 @pytest.mark.parametrize("text", ["0.1 rev", "36 deg"])
-def test_a_run_turns_as_far_as_it_was_asked_to_with_its_own_parameters(text):
+def test_revolutions_are_counted_with_the_run_s_own_parameters(text):
     run = simulate(engine_model("slider_crank"), duration=text, tolerance=1e-4, parameters={"crank_speed": "3000 rpm"})
     assert run.t_end == pytest.approx(0.1 * 60 / 3000, rel=1e-15)
     longer = run.continued("0.2 rev")

@@ -297,7 +297,7 @@ def test_a_jump_without_one_of_its_terms_is_wrong(scene, left_out, monkeypatch, 
 # -- what has no derivative, and bad input -----------------------------------------------------------------------------
 
 
-def test_a_run_may_be_asked_for_them_at_once(crank):
+def test_a_run_returns_them_on_request(crank):
     how = {"duration": "1 ms", "tolerance": 1e-9, "compiled": False}
     run = simulate(crank, **how, sensitivities=("restitution", "guide.travel"))
     later = simulate(crank, **how).sensitivities("restitution", "guide.travel")

@@ -82,7 +82,7 @@ def test_drifting_or_short_series_have_no_interval():
     assert str(FEWEST) in short.reason
 
 
-def test_what_is_steady_is_as_sure_as_its_blocks_are_alike():
+def test_the_interval_of_a_steady_series_follows_the_spread_of_its_blocks():
     found = estimate(5 + 1e-7 * np.linspace(0, 1, 90))
     assert found.half_width == pytest.approx(1e-7 * 29 / 29.667, rel=1e-2)
     assert found.blocks == MOST
@@ -226,7 +226,7 @@ def test_bad_input(crank, options, message):
         crank.averages(**options)
 
 
-def test_the_command_line_shows_averages_where_they_are_asked_for(tmp_path):
+def test_the_command_line_shows_averages_where_they_are_requested(tmp_path):
     asked = ["run", "ball_between_walls", "--duration", "2 s", "--accuracy", "1e-4"]
     plain, with_averages = (
         CliRunner().invoke(main, [*asked, "--json", *more], prog_name="hertzwerk") for more in ((), ("--averages",))

@@ -35,7 +35,7 @@ def found(model):
 
 
 @pytest.mark.skipif(not available(), reason="no C compiler")
-def test_what_is_found_as_c_is_bitwise_what_is_found_without(run):
+def test_compiled_finders_return_the_same_bits(run):
     model = engine_model("slider_crank")
     before = found(model)
     finders = step_observers.finders(model, engine_for(model, SETTINGS.method, False).integrator, WANTED)

@@ -259,7 +259,7 @@ def test_a_fault_in_the_inertia_is_seen():
     assert worst_reaction("double_pendulum", faulty) > 1e-6
 
 
-def test_all_names_are_told_and_used_wherever_a_history_is(rattling, tmp_path):
+def test_all_names_are_reported_and_used_wherever_a_history_is(rattling, tmp_path):
     entries = {entry.name: entry for entry in Model(rattling.model).histories}
     assert entries["crank_drive.torque"].derived and not entries["guide.travel"].derived
     assert (

@@ -245,7 +245,7 @@ def test_the_depth_that_is_allowed_is_that_of_hertz_at_five_times_the_speed():
     assert "at most about 0.00084 m" in text
 
 
-def test_a_start_one_clearance_deep_is_allowed_and_told():
+def test_a_start_one_clearance_deep_is_allowed_and_reported():
     """Stiffness alone throws it apart at twice the crank's speed: an impact might press so deep, a slip of the pen as well."""
     crank = engine_model("slider_crank")
     told = simulate(
@@ -265,7 +265,7 @@ def test_a_start_one_clearance_deep_is_allowed_and_told():
     assert not any("deep" in text for text in again.warnings)
 
 
-def test_a_start_far_outside_is_told_by_the_row_and_by_the_command_line(tmp_path):
+def test_a_start_far_outside_is_reported_by_the_row_and_by_the_command_line(tmp_path):
     (row,) = simulate_many(
         engine_model("slider_crank"), [{"guide.travel": "170 cm"}], duration="1 ms", tolerance=1e-6
     ).rows

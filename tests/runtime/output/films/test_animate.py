@@ -73,7 +73,7 @@ def frames_of(path) -> list[np.ndarray]:
 # ---- frames ----------------------------------------------------------------------------------------------------------
 
 
-def test_a_gif_has_the_frames_and_the_length_asked_for(ball, tmp_path, monkeypatch):
+def test_a_gif_has_the_frames_and_the_length_requested(ball, tmp_path, monkeypatch):
     path = ball.animate(tmp_path / "ball.gif", fps=15, slow=2)
     shown = []
     with Image.open(path) as film:
@@ -301,7 +301,7 @@ def test_a_film_takes_about_eight_seconds_or_as_long_as_the_motion(span, slow, s
 # ---- files -----------------------------------------------------------------------------------------------------------
 
 
-def test_every_fault_of_a_film_is_told_at_once(ball, tmp_path, monkeypatch):
+def test_every_fault_of_a_film_is_reported_at_once(ball, tmp_path, monkeypatch):
     with pytest.raises(InputError, match=r"(?s)\.gif, \.mp4, \.html.*fps.*slow"):
         ball.animate(tmp_path / "film.avi", fps=0, slow=-1)
     with pytest.raises(InputError, match="up to 50"):  # browsers show a faster GIF at ten frames a second
@@ -349,7 +349,7 @@ def test_a_page_holds_its_frames_and_fetches_nothing(ball, tmp_path):
 
 
 @pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="no ffmpeg")
-def test_a_video_has_the_frames_asked_for(ball, tmp_path):
+def test_a_video_has_the_frames_requested(ball, tmp_path):
     path = ball.animate(tmp_path / "film.mp4", fps=10, slow=2)
     command = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0"]
     assert subprocess.run([*command, path], capture_output=True, text=True, check=True).stdout.strip() == "12"

@@ -66,7 +66,7 @@ def test_equations_of_every_scene_fit(name, tmp_path):
     assert seen(model_page(load(name).engine), tmp_path)["cut"] == []
 
 
-def test_what_a_notebook_shows_fits_its_cell(tmp_path):
+def test_output_of_a_notebook_fits_its_cell(tmp_path):
     scene, model = scene_from("slider_crank"), load("slider_crank")
     run = simulate(model, duration="12 ms")
     shown = (scene, model, run, audit_scene(scene), *LAWS.values())

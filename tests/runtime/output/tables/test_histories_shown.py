@@ -45,7 +45,7 @@ def test_a_history_of_a_table_is_an_entry_still():
     assert repr(Histories()) == ""
 
 
-def test_two_directions_of_sliding_are_told_from_a_mode():
+def test_two_directions_of_sliding_are_distinguished_from_a_mode():
     floor = SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, GROUND.at(0, 0, 0), normal=Z)
     contact = Contact("floor", laws.power(Parameter("K", "N/m^1.5", 1e6), 1.5))
     rubbing = Friction(

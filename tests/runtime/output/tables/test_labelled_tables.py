@@ -244,7 +244,7 @@ def test_a_file_that_is_written_in_parts_is_that_of_the_whole(pairs, grid, tmp_p
         monkeypatch.undo()
 
 
-def test_files_are_whole_and_never_overwritten_unasked(pairs, tmp_path, monkeypatch):
+def test_files_are_whole_and_overwritten_on_request_only(pairs, tmp_path, monkeypatch):
     file = pairs.to_file(tmp_path / "t.parquet")
     with pytest.raises(InputError, match="which exists"):
         pairs.to_file(file)

@@ -32,7 +32,7 @@ class Cells(HTMLParser):
         self.texts.append(data)
 
 
-def test_a_run_tells_outcome_parameters_and_impacts(tmp_path):
+def test_a_run_reports_outcome_parameters_and_impacts(tmp_path):
     run = simulate(load("bouncing_ball"), duration="3 s", tolerance=1e-6, parameters={"restitution": 0.6})
     assert len(run.impacts) > 8
     assert repr(run).startswith("<Solution bouncing_ball: finished: 3 s in ")

@@ -43,7 +43,7 @@ def test_limits_of_the_noise_are_those_of_chi_squared():
     assert np.mean(worth) == pytest.approx(len(T) * 0.36 / 1.64, rel=0.05)
 
 
-def test_noise_that_is_overstated_is_told():
+def test_noise_that_is_overstated_is_reported():
     """It would explain any difference of its size; noise of the stated size is hardly ever called overstated."""
     zero = np.zeros(len(T))
     assert all(residual_of(T, noise(seed), zero, 1.3).overstated for seed in range(20))

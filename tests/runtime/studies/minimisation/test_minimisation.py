@@ -131,13 +131,13 @@ def test_a_formula_has_quantities_with_their_units(text, unit, value, slope):
     assert formula.gradient(at)[formula.names.index("x.a")] == pytest.approx(slope, rel=1e-12, abs=1e-18)
 
 
-def test_a_quantity_of_another_unit_is_told_as_written():
+def test_a_quantity_of_another_unit_is_reported_as_written():
     faults = []
     assert read_formula("objective", "x.a - 2 ms", {"x.a": "m"}, faults) is None
     assert "2 ms" in str(faults[0]) and "quantity__" not in str(faults[0])
 
 
-def test_every_fault_is_told_at_once(yoke):
+def test_every_fault_is_reported_at_once(yoke):
     with pytest.raises(InputError) as caught:
         minimise(
             yoke,

@@ -51,7 +51,7 @@ def test_an_overlay_that_does_not_fit_is_refused(name, unit, said):
     assert said in str(refused.value)
 
 
-def test_a_missing_file_is_told_before_anything_runs(tmp_path, monkeypatch):
+def test_a_missing_file_is_reported_before_anything_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     done = CliRunner().invoke(main, ["study", "slider_crank", "--measured", "none.csv"])
     assert (done.exit_code, "no such file" in done.output) == (2, True)

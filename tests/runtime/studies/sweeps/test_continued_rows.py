@@ -151,6 +151,6 @@ def test_a_row_that_failed_hands_on_the_start_it_had(crank):
         ({"over": {"crank_pin.angle": "0, 1 deg"}}, "no parameter that is varied"),
     ],
 )
-def test_bad_input_is_told(crank, change, told):
+def test_bad_input_is_reported(crank, change, told):
     with pytest.raises(InputError, match=told):
         sweep(crank, **{"over": OVER, "continued": "up", **CRANK, **change})

@@ -66,7 +66,7 @@ def same(one, other):
         np.testing.assert_array_equal(one[name], other[name])
 
 
-def test_what_is_stored_is_what_a_sweep_returns_and_is_not_computed_again(ball, tmp_path, counted):
+def test_stored_rows_equal_those_returned_and_are_not_computed_again(ball, tmp_path, counted):
     height, computed = counted
     how = {
         **BALL,

@@ -45,7 +45,7 @@ def fallen(ball):
     )
 
 
-def test_a_linear_output_is_told_by_both(fallen):
+def test_both_methods_agree_on_a_linear_output(fallen):
     place, speed, _ = fallen
     of_height, of_gravity = 0.03, 0.2 * 0.4**2 / 2
     assert place.linear == pytest.approx(math.hypot(of_height, of_gravity), rel=1e-9)
@@ -110,7 +110,7 @@ def test_a_nonlinear_output_is_warned_of(ball):
     assert "warning" in str(found)
 
 
-def test_runs_that_fail_are_told(ball):
+def test_runs_that_fail_are_reported(ball):
     found = propagate(
         ball, {"restitution": Normal(0.95, 0.05)}, ["final.vertical.speed"], sample=16, duration="0.1 s", **SHORT
     )
@@ -155,7 +155,7 @@ def test_distributions_are_those_of_their_names(ball):
     assert faults == []
 
 
-def test_every_fault_is_told_at_once(ball):
+def test_every_fault_is_reported_at_once(ball):
     uncertain = {
         "mas": Normal("1 kg", "0.1 kg"), "mass": Normal("1 s", "0.1 kg"), "restitution": Uniform(0.9, 1.2), "gravity": 3,
         "drop_height": Normal("1 m", "-1 m"), "vertical.speed": Uniform("1 m/s", "0 m/s"), "radius": LogNormal("1 cm", "2 m"),

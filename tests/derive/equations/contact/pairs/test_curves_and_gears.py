@@ -239,7 +239,7 @@ LEAD = 2 * (np.tan(np.radians(20)) - np.radians(20) - np.tan(WORKING) + WORKING)
 HALF_BACKLASH = (2 * np.pi / 20 - sum((np.pi / z - 0.1 / (1.5 * z) + LEAD) * z / 20 for z in (20, 30))) * BASE[0] / 2
 
 
-def test_two_pairs_of_teeth_touch_for_a_part_of_the_pitch_that_the_ratio_of_contact_tells():
+def test_two_pairs_of_teeth_touch_for_the_part_of_the_pitch_that_the_contact_ratio_gives():
     """Both as deep, so that each carries half; the second leaves and comes with its tip, as far as the square of the way."""
     derived = Derived(meshing(sharing=True))
     pitch, deep = np.pi / 10, 1e-10

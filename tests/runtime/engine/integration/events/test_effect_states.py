@@ -340,7 +340,7 @@ def test_states_that_are_not_declared_or_not_used(change, message):
         )
 
 
-def test_bad_motors_and_controllers_are_told_at_once():
+def test_bad_motors_and_controllers_are_reported_at_once():
     control = SpeedController(
         *("control", "main", Parameter("target", "N", 1), Parameter("Kp", "V", 1)),
         *(Parameter("Ki", "V/rad", 1), "furlong"),

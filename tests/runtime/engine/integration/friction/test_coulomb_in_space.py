@@ -251,7 +251,7 @@ def agrees(pairs, W, b, sliding, holding, slip):
 
 
 @pytest.mark.parametrize("singular", [1.0, 1e-2])
-def test_what_sticks_is_held_and_what_slips_slips_against_its_friction(singular):
+def test_sticking_pairs_are_held_and_sliding_ones_oppose_friction(singular):
     settle, n, slid = settling(PAIRS), sum(map(len, PAIRS)), 0
     for W, b, sliding in problems(200, singular=singular):
         slip, busy = (np.array(x).ravel() for x in settle(W, b, np.ones(n), sliding, np.zeros(n), sliding))

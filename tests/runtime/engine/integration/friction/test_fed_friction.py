@@ -247,7 +247,7 @@ def test_a_contact_sticks_beside_a_load_by_what_it_holds(box):
     assert held.energy_residual < 1e-4
 
 
-def test_a_load_that_frees_what_holds_it_is_told():
+def test_a_load_that_frees_what_holds_it_is_reported():
     """Helped by k times what the post holds, a push of P needs P/(1 - k): from k = 1 on nothing, or more than one force, is in balance."""
     model = post(1)
     run = simulate(model, duration=0.02, tolerance=1e-8, parameters={"push": (1e-4, "N"), "k": 0.999})

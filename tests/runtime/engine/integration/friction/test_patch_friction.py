@@ -131,7 +131,7 @@ def test_alone_each_ends_in_closed_form(method):
         assert not moves[-1]
 
 
-def test_what_it_is_in_place_of_is_refused_beside_it():
+def test_friction_that_it_replaces_is_refused_beside_it():
     rub = Friction("also", "floor", smooth_coulomb(Parameter("mu_k", "1", MU), Parameter("v_s", "m/s", 1e-3)))
     drill = DrillingResistance("drill", "floor", Parameter("arm", "m", 1e-3), Parameter("slow", "rad/s", 1e-3))
     with pytest.raises(InputError) as caught:

@@ -252,7 +252,7 @@ def test_derivatives_of_a_rolling_wheel_are_those_of_its_closed_form():
     assert by["tyre.sliding_velocity", "slope"] == pytest.approx(0 * found.t, abs=EXACT)
 
 
-def test_every_fault_of_rolling_and_edges_is_told_at_once():
+def test_every_fault_of_rolling_and_edges_is_reported_at_once():
     body = Body("wheel", m, m * r**2)
     track = SphereOnPlane("track", body.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
     contact = Contact("track", power(Parameter("K", "N/m^1.5", 1e8), 1.5))

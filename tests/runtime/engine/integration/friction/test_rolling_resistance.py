@@ -127,7 +127,7 @@ def test_a_wheel_under_a_block_slows_down_and_turns_its_guide(coordinates):
 # ---- declared and shown ----------------------------------------------------------------------------------------------
 
 
-def test_every_fault_is_told():
+def test_every_fault_is_reported():
     """A pair without a contact, wrong units, two of one kind, a spin that there cannot be."""
     bare = [effect for effect in brake(arm()).effects if effect.name != "rub"]
     with pytest.raises(InputError, match="Rolling resistance needs a normal force"):

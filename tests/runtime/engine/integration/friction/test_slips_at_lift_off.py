@@ -229,7 +229,7 @@ def test_an_explicit_step_does_not_repeat_itself_near_rest():
     assert scaled(run, close) < 1e-7
 
 
-def test_what_exceeds_its_bound_by_rounding_lets_go():
+def test_a_force_beyond_its_bound_by_rounding_lets_go():
     """An onset is located to 1e-10 of the forces, to which the interior point alone does not decide it."""
     settle = settling(((0, 1),))
     W, bound = np.diag([2.0, 3.0]), np.array([0.5, 0.5])

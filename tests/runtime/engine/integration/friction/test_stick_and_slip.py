@@ -31,7 +31,7 @@ def solved(settle, W, b, sliding, first, ratio=1.0):
 
 
 @pytest.mark.parametrize("singular", [1.0, 1e-2, 1e-4])
-def test_what_sticks_is_held_and_what_slips_slips_against_its_friction(singular):
+def test_sticking_pairs_are_held_and_sliding_ones_oppose_friction(singular):
     settle = stick_and_slip.pivoting(COUNT)
     for W, b, sliding, first in problems(300, singular=singular):
         slip, force, a, busy = solved(settle, W, b, sliding, first)

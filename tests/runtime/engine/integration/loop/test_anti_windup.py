@@ -85,7 +85,7 @@ def test_a_continuous_one_beside_another_integrator(tracking):
     assert found.at(t)["control.error"] == pytest.approx(other.y[1], abs=2e-5)
 
 
-def test_what_the_limit_cuts_off_does_not_wind_up():
+def test_a_command_at_its_limit_does_not_wind_up():
     """Without it the integral goes on to grow while the torque is at its limit, and the speed shoots over."""
     torque = run(1.5)["drive.torque"]
     assert torque.max() == HIGH and torque.min() >= LOW
@@ -114,7 +114,7 @@ def test_limits_that_are_none_are_refused(fields, told):
         scene(**fields)
 
 
-def test_without_a_proportional_gain_a_tracking_time_is_asked_for():
+def test_without_a_proportional_gain_a_tracking_time_is_requested():
     found = (*("control", "main", p("target", "rad/s", TARGET), 0, p("Ki", "N m/rad", Ki), "N m"),)
     with pytest.raises(InputError, match="a limit without a proportional gain"):
         control = SpeedController(*found, limit=p("high", "N m", HIGH))

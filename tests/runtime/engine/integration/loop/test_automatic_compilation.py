@@ -157,6 +157,6 @@ def test_a_run_is_not_compiled_for_the_time_it_took_to_build_what_chooses(wanted
     assert max(wanted, default=0) < 60
 
 
-def test_what_compiled_may_be(crank):
+def test_other_values_of_compiled_are_refused(crank):
     with pytest.raises(InputError, match="auto"):
         simulate(crank, duration="1 ms", compiled="always", tolerance=1e-6)

@@ -90,7 +90,7 @@ def test_arguments_and_results_may_be_absent(small):
             assert np.array_equal(np.array(expected), np.array(found))
 
 
-def test_what_completes_a_step_with_an_event_is_apart_and_less_optimised(text):
+def test_functions_for_events_are_apart_and_less_optimised(text):
     """Of the functions that are long; what runs in every attempt is not among them."""
     often, *others = c_files.c_files(text)
     assert often.level == c_files.OFTEN
@@ -101,7 +101,7 @@ def test_what_completes_a_step_with_an_event_is_apart_and_less_optimised(text):
     assert not said[0] & said[1]
 
 
-def test_what_handles_events_calls_the_right_hand_side(text):
+def test_event_handling_calls_the_right_hand_side(text):
     """It runs seldom: the ends of a step are one function of every move and change of modes, not written into each."""
     functions = {found["name"]: found for found in c_files._FUNCTION.finditer(text)}
     (ends,) = (name for name, found in functions.items() if found["said"] == "ends")
@@ -142,7 +142,7 @@ def test_methods_share_a_program_and_each_is_as_optimised_as_alone(loop, text, m
     assert steps == {c_files.SELDOM}  # of the implicit one
 
 
-def test_what_is_compiled_together_gives_the_same_bits_and_is_not_compiled_again(monkeypatch, tmp_path):
+def test_compiling_together_gives_the_same_bits_and_happens_once(monkeypatch, tmp_path):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
     made, compile_files = [], c_compilation.compile_files
     monkeypatch.setattr(c_compilation, "compile_files", lambda *given: made.append(1) or compile_files(*given))

@@ -141,7 +141,7 @@ def test_far_means_clear():
 
 
 @pytest.mark.parametrize("gap", [APART, CLOSE])
-def test_pairs_that_are_not_asked_change_no_bit(monkeypatch, gap):
+def test_pairs_that_are_not_evaluated_change_no_bit(monkeypatch, gap):
     options = {"tolerance": 1e-7, "compiled": False}
     lean = hit(row(4), gap, **options)
     monkeypatch.setattr("hertzwerk.runtime.engine.integration.loop.plain_attempt.pairs_by_polynomial", every_pair)

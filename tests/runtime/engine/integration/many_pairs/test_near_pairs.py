@@ -72,7 +72,7 @@ def test_a_list_that_is_kept_too_long_misses_impacts(listed, every_pair_evaluate
     assert begun(run) != begun(every_pair_evaluated)
 
 
-def test_what_a_pair_dissipated_before_it_left_the_list_is_kept(listed, every_pair_evaluated):
+def test_dissipation_of_a_pair_stays_booked_after_it_leaves_the_list(listed, every_pair_evaluated):
     every = every_pair_evaluated
     run = simulate(listed, initial=fast(1), **OPTIONS)
     assert len(run.history.departures) > 3

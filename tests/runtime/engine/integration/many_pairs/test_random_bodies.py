@@ -81,7 +81,7 @@ class Bent:
 
 
 @pytest.mark.parametrize("wrong", [{}, {"off": 3e-6}, {"off": math.nan}, {"late": 1e-6}, {"late": math.nan}])
-def test_what_is_wrong_on_the_way_is_found(wrong, monkeypatch):
+def test_a_wrong_motion_before_a_right_end_is_found(wrong, monkeypatch):
     """The truth of a moment that is off, at an end that is right; all rows are judged here."""
     monkeypatch.setattr("bodies_on_planes.SAMPLES", 1000)
     (finding,) = judged(body_of(1), (1e-6,), smooth=False, made=lambda *a, **more: Bent(run(*a, **more), **wrong))

@@ -146,7 +146,7 @@ def test_the_first_event_of_many_pairs_is_that_of_each_sought_alone(number):
 
 
 @pytest.mark.parametrize("contacts", [(), BY_MODE], ids=["flight", "contact"])
-def test_what_rates_depend_on_is_found_from_kinds(contacts):
+def test_the_dependence_of_rates_is_found_from_kinds(contacts):
     found, written = (made(balls(6), contacts).dependence for made in (flow, written_flow))
     assert found == written
     assert flow(balls(6), contacts).quadratures == balls(6).nz

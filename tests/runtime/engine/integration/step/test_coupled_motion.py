@@ -275,7 +275,7 @@ def test_time_in_an_equation_puts_work_in(coordinates):
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
-def test_a_coupling_told_twice_holds_once(coordinates):
+def test_a_coupling_stated_twice_holds_once(coordinates):
     found = run(gears(MOTOR, MESH, Coupling("again", "wheel", "pinion", 1 / ratio)), coordinates)
     at_rate(found, "wheel.speed", 2.0 / 0.65)
     assert any("mesh.moment, again.moment" in warning for warning in found.warnings)

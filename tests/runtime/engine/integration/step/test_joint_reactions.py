@@ -114,7 +114,7 @@ def guide(*, inertia=0.01, **start):
     return Scene(mechanism, effects, SCALES, Start(speed={"slide": p("v0", "m/s", 1)}))
 
 
-def test_a_guide_that_comes_to_lock_is_told_when():
+def test_the_time_at_which_a_guide_locks_is_reported():
     """Friction grows with the speed over v_s: a push brings the guide to where mu tanh(v/v_s) = length/(2 arm)."""
     bound, mu, v_s, push = LENGTH / (2 * ARM), 0.3, 0.5, 40.0
     values = {"mu": mu, "v_s": (v_s, "m/s"), "push": (push, "N"), "v0": (0, "m/s")}

@@ -29,7 +29,7 @@ def test_few_steps_are_rejected_but_some_are(crank, method):
     assert SHARE[method] / 2 < share < 2 * SHARE[method]
 
 
-def test_what_is_smooth_hides_no_error_of_a_contact_at_rest():
+def test_smooth_coordinates_hide_no_error_of_a_contact_at_rest():
     """A ball that spins on a plane: its contact, stiff by its damping, holds dop853's steps down, and presses with the ball's weight alone.
 
     Errors of 300 tolerances were accepted there, and every third step rejected.

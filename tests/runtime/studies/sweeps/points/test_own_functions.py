@@ -59,6 +59,6 @@ def test_functions_that_call_each_other_partial_ones_and_those_of_packages():
     assert digest("f", np.max) == digest("f", np.max) != digest("f", np.min)
 
 
-def test_a_value_that_cannot_be_told_apart_is_refused():
+def test_a_value_that_cannot_be_distinguished_is_refused():
     with pytest.raises(InputError, match="a value of type object, enclosed or used"):
         defined("K = object()\ndef f(run):\n    return K\n")

@@ -219,7 +219,7 @@ def test_files_open_without_hertzwerk(ball, tmp_path):
         ({"grid": "steps"}, {"grid": "steps"}),
     ],
 )  # fmt: skip
-def test_bad_input_is_told_at_once(crank, given, faults):
+def test_bad_input_is_reported_at_once(crank, given, faults):
     with pytest.raises(InputError) as caught:
         sweep(crank, {"clearance": "0.1, 0.2 mm"}, **given, **CRANK)
     told = {fault.where: str(fault) for fault in caught.value.faults}

@@ -67,7 +67,7 @@ def test_no_attempt_is_passed_on_for_final_states(model, monkeypatch):
     assert passed == [2]  # the first and the last state
 
 
-def test_what_the_loop_finds_is_bitwise_what_a_run_with_its_steps_has(model):
+def test_findings_of_the_loop_are_bitwise_those_of_a_run_with_steps(model):
     given = {"clearance": "0.3 mm"}
     (row,) = Job(
         model,

@@ -133,7 +133,7 @@ def test_an_error_in_any_stage_is_that_of_its_row_alone(job, stage, monkeypatch)
     assert found[:2] + found[3:] == expected[:2] + expected[3:]
 
 
-def test_what_stops_the_sweep_stops_all_rows_that_are_done_together(job):
+def test_stopping_the_sweep_stops_all_rows_done_together(job):
     job.stop.value = 1
     try:
         with pytest.raises(KeyboardInterrupt):
