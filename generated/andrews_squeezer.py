@@ -1,4 +1,4 @@
-"""andrews_squeezer: seven bodies in three loops, the benchmark of solvers of constrained motion. Generated from derive/scenes/andrews_squeezer.py.
+"""andrews_squeezer: seven bodies in three loops, a solver benchmark. Generated from derive/scenes/andrews_squeezer.py.
 
 Do not edit; regenerate with `hertzwerk derive andrews_squeezer`.
 Effects:
@@ -13,9 +13,9 @@ import casadi as ca
 
 NAME = "andrews_squeezer"
 SOURCE = "derive/scenes/andrews_squeezer.py"
-SUMMARY = "seven bodies in three loops, the benchmark of solvers of constrained motion"
+SUMMARY = "seven bodies in three loops, a solver benchmark"
 FORMAT = "hertzwerk module 1"
-DIGEST = "873676d8eb62a1ecd5b7136363bbc89c"
+DIGEST = "50f65d7340519f6e8c3314d6cc6c7bce"
 
 EFFECTS = (
     ("motor", "force", "force on beta = mom"), ("spring", "spring", "linear spring between K3 and ground"),

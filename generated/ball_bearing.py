@@ -1,4 +1,4 @@
-"""ball_bearing: balls between two rings: cage speed, and the frequency of their passing. Generated from derive/scenes/ball_bearing.py.
+"""ball_bearing: ball bearing: cage speed and passing frequency. Generated from derive/scenes/ball_bearing.py.
 
 Do not edit; regenerate with `hertzwerk derive ball_bearing`.
 Effects:
@@ -28,9 +28,9 @@ import casadi as ca
 
 NAME = "ball_bearing"
 SOURCE = "derive/scenes/ball_bearing.py"
-SUMMARY = "balls between two rings: cage speed, and the frequency of their passing"
+SUMMARY = "ball bearing: cage speed and passing frequency"
 FORMAT = "hertzwerk module 1"
-DIGEST = "85b65190a699568eae2648aed63ce617"
+DIGEST = "ada5f000d7821ef505bb42fa6354f3c1"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft.angle"), ("load", "force", "force on ring = (0, -load, 0) in axes of ground"),

@@ -1,4 +1,4 @@
-"""bicycle: a bicycle that balances itself, on wheels that roll without slip. Generated from derive/scenes/bicycle.py.
+"""bicycle: self-stable bicycle on wheels without slip. Generated from derive/scenes/bicycle.py.
 
 Do not edit; regenerate with `hertzwerk derive bicycle`.
 Effects:
@@ -14,9 +14,9 @@ import casadi as ca
 
 NAME = "bicycle"
 SOURCE = "derive/scenes/bicycle.py"
-SUMMARY = "a bicycle that balances itself, on wheels that roll without slip"
+SUMMARY = "self-stable bicycle on wheels without slip"
 FORMAT = "hertzwerk module 1"
-DIGEST = "0b6ee3ef15ff371186073f4939426561"
+DIGEST = "ff496441302a5bd2e05ffa9f74d5dd95"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("rear_grip", "rolling_without_slip", "rolling without slip at rear_tyre"),

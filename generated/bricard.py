@@ -1,4 +1,4 @@
-"""bricard: five rods and six hinges in space, one constraint redundant. Generated from derive/scenes/bricard.py.
+"""bricard: five rods, six hinges, one redundant constraint. Generated from derive/scenes/bricard.py.
 
 Do not edit; regenerate with `hertzwerk derive bricard`.
 Effects:
@@ -12,9 +12,9 @@ import casadi as ca
 
 NAME = "bricard"
 SOURCE = "derive/scenes/bricard.py"
-SUMMARY = "five rods and six hinges in space, one constraint redundant"
+SUMMARY = "five rods, six hinges, one redundant constraint"
 FORMAT = "hertzwerk module 1"
-DIGEST = "cb98d710b466e9af5a65c508409f1808"
+DIGEST = "9f6e96c70fdb413e1de4485ab41e2ee4"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 

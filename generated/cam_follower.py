@@ -1,4 +1,4 @@
-"""cam_follower: cam whose roller follower lifts off above a speed in closed form. Generated from derive/scenes/cam_follower.py.
+"""cam_follower: cam whose roller follower lifts off. Generated from derive/scenes/cam_follower.py.
 
 Do not edit; regenerate with `hertzwerk derive cam_follower`.
 Effects:
@@ -15,9 +15,9 @@ import casadi as ca
 
 NAME = "cam_follower"
 SOURCE = "derive/scenes/cam_follower.py"
-SUMMARY = "cam whose roller follower lifts off above a speed in closed form"
+SUMMARY = "cam whose roller follower lifts off"
 FORMAT = "hertzwerk module 1"
-DIGEST = "350cc6e81c53e924b5be151acd5c3c73"
+DIGEST = "84755998d91b8b8e54dbe5655deb1ee7"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("motor", "drive", "constant speed of shaft"),

@@ -1,4 +1,4 @@
-"""flyball_governor: centrifugal governor, two loops on a turning spindle. Generated from derive/scenes/flyball_governor.py.
+"""flyball_governor: centrifugal governor, two loops on a spindle. Generated from derive/scenes/flyball_governor.py.
 
 Do not edit; regenerate with `hertzwerk derive flyball_governor`.
 Effects:
@@ -13,9 +13,9 @@ import casadi as ca
 
 NAME = "flyball_governor"
 SOURCE = "derive/scenes/flyball_governor.py"
-SUMMARY = "centrifugal governor, two loops on a turning spindle"
+SUMMARY = "centrifugal governor, two loops on a spindle"
 FORMAT = "hertzwerk module 1"
-DIGEST = "cee60d2a09101bcd17078f628dcb0c81"
+DIGEST = "99e9e7bbb75431f29dda8b1f2a610ab5"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of guide"),

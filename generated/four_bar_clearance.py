@@ -1,4 +1,4 @@
-"""four_bar_clearance: four-bar linkage with a clearance joint between coupler and rocker. Generated from derive/scenes/four_bar_clearance.py.
+"""four_bar_clearance: four-bar linkage with one clearance joint. Generated from derive/scenes/four_bar_clearance.py.
 
 Do not edit; regenerate with `hertzwerk derive four_bar_clearance`.
 Effects:
@@ -15,9 +15,9 @@ import casadi as ca
 
 NAME = "four_bar_clearance"
 SOURCE = "derive/scenes/four_bar_clearance.py"
-SUMMARY = "four-bar linkage with a clearance joint between coupler and rocker"
+SUMMARY = "four-bar linkage with one clearance joint"
 FORMAT = "hertzwerk module 1"
-DIGEST = "97d6ce2a85bbc77bba02b425fdcc7912"
+DIGEST = "a899f9aad4b10c4d6e0b57f89c687098"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),

@@ -1,4 +1,4 @@
-"""gears_with_backlash: an idle gear that rattles within its backlash: involute flanks, an uneven drive. Generated from derive/scenes/gears_with_backlash.py.
+"""gears_with_backlash: idle gear that rattles within its backlash. Generated from derive/scenes/gears_with_backlash.py.
 
 Do not edit; regenerate with `hertzwerk derive gears_with_backlash`.
 Effects:
@@ -14,9 +14,9 @@ import casadi as ca
 
 NAME = "gears_with_backlash"
 SOURCE = "derive/scenes/gears_with_backlash.py"
-SUMMARY = "an idle gear that rattles within its backlash: involute flanks, an uneven drive"
+SUMMARY = "idle gear that rattles within its backlash"
 FORMAT = "hertzwerk module 1"
-DIGEST = "f895105fa2c7f899c082d6593d7cbbbc"
+DIGEST = "d357e2771b90e696b1828bcdc32a0443"
 
 EFFECTS = (
     ("engine", "drive", "position of input = pinion_speed*t + swing*(1 - cos(firing*t))/firing**2"),

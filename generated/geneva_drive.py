@@ -1,4 +1,4 @@
-"""geneva_drive: a pin that turns a slotted wheel by a quarter, and a disc that locks it, in closed form within the plays. Generated from derive/scenes/geneva_drive.py.
+"""geneva_drive: a pin turns a slotted wheel, a disc locks it. Generated from derive/scenes/geneva_drive.py.
 
 Do not edit; regenerate with `hertzwerk derive geneva_drive`.
 Effects:
@@ -13,9 +13,9 @@ import casadi as ca
 
 NAME = "geneva_drive"
 SOURCE = "derive/scenes/geneva_drive.py"
-SUMMARY = "a pin that turns a slotted wheel by a quarter, and a disc that locks it, in closed form within the plays"
+SUMMARY = "a pin turns a slotted wheel, a disc locks it"
 FORMAT = "hertzwerk module 1"
-DIGEST = "b7b21404612695eeee9a407d76ae1352"
+DIGEST = "272797bd8f91f9e6caa9808e44d16acc"
 
 EFFECTS = (
     ("motor", "drive", "constant speed of shaft"), ("slot", "contact", "power x power_damping"),

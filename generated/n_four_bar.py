@@ -1,4 +1,4 @@
-"""n_four_bar: four-bar linkages in a row, 2 windows, through singular positions. Generated from derive/scenes/n_four_bar.py.
+"""n_four_bar: 2 four-bar windows, through singular positions. Generated from derive/scenes/n_four_bar.py.
 
 Do not edit; regenerate with `hertzwerk derive n_four_bar`.
 Effects:
@@ -12,9 +12,9 @@ import casadi as ca
 
 NAME = "n_four_bar"
 SOURCE = "derive/scenes/n_four_bar.py"
-SUMMARY = "four-bar linkages in a row, 2 windows, through singular positions"
+SUMMARY = "2 four-bar windows, through singular positions"
 FORMAT = "hertzwerk module 1"
-DIGEST = "0f6c8ed1c0504311ea868d5f12e42255"
+DIGEST = "da3b1811af09de33149a21ef958406c0"
 
 EFFECTS = (("gravity", "gravity", "uniform gravity"), ("energy_ledger", "ledger", "work put in, energy dissipated per effect"))
 

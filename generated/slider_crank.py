@@ -1,4 +1,4 @@
-"""slider_crank: slider-crank with a clearance joint between rod and slider. Generated from derive/scenes/slider_crank.py.
+"""slider_crank: slider-crank, clearance between rod and slider. Generated from derive/scenes/slider_crank.py.
 
 Do not edit; regenerate with `hertzwerk derive slider_crank`.
 Effects:
@@ -15,9 +15,9 @@ import casadi as ca
 
 NAME = "slider_crank"
 SOURCE = "derive/scenes/slider_crank.py"
-SUMMARY = "slider-crank with a clearance joint between rod and slider"
+SUMMARY = "slider-crank, clearance between rod and slider"
 FORMAT = "hertzwerk module 1"
-DIGEST = "442f74b8fa809b8aa49e38993b015855"
+DIGEST = "662c1bd279fca4ff10b710f8c2b9c402"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),

@@ -1,4 +1,4 @@
-"""slider_crank_dc_motor: slider-crank with clearance at both pins, driven by a motor whose speed is controlled. Generated from derive/scenes/slider_crank_dc_motor.py.
+"""slider_crank_dc_motor: slider-crank, two clearances, controlled DC motor. Generated from derive/scenes/slider_crank_dc_motor.py.
 
 Do not edit; regenerate with `hertzwerk derive slider_crank_dc_motor`.
 Effects:
@@ -17,9 +17,9 @@ import casadi as ca
 
 NAME = "slider_crank_dc_motor"
 SOURCE = "derive/scenes/slider_crank_dc_motor.py"
-SUMMARY = "slider-crank with clearance at both pins, driven by a motor whose speed is controlled"
+SUMMARY = "slider-crank, two clearances, controlled DC motor"
 FORMAT = "hertzwerk module 1"
-DIGEST = "be4d641a96ae857b2155b56a4fa0d5a1"
+DIGEST = "d04f0ca6b5da4c4c215786b25e59c8eb"
 
 EFFECTS = (
     ("motor", "motor", "direct-current motor on main_bearing at the voltage crank_speed*motor_constant + speed_control.command"),

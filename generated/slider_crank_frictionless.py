@@ -1,4 +1,4 @@
-"""slider_crank_frictionless: slider-crank with a clearance joint, without friction. Generated from derive/scenes/slider_crank_frictionless.py.
+"""slider_crank_frictionless: slider-crank, one clearance, without friction. Generated from derive/scenes/slider_crank_frictionless.py.
 
 Do not edit; regenerate with `hertzwerk derive slider_crank_frictionless`.
 Effects:
@@ -14,9 +14,9 @@ import casadi as ca
 
 NAME = "slider_crank_frictionless"
 SOURCE = "derive/scenes/slider_crank_frictionless.py"
-SUMMARY = "slider-crank with a clearance joint, without friction"
+SUMMARY = "slider-crank, one clearance, without friction"
 FORMAT = "hertzwerk module 1"
-DIGEST = "1b0137ab8944bf1864327d219d8842c2"
+DIGEST = "1bc4dfb0ecf44ecb973108c7343a3a45"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),

@@ -1,4 +1,4 @@
-"""slider_crank_line: slider-crank with a clearance joint whose pin touches its bush along a line. Generated from derive/scenes/slider_crank_line.py.
+"""slider_crank_line: slider-crank, clearance joint with line contact. Generated from derive/scenes/slider_crank_line.py.
 
 Do not edit; regenerate with `hertzwerk derive slider_crank_line`.
 Effects:
@@ -15,9 +15,9 @@ import casadi as ca
 
 NAME = "slider_crank_line"
 SOURCE = "derive/scenes/slider_crank_line.py"
-SUMMARY = "slider-crank with a clearance joint whose pin touches its bush along a line"
+SUMMARY = "slider-crank, clearance joint with line contact"
 FORMAT = "hertzwerk module 1"
-DIGEST = "810c17e14ffcdcb176c90e09b464d508"
+DIGEST = "85287fc948d212d98033efd549002011"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),

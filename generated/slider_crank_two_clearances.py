@@ -1,4 +1,4 @@
-"""slider_crank_two_clearances: slider-crank with clearance at both pins of the rod. Generated from derive/scenes/slider_crank_two_clearances.py.
+"""slider_crank_two_clearances: slider-crank with clearance at both rod pins. Generated from derive/scenes/slider_crank_two_clearances.py.
 
 Do not edit; regenerate with `hertzwerk derive slider_crank_two_clearances`.
 Effects:
@@ -16,9 +16,9 @@ import casadi as ca
 
 NAME = "slider_crank_two_clearances"
 SOURCE = "derive/scenes/slider_crank_two_clearances.py"
-SUMMARY = "slider-crank with clearance at both pins of the rod"
+SUMMARY = "slider-crank with clearance at both rod pins"
 FORMAT = "hertzwerk module 1"
-DIGEST = "fc5776ce1cf4c8eba7b02e9bfc684d47"
+DIGEST = "dd68fbf54500afbfc251b7c46fb2cf38"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),

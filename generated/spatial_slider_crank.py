@@ -1,4 +1,4 @@
-"""spatial_slider_crank: spatial slider-crank with a ball joint with clearance between crank and rod. Generated from derive/scenes/spatial_slider_crank.py.
+"""spatial_slider_crank: spatial slider-crank, clearance in a ball joint. Generated from derive/scenes/spatial_slider_crank.py.
 
 Do not edit; regenerate with `hertzwerk derive spatial_slider_crank`.
 Effects:
@@ -14,9 +14,9 @@ import casadi as ca
 
 NAME = "spatial_slider_crank"
 SOURCE = "derive/scenes/spatial_slider_crank.py"
-SUMMARY = "spatial slider-crank with a ball joint with clearance between crank and rod"
+SUMMARY = "spatial slider-crank, clearance in a ball joint"
 FORMAT = "hertzwerk module 1"
-DIGEST = "9895169e4ca68ea787c3d9b392921dab"
+DIGEST = "74346f25c46db83067b9263b851ecd70"
 
 EFFECTS = (
     ("crank_drive", "drive", "constant speed of main_bearing"), ("gravity", "gravity", "uniform gravity"),

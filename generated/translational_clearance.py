@@ -1,4 +1,4 @@
-"""translational_clearance: slider-crank with clearance between slider and guide. Generated from derive/scenes/translational_clearance.py.
+"""translational_clearance: slider-crank, clearance between slider and guide. Generated from derive/scenes/translational_clearance.py.
 
 Do not edit; regenerate with `hertzwerk derive translational_clearance`.
 Effects:
@@ -17,9 +17,9 @@ import casadi as ca
 
 NAME = "translational_clearance"
 SOURCE = "derive/scenes/translational_clearance.py"
-SUMMARY = "slider-crank with clearance between slider and guide"
+SUMMARY = "slider-crank, clearance between slider and guide"
 FORMAT = "hertzwerk module 1"
-DIGEST = "77e47d74f254544749a9aa087d51465a"
+DIGEST = "d722aa49094d814bf0b0fbdc8f1ae42f"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("rear_lower", "contact", "power x flores"), ("rear_upper", "contact", "power x flores"),

@@ -1,4 +1,4 @@
-"""woodpecker: jamming, slipping and pecking in turn: a limit cycle of friction and impact. Generated from derive/scenes/woodpecker.py.
+"""woodpecker: limit cycle of jamming, slipping and pecking. Generated from derive/scenes/woodpecker.py.
 
 Do not edit; regenerate with `hertzwerk derive woodpecker`.
 Effects:
@@ -17,9 +17,9 @@ import casadi as ca
 
 NAME = "woodpecker"
 SOURCE = "derive/scenes/woodpecker.py"
-SUMMARY = "jamming, slipping and pecking in turn: a limit cycle of friction and impact"
+SUMMARY = "limit cycle of jamming, slipping and pecking"
 FORMAT = "hertzwerk module 1"
-DIGEST = "d00edbf5646752599dc48fa4e061b02c"
+DIGEST = "b826831832ddb3774583af0a53b75eef"
 
 EFFECTS = (
     ("gravity", "gravity", "uniform gravity"), ("spring", "spring", "linear spring of spring_hinge"),

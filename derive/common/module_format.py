@@ -30,6 +30,7 @@ EMPTY: dict[str, tuple[Any, ...] | None] = {
 """All tables of a module as they are without rows: None where an empty one has a meaning of its own."""
 
 _MARK = re.compile(r'\A"""[^\n]*\n\nDo not edit; regenerate with `hertzwerk derive |^FORMAT = "hertzwerk module ', re.M)
+_COORDINATES = re.compile(r"^Do not edit; regenerate with `hertzwerk derive .* --coordinates (\w+)`\.$", re.M)
 _DIGEST = re.compile(r'^DIGEST = "(\w*)"$', re.M)
 _STATED = r'^{} = ("(?:[^"\\\n]|\\.)*")$'
 
@@ -49,9 +50,19 @@ def target_of(source: str, name: str) -> str:
     return name if source.startswith("derive/") else source or "FILE"
 
 
-def command(source: str, name: str) -> str:
-    """Return the command that generates the module of a scene, by its file as SOURCE states it."""
-    return f"hertzwerk derive {target_of(source, name)}"
+def command(source: str, name: str, coordinates: str | None = None) -> str:
+    """Return the command that generates the module of a scene, by its file as SOURCE states it.
+
+    coordinates    other ones than those of the scene
+    """
+    option = "" if coordinates is None else f" --coordinates {coordinates}"
+    return f"hertzwerk derive {target_of(source, name)}{option}"
+
+
+def stated_coordinates(text: str) -> str | None:
+    """Return the coordinates that the command in a module's header has, None where it has none."""
+    match = _COORDINATES.search(text)
+    return match[1] if match else None
 
 
 def without_scene(where: str, source: str, name: str) -> InputError:
@@ -74,7 +85,7 @@ def generated_text(path: Path) -> str | None:
 def refuse_generated(path: Path) -> None:
     """Raise InputError for the file of a generated module, where a scene is needed."""
     if (text := generated_text(path)) is not None:
-        raise without_scene(str(path), _stated(text, "SOURCE"), _stated(text, "NAME") or path.stem)
+        raise without_scene(str(path), stated(text, "SOURCE"), stated(text, "NAME") or path.stem)
 
 
 def require_intact(text: str, name: str, path: Path | None = None) -> None:
@@ -82,24 +93,27 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
 
     path    its file, where it has one
     """
-    stated = _stated(text, "FORMAT")
+    its_format = stated(text, "FORMAT")
     seal = _DIGEST.search(text)
-    if stated != FORMAT:
-        said, expected = f"a module in the format {stated!r}" if stated else "a module without a format", repr(FORMAT)
+    if its_format != FORMAT:
+        said, expected = f"a module in the format {its_format!r}" if its_format else "a module without a format", repr(FORMAT)
     elif seal is None or seal[1] != _digest(text):
         said, expected = "a text that does not fit its digest", "the module as hertzwerk wrote it"
     else:
         return
-    source = _stated(text, "SOURCE")
+    source = stated(text, "SOURCE")
     beside = path is not None and (path.parent / source).is_file()
     again = command(
-        shlex.quote(str(path.parent / source)) if path and beside else source, _stated(text, "NAME") or name
+        shlex.quote(str(path.parent / source)) if path and beside else source,
+        stated(text, "NAME") or name,
+        stated_coordinates(text),
     )
     where = "" if path is None or beside else f" --out {shlex.quote(str(path.parent))}"
     raise InputError(str(path or name), [Fault(str(path or name), said, expected, f"generate it anew: {again}{where}")])
 
 
-def _stated(text: str, name: str) -> str:
+def stated(text: str, name: str) -> str:
+    """Return a text that a module states by its name, such as SUMMARY; "" where it states none."""
     match = re.search(_STATED.format(name), text, re.M)
     return str(json.loads(match[1])) if match else ""
 

@@ -32,14 +32,15 @@ from hertzwerk.derive.program.emit.module_text import emit
 from hertzwerk.derive.program.program import Program
 
 
-def generate(scene: Scene, source: str = "") -> str:
-    """Text of the scene's generated module; `source` names the file of the scene.
+def generate(scene: Scene, source: str = "", coordinates: str | None = None) -> str:
+    """Text of the scene's generated module; raises InputError as `derive` does.
 
-    Raises InputError as `derive` does.
+    source         the file of the scene, as the header states it
+    coordinates    those of `scene`, where the file's scene has others
     """
     grouping = alike(scene)
     program = (grouping and _derive_alike(grouping)) or derive(scene)  # 1 to 4
-    return emit(program, source)  # 5. text
+    return emit(program, source, coordinates)  # 5. text
 
 
 def derive(scene: Scene) -> Program:

@@ -80,5 +80,5 @@ scene = Scene(
         near={name: Parameter(f"{name}_near", "rad", value) for name, value in near.items()},
     ),
     scales=Scales(length=rr, speed=Parameter("speed_scale", "m/s", 7), arm=rr),
-    summary="seven bodies in three loops, the benchmark of solvers of constrained motion",
+    summary="seven bodies in three loops, a solver benchmark",
 )

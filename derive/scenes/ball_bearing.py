@@ -85,7 +85,7 @@ def bearing(count: int, name: str) -> Scene:
         ),
         start=start,
         scales=Scales(length=c, speed=Parameter("pace", "m/s", 1), arm=D),
-        summary="balls between two rings: cage speed, and the frequency of their passing",
+        summary="ball bearing: cage speed and passing frequency",
     )
 
 

@@ -86,5 +86,5 @@ scene = Scene(
         },
     ),
     scales=Scales(length=rear, speed=Parameter("pace", "m/s", 5), arm=rear),
-    summary="a bicycle that balances itself, on wheels that roll without slip",
+    summary="self-stable bicycle on wheels without slip",
 )

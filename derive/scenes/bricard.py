@@ -38,5 +38,5 @@ scene = Scene(
     mechanism,
     effects=(Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y), EnergyLedger()),
     scales=Scales(length=L, speed=v, arm=L),
-    summary="five rods and six hinges in space, one constraint redundant",
+    summary="five rods, six hinges, one redundant constraint",
 )

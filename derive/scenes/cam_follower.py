@@ -67,5 +67,5 @@ scene = Scene(
     ),
     start=Start(position={"guide": base - pressed / K}),
     scales=Scales(length=lift, speed=lift * speed, arm=base),
-    summary="cam whose roller follower lifts off above a speed in closed form",
+    summary="cam whose roller follower lifts off",
 )

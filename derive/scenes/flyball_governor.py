@@ -85,5 +85,5 @@ scene = Scene(
         speed={"spindle": w},
     ),
     scales=Scales(length=l, speed=l * w, arm=l),
-    summary="centrifugal governor, two loops on a turning spindle",
+    summary="centrifugal governor, two loops on a spindle",
 )  # fmt: skip

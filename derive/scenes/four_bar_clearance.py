@@ -28,6 +28,7 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.laws import flores, hertz_point, smooth_coulomb
 
+# Numbers with units. Change any of them for one run: --set clearance="0.2 mm".
 r = Parameter("crank_length", "m", 0.05)
 l = Parameter("coupler_length", "m", 0.12)
 k = Parameter("rocker_length", "m", 0.10)
@@ -37,12 +38,14 @@ c = Parameter("clearance", "mm", 0.5, "bush radius minus pin radius")
 steel = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3),
                  Parameter("density", "kg/m^3", 7800, "of the steel"))  # fmt: skip
 
+# Bodies: mass, inertia about the mass centre, and where that centre is in the frame of the body.
 crank = Body("crank", mass=Parameter("crank_mass", "kg", 0.30), inertia=Parameter("crank_inertia", "kg m^2", 1.0e-4))
 coupler = Body("coupler", mass=Parameter("coupler_mass", "kg", 0.21), inertia=Parameter("coupler_inertia", "kg m^2", 2.5e-4),
                centre=(l / 2, 0, 0))  # fmt: skip
 rocker = Body("rocker", mass=Parameter("rocker_mass", "kg", 0.18), inertia=Parameter("rocker_inertia", "kg m^2", 1.5e-4),
               centre=(k / 2, 0, 0))  # fmt: skip
 
+# Joints give the bodies their coordinates. The rocker pin is none: pin and bush are surfaces that may touch.
 mechanism = Mechanism(
     "four_bar_clearance",
     joints=(
@@ -63,6 +66,7 @@ beta = sp.pi - sp.acos((k**2 + d**2 - l**2) / (2 * k * d))
 of_coupler = -w * r * sp.sin(beta) / (l * sp.sin(beta - alpha))
 of_rocker = -w * r * sp.sin(alpha) / (k * sp.sin(beta - alpha))
 
+# Everything that acts. An effect that is not listed here enters no equation.
 scene = Scene(
     mechanism,
     effects=(
@@ -77,6 +81,7 @@ scene = Scene(
         position={"crank_pin": alpha, "rocker_bearing": beta},
         speed={"crank_pin": of_coupler - w, "rocker_bearing": of_rocker},
     ),
+    # Typical sizes, of lengths in the clearance, speeds and levers: errors count by them.
     scales=Scales(length=c, speed=r * w, arm=l),
-    summary="four-bar linkage with a clearance joint between coupler and rocker",
+    summary="four-bar linkage with one clearance joint",
 )  # fmt: skip

@@ -68,5 +68,5 @@ scene = Scene(
         position={"idler": 2 * thinning / (module * Z2) + pressed / (K * base)}, speed={"idler": -speed * Z1 / Z2}
     ),
     scales=Scales(length=thinning, speed=speed * teeth[0].base_radius / 10, arm=base),
-    summary="an idle gear that rattles within its backlash: involute flanks, an uneven drive",
+    summary="idle gear that rattles within its backlash",
 )

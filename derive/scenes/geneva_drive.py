@@ -96,5 +96,5 @@ scene = Scene(
     ),
     start=Start(position={"axle": Parameter("start_angle", "deg", 45)}),
     scales=Scales(length=play, speed=speed * arm / 10, arm=distance),
-    summary="a pin that turns a slotted wheel by a quarter, and a disc that locks it, in closed form within the plays",
+    summary="a pin turns a slotted wheel, a disc locks it",
 )

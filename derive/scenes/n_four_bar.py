@@ -42,7 +42,7 @@ def n_four_bar(windows: int) -> Scene:
         effects=(Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y), EnergyLedger()),
         start=Start(speed={"foot_0": -v / L}),
         scales=Scales(length=L, speed=v, arm=L),
-        summary=f"four-bar linkages in a row, {windows} windows, through singular positions",
+        summary=f"{windows} four-bar windows, through singular positions",
     )
 
 

@@ -66,5 +66,5 @@ scene = Scene(
     ),
     start=Start(position=position, speed={"main_bearing": w, **speed}),
     scales=Scales(length=c, speed=r * w, arm=l),
-    summary="slider-crank with clearance at both pins, driven by a motor whose speed is controlled",
+    summary="slider-crank, two clearances, controlled DC motor",
 )

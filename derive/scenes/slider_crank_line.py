@@ -3,5 +3,5 @@
 from hertzwerk.derive.scenes.slider_crank import scene as at_a_point
 
 scene = at_a_point.with_law("slider_pin", "liu_with_length").named(
-    "slider_crank_line", "slider-crank with a clearance joint whose pin touches its bush along a line"
+    "slider_crank_line", "slider-crank, clearance joint with line contact"
 )

@@ -66,5 +66,5 @@ scene = Scene(
     ),
     start=Start(position=position, speed=speed),
     scales=Scales(length=c, speed=r * w, arm=l),
-    summary="slider-crank with clearance at both pins of the rod",
+    summary="slider-crank with clearance at both rod pins",
 )

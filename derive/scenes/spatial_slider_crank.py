@@ -92,5 +92,5 @@ scene = Scene(
         speed={"guide": beside * r * w / way, "slider_joint.angle_1_speed": r * w / way},
     ),
     scales=Scales(length=c, speed=r * w, arm=l),
-    summary="spatial slider-crank with a ball joint with clearance between crank and rod",
+    summary="spatial slider-crank, clearance in a ball joint",
 )

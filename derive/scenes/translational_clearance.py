@@ -93,5 +93,5 @@ scene = Scene(
     ),
     start=Start(speed={"main_bearing": crank_speed, "crank_pin": rod_speed - crank_speed, "slider_pin": -rod_speed}),
     scales=Scales(length=c, speed=r * crank_speed, arm=l),
-    summary="slider-crank with clearance between slider and guide",
+    summary="slider-crank, clearance between slider and guide",
 )

@@ -107,5 +107,5 @@ scene = Scene(
         },
     ),
     scales=Scales(length=SLEEVE - BAR, speed=Parameter("pace", "m/s", 0.3), arm=HALF),
-    summary="jamming, slipping and pecking in turn: a limit cycle of friction and impact",
+    summary="limit cycle of jamming, slipping and pecking",
 )

@@ -10,14 +10,44 @@ from pathlib import Path
 
 import click
 
-FILES = {  # by the names of commands
-    **{name: f"scene_commands.{name}" for name in ("audit", "derive", "draw", "export", "laws")},
-    **{name: f"run_commands.{name}" for name in ("animate", "report", "run", "statics")},
-    **{
-        name: f"study_commands.{name}"
-        for name in ["accuracy", "compare", "effects", "fit", "hardcases", "minimise", "propagate", "study", "sweep"]
+GROUPS = {  # commands by what they are for, each with its file
+    "Run and look": {
+        "run": "run_commands.run",
+        "list": "scene_commands.derive",
+        "draw": "scene_commands.draw",
+        "animate": "run_commands.animate",
+        "report": "run_commands.report",
     },
-    **{"list": "scene_commands.derive", "modes": "run_commands.statics", "validate": "run_commands.run"},
+    "Vary": {
+        "sweep": "study_commands.sweep",
+        "propagate": "study_commands.propagate",
+        "minimise": "study_commands.minimise",
+        "effects": "study_commands.effects",
+        "study": "study_commands.study",
+    },
+    "Analyse": {
+        "statics": "run_commands.statics",
+        "modes": "run_commands.statics",
+        "accuracy": "study_commands.accuracy",
+        "validate": "run_commands.run",
+        "hardcases": "study_commands.hardcases",
+    },
+    "Measure and fit": {"compare": "study_commands.compare", "fit": "study_commands.fit"},
+    "Equations and files": {
+        "new": "scene_commands.new",
+        "derive": "scene_commands.derive",
+        "export": "scene_commands.export",
+        "laws": "scene_commands.laws",
+        "audit": "scene_commands.audit",
+    },
+}
+FILES = {name: file for group in GROUPS.values() for name, file in group.items()}
+FIRST = {  # lines to type, in this order
+    "hertzwerk list": "list the built-in scenes",
+    "hertzwerk run slider_crank": "simulate one, with pictures in runs/",
+    "hertzwerk list slider_crank": "list its effects and histories",
+    "hertzwerk new my_mechanism.py": "write a scene of your own to begin with",
+    "hertzwerk COMMAND --help": "describe a command, with an example",
 }
 
 TARGET = (
@@ -40,6 +70,16 @@ class _Commands(click.Group):
                 command.help = f"{cleandoc(str(command.help))}\n\n{TARGET}"
             self.add_command(command)
         return super().get_command(context, name)
+
+    def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the commands to begin with, then all by what they are for."""
+        with formatter.section("To begin with"):
+            formatter.write_dl(list(FIRST.items()))
+        width = max(map(len, FILES))
+        for title, names in GROUPS.items():
+            rows = [(name.ljust(width), command) for name in names if (command := self.get_command(context, name))]
+            with formatter.section(title):
+                formatter.write_dl([(name, command.get_short_help_str(formatter.width)) for name, command in rows])
 
 
 def _open_streams() -> None:
@@ -75,8 +115,7 @@ def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> 
 def main() -> None:
     """Derive, unit-check, generate, run and validate contact and impact in mechanisms.
 
-    TARGET is a built-in scene, or a Python file that defines `scene`, which is executed. `hertzwerk COMMAND --help`
-    describes a command, with an example.
+    TARGET is a built-in scene, or a Python file that defines `scene`, which is executed.
     """
     _open_streams()
     if os.environ.get("NO_COLOR"):  # https://no-color.org

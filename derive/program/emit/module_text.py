@@ -30,8 +30,12 @@ _PROSE = ("PARAMETERS", "LIMITS", "INPUTS", "SMOOTH_INPUTS", "ADVICE", "CONTRADI
 FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # cost of a right-hand side without contact
 
 
-def emit(program: Program, source: str) -> str:
-    """Text of the generated module of an audited program; `source` names the scene's file."""
+def emit(program: Program, source: str, coordinates: str | None = None) -> str:
+    """Text of the generated module of an audited program.
+
+    source         the file of the scene
+    coordinates    those of the program, where the file's scene has others
+    """
     scene = program.scene
     kinds = Counter((function.arguments, *(r.name for r in function.results)) for function in program.functions)
     drafts = [
@@ -51,7 +55,7 @@ def emit(program: Program, source: str) -> str:
     tables |= {curve_names(curve)[1]: curve.row for curve in curves}
     casadi = program.tape.own("ca")
     parts = [
-        _header(program, source, counts),
+        _header(program, source, coordinates, counts),
         "import casadi as ca" + (f"\nimport casadi as {casadi}" if casadi != "ca" else ""),
         "\n".join(f"{name} = {_literal(text)}" for name, text in
                   (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary), ("FORMAT", FORMAT), ("DIGEST", ""))),
@@ -114,7 +118,7 @@ def _names_in(program: Program, drafts: Iterable[Draft]) -> set[str]:
     return names
 
 
-def _header(program: Program, source: str, counts: dict[str, int]) -> str:
+def _header(program: Program, source: str, coordinates: str | None, counts: dict[str, int]) -> str:
     scene = program.scene
     assignments, outputs = count_checked(program)
     contacts = ", ".join(f"{name} {count}" for name, count in counts.items() if name.startswith("contact_"))
@@ -133,7 +137,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
         (
             f'"""{scene.name}{about}. Generated from {prose(source) or "a scene"}.',
             "",
-            f"Do not edit; regenerate with `{prose(command(source, scene.name))}`.",
+            f"Do not edit; regenerate with `{prose(command(source, scene.name, coordinates))}`.",
             "Effects:",
             *(
                 line

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import importlib
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.cli.target_options import COORDINATES, LAW, WITHOUT, Variation
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.regenerate import Derived
 
 
 @click.command("list", epilog="Example: hertzwerk list slider_crank")
@@ -25,30 +21,28 @@ if TYPE_CHECKING:
 @COORDINATES
 @reports_bad_input
 def list_scenes(target: str | None, **options: Any) -> int:
-    """List the built-in scenes, or all histories of TARGET.
+    """List the built-in scenes, or effects and histories of TARGET.
 
-    Scenes with their effects, histories with unit and meaning.
+    Histories with unit and meaning.
     """
     if target is not None:
-        return _list_histories(Variation.taken(target, options))
-    from hertzwerk.runtime.engine.model.regenerate import generated_names
+        return _list_contents(Variation.taken(target, options))
+    from hertzwerk.runtime.engine.model.regenerate import generated_names, summary_of
 
-    rows = []
-    for name in generated_names():
-        module = importlib.import_module(f"hertzwerk.generated.{name}")
-        rows.append((name, module.SUMMARY, ", ".join(effect for effect, _, _ in module.EFFECTS)))
-    table(("scene", "summary", "effects"), rows)
+    table(("scene", "summary"), [(name, summary_of(name)) for name in generated_names()])
     return GOOD
 
 
-def _list_histories(varied: Variation) -> int:
-    """Print every history of a target: those always there, then those derived on request."""
+def _list_contents(varied: Variation) -> int:
+    """Print the effects of a target, and every history: those always there, then those derived on request."""
     from hertzwerk.runtime.output.tables.history_meanings import SECTIONS, entries
 
     faults: list[Fault] = []
     model = varied.model(faults)
     if faults:
         raise InputError("list", faults)
+    click.echo(f"{model.name}: effects")
+    table(("effect", "meaning"), [(name, meaning) for name, _, meaning in model.module.EFFECTS])
     histories = entries(model)
     for derived, title in SECTIONS:
         rows = [(entry.name, entry.unit, entry.meaning) for entry in histories if entry.derived == derived]
@@ -66,7 +60,8 @@ def _list_histories(varied: Variation) -> int:
 @click.option(
     "--coordinates",
     metavar="NAME",
-    help="Coordinates of the equations: tree (of the joints), absolute (of every body) or auto (default: the scene's).",
+    help="Coordinates of the equations: tree (of the joints), absolute (of every body) or auto "
+    "(default: the scene's; with --check those of the module in place).",
 )
 @click.option("--show", is_flag=True, help="Write nothing; print the equations as Markdown with LaTeX.")
 @click.option("--json", "as_json", is_flag=True, help="With --show, print one JSON object.")
@@ -90,7 +85,7 @@ def derive(
             "derive", [Fault("--coordinates without --out", coordinates, expected, "name a folder: --out DIR")]
         )
     if check:
-        return _compare(regenerate.derived(targets or built_in_scenes(), coordinates), out, everything=not targets)
+        return _compare(targets or built_in_scenes(), coordinates, out, everything=not targets)
     if not targets:
         example = " ".join(built_in_scenes()[:2])
         raise InputError("derive", [Fault("TARGET", "none", f"scenes or files, such as {example}")])
@@ -124,21 +119,20 @@ def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> 
     return GOOD
 
 
-def _compare(modules: Sequence[Derived], folder: Path | None, *, everything: bool) -> int:
-    """Report for each module whether the one in place equals what its scene derives to."""
+def _compare(targets: Sequence[str], coordinates: str | None, folder: Path | None, *, everything: bool) -> int:
+    """Report for each module whether the one in place equals the one derived from its scene."""
     from hertzwerk.runtime.engine.model import regenerate
 
-    good = True
-    for module in modules:
-        difference = regenerate.difference(module, folder)
+    modules = regenerate.compared(targets, coordinates, folder)
+    for name, difference in modules:
         if difference is None:
-            line("consistent", f"{module.name}: the module in place is what the scene derives to")
+            line("consistent", f"{name}: the module in place equals the one derived from its scene")
             continue
-        good = False
         click.echo(difference.diff, nl=False)
         action = "accept" if difference.diff else f"no module at {difference.place}; write it"
-        line("different", f"{difference.name}: {action} with `{difference.accept}`")
-    orphans = set(regenerate.generated_names()) - {module.name for module in modules} if everything else set()
+        line("different", f"{name}: {action} with `{difference.accept}`")
+    good = all(difference is None for _, difference in modules)
+    orphans = set(regenerate.generated_names()) - {name for name, _ in modules} if everything else set()
     for name in sorted(orphans):
         line("different", f"{name}: a generated module without a scene; remove generated/{name}.py")
     return GOOD if good and not orphans else OTHER_OUTCOME

@@ -230,11 +230,14 @@ def build(scene: Scene, source: str = "a scene") -> ModuleType:
     return module_of(scene.name, derive_text(scene, source))
 
 
-def derive_text(scene: Scene, source: str) -> str:
-    """Return the text of the generated module of a scene; raises InputError."""
+def derive_text(scene: Scene, source: str, coordinates: str | None = None) -> str:
+    """Return the text of the generated module of a scene; raises InputError.
+
+    coordinates    those of `scene`, where the file's scene has others
+    """
     from hertzwerk.derive.equations.derivation import generate
 
-    return generate(scene, source)
+    return generate(scene, source, coordinates)
 
 
 def equations(scene: Scene) -> Readable:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import importlib
 import pkgutil
+import shlex
 import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.derive.common.module_format import generated_text
+from hertzwerk.derive.common.module_format import generated_text, stated, stated_coordinates
 from hertzwerk.runtime.engine.model.build import (
     derive_digest,
     derive_text,
@@ -31,10 +32,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Derived:
-    """Derived module of a target: the name of its scene, and the text."""
+    """Derived module of a target: the name of its scene, its coordinates if not the scene's, and the text."""
 
     target: str
     name: str
+    coordinates: str | None
     text: str
 
 
@@ -45,25 +47,32 @@ class Difference:
     diff    "" where no module is in place
     """
 
-    name: str
     place: Path
     diff: str
     accept: str
 
 
-def derived(targets: Sequence[str], coordinates: str | None = None) -> tuple[Derived, ...]:
+def derived(
+    targets: Sequence[str],
+    coordinates: str | None = None,
+    in_place: Callable[[str, str], Path] | None = None,
+) -> tuple[Derived, ...]:
     """Derive the modules of all targets or of none; InputError holds the faults of all.
 
-    In the scenes' coordinates or others.
+    coordinates    other ones than the scenes'
+    in_place       file of the module in place, by target and name of the scene: its coordinates are the default
     """
     names: set[str] = set()
 
     def one(target: str) -> Derived:
-        scene = vary(scene_from(target), coordinates=coordinates)
+        scene = scene_from(target)
+        present = generated_text(in_place(target, scene.name)) if in_place and not coordinates else None
+        chosen = coordinates if present is None else stated_coordinates(present)
+        scene = vary(scene, coordinates=chosen)
         if scene.name in names:
             raise InputError(target, [Fault(target, f"a second scene named {scene.name}", "one name per scene")])
         names.add(scene.name)
-        return Derived(target, scene.name, derive_text(scene, source_of(target)))
+        return Derived(target, scene.name, chosen, derive_text(scene, source_of(target), chosen))
 
     return _all_or_none(targets, one)
 
@@ -120,7 +129,7 @@ def write(modules: Sequence[Derived], folder: Path | None) -> tuple[Path, ...]:
 
     Raises InputError where a file that is no generated module stands there.
     """
-    paths = tuple(_place(module, folder or folder_of(module.target)) for module in modules)
+    paths = tuple(_place(module.target, module.name, folder or folder_of(module.target)) for module in modules)
     faults = [
         Fault(str(path), "a file that is no generated module", "a module, or no file", "name another --out DIR")
         for path in paths
@@ -134,29 +143,43 @@ def write(modules: Sequence[Derived], folder: Path | None) -> tuple[Path, ...]:
     return paths
 
 
-def _place(module: Derived, folder: Path) -> Path:
+def _place(target: str, name: str, folder: Path) -> Path:
     """Return the file of a module in a folder, under another name where it would replace its scene."""
-    path, scene = folder / f"{module.name}.py", file_of(module.target)
+    path, scene = folder / f"{name}.py", file_of(target)
     same = scene is not None and path.resolve() == scene.resolve()
-    return folder / f"{module.name}_generated.py" if same else path
+    return folder / f"{name}_generated.py" if same else path
 
 
-def difference(module: Derived, folder: Path | None) -> Difference | None:
-    """Return the difference of a module in place to the derived one, None where there is none.
+def compared(
+    targets: Sequence[str], coordinates: str | None, folder: Path | None
+) -> tuple[tuple[str, Difference | None], ...]:
+    """Return the name of each scene, and the difference of its module in place to the derived one, if any.
 
-    In a folder, or beside its scene; of a built-in scene the installed one.
+    In a folder, or beside the scene; of a built-in scene the installed one. Raises InputError with the faults of all.
+
+    coordinates    other ones than those that a module in place states
     """
-    built_in = folder is None and not in_python(module.target)
-    path = _installed(module.name) if built_in else _place(module, folder or folder_of(module.target))
+
+    def in_place(target: str, name: str) -> Path:
+        built_in = folder is None and not in_python(target)
+        return _installed(name) if built_in else _place(target, name, folder or folder_of(target))
+
+    modules = derived(targets, coordinates, in_place)
+    return tuple((each.name, _difference(each, in_place(each.target, each.name), folder)) for each in modules)
+
+
+def _difference(module: Derived, path: Path, folder: Path | None) -> Difference | None:
     present = path.read_text(encoding="utf-8") if path.is_file() else ""
     if present == module.text:
         return None
-    accept = f"hertzwerk derive {module.target}{'' if folder is None else f' --out {folder}'}"
+    options = {"--coordinates": module.coordinates, "--out": folder}
+    words = [str(word) for option, value in options.items() if value is not None for word in (option, value)]
+    accept = shlex.join(["hertzwerk", "derive", module.target, *words])
     if not present:
-        return Difference(module.name, path, "", accept)
+        return Difference(path, "", accept)
     before, after = (text.splitlines(keepends=True) for text in (present, module.text))
     diff = difflib.unified_diff(before, after, f"{module.name}.py in place", f"{module.name}.py derived")
-    return Difference(module.name, path, "".join(diff), accept)
+    return Difference(path, "".join(diff), accept)
 
 
 def generated_names() -> tuple[str, ...]:
@@ -165,6 +188,11 @@ def generated_names() -> tuple[str, ...]:
     return tuple(
         sorted(module.name for module in pkgutil.iter_modules(package.__path__) if not module.name.startswith("_"))
     )
+
+
+def summary_of(name: str) -> str:
+    """Return the summary that an installed generated module states; imports nothing."""
+    return stated(_installed(name).read_text(encoding="utf-8"), "SUMMARY")
 
 
 def _installed(name: str) -> Path:

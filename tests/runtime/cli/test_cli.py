@@ -5,6 +5,7 @@ import importlib
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -284,6 +285,26 @@ def test_other_coordinates_are_derived_into_a_folder_of_their_own(hertzwerk):
     assert "Coordinates: of the joints, as the cheaper: " in Path("here/pendulum.py").read_text()
     assert hertzwerk("derive", "pendulum", "--coordinates", "auto", "--check", "--out", "here").exit_code == 0
     assert hertzwerk("derive", "pendulum", "--coordinates", "absolute", "--check", "--out", "here").exit_code == 1
+
+
+def test_the_command_that_a_check_proposes_keeps_the_coordinates_of_the_module_and_works(hertzwerk):
+    Path("mine.py").write_text(SCENE)
+    check = "derive", "mine.py", "--check", "--out", "two words"
+    absolute = hertzwerk(*check, "--coordinates", "absolute")
+    commands = [re.search("`hertzwerk (.+)`", absolute.output)[1]]
+    assert hertzwerk(*shlex.split(commands[0])).exit_code == 0
+    assert hertzwerk(*check).exit_code == 0  # in the coordinates that the module states
+    (module,) = Path("two words").iterdir()
+    assert "regenerate with `hertzwerk derive mine.py --coordinates absolute`.\n" in module.read_text()
+    module.write_text(module.read_text().replace("0.1", "0.2", 1))
+    assert "hertzwerk derive mine.py --coordinates absolute --out" in hertzwerk("run", str(module)).output
+    commands += [re.search("accept with `hertzwerk (.+)`", said)[1] for said in (hertzwerk(*check).output,
+                 hertzwerk(*check, "--coordinates", "tree").output)]  # fmt: skip
+    assert commands[0] == commands[1] != commands[2]
+    for command, coordinates in zip(commands[1:], ([], ["--coordinates", "tree"]), strict=True):
+        assert hertzwerk(*check, *coordinates).exit_code == 1
+        assert hertzwerk(*shlex.split(command)).exit_code == 0
+        assert hertzwerk(*check, *coordinates).exit_code == 0
 
 
 def test_a_file_imports_the_neighbours_of_its_own_folder(hertzwerk):

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime.cli import line_wrapping, terminal
 from hertzwerk.runtime.cli.line_wrapping import tabulated, wrapped
 
@@ -84,11 +85,23 @@ def on_terminal(command, **environment):
 @pytest.mark.by_turns(4)
 @pytest.mark.parametrize(
     "command",
-    ["list", "laws", "hardcases --list", "laws flores", pytest.param(HARDCASES, marks=pytest.mark.exhaustive)],
+    [
+        "list woodpecker",
+        "laws",
+        "hardcases --list",
+        "laws flores",
+        pytest.param(HARDCASES, marks=pytest.mark.exhaustive),
+    ],
 )
 def test_commands_fit_80_columns(command):
     lines = re.sub(r"\x1b\[[0-9;]*m", "", on_terminal(command)).split("\n")
     assert len(lines) > 10
+    assert max(map(len, lines)) <= 80
+
+
+def test_the_list_has_one_line_a_scene():
+    lines = on_terminal("list").splitlines()
+    assert [line.split()[0] for line in lines] == ["scene", *NAMES]
     assert max(map(len, lines)) <= 80
 
 

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 from each import each
 
 from hertzwerk.derive.scenes import NAMES
-from hertzwerk.runtime.cli import FILES, main
+from hertzwerk.runtime.cli import FILES, FIRST, main
 
 UNSTATED = {  # options of one value without a default: nothing is done without them
     "audit": "--expr",
@@ -32,9 +32,20 @@ def command_of(name):
 
 
 def test_no_summary_is_cut_off():
-    text = CliRunner().invoke(main, ["--help"], terminal_width=80).output
-    assert len([line for line in text.splitlines() if line.split()[:1] and line.split()[0] in FILES]) == len(FILES)
-    assert "..." not in text.partition("Commands:")[2]
+    lines = CliRunner().invoke(main, [], terminal_width=80).output.splitlines()
+    assert max(map(len, lines)) <= 80
+    described = dict(match.groups() for line in lines if (match := re.fullmatch(r"  (\w+) +([A-Z].*\.)", line)))
+    assert described == {name: command_of(name).get_short_help_str(200) for name in FILES}
+    assert not any(text.endswith("...") for text in described.values())
+
+
+def test_the_commands_to_begin_with_can_be_typed_and_each_is_one_line():
+    lines = CliRunner().invoke(main, [], terminal_width=80).output.splitlines()
+    for command, meaning in FIRST.items():
+        assert any(re.fullmatch(f"  {re.escape(command)} +{re.escape(meaning)}", line) for line in lines)
+        name, *words = command.split()[1:]
+        if name != "COMMAND":
+            command_of(name).make_context(name, words)
 
 
 @each("name", sorted(FILES))

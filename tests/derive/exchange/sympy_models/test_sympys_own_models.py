@@ -29,8 +29,11 @@ TOUCHING = {
 }  # said to be at rest where a wheel touches, but wandering: no origin
 
 
+REFUSED = ("auxiliary speeds", "bodies without an inertial frame")  # what this derivation has no use for, or lacks
+
+
 def attempt(method, origin):
-    """Whether a model is taken; alarms of its kinematics."""
+    """What a model is refused for; alarms of its kinematics."""
     try:
         reading = reading_of(method, origin)
         source, units, values, specified = random.Random(3), {}, {}, {}
@@ -44,9 +47,13 @@ def attempt(method, origin):
                 )
                 of[name_of(atom)] = value
         from_sympy(method, units=units, values=values, specified=specified, origin=origin)
-    except InputError as error:
-        return False, [fault for fault in error.faults if "velocity of" in fault.where or fault.where == "kinematics"]
-    return True, []
+    except Exception as error:  # which SymPy's test may swallow
+        if not isinstance(error, InputError):
+            return [f"{type(error).__name__}: {error}"], []
+        return [fault.found for fault in error.faults], [
+            fault for fault in error.faults if "velocity of" in fault.where or fault.where == "kinematics"
+        ]
+    return [], []
 
 
 def at_rest(method):
@@ -61,7 +68,7 @@ def at_rest(method):
 @pytest.mark.exhaustive
 def test_no_model_of_sympys_own_tests_raises_an_alarm(monkeypatch):
     monkeypatch.setattr(imported, "unit_faults", lambda *given: [])
-    tally, alarms, busy = Counter(), [], []
+    tally, refused, alarms, busy = Counter(), [], [], []
     current = ""
 
     def intercepted(form):
@@ -71,9 +78,9 @@ def test_no_model_of_sympys_own_tests_raises_an_alarm(monkeypatch):
                 busy.append(self)
                 origins = [] if isinstance(self, System) else at_rest(self)
                 for origin in (None, *(p for p in origins if (current, p.name) not in TOUCHING)):
-                    taken, wrong = attempt(self, origin)
-                    tally["tried"] += 1
-                    tally["taken"] += taken
+                    faults, wrong = attempt(self, origin)
+                    tally["refused" if faults else "taken"] += 1
+                    refused.extend(faults)
                     alarms.extend((current, origin, str(fault)) for fault in wrong)
                 busy.clear()
             return made
@@ -95,4 +102,5 @@ def test_no_model_of_sympys_own_tests_raises_an_alarm(monkeypatch):
                     busy.clear()
     print(dict(tally))
     assert alarms == []
-    assert tally["taken"] >= 75
+    assert [fault for fault in refused if not fault.startswith(REFUSED)] == []
+    assert tally["taken"] >= 88  # of 94 with SymPy 1.14: five have auxiliary speeds, one bodies without a frame
