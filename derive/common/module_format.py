@@ -96,7 +96,10 @@ def require_intact(text: str, name: str, path: Path | None = None) -> None:
     its_format = stated(text, "FORMAT")
     seal = _DIGEST.search(text)
     if its_format != FORMAT:
-        said, expected = f"a module in the format {its_format!r}" if its_format else "a module without a format", repr(FORMAT)
+        said, expected = (
+            f"a module in the format {its_format!r}" if its_format else "a module without a format",
+            repr(FORMAT),
+        )
     elif seal is None or seal[1] != _digest(text):
         said, expected = "a text that does not fit its digest", "the module as hertzwerk wrote it"
     else:
