@@ -29,6 +29,7 @@ from hertzwerk.runtime.engine.integration.step.linear_systems import Elimination
 from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
     Grips,
+    directed,
     forces,
     grips,
     may_slip,
@@ -44,6 +45,8 @@ if TYPE_CHECKING:
 
 CONVERGED = 0.05  # of the tolerance: iteration error allowed in a stage
 ROUNDING = 1e-3  # of that: smaller changes need not contract
+# last digits of a state: nor need those of this size contract where friction turns with the last digits of a slow sliding velocity
+LAST_DIGITS = 2 * EPS
 BACKWARD = 1e-9  # largest relative residual of a row; more means that elimination amplified rounding (random systems of 5 to 40: below 1e-12)
 DIVERGED = 1e4  # error norm of a step whose iterations did not converge: it is retried with the largest reduction
 FORESEEN = 0.1  # of a sliding velocity's rate: smaller changes count as none
@@ -306,6 +309,7 @@ class Stepper:
     linear: Any
     sliding: Any
     nq: int
+    turns: bool
 
     def __call__(self, start: Parts, run: Parts, h: Any, details: dict[str, Any] | None = None) -> dict[str, Any]:
         """Take one step of h [s] from a state; return the parts of a trial. `details` receives the Jacobian J."""
@@ -319,8 +323,11 @@ class Stepper:
         if isinstance(table, Rosenbrock):
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, conditions, h)
         else:
+            settled = ROUNDING * CONVERGED
+            if self.turns:
+                settled = ca.fmax(settled, _norm(LAST_DIGITS * y, least, y))
             y1, slope, error, converged = _diagonally_implicit(
-                table, self.right, solve, dt, start, conditions, h, least
+                table, self.right, solve, dt, start, conditions, h, least, settled
             )
         y1, is_closed = self.right.closed(t + h, y1, run)
         end = self.right.at(t + h, y1, *conditions)
@@ -339,7 +346,7 @@ class Stepper:
 
 def stepper(model: EngineModel, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: Contacts) -> Stepper:
     """Return the step of a method with the contacts of `right`."""
-    return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq)
+    return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq, bool(directed(model)))
 
 
 def fraction_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: Any) -> Any:
@@ -389,7 +396,15 @@ def solves(J: Any, step: Any, x: Any, r: Any) -> Any:
 
 
 def _diagonally_implicit(
-    table: DiagonallyImplicit, right: Flow, solve: Any, dt: Any, start: Parts, conditions: Any, h: Any, least: Any
+    table: DiagonallyImplicit,
+    right: Flow,
+    solve: Any,
+    dt: Any,
+    start: Parts,
+    conditions: Any,
+    h: Any,
+    least: Any,
+    settled: Any,
 ) -> tuple[Any, Any, Any, Any]:
     """Take a diagonally implicit step; return y1, the slope there, the error, whether Newton converged.
 
@@ -414,7 +429,7 @@ def _diagonally_implicit(
             sizes.append(size)
         # what is left is a geometric series, unless the changes are but rounding
         left = sizes[-1] * sizes[-1] / (sizes[-2] - sizes[-1])
-        converged *= (left >= 0) * (left <= CONVERGED) + (sizes[-1] <= ROUNDING * CONVERGED) > 0
+        converged *= (left >= 0) * (left <= CONVERGED) + (sizes[-1] <= settled) > 0
         slopes.append(w / gamma)
     y1 = known + w  # stiffly accurate: the last stage is the solution
     return y1, w / (h * gamma), _sum(table.error.weights, slopes), converged
