@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -48,6 +48,19 @@ def names_defined_by(path: Path) -> dict[str, Any]:
         finally:
             del sys.modules[module.__name__]
     return module.__dict__
+
+
+def sympy_remedy(names: Mapping[str, Any]) -> str:
+    """Return how a model of SymPy's mechanics among a file's names becomes a scene; "" where there is none."""
+    mechanics = "sympy.physics.mechanics."
+    if not any(str(getattr(value, "__module__", "")).startswith(mechanics) for value in names.values()):
+        return ""
+    methods = ("KanesMethod", "LagrangesMethod", "System")
+    model = next((name for name, value in names.items() if type(value).__name__ in methods), "method")
+    return (
+        f"A model of SymPy becomes one: scene = from_sympy({model}, units={{...}}, values={{...}}, origin=...)"
+        ".scene(scales=Scales(...)), after `from hertzwerk.derive import Scales, from_sympy`."
+    )
 
 
 def names_imported(name: str, wanted: str) -> dict[str, Any]:

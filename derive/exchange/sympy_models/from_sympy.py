@@ -10,7 +10,7 @@ matrix inverted. Every expression is audited for units, the author's own first.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache
 from typing import Any
@@ -34,6 +34,7 @@ from hertzwerk.derive.exchange.sympy_models.kinematics_audit import kinematic_fa
 from hertzwerk.derive.exchange.sympy_models.mechanism_by_expressions import MechanismByExpressions
 from hertzwerk.derive.exchange.sympy_models.model_equations import (
     Reading,
+    connected,
     frames_of,
     mass_centre,
     points_of,
@@ -89,6 +90,7 @@ class Model:
         self._contradictions = tuple((f.where, f.found, f.expected) for f in wrong if as_given)
         faults += [] if as_given else wrong
         faults += naming.unused
+        faults += [fault for body in reading.bodies for fault in self._orientation_faults(*mass_centre(body))]
         if faults:
             raise InputError(f"from_sympy, {name}", dict.fromkeys(faults))
         self.parameters: Mapping[str, Parameter] = names.parameters
@@ -111,6 +113,8 @@ class Model:
                 self._must_have_place(where)
                 return Point(body)
         self._must_have_place(where)
+        if faults := [*self._orientation_faults(where, axes)]:
+            raise InputError(f"model {self.name}", faults)
         name = where.name if axes is None else f"{where.name}_{axes.name}"
         if name not in self._bodies:
             self._bodies[name] = Body(name, mass=0), self._placed(where, axes)
@@ -155,6 +159,15 @@ class Model:
         )
         raise InputError(f"model {self.name}", [Fault(f"point {point.name}", actual, "a position from a fixed point",
                          "Locate it in SymPy, P.set_pos(O, ...), and give from_sympy(..., origin=O).")])  # fmt: skip
+
+    def _orientation_faults(self, point: Any, frame: Any) -> Iterator[Fault]:
+        """Faults of the frames of a body, and of the axes in which its velocity is written, without an orientation."""
+        ground, velocity = self._reading.frame, self._reading.velocity(point)
+        used = [axes for _, axes in velocity.args] if frame is None else [frame, *(axes for _, axes in velocity.args)]
+        for each in dict.fromkeys(used):
+            if each not in connected([ground], "_dcm_dict"):
+                yield Fault(f"frame {each.name}", f"no orientation in {ground.name}", "axes whose directions are known",
+                            f"Orient it in SymPy, such as {each.name}.orient_axis({ground.name}, {ground.name}.z, q).")  # fmt: skip
 
     def _body(self, body: Any) -> Body:
         """A body of SymPy's, its frame at the mass centre."""

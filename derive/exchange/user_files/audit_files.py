@@ -10,7 +10,7 @@ from pathlib import Path
 
 from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
-from hertzwerk.derive.common.execute_file import names_defined_by
+from hertzwerk.derive.common.execute_file import names_defined_by, sympy_remedy
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.module_format import refuse_generated
 from hertzwerk.derive.common.toml_file import MAX_BYTES
@@ -82,13 +82,14 @@ def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
 def _audit_python(file: Path) -> tuple[Finding, ...]:
     """Audit the laws made by a Python file, then its scenes."""
     refuse_generated(file)
-    values = {id(value): value for value in names_defined_by(file).values()}.values()
+    names = names_defined_by(file)
+    values = {id(value): value for value in names.values()}.values()
     built_in = {id(law) for law in LAWS.values()}
     laws = [value for value in values if isinstance(value, Law) and id(value) not in built_in]
     scenes = [value for value in values if isinstance(value, Scene)]
     if not laws and not scenes:
         expected = "a file that defines `scene = Scene(...)`, or laws"
-        raise InputError(str(file), [Fault(str(file), "neither a scene nor a law", expected)])
+        raise InputError(str(file), [Fault(str(file), "neither a scene nor a law", expected, sympy_remedy(names))])
     findings = [finding for law in laws for finding in audit_law(law)]
     faults = [fault for law in laws for fault in faults_if_consistent(law)]
     if faults:

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.execute_file import file_of_module, names_imported
+from hertzwerk.derive.common.execute_file import file_of_module, names_imported, sympy_remedy
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.generated_text import module_in, module_of
@@ -116,7 +116,7 @@ def _scene_in(content: Mapping[str, Any], target: str, name: str, kind: str) -> 
     place, _ = split_target(target)
     known = [f"{place}:{each}" for each, scene in content.items() if isinstance(scene, Scene) and each[0] != "_"]
     expected = f"one of {', '.join(known)}" if known else f"a {kind} that defines `{name} = Scene(...)`"
-    raise InputError(target, [Fault(target, actual, expected)])
+    raise InputError(target, [Fault(target, actual, expected, "" if known else sympy_remedy(content))])
 
 
 def defined_by(path: Path) -> dict[str, Any]:

@@ -8,7 +8,7 @@ import sympy as sp
 import sympy_models as models
 from derived import Derived, rate_along
 from scipy.integrate import solve_ivp
-from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
 from hertzwerk.derive import (
     GROUND,
@@ -35,6 +35,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
+    audit_path,
     coordinate_of,
     from_sympy,
     laws,
@@ -110,6 +111,53 @@ def test_a_length_that_is_forgotten_is_named_in_the_users_own_expression(arm, wh
     fault = caught.value.faults[0]
     assert fault.where == where
     assert fault.found.startswith(found)
+
+
+def test_frames_without_an_orientation_are_named():
+    """On the old code SymPy's own ValueError, as of the wheels of its bicycle."""
+    q, r, u, w = dynamicsymbols("q r u w")
+    N, B, C = map(ReferenceFrame, "NBC")
+    O, m, J = Point("O"), *sp.symbols("m J")
+    O.set_vel(N, 0)
+    P, Q = O.locatenew("P", q * N.x), O.locatenew("Q", q * N.x)
+    P.set_vel(N, u * N.x)
+    Q.set_vel(N, u * C.x)
+    B.set_ang_vel(N, w * B.z)
+    spinning = KanesMethod(N, [q, r], [u, w], kd_eqs=[q.diff() - u, r.diff() - w])
+    spinning.kanes_equations([RigidBody("wheel", P, B, m, (inertia(B, J, J, J), P))], [])
+    units = {m: "kg", J: "kg m^2", q: "m", u: "m/s", r: "rad", w: "rad/s"}
+    with pytest.raises(InputError, match=r"frame B: found no orientation in N(.|\n)*B\.orient_axis\(N, N\.z, q\)"):
+        from_sympy(spinning, units=units, values={m: 1, J: 1}, origin=O)
+    sliding = KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
+    sliding.kanes_equations([Particle("slider", P, m)], [])
+    model = from_sympy(sliding, units={m: "kg", q: "m", u: "m/s"}, values={m: 1}, origin=O)
+    assert model.at(P).body.name == "slider"
+    with pytest.raises(InputError, match="frame C: found no orientation in N"):
+        model.at(Q)
+
+
+SCRIPT = """
+from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
+q, u = dynamicsymbols("q u")
+N, O = ReferenceFrame("N"), Point("O")
+O.set_vel(N, 0)
+P = O.locatenew("P", q * N.x)
+P.set_vel(N, u * N.x)
+kane = KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
+kane.kanes_equations([Particle("slider", P, 1)], [])
+"""
+
+
+def test_a_script_of_sympy_that_declares_no_scene_gets_the_line_that_makes_one(tmp_path):
+    file = tmp_path / "slider.py"
+    file.write_text(SCRIPT)
+    for read in (load, audit_path):
+        with pytest.raises(InputError, match=r"scene = from_sympy\(kane, units={...}"):
+            read(file)
+    (tmp_path / "other.py").write_text("from dataclasses import dataclass\nkane = 3\n")
+    with pytest.raises(InputError) as caught:
+        load(tmp_path / "other.py")
+    assert "from_sympy" not in str(caught.value)
 
 
 def test_every_symbol_without_a_unit_or_a_value_is_reported_at_once():
