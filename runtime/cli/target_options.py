@@ -312,13 +312,13 @@ def number(text: str) -> Any:
         return text
 
 
-def command_line() -> str:
-    """Return the command that runs, as it can be typed again."""
+def command_line(*without: str) -> str:
+    """Return the command that runs, as it can be typed again, but for some options."""
     context = click.get_current_context()
     words = ["hertzwerk", str(context.info_name)]
     for option in context.command.params:
         name = str(option.name)
-        if context.get_parameter_source(name) is not ParameterSource.COMMANDLINE:
+        if name in without or context.get_parameter_source(name) is not ParameterSource.COMMANDLINE:
             continue
         value = context.params[name]
         values = list(value) if isinstance(value, tuple) else [value]

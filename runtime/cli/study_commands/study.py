@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import shlex
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.cli.target_options import JSON, unwritable_faults
+from hertzwerk.runtime.cli.target_options import JSON, READING, command_line, reading_of, unwritable_faults
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
     OTHER_OUTCOME,
@@ -36,8 +35,10 @@ if TYPE_CHECKING:
     "--measured",
     type=click.Path(path_type=Path),
     metavar="FILE.csv",
-    help="CSV file of signals to draw over the figures, its columns named as histories: t [s], guide.acceleration [m/s^2].",
+    help="Table of signals to draw over the figures, its columns named as histories: t [s], guide.acceleration [m/s^2]; "
+    '--columns names others: --columns "guide.acceleration=CH 2".',
 )
+@READING
 @click.option(
     "--resume",
     metavar="DIR",
@@ -47,7 +48,13 @@ if TYPE_CHECKING:
 @JSON
 @reports_bad_input
 def study(
-    name: str | None, quick: bool, out: Path | None, measured: Path | None, resume: Path | None, as_json: bool
+    name: str | None,
+    quick: bool,
+    out: Path | None,
+    measured: Path | None,
+    resume: Path | None,
+    as_json: bool,
+    **options: Any,
 ) -> int:
     """Run the study NAME and write figures, tables and verdicts.
 
@@ -63,20 +70,27 @@ def study(
     from hertzwerk.runtime.studies.paper.overlay import laid_over
     from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps, SweepStoppedError
 
+    faults: list[Fault] = []
+    reading, command = reading_of(options, faults), command_line("out", "as_json")
     if resume is not None:
-        beside = {"NAME": name, "--quick": quick, "--out": out, "--measured": measured}
-        name, quick, measured = _resumed_request(resume, [option for option, value in beside.items() if value])
+        beside = {"NAME": name, "--quick": quick, "--out": out, "--measured": measured or any(reading.values())}
+        typed = [option for option, value in beside.items() if value]
+        name, quick, measured, reading, command = _resumed_request(resume, typed)
+    if any(reading.values()) and measured is None:
+        faults.append(Fault("--measured", "none, and options that say how to read it", "--measured FILE"))
     if name is None:
         for known in NAMES:
             line(known, study_of(known).question)
         return GOOD
     wanted = resume is not None or out is not None or not as_json
     chosen = study_of(name)
-    if resume is None and (faults := unwritable_faults(out, wanted=wanted)):
+    faults += [] if resume is not None else unwritable_faults(out, wanted=wanted)
+    if faults:
         raise InputError("study", faults)
-    laid = None if measured is None else read_measurement(measured)
+    laid = None if measured is None else read_measurement(measured, **reading)
     target = str(Path(name).absolute()) if is_file(name) else name
-    request = {"study": target, "quick": quick, "measured": None if measured is None else str(measured.absolute())}
+    located = None if measured is None else str(Path(measured).absolute())
+    request = {"study": target, "quick": quick, "measured": located, "reading": reading, "command": command}
     folder = page_folder.StudyFolder(chosen.name, resume or out, request, begun=resume is not None)
     sweeps = Sweeps(folder.rows if wanted else None)
     try:
@@ -90,8 +104,7 @@ def study(
         return OTHER_OUTCOME
     page = page if laid is None else laid_over(page, laid)
     about = {"study": chosen.name, "question": chosen.question, "quick": quick, "damage": sweeps.damage}
-    options = [*(["--quick"] if quick else []), *([] if measured is None else ["--measured", str(measured)])]
-    about |= {"command": shlex.join(["hertzwerk", "study", name, *options])}
+    about["command"] = command
     code = conclude(
         lambda missing: folder.write(page, about, missing),
         lambda: {**about, **page.record()},
@@ -102,15 +115,15 @@ def study(
     return code if page.holds and not page.missing else OTHER_OUTCOME
 
 
-def _resumed_request(folder: Path, options: list[str]) -> tuple[str, bool, Path | None]:
-    """Return name, extent and measurement of the study that was stopped in a folder; raises InputError."""
+def _resumed_request(folder: Path, options: list[str]) -> tuple[Any, ...]:
+    """Return name, extent, measurement, how it is read and the command of a stopped study; raises InputError."""
     from hertzwerk.runtime.cli.page_folder import read_study_request
 
     if options:
         expected = "the same options as there; beside them --json"
         raise InputError("study", [Fault("--resume", f"{', '.join(options)} beside it", expected)])
     request = read_study_request(folder)
-    return request["study"], request["quick"], None if request["measured"] is None else Path(request["measured"])
+    return tuple(request[key] for key in ("study", "quick", "measured", "reading", "command"))
 
 
 def _report(page: Page, damage: Sequence[str]) -> None:

@@ -10,8 +10,9 @@ import csv
 import io
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +43,7 @@ PROOF = {  # of a decimal mark: what no number has whose marks part thousands
     mark: re.compile(rf"(?<![\d.,])(?:0*\{mark}\d|\d{{4,}}\{mark}|\d+\{mark}(?!\d{{3}}(?![\deE])))") for mark in GROUP
 }
 UNEVEN = "?"  # cells of a line with more or fewer than there are headings
+LABVIEW, MOTION_CAPTURE = "LabVIEW Measurement", "PathFileType"  # the first words of files that state units in a header
 REMARKS = "comment"  # heading of the last column that LabVIEW writes, whose cells may be left out
 UNPRINTED = re.compile(r"[\0-\x08\x0e-\x1f]")  # in no text
 
@@ -134,6 +136,24 @@ def layout_of(text: str, is_key: Callable[[int, str], bool], skip: int, places: 
     n, line = rows[0]
     delimiter = max(DELIMITERS[:3], key=line.count)
     return Layout(delimiter, n, _headings(line, delimiter), [], n)
+
+
+def with_header(text: str, layout: Layout) -> Layout:
+    """Return a layout with the names and units that the header states, of LabVIEW (.lvm) and motion capture (.trc)."""
+    above = [cells_of(line, layout.delimiter) for line in text.split("\n", layout.line)[: layout.line - 1]]
+    if text.startswith(LABVIEW):
+        tags = {tag: rest for tag, *rest in above}
+        time = "s" if tags.get("X_Dimension", ["Time"])[0] == "Time" else ""
+        return replace(layout, below=[time, *tags.get("Y_Unit_Label", [])])
+    if text.startswith(MOTION_CAPTURE) and len(above) >= 3:
+        length, marker = dict(zip(above[1], above[2], strict=False)).get("Units", ""), ""
+        names, units = [], []
+        for heading, axis in zip_longest(layout.headings, layout.below, fillvalue=""):
+            marker = heading or marker
+            names.append(f"{marker}.{axis.rstrip('0123456789')}" if axis else heading)
+            units.append(length if axis else {"frame#": "1", "time": "s"}.get(heading.lower(), ""))
+        return replace(layout, headings=names, below=units)
+    return layout
 
 
 def _headings(line: str, delimiter: str) -> list[str]:

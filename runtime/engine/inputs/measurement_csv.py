@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
-from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of
+from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of, with_header
 
 Array = NDArray[np.float64]
 
-TIMES = ("t", "time", "zeit")  # names of a time column, in any case
+TIMES = ("t", "time", "zeit", "x_value")  # names of a time column, in any case; the last one is LabVIEW's
 NUMBERS = ("impact",)  # names of a column that counts impacts, in any case
 KEY_UNITS = {TIMES: "s", NUMBERS: "1"}
 HEADINGS = (  # name [unit], name (unit), name/unit
@@ -257,6 +257,7 @@ def _of_text(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> tu
     if layout is None:
         expected = "a line of headings, name [unit], and lines of numbers"
         raise InputError(reading.source, [Fault(reading.source, "no lines", expected)])
+    layout = with_header(text, layout)
     where, headings = f"{path.name}, line {layout.line}", layout.headings[: layout.width]
     chosen = _chosen(where, headings, layout.below, columns, keys, reading.units, faults)
     at, names = [column[0] for column in chosen], [column[1] for column in chosen]

@@ -37,6 +37,10 @@ LVM_UNITS = {
     "columns": {"t": "X_Value", "Force": "Force", "Travel": "Travel"},
     "units": {"t": "s", "Force": "V", "Travel": "V"},
 }
+TRC = (
+    "PathFileType\t4\t(X/Y/Z)\tdrop.trc\nDataRate\tUnits\tNumMarkers\n60\t{units}\t2\nFrame#\tTime\tball\t\t\twall\n"
+    "\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n\n1\t0.0\t1\t2\t3\t9\t8\t7\n2\t0.5\t1\t4\t\t9\t8\t6\n"
+)
 MOTIVE = (
     "Format Version,1.23,Take Name,drop,Capture Frame Rate,100.000000\n\n,,Rigid Body,Rigid Body,Rigid Body,Marker\n"
     ",,Ball,Ball,Ball,Ball:1\n,,Position,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,X\n"
@@ -108,6 +112,17 @@ FILES = {
         ([0, 0.001], {"Force": [1.234, 1.25], "Travel": [0.25, 0.5]}, "V"),
         LVM_UNITS,
     ),
+    "lvm as it is": File(
+        LVM.format(mark=".") + "0.000000\t1.5\t0.25\n0.001000\t1.25\t0.5\n",
+        ([0, 0.001], {"Force": [1.5, 1.25], "Travel": [0.25, 0.5]}, "V"),
+    ),
+    "lvm without labels of units": File(
+        LVM.format(mark=".").replace("Y_Unit_Label\tVolts\tVolts\t\n", "") + "0.0\t1\t2\n0.1\t1\t2\n", "Force: found 'Force'; expected name [unit]"
+    ),
+    "lvm over a frequency": File(
+        LVM.format(mark=".").replace("X0", "X_Dimension\tFrequency\tFrequency\t\nX0") + "0.0\t1\t2\n0.1\t1\t2\n", "X_Value: found 'X_Value'"
+    ),
+    "x_value beside a time": File("t [s],X_Value [mm]\n0,1\n1,2\n", "found t, X_Value among 't, X_Value'; expected one time column"),
     "lvm of two blocks": File(
         LVM.format(mark=".") + "0.0\t1\t2\n0.1\t1\t2\nX_Value\tForce\tTravel\tComment\n0.2\t1\t2\n", "line 24, t: found 'X_Value'", LVM_UNITS
     ),
@@ -192,9 +207,12 @@ FILES = {
         {"units": {"time": "s", "ball_ty": "mm"}},
     ),
     "trc": File(
-        "PathFileType\t4\t(X/Y/Z)\tdrop.trc\nDataRate\tUnits\n60\tmm\nFrame#\tTime\tball\t\t\n\t\tX1\tY1\tZ1\n\n1\t0.0\t1\t2\t3\n2\t0.5\t1\t2\t3\n",
-        "found 'Time'; expected name [unit]",
+        TRC.format(units="mm"),
+        ([0, 0.5], {"ball.X": [1, 1], "ball.Y": [2, 4], "ball.Z": [3, NAN], "wall.X": [9, 9], "wall.Y": [8, 8], "wall.Z": [7, 6]}, "mm"),
+        {"columns": [f"{marker}.{axis}" for marker in ("ball", "wall") for axis in "XYZ"]},
     ),
+    "trc, one coordinate of one marker": File(TRC.format(units="mm"), ([0, 0.5], {"height": [2, 4]}, "mm"), {"columns": {"height": "ball.Y"}}),
+    "trc without a unit": File(TRC.format(units=""), "ball.Y: found 'ball.Y'; expected name [unit]", {"columns": ["ball.Y"]}),
     "vernier": File(
         "Latest: Time (s),Latest: Position (mm)\n0,1.5\n0.05,2.5\n",
         ([0, 0.05], {"x": [1.5, 2.5]}, "mm"),

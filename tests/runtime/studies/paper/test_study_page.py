@@ -1,6 +1,7 @@
 """Pages of studies: what they refuse, how they are written, and the command that makes them."""
 
 import json
+import shlex
 import shutil
 import sqlite3
 from contextlib import closing
@@ -12,7 +13,9 @@ from click.testing import CliRunner
 from hertzwerk.runtime import Sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.cli.page_folder import markdown
+from hertzwerk.runtime.studies.paper import overlay
 from hertzwerk.runtime.studies.paper.known_studies import NAMES, study_of
+from hertzwerk.runtime.studies.paper.overlay import laid_over
 from hertzwerk.runtime.studies.paper.plot_page import figure
 from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel, Table, Verdict, compared
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
@@ -183,6 +186,44 @@ def run(quick, progress, sweeps):
 
 study = Study("swept", "Which rows are kept?", run)
 """
+
+
+MEASURED = """
+from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel, Study, Verdict
+
+def run(quick, progress, sweeps):
+    panel = Panel("a", Axis("time", "ms", history="t"), Axis("a", "m/s^2", history="guide.acceleration"), (Curve("run", [0, 1], [0, 1]),))
+    return Page("Beside", (), charts=(Chart("beside", "Beside", (panel,)),), verdicts=(Verdict("it was drawn", "this test", True),))
+
+study = Study("beside", "How does it look?", run)
+"""
+
+
+def test_a_measurement_is_read_by_the_options_of_the_command(hertzwerk, tmp_path, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(overlay, "laid_over", lambda *about: drawn.append(laid_over(*about)) or drawn[-1])
+    (tmp_path / "beside.py").write_text(MEASURED)
+    (tmp_path / "bench.csv").write_text("made by hand\nZeit;CH 2\n0,0;1,5\n0,5;-99\n1,0;2,5\n")
+    reading = ["--columns", "guide.acceleration=CH 2", "--units", "Zeit=ms", "--units", "CH 2=km/s^2", "--missing=-99"]
+    refused = hertzwerk("beside.py", "--measured", "bench.csv")
+    assert (refused.exit_code, "units={'Zeit'" in refused.output) == (2, True), refused.output
+    done = hertzwerk("beside.py", "--out", "here", "--measured", "bench.csv", *reading)
+    assert done.exit_code == 0, done.output
+    record = json.loads((tmp_path / "here" / "study.json").read_text())
+    assert shlex.split(record["command"])[3:] == [
+        "--measured",
+        "bench.csv",
+        *reading[2:6],
+        *reading[:2],
+        "--missing",
+        "-99",
+    ]
+    assert "beside.png" in [path.name for path in (tmp_path / "here").iterdir()]
+    (page,) = drawn
+    _, measured = page.charts[0].panels[0].curves
+    np.testing.assert_allclose([measured.x, measured.y], [[0, 1], [1500, 2500]])
+    alone = hertzwerk("beside.py", *reading)
+    assert (alone.exit_code, "--measured: found none, and options" in alone.output) == (2, True)
 
 
 @pytest.mark.parametrize("kept", [True, False, "damaged"])
