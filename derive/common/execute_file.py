@@ -51,7 +51,7 @@ def names_defined_by(path: Path) -> dict[str, Any]:
 
 
 def sympy_remedy(names: Mapping[str, Any]) -> str:
-    """Return how a model of SymPy's mechanics among a file's names becomes a scene; "" where there is none."""
+    """Return the line that makes a scene of a file's model of SymPy, "" where it has none."""
     mechanics = "sympy.physics.mechanics."
     if not any(str(getattr(value, "__module__", "")).startswith(mechanics) for value in names.values()):
         return ""

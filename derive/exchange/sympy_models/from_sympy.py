@@ -161,7 +161,7 @@ class Model:
                          "Locate it in SymPy, P.set_pos(O, ...), and give from_sympy(..., origin=O).")])  # fmt: skip
 
     def _orientation_faults(self, point: Any, frame: Any) -> Iterator[Fault]:
-        """Faults of the frames of a body, and of the axes in which its velocity is written, without an orientation."""
+        """Faults of frames without an orientation: of a body, and those in which its velocity is written."""
         ground, velocity = self._reading.frame, self._reading.velocity(point)
         used = [axes for _, axes in velocity.args] if frame is None else [frame, *(axes for _, axes in velocity.args)]
         for each in dict.fromkeys(used):
