@@ -116,7 +116,10 @@ def study(
 
 
 def _resumed_request(folder: Path, options: list[str]) -> tuple[Any, ...]:
-    """Return name, extent, measurement, how it is read and the command of a stopped study; raises InputError."""
+    """Return the request of a stopped study: NAME, --quick, the measurement, its reading, the command.
+
+    Raises InputError.
+    """
     from hertzwerk.runtime.cli.page_folder import read_study_request
 
     if options:

@@ -139,7 +139,7 @@ def layout_of(text: str, is_key: Callable[[int, str], bool], skip: int, places: 
 
 
 def with_header(text: str, layout: Layout) -> Layout:
-    """Return a layout with the names and units that the header states, of LabVIEW (.lvm) and motion capture (.trc)."""
+    """Return a layout with the names and units that a header of LabVIEW or of motion capture states."""
     above = [cells_of(line, layout.delimiter) for line in text.split("\n", layout.line)[: layout.line - 1]]
     if text.startswith(LABVIEW):
         tags = {tag: rest for tag, *rest in above}
