@@ -38,8 +38,8 @@ def measured(page: str) -> tuple[float, float, str]:
     """Mean length, share above LONG words, and the longest sentence."""
     all_of = sentences(page)
     lengths = [words(sentence) for sentence in all_of]
-    longest = max(all_of, key=words)
-    return sum(lengths) / len(lengths), sum(length > LONG for length in lengths) / len(lengths), longest
+    n = len(all_of) or 1
+    return sum(lengths) / n, sum(length > LONG for length in lengths) / n, max(all_of, key=words, default="")
 
 
 if __name__ == "__main__":

@@ -1,9 +1,8 @@
-"""Every README keeps its promises: its code runs, its commands and links are there, and what it lists is all there is."""
+"""Every README and page of the handbook keeps its promises: commands and links exist, and lists are complete."""
 
 import inspect
 import re
 import shlex
-import tomllib
 from pathlib import Path
 
 import pytest
@@ -14,11 +13,10 @@ import hertzwerk.derive
 from hertzwerk.derive.laws.law import Law
 from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.analysis.validation.scenario import Scenario, load_scenario
+from hertzwerk.runtime.analysis.validation.scenario import Scenario
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.solution import outcome
 from hertzwerk.runtime.engine.solution.history import units_of
-from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = (
@@ -26,7 +24,9 @@ DOCUMENTS = (
     "CONTRIBUTING.md",
     *(f"{room}/README.md" for room in ("derive", "derive/laws", "derive/scenes", "runtime", "tests")),
 )
-TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in DOCUMENTS}
+HANDBOOK = Path("runtime", "handbook")
+PAGES = tuple(page.relative_to(ROOT).as_posix() for page in sorted((ROOT / HANDBOOK).rglob("*.md")))
+TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in (*DOCUMENTS, *PAGES)}
 # Commands and options that take many seconds, each with tests of its own or a step of .ci/run
 LONG = {
     *("accuracy", "animate", "effects", "export", "hardcases", "propagate", "report", "study", "validate"),
@@ -39,21 +39,16 @@ def blocks(name, *languages):
     return [text for language, text in found if language in languages]
 
 
-def write_files(name, folder):
-    """Blocks that begin with the name of a file become that file."""
-    for text in blocks(name, "python", "toml", "xml"):
-        if file := re.match(r"(?:# |<!-- )(\w+\.\w+)(?: -->)?\n", text):
-            (folder / file[1]).write_text(text, encoding="utf-8")
-
-
 PYTHON = [
-    pytest.param(name, text, id=f"{name}-{i}", marks=pytest.mark.slow if name == "runtime/README.md" else ())
+    pytest.param(name, text, id=f"{name}-{i}")
     for name in DOCUMENTS
-    if name != "CONTRIBUTING.md"  # its blocks are run by test_contributing.py
+    if name != "CONTRIBUTING.md"  # its blocks are run by test_contributing.py, those of the handbook in tests/runtime/handbook
     for i, text in enumerate(blocks(name, "python"))
 ]
-TOML = [(name, text) for name in DOCUMENTS for text in blocks(name, "toml") if name != "CONTRIBUTING.md"]
-SHELL = {name: [line for text in blocks(name, "sh") for line in text.splitlines()] for name in DOCUMENTS}
+SHELL = {
+    name: [line.removeprefix("$ ") for text in blocks(name, "sh", "console") for line in text.splitlines()]
+    for name in TEXTS
+}
 
 
 def commands(name):
@@ -71,13 +66,19 @@ def test_set_up_example_and_picture_stand_by_line_40():
         assert promised in top
 
 
-def test_it_has_at_most_125_lines_and_its_example_20():
-    assert len(TEXTS["README.md"].splitlines()) <= 125
-    assert len(blocks("README.md", "python")[0].splitlines()) <= 20
+def test_it_has_at_most_100_lines_and_its_example_10():
+    assert len(TEXTS["README.md"].splitlines()) <= 100
+    assert len(blocks("README.md", "python")[0].splitlines()) <= 10
 
 
-def test_it_lists_all_commands():
-    assert set(re.findall(r"^\| `hertzwerk (\w+)", TEXTS["README.md"], re.MULTILINE)) == set(main.list_commands(None))
+@pytest.mark.parametrize("folder", ["derive", "runtime"])
+def test_a_folder_is_described_in_at_most_120_lines(folder):
+    assert len(TEXTS[f"{folder}/README.md"].splitlines()) <= 120
+
+
+def test_all_commands_are_listed():
+    listed = re.findall(r"^\| `hertzwerk (\w+)", TEXTS["runtime/README.md"], re.MULTILINE)
+    assert set(listed) == set(main.list_commands(None))
 
 
 # -- all pages ---------------------------------------------------------------------------------------------------------
@@ -87,25 +88,12 @@ def test_it_lists_all_commands():
 def test_python_runs_as_written(name, text, tmp_path, monkeypatch):
     """Where warnings are errors; what it says it writes, it writes."""
     monkeypatch.chdir(tmp_path)
-    write_files(name, tmp_path)
     exec(compile(text, name, "exec"), {"__name__": "__main__"})
     for picture in re.findall(r'savefig\("([^"]+)"', text):
         assert (tmp_path / picture).read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize(("name", "text"), TOML)
-def test_toml_is_read_as_written(name, text, tmp_path):
-    write_files(name, tmp_path)
-    file = tmp_path / re.match(r"# (\S+)\n", text)[1]
-    if "law" in tomllib.loads(text):
-        assert hertzwerk.derive.laws_from(file)
-    elif "over" in tomllib.loads(text):
-        assert read_sweep(file)["outputs"]
-    else:
-        assert load_scenario(file).checks
-
-
-@pytest.mark.parametrize("name", DOCUMENTS)
+@each("name", TEXTS)
 def test_every_command_and_option_it_shows_exists(name):
     shown = {line.strip("`") for line in re.findall(r"`hertzwerk [a-z][^`]*`", TEXTS[name])}
     for command, *rest in [*commands(name), *(line.split()[1:] for line in shown)]:
@@ -130,7 +118,6 @@ def test_commands_run_as_written(name, long, tmp_path, monkeypatch):
     Pictures of a scene's run, which take four fifths of its time, are drawn once.
     """
     monkeypatch.chdir(tmp_path)
-    write_files(name, tmp_path)
     drawn = set()
     for arguments in commands(name):
         if "--cluster" not in arguments and bool(LONG & {*arguments}) == long:
@@ -140,7 +127,7 @@ def test_commands_run_as_written(name, long, tmp_path, monkeypatch):
             assert done.exit_code == 0, (arguments, done.output)
 
 
-@pytest.mark.parametrize("name", DOCUMENTS)
+@each("name", TEXTS)
 def test_links_lead_somewhere(name):
     prose = re.sub(r"^```.*?^```$|`[^`\n]*`", "", TEXTS[name], flags=re.MULTILINE | re.DOTALL)
     targets = re.findall(r"\]\(([^)#]+)[^)]*\)", prose)
@@ -206,13 +193,22 @@ def written(kind):
     return f"{kind.__name__}({', '.join(parts)})"
 
 
+def pages(*folders):
+    """Text of all pages in folders of the handbook."""
+    return "\n".join(TEXTS[name] for name in PAGES if name.startswith(tuple(f"{HANDBOOK}/{folder}/" for folder in folders)))
+
+
+DECLARATION = pages("howto/model")
+
+
 @each("kind", [kind for kind in DECLARED if kind.__name__ not in INNER])
 def test_every_record_stands_there_with_its_signature(kind):
-    assert f"`{written(kind)}`" in TEXTS["derive/README.md"]
+    assert f"`{written(kind)}`" in DECLARATION
 
 
 def test_every_public_name_is_explained():
-    assert [name for name in dir(hertzwerk.derive) if not re.search(rf"\b{name}\b", TEXTS["derive/README.md"])] == []
+    text = pages("howto/model", "howto/exchange")
+    assert [name for name in dir(hertzwerk.derive) if not re.search(rf"\b{name}\b", text)] == []
 
 
 def test_every_scene_is_in_the_gallery():
@@ -221,13 +217,13 @@ def test_every_scene_is_in_the_gallery():
 
 
 def test_every_key_of_a_scenario_is_explained():
-    page = TEXTS["derive/README.md"].split("## Scenario files")[1]
+    page = TEXTS[f"{HANDBOOK}/howto/exchange/scenario-files.md"].split("| quantity |")[0]
     keys = {key for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)}
     assert keys == set(Scenario.model_fields)
 
 
 def test_every_outcome_is_explained():
-    page = TEXTS["runtime/README.md"].split("## Outcomes")[1].split("\n## ")[0]
+    page = TEXTS[f"{HANDBOOK}/howto/run/accuracy-unreachable.md"]
     named = {name for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for name in re.findall(r"`(\w+)`", row)}
     literal = re.findall(r'^        "([a-z]+_[a-z_]+)",$', inspect.getsource(outcome), re.MULTILINE)
     assert len(literal) > 3
@@ -235,8 +231,8 @@ def test_every_outcome_is_explained():
 
 
 def patterns():
-    """The names of histories that the README lists, as regular expressions."""
-    page = TEXTS["runtime/README.md"].split("## Outputs")[1].split("\n## ")[0]
+    """The names of histories that the handbook lists, as regular expressions."""
+    page = "\n".join(TEXTS[f"{HANDBOOK}/howto/run/{name}.md"] for name in ("histories", "joint-reactions"))
     for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE):
         for name, more in re.findall(r"`([^`]+)`(\.\.)?", row):
             pattern = re.sub(r"<\w+>", r"\\w+", name.replace(".", r"\."))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from benchmarks.ratios import Measurement, Ratio, medians
 
-README = Path(__file__).parents[2] / "README.md"
+PAGE = Path(__file__).parents[2] / "runtime" / "handbook" / "howto" / "model" / "first-scene.md"
 HERTZWERK = (sys.executable, "-c", "from hertzwerk.command_line import start; start()", "run")
 VARIED = ("slider_crank", "--without", "slider_pin_friction")
 
@@ -44,7 +44,7 @@ def minute() -> Iterator[Ratio]:
         def run(*target: str, cache: str = "known") -> Measurement:
             return process(*HERTZWERK, *target, cache=cache)
 
-        scene = re.search(r"```python\n# my_ball\.py\n(.*?)```", README.read_text(), re.DOTALL)
+        scene = re.search(r"```python\n# my_ball\.py\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
         assert scene is not None
         (Path(place) / "my_ball.py").write_text(scene[1])
         sympy, pyplot = (process(sys.executable, "-c", f"import {name}") for name in ("sympy", "matplotlib.pyplot"))

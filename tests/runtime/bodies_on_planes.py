@@ -283,7 +283,7 @@ def truth_of(motion: Motion, found: EngineSolution, rows: np.ndarray) -> tuple[n
 def distance(apart: np.ndarray, rates: np.ndarray, pace: float) -> np.ndarray:
     """Return the least over a shift in time of the largest difference (rows), the shift counted by `pace` [1/s].
 
-    As README's section on accuracy has it, with the motion linear in the shift: convex, so that its least is found by thirds.
+    As the handbook defines it, with the motion linear in the shift: convex, so that its least is found by thirds.
     """
 
     def off(shift: np.ndarray) -> np.ndarray:

@@ -1,6 +1,6 @@
 """A rotor with a torque-speed line drives a slider-crank through a shaft: as one scene, and as two units that are stepped in turns.
 
-`python tests/runtime/export/coupled.py` prints what co-simulation costs in accuracy, the table of runtime/README.md.
+`python tests/runtime/export/coupled.py` prints what co-simulation costs in accuracy, the table of howto/exchange/fmi.md of the handbook.
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""CasADi functions as the README lists them: arguments and results of all, and what those of a step return."""
+"""CasADi functions as the handbook lists them: arguments and results of all, and what those of a step return."""
 
 import re
 from pathlib import Path
@@ -11,8 +11,8 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.model.model import _INPUTS
 
-README = (Path(__file__).parents[4] / "runtime" / "README.md").read_text(encoding="utf-8")
-TABLE = README.partition("| function | arguments | results |")[2].partition("\n\n")[0]
+PAGE = Path(__file__).parents[4] / "runtime" / "handbook" / "howto" / "exchange" / "casadi-functions.md"
+TABLE = PAGE.read_text(encoding="utf-8").partition("| function | arguments | results |")[2].partition("\n\n")[0]
 LISTED = {
     name: row[2].split()
     for row in re.findall(r"^\| (.*?) \| `([\w ]+)` \|", TABLE, re.MULTILINE)

@@ -1,4 +1,4 @@
-"""Optimal control from the README: its optimum against closed forms, and tried with the exact law."""
+"""Optimal control from the handbook: its optimum against closed forms, and tried with the exact law."""
 
 import re
 from pathlib import Path
@@ -11,8 +11,8 @@ ROOT = Path(__file__).parents[4]
 
 @pytest.fixture(scope="module")
 def thrown():
-    """Names of the README's example, which is run."""
-    text = (ROOT / "runtime" / "README.md").read_text(encoding="utf-8")
+    """Names of the example of the handbook, which is run."""
+    text = (ROOT / "runtime" / "handbook" / "howto" / "study" / "optimal-control.md").read_text(encoding="utf-8")
     (block,) = [
         block for block in re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL) if "ca.Opti" in block
     ]
