@@ -41,7 +41,9 @@ from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 PAGE = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
 RECIPES = dict(re.findall(r"^## An? ([\w ]+)\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))
-STUDY = (Path(__file__).parents[1] / "runtime" / "handbook" / "howto" / "study" / "own-study.md").read_text(encoding="utf-8")
+STUDY = (Path(__file__).parents[1] / "runtime" / "handbook" / "howto" / "study" / "own-study.md").read_text(
+    encoding="utf-8"
+)
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+from each import each
 from sentences import LONGEST as LONGEST_SENTENCE
 from sentences import MEAN, SHARE, measured, words
 from statements import statements
@@ -13,11 +14,18 @@ ROOT = Path(__file__).parent.parent
 LONGEST = 100
 RIDDLE = re.compile(r"(What|Of|Whose|Who)\b")
 AVOIDED = re.compile(r"(?i:\b(told|tells?|in vain|owe[sd]?|ask(s|ed)? for)\b)|^(#+ )?What (?![^\n]*\?)")
-PAGES = ("README.md", "CHANGELOG.md", "derive/README.md", "runtime/README.md")
 PLAIN = (  # pages of short sentences
-    "CONTRIBUTING.md",
-    "derive/scenes/README.md",
+    *(
+        "README.md",
+        "CONTRIBUTING.md",
+        "derive/README.md",
+        "derive/scenes/README.md",
+        "runtime/README.md",
+        "tests/README.md",
+    ),
+    *(page.relative_to(ROOT).as_posix() for page in sorted((ROOT / "runtime" / "handbook").rglob("*.md"))),
 )
+PAGES = ("CHANGELOG.md", *(page for page in PLAIN if page != "CONTRIBUTING.md"))  # CONTRIBUTING.md lists the words
 
 
 def faults(text):
@@ -62,10 +70,10 @@ def test_texts_use_plain_words(side):
     assert [f"{file.relative_to(ROOT)}:{fault}" for file in files for fault in avoided(file.read_text("utf-8"))] == []
 
 
-@pytest.mark.parametrize("page", PAGES)
+@each("page", PAGES)
 def test_pages_use_plain_words(page):
     lines = (ROOT / page).read_text("utf-8").splitlines()
-    assert len(lines) > 20
+    assert lines
     assert [
         f"{page}:{k}: {line}"
         for k, line in enumerate(lines, 1)
@@ -94,7 +102,7 @@ def excesses(page):
     ]
 
 
-@pytest.mark.parametrize("page", PLAIN)
+@each("page", PLAIN)
 def test_sentences_are_short(page):
     assert excesses((ROOT / page).read_text("utf-8")) == []
 
