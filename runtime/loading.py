@@ -10,21 +10,21 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+import numpy as np
+
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
+from hertzwerk.runtime.engine.model.binding import Port, Value
 from hertzwerk.runtime.engine.model.generated_text import text_of
-from hertzwerk.runtime.engine.model.model import Declaration, EngineModel
+from hertzwerk.runtime.engine.model.model import BoundParameters, Declaration, EngineModel
 
 if TYPE_CHECKING:
-    import numpy as np
     from matplotlib.figure import Figure
 
     from hertzwerk.derive.declare.scene.scene import Scene
     from hertzwerk.derive.exchange.readable_equations.readable_record import Readable
-    from hertzwerk.runtime.engine.model.binding import Port, Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters
     from hertzwerk.runtime.output.tables.history_meanings import Histories
 
 

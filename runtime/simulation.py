@@ -24,6 +24,7 @@ from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_value
 from hertzwerk.runtime.engine.integration.step.layout import FINISHED
 from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import BoundParameters
 from hertzwerk.runtime.engine.run.accurate_run import run_to_accuracy, verdict_of
 from hertzwerk.runtime.engine.run.continuation import parameters_of, resumable
 from hertzwerk.runtime.engine.run.output_times import Grid
@@ -72,7 +73,6 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-    from hertzwerk.runtime.engine.model.model import BoundParameters
     from hertzwerk.runtime.engine.sensitivity.lyapunov import Lyapunov
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Derivative, Sensitivities
 

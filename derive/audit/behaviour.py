@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from mpmath import mp, mpf
 
@@ -19,13 +19,11 @@ from hertzwerk.derive.audit.audit import audit_law, verdict
 from hertzwerk.derive.audit.numeric import lattice
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
 from hertzwerk.derive.expressions.parameter import default_value
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw, Law, R_min, StiffnessLaw
-
-if TYPE_CHECKING:
-    from hertzwerk.derive.declare.scene.scene import Scene
 
 DIGITS = 30
 SETS = 3  # parameter sets over the ranges of a law, out of the eleven of the lattice

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -16,25 +16,23 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
 from hertzwerk.runtime.engine.integration.events.mode_changes import enter
+from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.loop.c_compilation import c_text
 from hertzwerk.runtime.engine.integration.loop.method_choice import PATIENCE
 from hertzwerk.runtime.engine.integration.loop.tally import tally
 from hertzwerk.runtime.engine.integration.step import layout
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.signal import WIDTH
 from hertzwerk.runtime.engine.run.single_run import CLOSE, LEAST_STEPS
 from hertzwerk.runtime.engine.sensitivity.readout import Expressions
 from hertzwerk.runtime.engine.solution.outcome import FRICTION_LOCKS, said_of
 from hertzwerk.runtime.engine.start.assembly import CLOSED, ITERATIONS, RANK, residuals
 from hertzwerk.runtime.export.export_contents import Contents, Row, contents, name_faults
+from hertzwerk.runtime.export.export_request import ExportRequest
 from hertzwerk.runtime.system.result_folder import new_folder
 from hertzwerk.runtime.system.versions import versions
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.export.export_request import ExportRequest
 
 ALL = (
     *("begin", "attempt", "attempt_choosing", "enter", "constants", "start", "scales_of", "joint_scales", "placed"),

@@ -6,7 +6,7 @@ import keyword
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,19 +15,16 @@ from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR
 from hertzwerk.runtime.engine.integration.tableaux.methods import SUNDIALS
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import read
 from hertzwerk.runtime.engine.run.single_run import APPROACH_FLOOR, set_up
 from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.step_observers import Needs
 from hertzwerk.runtime.engine.start.assembly import journals
 from hertzwerk.runtime.engine.start.start_values import assembled
-from hertzwerk.runtime.export.export_request import with_zero_inputs
+from hertzwerk.runtime.export.export_request import ExportRequest, with_zero_inputs
 from hertzwerk.runtime.output.tables.history_meanings import meaning_of
 from hertzwerk.runtime.simulation import solve
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.export.export_request import ExportRequest
 
 IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,62}")
 C_WORDS = frozenset(re.findall(r"\w+", """

@@ -15,13 +15,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.dense_output import Samples
-from hertzwerk.runtime.engine.solution.history import acceleration_of, unknown_histories
+from hertzwerk.runtime.engine.solution.history import History, acceleration_of, unknown_histories
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.averages import Average
-    from hertzwerk.runtime.engine.solution.history import History
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 WAY_SAMPLES = 10_000  # for the length of a path, which has cusps

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -33,10 +33,6 @@ from hertzwerk.runtime.engine.run.run_request import METHOD, Compiled, is_real, 
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start.start_values import stated_values
 from hertzwerk.runtime.loading import Target, engine_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 CORRECTIONS = 20  # Gauss-Newton iterations of the positions
 AGREE = 1e-9  # relative: largest difference of equal poses and their rates

@@ -14,12 +14,12 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
 from hertzwerk.runtime.analysis.effect_study import effect_study as texts
+from hertzwerk.runtime.analysis.effect_study.effect_study import Change, Row, Study
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, SKY, STYLE, VERMILLION, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.analysis.effect_study.effect_study import Change, Row, Study
 
 SHADE = "#e3e3e3"
 LEAST, MOST = 1e-6, 1e2  # limits of the relative changes shown

@@ -15,8 +15,9 @@ import casadi as ca
 import numpy as np
 from scipy.optimize import brentq
 
-from hertzwerk.runtime.analysis.hard_cases.case import EXTRA, MARGIN
+from hertzwerk.runtime.analysis.hard_cases.case import EXTRA, MARGIN, HardCase, Known
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, PAIR_PARTS, RELEASED
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.system.lazy import cached_property
@@ -24,8 +25,6 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Known
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
     Array = NDArray[np.float64]

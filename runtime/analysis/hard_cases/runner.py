@@ -13,23 +13,21 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import asdict, dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Source
 from hertzwerk.runtime.analysis.hard_cases.invariants import Measured, measure
 from hertzwerk.runtime.engine.integration.loop.c_compilation import available
 from hertzwerk.runtime.engine.integration.tableaux.methods import SUNDIALS
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.built_engine import compile_together
 from hertzwerk.runtime.engine.run.run_request import Compiled
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.system.forked_tasks import cores
 from hertzwerk.runtime.system.interrupt import raise_interrupts
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.analysis.hard_cases.case import HardCase, Source
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 FINER = 100  # ratio of a case's tolerance to that of a reference run
 FINEST = 1e-12  # least tolerance of a reference run

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -18,11 +17,9 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.engine.integration.friction.limit_sets import measured
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, pair_grips, pairs_of
 from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.solution.impacts import distances
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 Array = NDArray[np.float64]
 

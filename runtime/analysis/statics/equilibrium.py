@@ -30,6 +30,7 @@ from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_value
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import turns
 from hertzwerk.runtime.engine.model import build
 from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import constant
 from hertzwerk.runtime.engine.run.run_request import input_faults, read_duration
@@ -42,8 +43,6 @@ from hertzwerk.runtime.system.lazy import cached_property
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 FOLLOWED = 100  # steps in which a start is followed to a later time
 TIME = "held_time"  # parameter: time at whose positions the drives are held

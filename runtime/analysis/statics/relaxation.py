@@ -9,7 +9,6 @@ Numer. Anal. 35 (1998) 508 (pseudo-transient continuation).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,9 +28,7 @@ from hertzwerk.runtime.analysis.statics.balance import (
     sizes_of,
 )
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import groups_of
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 Flags = NDArray[np.bool_]
 

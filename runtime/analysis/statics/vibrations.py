@@ -29,7 +29,9 @@ from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.integration.step.redundant_constraints import relax_redundant
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR, pair_grips, pairs_of, sticking
+from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
@@ -37,13 +39,9 @@ from hertzwerk.runtime.engine.start import start_values
 from hertzwerk.runtime.loading import Target
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from matplotlib.figure import Figure
     from pandas import DataFrame
 
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 ZERO = 1e-7  # over the largest eigenvalue: below it is rounding of a freedom that nothing holds, a double one
 NO_DAMPING = 1e-12  # over the largest eigenvalue: smaller real parts are rounding

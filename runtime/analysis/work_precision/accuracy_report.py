@@ -8,12 +8,12 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.runtime.analysis.work_precision.reference_run import Reference
 from hertzwerk.runtime.analysis.work_precision.timed_runs import LATE
 from hertzwerk.runtime.analysis.work_precision.work_precision_study import NOT_TRIED, Row, Study
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.analysis.work_precision.reference_run import Reference
     from hertzwerk.runtime.engine.sensitivity.lyapunov import Lyapunov
 
 NUMBERS = ("method", "requested", "error", "estimate", "steps", "evaluations")

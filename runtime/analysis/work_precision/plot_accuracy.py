@@ -15,6 +15,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from hertzwerk.runtime.analysis.work_precision.accuracy_report import conclusions, length, seconds, warnings
 from hertzwerk.runtime.analysis.work_precision.timed_runs import LATE
+from hertzwerk.runtime.analysis.work_precision.work_precision_study import Row, Study
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.accuracy.horizon import crossing
 from hertzwerk.runtime.engine.integration.tableaux.methods import AUTOMATIC, EXPLICIT, IMPLICIT
@@ -24,7 +25,6 @@ from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.analysis.work_precision.work_precision_study import Row, Study
 
 LOOKS = {
     **dict(zip(EXPLICIT, ((SKY, "s"), (BLUE, "o")), strict=False)),

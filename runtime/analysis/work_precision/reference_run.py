@@ -4,23 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.accuracy.horizon import crossing
 from hertzwerk.runtime.engine.integration.tableaux.methods import EXPLICIT, IMPLICIT
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import Settings, read
 from hertzwerk.runtime.engine.run.single_run import set_up
 from hertzwerk.runtime.engine.solution import error_scales as scaling
+from hertzwerk.runtime.engine.solution.error_scales import Scales
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.solution.error_scales import Scales
 
 Array = NDArray[np.float64]
 

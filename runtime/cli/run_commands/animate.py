@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hertzwerk.derive.common.faults import Fault
 from hertzwerk.runtime.cli.continue_run import grid_of
 from hertzwerk.runtime.cli.target_options import BY_METHOD, DURATION, GRID, VARIATION, Variation, number, run_settings
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.common.faults import Fault
     from hertzwerk.runtime.simulation import Solution
 
 TOLERANCE = 1e-6  # local; finer than a picture shows

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.analysis.effect_study.effect_study import percent
+from hertzwerk.runtime.analysis.effect_study.effect_study import Change, Row, Study, percent
 from hertzwerk.runtime.cli.target_options import (
     BY_METHOD,
     DURATION,
@@ -31,9 +31,6 @@ from hertzwerk.runtime.cli.terminal import (
     reports_bad_input,
     table,
 )
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.analysis.effect_study.effect_study import Change, Row, Study
 
 DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
 

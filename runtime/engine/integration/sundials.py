@@ -11,7 +11,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -39,11 +39,9 @@ from hertzwerk.runtime.engine.integration.step.layout import (
 from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR, pairs_of, sticking
 from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.model.signal import Schedule
 from hertzwerk.runtime.system.interrupt import defer_interrupts
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.model.signal import Schedule
 
 GRID = 16  # points of a window
 FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.checkpoint import Checkpoint, digest
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 # How a run may have ended that goes on where it is asked for more: any other would end so again.

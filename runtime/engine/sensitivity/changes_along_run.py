@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -22,9 +21,7 @@ from hertzwerk.runtime.engine.sensitivity.saltation import (
 from hertzwerk.runtime.engine.sensitivity.step_chain import NOISE, along, chained
 from hertzwerk.runtime.engine.sensitivity.tangent import Directions, tangent
 from hertzwerk.runtime.engine.sensitivity.transitions import transitions
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.engine.solution.history import History
 
 Renew = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Takes rows (l,) and the changes (l, P, n) at them; returns those (P, n) to go on with from the last."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -20,16 +20,14 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.accuracy.horizon import Growth, growth_law
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.sensitivity.changes_along_run import follow
 from hertzwerk.runtime.engine.sensitivity.saltation import watched
 from hertzwerk.runtime.engine.sensitivity.step_chain import WIDTH
 from hertzwerk.runtime.engine.sensitivity.tangent import ARGUMENTS, Directions, directions_of, rates, tangent
 from hertzwerk.runtime.engine.solution.averages import TRANSIENT, Average, estimate
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
-    from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.engine.solution.history import History
 
 INTERVALS = 240  # of a run, in which local exponents are taken
 FEWEST = 4  # directions at the start: of one alone too little might be along what grows

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
@@ -12,13 +12,10 @@ from hertzwerk.runtime.engine.integration.step.explicit_step import written_flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS
 from hertzwerk.runtime.engine.model.derived_histories import ARGUMENTS as READ_FROM
 from hertzwerk.runtime.engine.model.derived_histories import CONTACTS, Reading, readings_of
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.sensitivity.tangent import ARGUMENTS
 from hertzwerk.runtime.engine.solution.history import acceleration_of, constraint_force, friction_force
 from hertzwerk.runtime.engine.solution.impacts import distances, penetrations
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-
 
 OF_PAIR = ("gap", "gap_rate", "penetration", "normal_force", "sliding_velocity")
 

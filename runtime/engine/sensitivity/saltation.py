@@ -17,7 +17,7 @@ the force that holds); the margin of an effect's event.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -28,15 +28,12 @@ from hertzwerk.runtime.engine.integration.step.explicit_step import flow, writte
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import LANDING, grips_of, groups_of
 from hertzwerk.runtime.engine.model.caller import Rowwise
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.sensitivity.step_chain import along, methods_of
 from hertzwerk.runtime.engine.sensitivity.tangent import ARGUMENTS, PARTS, Directions, Tangent, rowwise, tangent
-from hertzwerk.runtime.engine.solution.history import part_of_step
+from hertzwerk.runtime.engine.solution.history import History, part_of_step
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.solution.history import History
 
 GUARDS = ("gap", "gap_rate", "force", "margin", "event")
 GUARD_OF = {  # by the modes of a pair before and after

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -23,6 +23,7 @@ from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.integration.events.effect_events import jump
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
+from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
@@ -35,13 +36,9 @@ from hertzwerk.runtime.engine.sensitivity.step_chain import along, later
 from hertzwerk.runtime.engine.sensitivity.tangent import directions_of, tangent
 from hertzwerk.runtime.engine.sensitivity.transitions import transitions
 from hertzwerk.runtime.engine.solution.contact_watch import goes_on
+from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.engine.start.start_values import assembled, read_start
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import BoundParameters
-    from hertzwerk.runtime.engine.solution.history import History
 
 STEP = 1e-3  # relative, of differences: two of them, extrapolated, are right to about its fourth power
 

@@ -19,7 +19,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.engine.integration.loop.automatic_compilation import Code
-from hertzwerk.runtime.engine.integration.step.contact_classes import IN_FLIGHT, contact_classes
+from hertzwerk.runtime.engine.integration.step.contact_classes import IN_FLIGHT, Contacts, contact_classes
 from hertzwerk.runtime.engine.integration.step.explicit_step import written_flow
 from hertzwerk.runtime.engine.integration.step.implicit_step import linearised, solves
 from hertzwerk.runtime.engine.integration.step.linear_systems import solver_of_calls
@@ -27,12 +27,11 @@ from hertzwerk.runtime.engine.integration.step.redundant_constraints import rela
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta, dop853, dopri5
 from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import ITERATIONS, esdirk54
 from hertzwerk.runtime.engine.model.caller import Rowwise
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
-    from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.sensitivity.tangent import Directions
     from hertzwerk.runtime.engine.solution.history import History
 

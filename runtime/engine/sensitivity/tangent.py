@@ -15,10 +15,10 @@ import numpy as np
 
 from hertzwerk.runtime.engine.integration.step.explicit_step import written_flow
 from hertzwerk.runtime.engine.model.caller import Callers, Rowwise
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 PARTS = ("t", "y", "mode", "m")

@@ -6,19 +6,16 @@ import hashlib
 import linecache
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from hertzwerk.runtime.engine.integration.loop.chunk import Resume
+from hertzwerk.runtime.engine.integration.loop.chunk import Ending, Resume
 from hertzwerk.runtime.engine.integration.step.layout import layouts
 from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.model.signal import digest_of
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.loop.chunk import Ending
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 @dataclass(frozen=True)

@@ -16,10 +16,10 @@ import numpy as np
 
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import slips_in
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.impacts import KINDS, Impact, peaks
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 TOGETHER = 256  # contacts of a run whose peaks are found at once

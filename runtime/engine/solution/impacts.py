@@ -12,11 +12,11 @@ from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import slips_in
 from hertzwerk.runtime.engine.model.caller import Rowwise
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 PEAK = 2e-4  # of a step: last move of a root, over which the value is followed by its rate, to about 1e-9

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Self
 
@@ -13,8 +14,6 @@ from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 

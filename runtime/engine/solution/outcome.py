@@ -24,10 +24,10 @@ from hertzwerk.runtime.engine.integration.step.layout import (
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.engine.integration.tableaux.methods import IMPLICIT, METHODS, SUNDIALS
 from hertzwerk.runtime.engine.model.caller import Rowwise
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.history import History
 
 LAST = 200  # rows examined

@@ -8,17 +8,14 @@ import json
 import zipfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
+from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 
 from hertzwerk.derive.common import module_format
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.engine.solution.history import acceleration_of
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.solution.history import History, acceleration_of
 
 FORMAT = "hertzwerk run 1"
 _OWN = ("about", "digest")

@@ -9,26 +9,21 @@ import enum
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.loop.method_choice import EXPLICIT, IMPLICIT, STIFF
 from hertzwerk.runtime.engine.integration.loop.turning_slip import PASSING
+from hertzwerk.runtime.engine.model.caller import Rowwise
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.contact_watch import Lasting, LastingContacts, Watch, impacts_of
-from hertzwerk.runtime.engine.solution.history import part_of_step
-from hertzwerk.runtime.engine.solution.impacts import crest
+from hertzwerk.runtime.engine.solution.history import History, part_of_step
+from hertzwerk.runtime.engine.solution.impacts import Impact, crest
 from hertzwerk.runtime.engine.solution.interval_sums import Summing, Sums, inner
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
-    from hertzwerk.runtime.engine.model.caller import Rowwise
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.solution.history import History
-    from hertzwerk.runtime.engine.solution.impacts import Impact
-
 
 INTERVALS = 240  # with sums, of a run that has no period
 MOST_INTERVALS = 10_000  # most intervals with sums

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -22,10 +22,8 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.engine.integration.step.explicit_step import unit_quaternions
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import dop853
 from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.start.assembly import journals
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Array = NDArray[np.float64]
 

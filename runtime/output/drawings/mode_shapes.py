@@ -5,19 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.figure import Figure
 
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.start.assembly import closed_near
 from hertzwerk.runtime.output.drawings import picture
 from hertzwerk.runtime.output.drawings.gallery import sheet
 from hertzwerk.runtime.output.drawings.places import GROUND, Array, Places
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 
 LARGE, TURNED = 0.14, 0.4  # largest displacement drawn, of the size of the mechanism; largest change of a direction
 PHASES = 24  # positions of a period, whose paths are drawn

@@ -11,6 +11,8 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_warnings import unchecked
 from hertzwerk.runtime.output.drawings import insets
 from hertzwerk.runtime.output.drawings.drawing import Drawing
@@ -19,8 +21,6 @@ from hertzwerk.runtime.output.plots.plot_style import GREY, STYLE, VERMILLION, p
 from hertzwerk.runtime.output.plots.title import differences, differences_of, title_height, title_of, write_title
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 PANEL = (6.6, 4.7)  # largest size of the mechanism, inches

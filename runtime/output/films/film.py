@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 
 from hertzwerk.derive.common.faults import Fault, InputError
-from hertzwerk.runtime.engine.solution.solution import write
+from hertzwerk.runtime.engine.solution.solution import EngineSolution, write
 from hertzwerk.runtime.output.films.film_clock import Clock
 from hertzwerk.runtime.output.films.stage import DPI, Stage
 from hertzwerk.runtime.output.films.writers import WRITERS, format_fault
 from hertzwerk.runtime.output.plots.plot_style import STYLE
 from hertzwerk.runtime.system.atomic_files import scratch_folder
 from hertzwerk.runtime.system.result_folder import new_file_faults
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 FPS = 25.0
 

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-from hertzwerk.runtime.engine.solution.history import acceleration_of
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-    from hertzwerk.runtime.engine.solution.history import History
+from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.solution.history import History, acceleration_of
 
 FLIGHT, CONTACT = 0.0, 1.0  # modes of a pair, as they are saved
 

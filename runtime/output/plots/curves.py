@@ -9,17 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.run.continuation import parameters_of
-from hertzwerk.runtime.engine.solution.history import acceleration_of
+from hertzwerk.runtime.engine.solution.history import History, acceleration_of
 from hertzwerk.runtime.engine.start.ideal_mechanism import IdealMotion, has_clearance, ideal_motion, unknown_because
+from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
 from hertzwerk.runtime.output.plots.picture_samples import RESOLVED, Rows, between, dense, end_of, has_steps
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.history import History
     from hertzwerk.runtime.engine.solution.impacts import Impact
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
-    from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
 
 Array = NDArray[np.float64]
 

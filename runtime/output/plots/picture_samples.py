@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.solution.history import History
     from hertzwerk.runtime.engine.solution.impacts import Impact
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 

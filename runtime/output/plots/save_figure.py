@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
@@ -12,8 +13,6 @@ from hertzwerk.runtime.output.plots.arrangement import Arrangement
 from hertzwerk.runtime.output.plots.plot_style import STYLE
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from matplotlib.figure import Figure
 
 MANY = 4000  # points from which a path is drawn as pixels

@@ -6,14 +6,14 @@ import textwrap
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.continuation import parameters_of
 from hertzwerk.runtime.output.plots.plot_style import GREY, plain
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 MOST = 12  # differences that are listed

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.common.markup import Markup, joined, tag
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID, brief
 from hertzwerk.runtime.engine.model.free_quantities import quantities
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import ratio
 from hertzwerk.runtime.engine.run.continuation import parameters_of
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
@@ -30,7 +31,6 @@ from hertzwerk.runtime.system.versions import versions
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 MOST = 200  # rows of a table of impacts

@@ -10,6 +10,7 @@ with the same error do not count as two.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -20,8 +21,6 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.studies.comparison.residuals import autocorrelations
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
     from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 
 Array = NDArray[np.float64]

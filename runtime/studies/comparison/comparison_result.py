@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.derive.common.units import time_text
-from hertzwerk.runtime.studies.comparison.signal_statistics import by_chance
+from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, Statistic, by_chance
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.inputs.measurement_csv import Array
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.studies.comparison.alignment import Alignment
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
     from hertzwerk.runtime.studies.comparison.residuals import Residual
-    from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, Statistic
     from hertzwerk.runtime.studies.comparison.spectra import Spectrum
 
 RARE = 0.01  # chance of so many differing statistics below which they are taken for a difference

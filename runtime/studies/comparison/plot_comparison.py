@@ -11,15 +11,14 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.output.plots.curves import Array
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, empty_panel, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
-from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.output.plots.curves import Array
-    from hertzwerk.runtime.output.plots.unit_prefixes import Scale
     from hertzwerk.runtime.studies.comparison.comparison_result import Compared, Signal
 
 SHADE = "#f1ece4"  # beyond the horizon

@@ -24,6 +24,7 @@ from hertzwerk.runtime.engine.inputs.measurement_csv import (
     read_measurement,
 )
 from hertzwerk.runtime.engine.model.binding import Value, named_values
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.history import Histories, units_of
 from hertzwerk.runtime.engine.start.start_values import split_values
@@ -31,7 +32,6 @@ from hertzwerk.runtime.studies.comparison.comparison_request import Channel, rea
 from hertzwerk.runtime.studies.fitting.impact_numbers import IMPACTS, impact_units, of_impacts, onsets, parts_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.simulation import Solution
 

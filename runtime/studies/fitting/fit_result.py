@@ -10,25 +10,23 @@ from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.markup import joined, tag
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.engine.model.free_quantities import Free
 from hertzwerk.runtime.engine.model.si_values import open_exponents
+from hertzwerk.runtime.simulation import Solution
+from hertzwerk.runtime.studies.comparison.comparison_request import Channel
+from hertzwerk.runtime.studies.comparison.residuals import Residual
+from hertzwerk.runtime.studies.fitting.experiment import Observed
+from hertzwerk.runtime.studies.fitting.identifiability import Identified
 from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.studies.uncertainty.correlated import Correlated
 from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, LogNormal, Normal, TruncatedNormal
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from hertzwerk.runtime.simulation import Solution
-    from hertzwerk.runtime.studies.comparison.comparison_request import Channel
-    from hertzwerk.runtime.studies.comparison.residuals import Residual
-    from hertzwerk.runtime.studies.fitting.experiment import Observed
-    from hertzwerk.runtime.studies.fitting.identifiability import Identified
-
     Array = NDArray[np.float64]
 
 REJECTED = 0.05  # p-value below which noise alone does not explain the residuals

@@ -12,14 +12,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
-from hertzwerk.runtime.engine.model.binding import named_values, whole_faults
+from hertzwerk.runtime.engine.model.binding import Value, named_values, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import unit_at
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_between
@@ -30,10 +31,6 @@ from hertzwerk.runtime.studies.fitting.identifiability import identified
 from hertzwerk.runtime.studies.fitting.intervals import intervals
 from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
 from hertzwerk.runtime.studies.fitting.predictions import Forward
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Array = NDArray[np.float64]
 

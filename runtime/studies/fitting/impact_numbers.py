@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.solution.history import units_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 

@@ -12,7 +12,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -27,15 +27,12 @@ from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled,
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
 from hertzwerk.runtime.loading import Target, engine_model
-from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.minimisation.formula import Formula, names_in, read_formula
 from hertzwerk.runtime.studies.minimisation.minimum import Held, Minimum, Trial, best_of
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured, Output, chosen
 from hertzwerk.runtime.studies.uncertainty.propagation import refused_by_sweep
 from hertzwerk.runtime.system.lazy import cached_property
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.simulation import Solution
 
 STEP = 1e-4  # of a range: differences, and the check of derivatives
 DOUBT = 0.01  # relative difference of derivatives from differences that is said

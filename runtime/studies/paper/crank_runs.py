@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import chosen
 from hertzwerk.runtime.analysis.effect_study.output_errors import Bench, Case, Measurement
+from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.studies.paper.study_page import Cell
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
 
 SCENE, PIN = "slider_crank", "slider_pin"
 SPEED, CLEARANCE, TURN = 5000.0, 0.5e-3, "12 ms"  # rpm and m of the scene, one revolution

@@ -13,6 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hertzwerk.runtime.analysis.effect_study.output_errors import Measurement
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.paper.crank_runs import (
@@ -33,9 +36,6 @@ from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_comparison import ExponentUnit
-    from hertzwerk.runtime.analysis.effect_study.output_errors import Measurement
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 EXPONENTS = (1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0)
 FEW = (1.0, 1.5, 2.0)

@@ -6,14 +6,14 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.output.plots.curves import Curves
-from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.paper.crank_runs import PIN, SCENE
 from hertzwerk.runtime.studies.paper.study_page import (
     Array,
@@ -30,10 +30,6 @@ from hertzwerk.runtime.studies.paper.study_page import (
 )
 from hertzwerk.runtime.studies.paper.study_page import compared as compare
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.simulation import Solution
 
 CRANK, ROD = 0.05, 0.12  # m, of the scene
 FRICTION = f"{PIN}_friction"

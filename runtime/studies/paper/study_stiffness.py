@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.common.faults import InputError
+from hertzwerk.runtime.analysis.effect_study.output_errors import Measurement
+from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.paper.crank_runs import (
@@ -41,8 +43,6 @@ from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_comparison import ForceCurve
-    from hertzwerk.runtime.analysis.effect_study.output_errors import Measurement
-    from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 FITTED = "lankarani_nikravesh_cylinders"
 LAWS = (

@@ -9,16 +9,14 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from hertzwerk.derive.common.faults import Fault, shown
 from hertzwerk.derive.common.units import UnitError, parse_unit
 from hertzwerk.runtime.engine.model.binding import Value, read, read_state
 from hertzwerk.runtime.engine.model.free_quantities import read_quantity
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import as_text
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 @dataclass(frozen=True)

@@ -25,19 +25,17 @@ from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled,
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END
 from hertzwerk.runtime.loading import Target, engine_model
-from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import outputs_of, sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import Measured
+from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 from hertzwerk.runtime.studies.uncertainty.correlated import Correlated, correlated_parts, covariance, read_correlation
-from hertzwerk.runtime.studies.uncertainty.distributions import read_distributions
+from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, read_distributions
 from hertzwerk.runtime.studies.uncertainty.propagation_result import Index, Propagated, Uncertain
 
 if TYPE_CHECKING:
     from distributed import Client
 
-    from hertzwerk.runtime.simulation import Solution
-    from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
-    from hertzwerk.runtime.studies.uncertainty.distributions import Distribution
 
 RESAMPLED = 200  # times that the samples are drawn from themselves, for the intervals of indices
 INSIDE = 2.0**-31  # half the spacing of Sobol's points, so that none is at an end of a distribution

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from hertzwerk.derive.common.faults import Fault, one_of
 from hertzwerk.derive.common.identifiers import repeated
 from hertzwerk.derive.declare.effects.contacts import Contact
+from hertzwerk.derive.declare.effects.effect import Effect
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.declare.effects.effect import Effect
     from hertzwerk.derive.declare.scene.scene import Scene
 
 

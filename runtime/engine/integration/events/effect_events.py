@@ -10,15 +10,13 @@ switches as fast as the tolerance lets it, until the run has had the events that
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 LANDING = 1e-2  # of the tolerance: accuracy of an event, in units of its size
 ROUNDINGS = 4  # of the time and of the margin

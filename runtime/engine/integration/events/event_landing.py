@@ -69,11 +69,11 @@ from hertzwerk.runtime.engine.integration.step.step_size_control import (
     time_to_root,
 )
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 NUDGE_EVALUATIONS = 4
 MAX_RETAKES = 60  # of one step; a landing needs 1 to 3

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache, reduce
 from math import comb
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
@@ -27,10 +27,8 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
     rubbing,
     touching,
 )
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 GAP = ("gap", "gap_rate", "gap_acceleration")
 ROUNDINGS = 4  # times the bound of a gap's rounding: locating an event takes a few operations more

@@ -36,11 +36,11 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
     undecided_and_breaking,
 )
 from hertzwerk.runtime.engine.integration.step.step_size_control import limited_by_surfaces
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.step.explicit_step import Flow
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Parts = dict[str, Any]  # of a vector, by name
 

@@ -12,7 +12,7 @@ Computers and Operations Research 21 (1994) 587. Where a pair may slide in two d
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
@@ -33,10 +33,8 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
     solve_sticking,
     sticking,
 )
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 TOGETHER = 5  # rounds in which all violating pairs change; nearly always enough
 ONE_BY_ONE = 3  # rounds per pair in which the first one changes

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
@@ -24,11 +24,8 @@ from hertzwerk.runtime.engine.integration.step.stepper import stepper
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta, dopri5
 from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import esdirk54
 from hertzwerk.runtime.engine.integration.tableaux.methods import Table
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
-
 
 FINISH = "finish"  # name of the function that completes an attempt, by an event or a rejection
 

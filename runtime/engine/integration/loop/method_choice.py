@@ -16,18 +16,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.loop.turning_slip import PASSING
+from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.implicit_step import fraction_to_rest, linearised, sliding
 from hertzwerk.runtime.engine.integration.step.layout import CALM, SUSPECT, layouts
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
-    from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
 STIFF = 3.0  # step x rate: an explicit method of order 5 is stable up to 3.3, of order 8 up to 6

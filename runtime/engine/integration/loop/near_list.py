@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import casadi as ca
@@ -12,13 +13,11 @@ from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT, RUNNING, STALE, Layouts, layouts
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 def listing(model: EngineModel, tables: tuple[Table, ...]) -> NearModel | None:

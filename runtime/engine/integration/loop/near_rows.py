@@ -6,13 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART
-from hertzwerk.runtime.engine.integration.step.layout import FLIGHT, PAIR_PARTS
+from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART, NearModel
+from hertzwerk.runtime.engine.integration.step.layout import FLIGHT, PAIR_PARTS, Layout
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.near_list import Departures
-    from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
-    from hertzwerk.runtime.engine.integration.step.layout import Layout
 
 OF_PAIRS = ("mode", *PAIR_PARTS)
 NOT_LISTED = dict.fromkeys(OF_PAIRS, 0.0) | {"mode": FLIGHT, "gap": APART}  # of a pair that is not listed

@@ -14,7 +14,7 @@ from hertzwerk.runtime.engine.integration.events.event_location import far_apart
 from hertzwerk.runtime.engine.integration.events.mode_changes import all_of, is_finite
 from hertzwerk.runtime.engine.integration.loop.method_choice import Choosing, choice, suspicion
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
-from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, modes
+from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, Contacts, modes
 from hertzwerk.runtime.engine.integration.step.implicit_step import linearised, uses_calls
 from hertzwerk.runtime.engine.integration.step.layout import (
     CONTACT,
@@ -35,13 +35,12 @@ from hertzwerk.runtime.engine.integration.step.step_size_control import (
     step_to_continue,
 )
 from hertzwerk.runtime.engine.integration.step.stepper import stages_inlined, stepper
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.system.interrupt import poll
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 LARGE = 5000  # operations

@@ -17,11 +17,11 @@ from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE
 from hertzwerk.runtime.engine.integration.step.layout import CALM, RUNNING, SUSPECT, layouts
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import directed, grips, mobility, slips_in
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 FOLLOWED = 3.0  # step x rate up to which explicit steps follow a direction: dopri5 is stable up to 3.3, dop853 up to 6
 PASSING = -1.0  # pressure of a run that takes implicit steps for a direction that turns, and not because they save any (see `method_choice`)

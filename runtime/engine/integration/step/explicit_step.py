@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
@@ -30,11 +30,9 @@ from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import at_slips, grips, may_slip
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import forces as friction_forces
 from hertzwerk.runtime.engine.integration.step.singular_positions import time_to_singular
+from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 ARGUMENTS = "t y mode m c"
 """Arguments of the functions of a step: time, state, and the pairs' modes, latches and constants."""

@@ -10,17 +10,15 @@ state: `friction.uniqueness`.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.friction.uniqueness import bound, monotone, pivots, reach
 from hertzwerk.runtime.engine.integration.step.linear_systems import eliminated
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR, Grips, pairs_of, solve_sticking
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 ITERATIONS = 8  # of Newton's method, quadratic within a sign of every reaction
 SETTLED = 1e-9  # of the terms of a sliding acceleration: most that a solution leaves

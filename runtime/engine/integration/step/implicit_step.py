@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
@@ -38,10 +38,8 @@ from hertzwerk.runtime.engine.integration.step.set_valued_friction import (
 )
 from hertzwerk.runtime.engine.integration.step.step_size_control import SAFETY
 from hertzwerk.runtime.engine.integration.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 CONVERGED = 0.05  # of the tolerance: iteration error allowed in a stage
 ROUNDING = 1e-3  # of that: smaller changes need not contract

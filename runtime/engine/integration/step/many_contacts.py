@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import casadi as ca
 
@@ -16,10 +16,8 @@ from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import LATCHES, 
 from hertzwerk.runtime.engine.integration.many_pairs.selection import added, running_sum
 from hertzwerk.runtime.engine.integration.many_pairs.vectorised import Alike, Kind, alike, entries, over_items
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 LADDER = (1, 4, 16, 64, 256, 1024)  # pairs of a kind that are evaluated, where no more are in contact
 SPARSE = 16  # times a rung: pairs of a kind from which it is one: each adds 40 kB of C

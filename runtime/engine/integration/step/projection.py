@@ -7,15 +7,13 @@ Wanner, Geometric Numerical Integration (2006), IV.4.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.step.rounding_errors import STATE, bounds
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 ITERATIONS = 2  # Newton's: the residual after a step is small, its square below rounding
 RUNAWAY = 1e3  # speeds over their scales: near a position in which a driven mechanism locks they grow without bound

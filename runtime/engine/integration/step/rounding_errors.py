@@ -11,17 +11,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 from itertools import compress
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel, gaps_by_kind
 from hertzwerk.runtime.engine.integration.many_pairs.vectorised import Alike, Kind, alike
 from hertzwerk.runtime.engine.integration.step.layout import layouts
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 EPS = 2.0**-52
 EXACT = {ca.OP_NEG, ca.OP_FABS, ca.OP_TWICE, ca.OP_CONST, ca.OP_ASSIGN}  # operations that round nothing

@@ -28,7 +28,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import mul
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import casadi as ca
 
@@ -37,10 +37,8 @@ from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, C
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.integration.step.linear_systems import eliminated
 from hertzwerk.runtime.engine.integration.step.rounding_errors import time_rounding
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 Parts = Mapping[str, Any]
 

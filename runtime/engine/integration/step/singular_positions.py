@@ -17,12 +17,11 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.engine.integration.step.layout import RUNNING, SUSPECT
+from hertzwerk.runtime.engine.integration.step.layout import RUNNING, SUSPECT, Layout
 from hertzwerk.runtime.engine.integration.step.step_size_control import FAR
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.step.layout import Layout
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
     from hertzwerk.runtime.engine.model.model import EngineModel
 

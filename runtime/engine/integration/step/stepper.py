@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.step import explicit_step, implicit_step
+from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
 from hertzwerk.runtime.engine.integration.step.redundant_constraints import relax_redundant
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import unresolved_grips
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.engine.model.model import EngineModel
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.integration.step.contact_classes import Contacts
     from hertzwerk.runtime.engine.integration.tableaux.methods import Table
-    from hertzwerk.runtime.engine.model.model import EngineModel
 
 INLINED = 3000  # instructions of all stages of a step; more are called: inlined they take long to build and to compile
 Take: TypeAlias = Callable[[Mapping[str, Any], Mapping[str, Any], Any], dict[str, Any]]

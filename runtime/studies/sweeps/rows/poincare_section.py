@@ -21,11 +21,11 @@ import numpy as np
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.model.binding import read, read_state
+from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.run.drive_speed import drive_angle, drive_rate
 from hertzwerk.runtime.engine.solution.history import units_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 PHASE = "phase"

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.engine.model.binding import Value
+from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.output_times import Grid, times_of
 from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.history import History, units_of
@@ -19,8 +21,6 @@ from hertzwerk.runtime.studies.sweeps.rows.poincare_section import Section, read
 from hertzwerk.runtime.studies.sweeps.rows.row import Packed
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.model.binding import Value
-    from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
 SECTION, HISTORIES, END = "section", "histories", "end"
