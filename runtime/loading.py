@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
@@ -197,9 +197,7 @@ def engine_model(
     coordinates: str | None = None,
 ) -> EngineModel:
     """Return the engine's model of any target, varied as `load` varies it; raises InputError."""
-    faults = _type_faults(target, without, laws, coordinates)
-    if faults:
-        raise InputError("load", faults)
+    refuse("load", _type_faults(target, without, laws, coordinates))
     varied = bool(without or laws or coordinates is not None)
     if isinstance(target, Model):
         target = target.engine

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit.audit import Finding, with_repairs
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.derive.expressions.dimension.culprit import Row, culprits, powers_in
 from hertzwerk.derive.expressions.dimension.declared import Declared, dimension_of_unit, examine
@@ -51,8 +51,7 @@ def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str,
             if number is None:
                 faults.append(Fault(f"--value {name}", repr(text), "a number", "A unit is given by --unit."))
         numbers[name] = 0.0 if number is None else number
-    if faults:
-        raise InputError("options", faults)
+    refuse("options", faults)
     return entries["unit"], numbers
 
 

@@ -17,7 +17,7 @@ from mpmath import mp, mpf
 from hertzwerk.derive.audit.admissibility import Trial, Values, faults_of, with_definitions
 from hertzwerk.derive.audit.audit import audit_law, verdict
 from hertzwerk.derive.audit.numeric import lattice
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.expressions.dimension.dimension import Dimension
@@ -73,9 +73,7 @@ def scene_faults(scene: Scene) -> Iterator[Fault]:
 
 def refuse_misbehaving(scene: Scene) -> None:
     """Raise InputError if a law of the scene is not physically admissible."""
-    faults = tuple(dict.fromkeys(scene_faults(scene)))
-    if faults:
-        raise InputError(f"scene {scene.name}", faults)
+    refuse(f"scene {scene.name}", tuple(dict.fromkeys(scene_faults(scene))))
 
 
 @lru_cache(maxsize=256)

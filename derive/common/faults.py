@@ -5,7 +5,7 @@ Imports nothing from the package, so that derivation and runtime report in the s
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -110,6 +110,12 @@ class InputError(PicklableError):
         merged = _merge_repeated(self.faults)
         head = f"{visible(subject)}: {len(merged)} fault{'s' if len(merged) != 1 else ''}"
         super().__init__("\n".join([head, *(f"  {fault}".replace("\n", "\n  ") for fault in merged)]))
+
+
+def refuse(subject: str, faults: Collection[Fault]) -> None:
+    """Raise InputError with faults, if there are any."""
+    if faults:
+        raise InputError(subject, faults)
 
 
 def _merge_repeated(faults: Iterable[Fault]) -> list[Fault]:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.common.units import UnitError, parse_unit, split_quantity
 from hertzwerk.derive.expressions.parameter import Parameter
 from hertzwerk.derive.laws.law import BoundLaw, Law
@@ -33,8 +33,7 @@ def split_call(text: str) -> tuple[str, dict[str, str]]:
         if not (symbol and equals and value) or symbol in values:
             faults.append(Fault(where, repr(part.strip()), "SYMBOL=VALUE, each symbol once"))
         values[symbol] = value
-    if faults:
-        raise InputError(where, faults)
+    refuse(where, faults)
     return written[1], values
 
 
@@ -74,6 +73,5 @@ def bound_law(
         faults.append(Fault(f"effect {effect}", f"no value for {values}", f"all parameters of {law.name}",
                             f"Give them with the law, {law.name}({', '.join(f'{s.name}=...' for s in missing)}): a quantity, "
                             "or the name of a parameter of the scene."))  # fmt: skip
-    if faults:
-        raise InputError(f"law {law.name}", faults)
+    refuse(f"law {law.name}", faults)
     return law(**{symbol.name: bindings[symbol.name] for symbol in law.parameters})

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.target_options import assignments, with_inputs
 
 if TYPE_CHECKING:
@@ -58,8 +58,7 @@ def continue_run(
     if grid is None and spacing is not None and spacing.isdecimal() and duration is not None:
         actual = f"{spacing} points over {before.duration:g} s, of the run before"
         faults.append(Fault("--grid", actual, "points or a spacing for the longer motion", 'such as --grid "0.1 ms"'))
-    if faults:
-        raise InputError(f"--continue {folder}", faults)
+    refuse(f"--continue {folder}", faults)
     solution = before.continued(duration, target=model, grid=grid_of(spacing), progress=stopping, **limits)
     return solution, {**request, "grid": spacing, "continues": str(folder)}
 

@@ -15,7 +15,7 @@ from inspect import signature
 from pathlib import Path
 from typing import Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, refuse, shown, unknown
 from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.runtime.engine.inputs.input_values import located
 from hertzwerk.runtime.engine.model.build import located_target
@@ -37,8 +37,7 @@ def read_definition(path: Path, function: Callable[..., Any], required: tuple[st
     target = content.get("target", "")
     if not isinstance(target, str):
         faults.append(Fault("target", shown(target), "the name of a scene, or its file"))
-    if faults:
-        raise InputError(str(path), faults)
+    refuse(str(path), faults)
     content["target"] = located_target(target, path.parent)
     if isinstance(inputs := content.get("inputs"), Mapping):
         content["inputs"] = {n: located(x, path.parent) if isinstance(x, str) else x for n, x in inputs.items()}

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.target_options import Variation, assignments, run_settings
 
 if TYPE_CHECKING:
@@ -42,8 +42,7 @@ def definition(
     varied = Variation.taken(target, dict(options))
     model = varied.model(faults)
     arguments |= _of_run(varied, options, faults)
-    if faults:
-        raise InputError(target, faults)
+    refuse(target, faults)
     return {"target": model, **arguments}
 
 

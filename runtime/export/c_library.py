@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, refuse, unknown
 from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
 from hertzwerk.runtime.engine.integration.events.mode_changes import enter
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
@@ -119,8 +119,7 @@ def observed(model: EngineModel, made: Integrator, outputs: Sequence[str]) -> An
             values.append(ca.densify(value))
         else:
             faults.append(Fault(f"output {name}", f"{value.numel()} values", "one", "name its parts"))
-    if faults:
-        raise InputError(model.name, faults)
+    refuse(model.name, faults)
     return ca.Function("observed", [*arguments, p], [ca.cse(ca.vertcat(ca.SX(0, 1), *values))])
 
 
@@ -163,9 +162,7 @@ def _alone(text: str) -> str:
 
 def write(request: ExportRequest, folder: Path) -> str:
     """Write the library of a scene into a new folder; return its files. Raises InputError."""
-    faults = name_faults("scene", request.model.name)
-    if faults:
-        raise InputError("export", faults)
+    refuse("export", name_faults("scene", request.model.name))
     texts = library(contents(request), request.model.name)
 
     def fill(place: Path) -> list[str]:

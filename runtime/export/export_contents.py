@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import NO_PAIR
@@ -88,9 +88,7 @@ def name_faults(where: str, name: str) -> list[Fault]:
 def contents(request: ExportRequest) -> Contents:
     """Find the numbers of an export, its tolerance by runs; raises InputError for what cannot be exported."""
     model, settings = request.model, request.settings
-    faults = _refused(model, settings.method, request.initial)
-    if faults:
-        raise InputError("export", faults)
+    refuse("export", _refused(model, settings.method, request.initial))
     model = with_zero_inputs(model)
     run_inputs, _ = read(model, settings, request.parameters, request.initial)
     run = set_up(model, settings, run_inputs, needs=Needs.ENDS)

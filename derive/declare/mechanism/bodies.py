@@ -12,7 +12,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.declare.mechanism.solids import Shape
 from hertzwerk.derive.expressions.algebra.vectors import (
     IDENTITY,
@@ -215,8 +215,7 @@ class Body:
             faults.append(Fault("mass", actual, "one of them: density=... [kg/m^3] or mass=... [kg]"))
         if not isinstance(shape.centre, tuple) or len(shape.centre) != 3:
             faults.append(Fault("centre", repr(shape.centre), "three values, (x, y, z)"))
-        if faults:
-            raise InputError(f"body {name}", faults)
+        refuse(f"body {name}", faults)
         whole = sp.sympify(mass if mass_density is None else mass_density * shape.volume)
         return cls(name, whole, _shortest(scaled(whole, shape.gyration)), shape.centre, (shape,))
 

@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeVar
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.derive.common.identifiers import repeated
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.declare.effects.contacts import Contact, Friction
@@ -78,16 +78,14 @@ class Scene:
         if isinstance(self.name, str) and not self.name:
             object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
         faults = faults_of(self)
-        if faults:
-            raise InputError(f"scene {self.name}", faults)
+        refuse(f"scene {self.name}", faults)
         counts = tuple(uncounted_angles(self.mechanism, self.effects, self))
         if counts:
             object.__setattr__(self, "effects", (*self.effects, *counts))
             for name in self.__dict__.keys() - {entry.name for entry in fields(self)}:
                 del self.__dict__[name]  # while there were no counts
             faults = tuple(repeated("effect", [effect.name for effect in self.effects]))
-        if faults:
-            raise InputError(f"scene {self.name}", faults)
+        refuse(f"scene {self.name}", faults)
 
     def _repr_html_(self) -> str:
         return scene_html(self.name, self.summary, self.mechanism, self.effects, self.parameters.values())
@@ -172,8 +170,7 @@ class Scene:
                     )
                 )
             replacements[slot] = law
-        if faults:
-            raise InputError(f"scene {self.name}", faults)
+        refuse(f"scene {self.name}", faults)
         return self.replace(**{name: replace(self.effect(name), **replacements) for name in meant})
 
     def _law_for(
@@ -198,9 +195,10 @@ class Scene:
 
     def _must_exist(self, names: Any) -> None:
         known = [effect.name for effect in self.effects]
-        faults = [unknown("effect", name, known) for name in names if not (isinstance(name, str) and self.meant(name))]
-        if faults:
-            raise InputError(f"scene {self.name}", faults)
+        refuse(
+            f"scene {self.name}",
+            [unknown("effect", name, known) for name in names if not (isinstance(name, str) and self.meant(name))],
+        )
 
     def meant(self, name: str) -> list[str]:
         """Names of the effects that a name stands for: its own, or those of each part of a pair."""

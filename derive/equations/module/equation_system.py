@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.declare.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, Rubbing, state_faults
 from hertzwerk.derive.declare.mechanism.joints.joint import Port
 from hertzwerk.derive.declare.scene.periods import period
@@ -72,8 +72,7 @@ class System:
         faults += resistance_faults(scene)
         faults += self._sticking_faults()
         faults += [fault for effect, e in self.elements.items() for fault in state_faults(effect, e, scene)]
-        if faults:
-            raise InputError(f"scene {scene.name}", faults)
+        refuse(f"scene {scene.name}", faults)
         self.bristles = {
             friction.name: {
                 name: self.tape.input(name.replace(".", "_"), "z", Dimension.from_unit("m"))

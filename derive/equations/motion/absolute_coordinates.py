@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.declare.effects.state_expression import COORDINATE, SPEED, states_in
 from hertzwerk.derive.declare.effects.tracking import uncounted_angles
 from hertzwerk.derive.declare.mechanism.bodies import AXES, GROUND, Body, Frame, Point, Triple
@@ -112,8 +112,7 @@ def absolute(scene: Scene) -> Absolute:
     order = {joint.name: i for i, joint in enumerate(mechanism.joints)}
     closing.sort(key=lambda joint: order[joint.name])
     faults = unruled or [*_body_faults(scene, carried), *_effect_faults(scene, carried)]
-    if faults:
-        raise InputError(f"scene {scene.name} in absolute coordinates", dict.fromkeys(faults))
+    refuse(f"scene {scene.name} in absolute coordinates", dict.fromkeys(faults))
     values = {entry.name: getattr(scene, entry.name) for entry in fields(Scene)}
     values["mechanism"] = replace(mechanism, joints=(*carried, *closing))
     values["effects"] = (*scene.effects, *uncounted_angles(values["mechanism"], scene.effects, scene))

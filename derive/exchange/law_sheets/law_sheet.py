@@ -13,7 +13,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from hertzwerk.derive.audit.numeric import evaluate
-from hertzwerk.derive.common.faults import InputError, unknown
+from hertzwerk.derive.common.faults import refuse, unknown
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.exchange.law_sheets.free_impact import (
     coefficient_at,
@@ -165,9 +165,7 @@ class Sheet:
 
 def laws_named(names: Iterable[str]) -> tuple[Law, ...]:
     """Laws of these names; raises InputError listing every unknown name and the names like it."""
-    faults = [unknown("law", name, LAWS, "as `hertzwerk laws` lists them") for name in names if name not in LAWS]
-    if faults:
-        raise InputError("laws", faults)
+    refuse("laws", [unknown("law", name, LAWS, "as `hertzwerk laws` lists them") for name in names if name not in LAWS])
     return tuple(LAWS[name] for name in names)
 
 

@@ -21,7 +21,7 @@ from sympy.physics.mechanics import ReferenceFrame
 from sympy.physics.vector import Point as SymPyPoint
 
 from hertzwerk.derive.audit.numeric import evaluate
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.derive.common.identifiers import name_faults
 from hertzwerk.derive.declare.effects.effect import Effect
 from hertzwerk.derive.declare.effects.state_expression import Input, T, Varying, states_in
@@ -91,8 +91,7 @@ class Model:
         faults += [] if as_given else wrong
         faults += naming.unused
         faults += [fault for body in reading.bodies for fault in self._orientation_faults(*mass_centre(body))]
-        if faults:
-            raise InputError(f"from_sympy, {name}", dict.fromkeys(faults))
+        refuse(f"from_sympy, {name}", dict.fromkeys(faults))
         self.parameters: Mapping[str, Parameter] = names.parameters
         """The constants by name, for use in pairs and effects."""
         self._bodies: dict[str, tuple[Body, Placed]] = {}
@@ -125,9 +124,7 @@ class Model:
         summary: str = "",
     ) -> Scene:  # fmt: skip
         """Scene of the model with its loads, and pairs and effects in addition; raises InputError."""
-        faults = list(ledger_faults(tuple(effects), self._follows_time(), self._reading.alone))
-        if faults:
-            raise InputError(f"scene {self.name}", faults)
+        refuse(f"scene {self.name}", list(ledger_faults(tuple(effects), self._follows_time(), self._reading.alone)))
         used = list(dict.fromkeys([*self.bodies, *_bodies_in((*pairs, *effects))]))
         moved = tuple(body for body in used if body.name in self._bodies and self._bodies[body.name][0] == body)
         mechanism = MechanismByExpressions(

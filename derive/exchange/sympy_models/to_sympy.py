@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.declare.scene.scene import Scene
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.motion.absolute_coordinates import absolute
@@ -80,9 +80,7 @@ class _Export:
 
     def __init__(self, system: System) -> None:
         self.system, self.tape, self.scene = system, system.tape, system.scene
-        faults = list(self._faults())
-        if faults:
-            raise InputError(f"scene {self.scene.name} to SymPy", faults)
+        refuse(f"scene {self.scene.name} to SymPy", list(self._faults()))
         self.specified: dict[sp.Symbol, str] = {}
         self.unit: dict[sp.Symbol, str] = {}
 
@@ -164,8 +162,7 @@ class _Export:
                     Fault(f"expression {symbol}", strange, "functions that SymPy has", "Tables and curves have none.")
                 )
             instead[symbol] = with_pieces(expression).xreplace(instead)
-        if faults:
-            raise InputError(f"scene {self.scene.name} to SymPy", faults)
+        refuse(f"scene {self.scene.name} to SymPy", faults)
 
         def written(value: Any) -> Any:
             return with_pieces(sp.sympify(value)).xreplace(instead)

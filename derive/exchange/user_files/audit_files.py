@@ -11,7 +11,7 @@ from pathlib import Path
 from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by, sympy_remedy
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.common.module_format import refuse_generated
 from hertzwerk.derive.common.toml_file import MAX_BYTES
 from hertzwerk.derive.declare.scene.scene import Scene
@@ -74,8 +74,7 @@ def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
             if len(files) == 1:
                 raise
             faults.extend(replace(fault, where=f"{file}: {fault.where}") for fault in error.faults)
-    if faults:
-        raise InputError(str(path), faults)
+    refuse(str(path), faults)
     return findings
 
 
@@ -91,9 +90,7 @@ def _audit_python(file: Path) -> tuple[Finding, ...]:
         expected = "a file that defines `scene = Scene(...)`, or laws"
         raise InputError(str(file), [Fault(str(file), "neither a scene nor a law", expected, sympy_remedy(names))])
     findings = [finding for law in laws for finding in audit_law(law)]
-    faults = [fault for law in laws for fault in faults_if_consistent(law)]
-    if faults:
-        raise InputError(str(file), faults)
+    refuse(str(file), [fault for law in laws for fault in faults_if_consistent(law)])
     return (*findings, *(finding for scene in scenes for finding in audit_scene(scene)))
 
 

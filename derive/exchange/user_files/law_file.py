@@ -36,7 +36,7 @@ from hertzwerk.derive.audit.audit import Finding
 from hertzwerk.derive.audit.audit_text import finding, undeclared, with_culprit
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import beside
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.common.identifiers import name_faults
 from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.derive.common.units import UnitError, parse_quantity, parse_unit, rate_remedy
@@ -119,8 +119,7 @@ def read_laws(path: str | Path) -> tuple[WrittenLaw, ...]:
         if law is not None:
             written.append(law)
             faults.extend(faults_if_consistent(law.law))
-    if faults:
-        raise InputError(str(path), faults)
+    refuse(str(path), faults)
     return tuple(written)
 
 

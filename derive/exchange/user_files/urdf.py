@@ -21,7 +21,7 @@ from xml.etree import ElementTree
 import sympy as sp
 
 from hertzwerk.derive.common.execute_file import beside
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.derive.common.identifiers import repeated
 from hertzwerk.derive.common.toml_file import read_at_most
 from hertzwerk.derive.declare.effects.couplings import Coupling
@@ -124,19 +124,16 @@ def from_urdf(
     ]
     if not isinstance(locked, Mapping):
         faults.append(Fault("locked", shown(locked), 'values by the names of joints, {"finger_joint": 0}'))
-    if faults:
-        raise InputError(str(path), faults)
+    refuse(str(path), faults)
     from hertzwerk.derive.exchange.user_files.urdf_elements import elements_of  # imports pydantic
 
     root = _read(beside(path))
     links, joints, faults, left = elements_of(root)
     reader = _Reader(root.get("name", ""), links, joints, base, locked)
     faults = faults or list(reader.faults())
-    if faults:
-        raise InputError(str(path), faults)
+    refuse(str(path), faults)
     robot, faults = reader.robot(left, inertia == "nearest")
-    if faults:
-        raise InputError(str(path), faults)
+    refuse(str(path), faults)
     return robot
 
 

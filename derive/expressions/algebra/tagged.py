@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Self
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 
 __all__ = ["Tagged"]
 
@@ -32,9 +32,10 @@ class Tagged(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     def must_be_text(cls, kind: str, name: object, **texts: object) -> None:
         """Raise InputError, listing every fault, for what is no text."""
         entries = {"name": name, **texts}
-        wrong = [Fault(f"{kind}, {label}", repr(x), "text") for label, x in entries.items() if not isinstance(x, str)]
-        if wrong:
-            raise InputError(f"{kind} {name!r:.40}", wrong)
+        refuse(
+            f"{kind} {name!r:.40}",
+            [Fault(f"{kind}, {label}", repr(x), "text") for label, x in entries.items() if not isinstance(x, str)],
+        )
 
     def _hashable_content(self) -> tuple[Any, ...]:
         return (self.name, *(repr(getattr(self, tag)) for tag in self.tags))

@@ -15,7 +15,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.common.units import UnitError, parse_unit
 from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault, canonical
 from hertzwerk.derive.expressions.dimension.expression import Expression
@@ -54,8 +54,7 @@ class Declared:
                 dimensions[name] = dimension_of_unit(unit, constants)
             except UnitError as error:
                 faults.append(Fault(f"unit of {name}", repr(unit), "a unit", str(error)))
-        if faults:
-            raise InputError("expression", faults)
+        refuse("expression", faults)
         return cls(dimensions, constants, symbols, units)
 
     @property

@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import (
     PAST_HORIZON,
     Output,
@@ -205,8 +205,7 @@ def _outputs(
     bench.check(Case(whole), compiled, [*before, *faults, *unknown_outputs(whole, names)])
     run = bench.simulate(Case(whole), compiled=compiled)
     outputs, wrong = chosen(run, names) if names else (automatic(run), [])
-    if wrong:
-        raise InputError(whole.name, wrong)
+    refuse(whole.name, wrong)
     return outputs, run
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.derive.common.markup import joined, tag
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.analysis.statics.balance import (
@@ -269,8 +269,7 @@ def equilibrium(
     values, wanted = stated_values(model, parameters, initial, faults)
     if not isinstance(nearest, bool):
         faults.append(Fault("nearest", shown(nearest), "True or False"))
-    if faults:
-        raise InputError(model.name, faults)
+    refuse(model.name, faults)
     t = _time(model, at)
     model = inputs_at(model, inputs, t)
     still = held(model)
@@ -292,8 +291,7 @@ def inputs_at(model: EngineModel, inputs: Mapping[str, Input] | None, t: float) 
         return model
     model, faults = with_input_values(model, inputs, t or 1.0, {})
     faults += input_faults(model, t, faults)
-    if faults:
-        raise InputError(model.name, faults)
+    refuse(model.name, faults)
     at = {name: float(signal(np.array([t]))[0]) for name, signal in model.signals.items()}
     return model.with_signals({name: constant(value, f"{value:g}") for name, value in at.items()})
 

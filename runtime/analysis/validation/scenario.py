@@ -24,7 +24,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.derive.common.file_schema import MisfitError, form_faults
 from hertzwerk.derive.common.toml_file import read_toml
 from hertzwerk.derive.common.units import parse_quantity, parse_unit, rate_remedy
@@ -167,8 +167,7 @@ def _validated(subject: str, content: dict[str, Any], *, meant: bool = False) ->
         faults = form_faults(error, Scenario)
     if meant:
         faults += _meaning_faults(content, {fault.where for fault in faults})
-    if faults:
-        raise InputError(subject, faults)
+    refuse(subject, faults)
     return scenario
 
 

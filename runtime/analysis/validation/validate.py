@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.common.faults import refuse
 from hertzwerk.derive.common.units import parse_unit, split_quantity
 from hertzwerk.runtime.analysis.validation.scenario import Check, Scenario, misfit, si
 
@@ -56,9 +56,10 @@ def run_scenario(scenario: Scenario) -> EngineSolution:
 
 def validate(scenario: Scenario, solution: EngineSolution) -> tuple[Verdict, ...]:
     """Return the verdict of every check; raises InputError for unknown names or unfit units."""
-    faults = [fault for check in scenario.checks if (fault := misfit(check, solution.history.units)) is not None]
-    if faults:
-        raise InputError(f"checks of scenario {scenario.scene}", faults)
+    refuse(
+        f"checks of scenario {scenario.scene}",
+        [fault for check in scenario.checks if (fault := misfit(check, solution.history.units)) is not None],
+    )
     return tuple(_verdict(check, measure(solution, check.quantity)) for check in scenario.checks)
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.common.faults import InputError, refuse
 from hertzwerk.runtime.cli.target_options import JSON, VARIATION, Variation, assignments, together
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
@@ -155,8 +155,7 @@ def _read(
         rest = equilibrium(model, parameters=parameters, initial=initial, inputs=inputs, at=at, nearest=nearest)
     except InputError as error:
         raise InputError(error.subject, [*faults, *error.faults]) from error
-    if faults:
-        raise InputError(model.name, faults)
+    refuse(model.name, faults)
     return rest
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.annotations import FORMATS, faults_as_remarks, remarks
 from hertzwerk.runtime.cli.terminal import BAD_INPUT, GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
@@ -92,8 +92,7 @@ def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stra
         faults.append(
             Fault("audit", "--format with --json, or without files", "scenes, files or folders, and one of both")
         )
-    if faults:
-        raise InputError("audit", faults)
+    refuse("audit", faults)
 
 
 def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], expect: str | None, as_json: bool) -> int:

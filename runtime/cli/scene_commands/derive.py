@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.target_options import COORDINATES, LAW, WITHOUT, Variation
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
@@ -39,8 +39,7 @@ def _list_contents(varied: Variation) -> int:
 
     faults: list[Fault] = []
     model = varied.model(faults)
-    if faults:
-        raise InputError("list", faults)
+    refuse("list", faults)
     click.echo(f"{model.name}: effects")
     table(("effect", "meaning"), [(name, meaning) for name, _, meaning in model.module.EFFECTS])
     histories = entries(model)
@@ -94,17 +93,17 @@ def derive(
     require_targets(targets)
     folders = dict.fromkeys([out] if out is not None else map(regenerate.folder_of, targets))
     hindrances = [hindrance for folder in folders if (hindrance := unwritable(folder)) is not None]
-    if hindrances:
-        raise InputError("derive", [Fault("--out", each, "a folder that can be written to") for each in hindrances])
+    refuse("derive", [Fault("--out", each, "a folder that can be written to") for each in hindrances])
     for path in regenerate.write(regenerate.derived(targets, coordinates), out):
         line("written", str(path))
     return GOOD
 
 
 def _refuse_beside_show(options: dict[str, bool]) -> None:
-    faults = [Fault("derive", option, "--show by itself, or with --json") for option, there in options.items() if there]
-    if faults:
-        raise InputError("derive", faults)
+    refuse(
+        "derive",
+        [Fault("derive", option, "--show by itself, or with --json") for option, there in options.items() if there],
+    )
 
 
 def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> int:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.cli.target_options import SET, assignments
 from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 
@@ -62,8 +62,7 @@ def draw(
         faults.append(Fault("--set, --duration", "several targets", "one"))
     path = out or Path(f"{Path(names[0]).stem}.png" if len(names) == 1 else "mechanisms.png")
     faults += new_file_faults("--out", path, "name another, or say --overwrite", overwrite=overwrite)
-    if faults:
-        raise InputError("draw", faults)
+    refuse("draw", faults)
     views = [_places(name, values, duration, start) for name in names]
     content = io.BytesIO()
     page = picture.figure(*views[0]) if len(names) == 1 else sheet([places for places, *_ in views])

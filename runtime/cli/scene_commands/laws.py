@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.target_options import JSON, unwritable_faults
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
@@ -128,8 +128,7 @@ def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
     if picture.suffix != ".png":
         faults.append(Fault("--picture", str(picture), "a file FILE.png"))
     faults += new_file_faults("--picture", picture)
-    if faults:
-        raise InputError("laws", faults)
+    refuse("laws", faults)
     from hertzwerk.runtime.engine.solution.solution import write
     from hertzwerk.runtime.output.plots.plot_band import png
 
@@ -250,8 +249,7 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
         else []
     )
     faults += unwritable_faults(out, wanted=wanted)
-    if faults:
-        raise InputError("laws", faults)
+    refuse("laws", faults)
     with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
         result = study(progress)
     code = conclude(

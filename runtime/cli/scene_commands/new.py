@@ -33,7 +33,7 @@ def new(file: Path, template: str) -> int:
 
     FILE ends in .py; an existing one is never replaced. The scene is named after it.
     """
-    from hertzwerk.derive.common.faults import Fault, InputError
+    from hertzwerk.derive.common.faults import Fault, refuse
     from hertzwerk.derive.common.identifiers import name_faults
     from hertzwerk.runtime.analysis.validation import scenarios
     from hertzwerk.runtime.system.atomic_files import write_atomically
@@ -42,8 +42,7 @@ def new(file: Path, template: str) -> int:
     faults = [*name_faults(f"{file}, without its ending", file.stem), *new_file_faults("FILE", file, "name another")]
     if file.suffix != ".py":
         faults.append(Fault("FILE", str(file), "a name that ends in .py", f"{file.with_suffix('.py')}"))
-    if faults:
-        raise InputError("new", faults)
+    refuse("new", faults)
     scene = TEMPLATES[template]
     command = shlex.join(["hertzwerk", "run", str(file), "--duration", scenarios.read(scene)["duration"]])
     write_atomically(file, _text(scene, file.stem, command).encode())

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.analysis.effect_study.effect_study import Change, Row, Study, percent
 from hertzwerk.runtime.cli.target_options import (
     BY_METHOD,
@@ -103,8 +103,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
         tolerance = number(options["tolerance"])
         if not isinstance(tolerance, float):
             faults.append(Fault("--tolerance", repr(tolerance), "a number"))
-    if faults:
-        raise InputError("effects", faults)
+    refuse("effects", faults)
     with Progress(f"effects of {target}", shown=not quiet and sys.stderr.isatty()) as progress:
         return study_effects(
             target,

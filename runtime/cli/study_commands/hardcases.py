@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, refuse, unknown
 from hertzwerk.runtime.cli.line_wrapping import GAP, PROSE, columns, wrapped
 from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
@@ -88,8 +88,7 @@ def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -
             for case in cases
             if methods and not set(methods) & set(case.methods)
         ]
-    if faults:
-        raise InputError("hardcases", faults)
+    refuse("hardcases", faults)
     chosen = cases or [case for case in CASES if everything or not case.long]
     return [case for case in chosen if not methods or set(methods) & set(case.methods)]
 

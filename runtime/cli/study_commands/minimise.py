@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.cli.design_options import definition, keep, named
 from hertzwerk.runtime.cli.target_options import (
     ACCURACY,
@@ -78,12 +78,13 @@ def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> i
     """
     from hertzwerk.runtime.studies.minimisation import minimisation
 
-    wrong = [
-        replace(fault, where="--into", remedy="name another")
-        for fault in unwritable_faults(into, wanted=into is not None)
-    ]
-    if wrong:
-        raise InputError("minimise", wrong)
+    refuse(
+        "minimise",
+        [
+            replace(fault, where="--into", remedy="name another")
+            for fault in unwritable_faults(into, wanted=into is not None)
+        ],
+    )
 
     def own(faults: list[Fault]) -> dict[str, Any]:
         return {

@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.cli.design_options import definition, keep
 from hertzwerk.runtime.cli.target_options import (
     ACCURACY,
@@ -85,7 +85,6 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
     By derivatives and by samples, with Sobol indices. A TOML file with the keys of `propagate` may take the place of
     TARGET and options. Exit code 1: runs are missing.
     """
-    from hertzwerk.derive.common.faults import InputError
     from hertzwerk.runtime.studies.uncertainty import propagation
     from hertzwerk.runtime.system.result_folder import new_file_faults
 
@@ -100,9 +99,7 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
             **({"indices": False} if options["no_indices"] else {}),
         }
 
-    wrong = [] if file is None else new_file_faults("--csv", file)
-    if wrong:
-        raise InputError("propagate", wrong)
+    refuse("propagate", [] if file is None else new_file_faults("--csv", file))
     with Progress(f"uncertainty of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
         arguments = definition(target, options, own, propagation.propagate, ("target", "uncertain", "duration"))
         propagated = propagation.propagate(**arguments, into=into, progress=progress)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.target_options import JSON, READING, command_line, reading_of, unwritable_faults
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
@@ -85,8 +85,7 @@ def study(
     wanted = resume is not None or out is not None or not as_json
     chosen = study_of(name)
     faults += [] if resume is not None else unwritable_faults(out, wanted=wanted)
-    if faults:
-        raise InputError("study", faults)
+    refuse("study", faults)
     laid = None if measured is None else read_measurement(measured, **reading)
     target = str(Path(name).absolute()) if is_file(name) else name
     located = None if measured is None else str(Path(measured).absolute())

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.continue_run import limits_of
 from hertzwerk.runtime.cli.target_options import (
     ACCURACY,
@@ -218,8 +218,7 @@ def _arguments(
                 "the whole definition there; beside it --workers, --cluster, --widen, --table, --json",
             )
             faults.append(Fault(where, actual, expected))
-        if faults:
-            raise InputError("sweep", faults)
+        refuse("sweep", faults)
         if resume is None:
             from hertzwerk.runtime.studies.sweeps.sweep_file import read_sweep
 
@@ -234,8 +233,7 @@ def _arguments(
         expected = "a scene, a file, or --resume DIR"
         faults.append(Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes"))
     arguments = _read(str(target), options, faults)
-    if faults:
-        raise InputError("sweep", faults)
+    refuse("sweep", faults)
     return arguments
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.inputs.input_values import COLUMN, FILE, input_text, located, signal_of
 from hertzwerk.runtime.engine.model.binding import Value, read, read_state
@@ -60,8 +60,7 @@ class Choices:
                 factor, fault = read_state(name, "1", mine[name])
                 faults += [] if fault is None else [fault]
                 signals |= {base: signals[base].scaled(factor)} if fault is None and base in signals else {}
-        if faults:
-            raise InputError(model.name, faults)
+        refuse(model.name, faults)
         return model.with_signals(signals), {name: value for name, value in values.items() if name not in mine}
 
     def digests(self) -> dict[str, str]:
@@ -136,8 +135,7 @@ def read_rows(
             signal = signal_of(name, row[name], model.inputs[name][0], seconds, faults)
             if signal is not None:
                 row[name] = _label(_name(row[name]), signal, there)
-    if faults:
-        raise InputError(model.name, list(dict.fromkeys(faults)))
+    refuse(model.name, list(dict.fromkeys(faults)))
     return labelled, Choices(MappingProxyType(signals))
 
 

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of, with_header
 
@@ -102,8 +102,7 @@ class Measurement(Columns):
         times = self.times
         if times.ndim != 1 or times.size < 2 or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
             faults.append(Fault("times", shown(self.times), "two or more finite times, increasing"))
-        if faults:
-            raise InputError(self.source or "measurement", faults)
+        refuse(self.source or "measurement", faults)
 
 
 @dataclass(frozen=True)
@@ -125,8 +124,7 @@ class MeasuredImpacts(Columns):
         counted = self.numbers.ndim == 1 and self.numbers.size > 0 and bool(np.all(np.isfinite(self.numbers)))
         if not counted or np.any(np.diff(self.numbers, prepend=0) <= 0) or np.any(self.numbers % 1):
             faults.append(Fault("numbers", shown(self.numbers), "whole numbers of impacts from 1 on, increasing"))
-        if faults:
-            raise InputError(self.source or "measured impacts", faults)
+        refuse(self.source or "measured impacts", faults)
 
 
 @dataclass(frozen=True)
@@ -223,8 +221,7 @@ def counts_impacts(data: MeasuredTable) -> bool:
 def _read(reading: Reading, keys: tuple[str, ...]) -> tuple[Array, dict[str, Array], dict[str, str], int, str]:
     """Return times in SI or numbers of impacts, columns and units by name, jumps, and the source."""
     faults = _option_faults(reading)
-    if faults:
-        raise InputError(reading.source or "measurement", faults)
+    refuse(reading.source or "measurement", faults)
     chosen, table = (_of_text if reading.source else _of_arrays)(reading, keys, faults)
     values = table.values
     if chosen and chosen[0][1].lower() in keys:
@@ -238,8 +235,7 @@ def _read(reading: Reading, keys: tuple[str, ...]) -> tuple[Array, dict[str, Arr
         where = f"{Path(reading.source).name}, " if reading.source else ""
         empty = [name for (_, name, _), each in zip(chosen, values.T, strict=True) if not np.any(np.isfinite(each))]
         faults += [Fault(f"{where}{name}", "no sample", "a column of numbers") for name in empty]
-    if faults:
-        raise InputError(reading.source or "measurement", faults)
+    refuse(reading.source or "measurement", faults)
     (_, _, unit), *others = chosen
     along, *measured = values.T
     series = {name: each.copy() for (_, name, _), each in zip(others, measured, strict=True)}

@@ -18,7 +18,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.common.execute_file import file_of_module, names_imported, sympy_remedy
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.runtime.engine.model.generated_text import module_in, module_of
 from hertzwerk.runtime.system import cache as disk
@@ -157,8 +157,7 @@ def vary(
         scene = scene.with_coordinates(coordinates) if coordinates is not None else scene
     except InputError as error:
         faults.extend(error.faults)
-    if faults:
-        raise InputError(scene.name, faults)
+    refuse(scene.name, faults)
     return scene
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.derive.common.module_format import generated_text, stated, stated_coordinates
 from hertzwerk.runtime.engine.model.build import (
     derive_digest,
@@ -130,13 +130,14 @@ def write(modules: Sequence[Derived], folder: Path | None) -> tuple[Path, ...]:
     Raises InputError where a file that is no generated module stands there.
     """
     paths = tuple(_place(module.target, module.name, folder or folder_of(module.target)) for module in modules)
-    faults = [
-        Fault(str(path), "a file that is no generated module", "a module, or no file", "name another --out DIR")
-        for path in paths
-        if path.exists() and generated_text(path) is None
-    ]
-    if faults:
-        raise InputError("derive", faults)
+    refuse(
+        "derive",
+        [
+            Fault(str(path), "a file that is no generated module", "a module, or no file", "name another --out DIR")
+            for path in paths
+            if path.exists() and generated_text(path) is None
+        ],
+    )
     for path, module in zip(paths, modules, strict=True):
         path.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(path, module.text.encode())

@@ -10,7 +10,7 @@ from typing import Final, Literal, TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, refuse, shown, unknown
 from hertzwerk.derive.common.units import UnitError, parse_quantity
 from hertzwerk.runtime.engine.accuracy.error_estimate import LEAST
 from hertzwerk.runtime.engine.integration.loop.near_list import listing
@@ -94,8 +94,7 @@ class Settings:
         faults = self.faults()
         times_of(self.grid, read_duration(model, {}, self.duration, faults), faults)
         faults += self.sensitivity_faults(model)
-        if faults:
-            raise InputError(model.name, faults)
+        refuse(model.name, faults)
 
     def sensitivity_faults(self, model: EngineModel) -> list[Fault]:
         """Return the faults of the names of derivatives."""
@@ -218,8 +217,7 @@ def read(
     bound, q, u = start_of(model, parameters, initial, faults)
     latches = np.array([0.0 if name not in initial else si_of(model, name, initial[name]) for name in model.latches])
     inside, pressed = overlaps(model, bound, initial, q, u)
-    if inside:
-        raise InputError(model.name, inside)
+    refuse(model.name, inside)
     request = RunRequest(
         bound,
         q,

@@ -19,7 +19,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.runtime.engine.accuracy.error_estimate import VALID
 from hertzwerk.runtime.engine.integration.events.effect_events import jump
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
@@ -105,8 +105,7 @@ def _difference(model: EngineModel, bound: BoundParameters, initial: Mapping[str
             values[name] = (value + change, joints.units[name])
         faults: list[Fault] = []
         q, u = read_start(model, moved, values, faults)
-        if faults:
-            raise InputError(f"start of {model.name} with another {name}", faults)
+        refuse(f"start of {model.name} with another {name}", faults)
         if model.ne:
             q = _jumped(model)(0.0, np.concatenate([q, u, np.zeros(model.nz)]), moved.c, np.zeros(model.ne))[0][
                 : model.nq
@@ -169,8 +168,7 @@ class Sensitivities:
         ]
         if not names:
             faults.append(Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}"))
-        if faults:
-            raise InputError(f"sensitivities of {model.name}", faults)
+        refuse(f"sensitivities of {model.name}", faults)
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
         self._directions = directions_of(model, bound.p, bound.c, dp.reshape(-1, len(names)))
         begin = start_changes(model, bound, initial, names)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.engine.model.binding import read_time
 
 if TYPE_CHECKING:
@@ -164,8 +164,7 @@ def averages_by_name(
         faults.append(Fault("interval", f"{length:g} s", f"at most the run's {span:g} s"))
     if not faults and skipped is not None and skipped >= span:
         faults.append(Fault("skip", f"{skipped:g} s", f"less than the run's {span:g} s"))
-    if faults:
-        raise InputError(f"averages of {run.model.name}", faults)
+    refuse(f"averages of {run.model.name}", faults)
     dt, count = run.findings.intervals(length, run.end)
     first = math.ceil((TRANSIENT * count if skipped is None else skipped / dt) - 1e-9)
     shows_largest = length is not None or run.findings.period is not None

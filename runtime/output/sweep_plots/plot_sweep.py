@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, empty_panel, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, CYCLE, GREY, STYLE, VERMILLION, plain
@@ -52,10 +52,7 @@ def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
     there = [name for name in table.arrays[SECTION] if name != "t"] if diagram else _outputs(table)
     known = dict.fromkeys([*(table.arrays.get(SECTION, {})), *_outputs(table)])
     wrong = [name for name in names if name not in there]
-    if wrong:
-        raise InputError(
-            f"plot of {table.scene}", [unknown("output or array of this sweep", name, known) for name in wrong]
-        )
+    refuse(f"plot of {table.scene}", [unknown("output or array of this sweep", name, known) for name in wrong])
     if not table.rows or not there:
         raise InputError(
             f"plot of {table.scene}", [Fault("rows", "none with numbers", "a sweep with rows and outputs")]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.output.tables.data_frame import parquet
 from hertzwerk.runtime.output.tables.dataset import netcdf
 from hertzwerk.runtime.output.tables.labelled_table import EXTRA, LabelledTable
@@ -41,9 +41,7 @@ def write_table(
     Raises InputError with every fault, OSError.
     """
     path = as_path("path", path)
-    faults = table_file_faults(path, overwrite=overwrite)
-    if faults:
-        raise InputError("table", faults)
+    refuse("table", table_file_faults(path, overwrite=overwrite))
     ending = path.suffix.lower()
     content: bytes | Iterable[bytes]
     content = (

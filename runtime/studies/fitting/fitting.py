@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.runtime.engine.model.binding import Value, named_values, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -135,8 +135,7 @@ def read_fit(
         faults.append(
             Fault("data", f"{count} numbers", f"at least {len(freed) + len(nuisance)}, as many as are fitted")
         )
-    if faults:
-        raise InputError(f"fit of {model.name}", faults)
+    refuse(f"fit of {model.name}", faults)
     return FitRequest(
         freed,
         tuple(nuisance),

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.derive.common.markup import joined
 from hertzwerk.derive.common.module_format import without_scene
 from hertzwerk.derive.common.plain_table import heading, table
@@ -104,8 +104,7 @@ def read_laws(
             request[law] = read_fit(model, data, own, **{**how, "parameters": parameters})
         except InputError as error:
             faults += [fault for fault in error.faults if fault not in faults]
-    if faults:
-        raise InputError("laws", faults)
+    refuse("laws", faults)
     return request
 
 

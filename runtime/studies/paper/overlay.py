@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.runtime.studies.paper.study_page import Curve, Page, Panel
 
@@ -29,8 +29,7 @@ def laid_over(page: Page, measured: Measurement) -> Page:
         known = dict.fromkeys(filter(None, (_shows(panel) for chart in page.charts for panel in chart.panels)))
         expected = f"some of {', '.join(known)}" if known else "a study that shows histories: this one has none"
         faults.append(Fault("columns", ", ".join(measured.columns), expected))
-    if faults:
-        raise InputError(measured.source, faults)
+    refuse(measured.source, faults)
     caption = f"Black dots: measured, from {Path(measured.source).name}, as they are, neither filtered nor shifted."
     return replace(page, charts=charts, paragraphs=(*page.paragraphs, caption))
 

@@ -29,7 +29,7 @@ from functools import partial
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import Input, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_rows, units_of_inputs
 from hertzwerk.runtime.engine.model.binding import Value
@@ -192,13 +192,14 @@ def _sets(sets: object) -> list[dict[str, Value]]:
     if isinstance(sets, str | Mapping) or not isinstance(sets, Iterable):
         raise InputError("simulate_many", [Fault("parameter_sets", shown(sets), expected)])
     rows = list(sets)
-    faults = [
-        Fault(f"parameter_sets, row {i}", shown(row), expected)
-        for i, row in enumerate(rows)
-        if not isinstance(row, Mapping)
-    ]
-    if faults:
-        raise InputError("simulate_many", faults)
+    refuse(
+        "simulate_many",
+        [
+            Fault(f"parameter_sets, row {i}", shown(row), expected)
+            for i, row in enumerate(rows)
+            if not isinstance(row, Mapping)
+        ],
+    )
     return [dict(row) for row in rows]
 
 
@@ -417,8 +418,7 @@ def _check(model: EngineModel, faults: list[Fault], functions: Mapping[str, Own]
         for name, function in functions.items()
         if not (isinstance(name, str) and callable(function))
     ]
-    if faults:
-        raise InputError(model.name, faults)
+    refuse(model.name, faults)
     taken = {
         *TEXTS,
         *si_units(model),
@@ -431,5 +431,4 @@ def _check(model: EngineModel, faults: list[Fault], functions: Mapping[str, Own]
         for name in functions
         if name in taken or name.startswith("final.")
     ]
-    if faults:
-        raise InputError(model.name, faults)
+    refuse(model.name, faults)

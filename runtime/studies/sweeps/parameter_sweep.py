@@ -20,7 +20,7 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
 from hertzwerk.runtime.engine.inputs.input_values import Input, input_text, with_input_values
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES, Choices, read_choices, units_of_inputs
 from hertzwerk.runtime.engine.model import model as plain
@@ -258,8 +258,7 @@ def sweep(
     if not faults and duration_follows(model, derived_by(wanted), duration):
         actual = f"{duration}, which changes with what derivatives are taken by"
         faults.append(Fault("duration", actual, 'a time, such as "24 ms"'))
-    if faults:
-        raise InputError(f"sweep of {model.name}", faults)
+    refuse(f"sweep of {model.name}", faults)
     plan = Plan(model, design, varied, wanted, settings, row_arrays, chains, choices)
     plan.check()
     # 4. rows, 5. table

@@ -29,7 +29,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import DEFINITION, differences, read_definition
 from hertzwerk.runtime.studies.sweeps.rows.row import LOST, Packed, Row
 from hertzwerk.runtime.studies.sweeps.rows.row_arrays import END
@@ -130,9 +130,7 @@ class Store:
                 raise
             before = None
         if before is not None and not widen:
-            faults = differences(before, now)
-            if faults:
-                raise InputError(f"sweep in {self.folder}", faults)
+            refuse(f"sweep in {self.folder}", differences(before, now))
         if before != now or _content(self.folder / MODEL) != text.encode():
             with transaction(self._rows):
                 self._rows.execute("DELETE FROM points")

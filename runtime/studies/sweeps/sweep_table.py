@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
 from hertzwerk.derive.common.markup import joined, tag
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.derive.common.units import parse_unit
@@ -223,8 +223,7 @@ class Sweep:
         outputs = [column for column in self.names if column not in (*self.varied, *TEXTS)]
         faults = [] if name in numbers else [unknown("varied number", name, numbers)]
         faults += [] if output in outputs else [unknown("output", output, outputs)]
-        if faults:
-            raise InputError(f"slope over the sweep of {self.scene}", faults)
+        refuse(f"slope over the sweep of {self.scene}", faults)
         wanted = [columns[each] for each in (name, output, *numbers)]
         known = (columns["outcome"] == "finished") & np.isfinite(wanted).all(axis=0)
         x, y, *others = (column[known] for column in wanted)

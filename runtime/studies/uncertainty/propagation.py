@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value, whole_faults
@@ -111,8 +111,7 @@ def propagate(
     arguments = {**values, "outputs": outputs, "functions": functions, **settings}
     arguments |= {"into": into, "widen": widen, "client": client, "progress": progress}
     faults += refused_by_sweep(model, arguments, workers)
-    if faults:
-        raise InputError(f"propagation of {model.name}", faults)
+    refuse(f"propagation of {model.name}", faults)
     # 2. one run
     means = {name: (float(one.mean()), known[name] or "1") for name, one in drawn.items()}
     run = simulate(model, **settings, **{**values, "parameters": {**(parameters or {}), **means}})

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.runtime.engine.model.binding import Value, read_state, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -221,8 +221,7 @@ def read_moment_fit(
         stated += [Moment(name, unit, float(value), float(deviation)) for name, unit, value, deviation in measured]
     if stated and len(stated) < len(freed):
         faults.append(Fault("moments", f"{len(stated)} statistics", f"at least {len(freed)}, as many as are free"))
-    if faults:
-        raise InputError(f"fit of {model.name}", faults)
+    refuse(f"fit of {model.name}", faults)
     if computed:
         how = {"duration": max(one.sight.lasts for one in computed), **how}
     return MomentFitRequest(model, freed, tuple(stated), tuple(half_widths), computed, how, seed)

@@ -17,7 +17,7 @@ from importlib import metadata, resources
 from pathlib import Path
 from typing import Any
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown
+from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.inputs.inputs_by_row import Choices, Labels
 from hertzwerk.runtime.engine.model.binding import Value, read, read_parameters, read_state
@@ -244,8 +244,7 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
         changed = f"hertzwerk sweep {shlex.quote(definition['target'])} ... --into {shlex.quote(str(folder))} --widen"
         way_out = f"restore it, or accept it: {changed}, with the whole definition, executes it and keeps the rows that are the same"
         faults.append(Fault(definition["target"], "another content, or none: it is not executed", expected, way_out))
-    if faults:
-        raise InputError("sweep", faults)
+    refuse("sweep", faults)
     return {name: definition[name] for name in ARGUMENTS}
 
 
@@ -282,6 +281,5 @@ def read_definition(folder: Path) -> dict[str, Any] | None:
         faults.append(
             Fault(str(file), "entries that do not fit its digest", "a definition as a sweep wrote it", way_out)
         )
-    if faults:
-        raise InputError("sweep", faults)
+    refuse("sweep", faults)
     return definition

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, refuse, shown, unknown
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.output_times import Grid, times_of
@@ -101,8 +101,7 @@ class RowArrays:
         if period is not None and abs(seconds / period - round(seconds / period)) > WHOLE * seconds / period:
             expected = "a whole number of periods, as each value starts where the one before ended"
             faults.append(Fault("duration", f"{seconds / period:.9g} periods of what depends on time", expected))
-        if faults:
-            raise InputError(model.name, faults)
+        refuse(model.name, faults)
         section = None
         if self.section is not None and self.section.steady and bound is not None:
             section = self.section.returns(model, bound, begin, seconds)
