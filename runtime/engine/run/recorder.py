@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.engine.integration.events.cubics import crest_of_cubic
 from hertzwerk.runtime.system.heap import available
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -232,10 +233,10 @@ def _turns(block: History, begins: np.ndarray, pace: float) -> tuple[np.ndarray,
     turned = np.flatnonzero(np.max(changes, axis=1, initial=0.0) > pace)
     one = turned, np.argmax(changes[turned], axis=1) if len(turned) else turned
     h, y = (block.t[begins + 1] - block.t[begins])[turned], block.part("y")
-    start, end, way = h * before[one], h * after[one], (y[begins + 1, :n] - y[begins, :n])[one]
-    square, cube = 3 * way - 2 * start - end, start + end - 2 * way
+    sign = np.sign(before[one])
+    start, end, way = (sign * x for x in (h * before[one], h * after[one], (y[begins + 1, :n] - y[begins, :n])[one]))
     with np.errstate(all="ignore"):  # of a run that left all scales
-        parts = np.abs(start) / (np.sqrt(square * square - 3 * cube * start) - np.sign(start) * square)
+        parts, *_ = crest_of_cubic(np, 0.0, way, start, end)
     return turned, np.clip(np.nan_to_num(parts), 1 - Sampled.LATE, Sampled.LATE)[:, None]
 
 

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from hertzwerk.runtime.engine.integration.events.cubics import crest_of_cubic
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import slips_in
 from hertzwerk.runtime.engine.model.model import EngineModel
-from hertzwerk.runtime.engine.solution.impacts import KINDS, Impact, peaks
+from hertzwerk.runtime.engine.solution.impacts import KINDS, RANKINGS, Impact, peaks
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.history import History
@@ -29,7 +30,7 @@ FEW = (
 )  # rows of a block that may wait for those of other runs: more leave the cache, and their memory is given back
 BESIDE = np.array([-1, 0, 1])
 AT_ONCE = 1e-12  # of the time: rows so near each other are one
-CREST = 1.2  # times the larger end of a step: most that is believed of the cubic in it
+CREST = 2.0  # times the larger end of a step: most that is believed of the cubic in it
 BEYOND = 1.1  # gap rate over approach speed from which a contact has left its law; rounding and steps make an impact's no larger than 1.001
 
 Piece: TypeAlias = tuple["History", slice]
@@ -41,8 +42,8 @@ class Contacts(NamedTuple):
 
     t, speed    onset [s] and approach speed [m/s]
     left     when the surfaces left each other last [s]; nan where they touch
-    largest  values of the KINDS so far (n, kinds)
-    tops     rows of these values, each between its neighbours, none before the onset (n, kinds, 3, ns)
+    largest  of each KIND the largest at a row and in a step so far (n, kinds * RANKINGS)
+    tops     rows of these values, each between its neighbours, none before the onset (n, kinds * RANKINGS, 3, ns)
     """
 
     pair: int
@@ -289,38 +290,43 @@ def _joined(pieces: Sequence[Piece], part: str, pair: int) -> np.ndarray:
 
 
 def _largest(pieces: Sequence[Piece], j: int, within: np.ndarray, lengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest values in n contacts of pair j, and the rows at which they are, each (n, kinds).
+    """Return the largest values in n contacts of pair j and the rows at which they are.
 
-    Those of the rows and, as a contact may go up and down, crests in the steps that end there.
+    Each (n, kinds * RANKINGS).
+    Of each kind that of the rows and, as a contact may go up and down, of the crests in the steps that end there: a cubic may err,
+    so that neither hides the other.
 
     within    rows in contact, of one contact after another, so many each
     """
     starts = np.cumsum(lengths) - lengths
-    largest, places = np.empty((len(starts), len(KINDS))), np.empty((len(starts), len(KINDS)), dtype=int)
-    for kind, (part, rate, sign) in enumerate(KINDS):
+    columns = []
+    for part, rate, sign in KINDS:
         crests = [_crests(block, rows, sign, block.of_pair(part, j), block.of_pair(rate, j)) for block, rows in pieces]
-        values = np.maximum(sign * _joined(pieces, part, j), np.concatenate(crests))[within]
+        columns += [sign * _joined(pieces, part, j)[within], np.concatenate(crests)[within]]
+    largest, places = np.empty((len(starts), len(columns))), np.empty((len(starts), len(columns)), dtype=int)
+    for i, values in enumerate(columns):
         values[np.isnan(values)] = math.inf  # what is no number counts as the largest
-        largest[:, kind] = np.maximum.reduceat(values, starts)
-        hits = np.flatnonzero(values == np.repeat(largest[:, kind], lengths))
-        places[:, kind] = within[hits[np.searchsorted(hits, starts)]]
+        largest[:, i] = np.maximum.reduceat(values, starts)
+        hits = np.flatnonzero(values == np.repeat(largest[:, i], lengths))
+        places[:, i] = within[hits[np.searchsorted(hits, starts)]]
+    for row, crest in zip(*np.split(np.arange(len(columns)).reshape(-1, RANKINGS), RANKINGS, axis=1), strict=True):
+        beside = (places[:, crest] == places[:, row]) | (places[:, crest] == places[:, row] + 1)
+        places[:, crest] = np.where(beside, places[:, row], places[:, crest])
     return largest, places
 
 
 def _crests(block: History, rows: slice, sign: int, values: np.ndarray, rates: np.ndarray) -> np.ndarray:
     """Return the crests (n,) of a value in the steps that end at rows, -inf where there is none.
 
-    They are those of cubics. One far above both ends is none: in hard contacts rates may be wild.
+    They are those of cubics, also where both ends rise or fall. One far above both is none: in hard contacts rates may be wild.
     """
     steps = slice(max(rows.start - 1, 0), rows.stop)
     h, value, rate = np.diff(block.t[steps]), sign * values[steps], sign * rates[steps]
-    start, end, rising, falling = value[:-1], value[1:], h * rate[:-1], h * rate[1:]
-    square, cube = 3 * (end - start) - 2 * rising - falling, 2 * (start - end) + rising + falling
+    higher = np.maximum(value[:-1], value[1:])
     with np.errstate(all="ignore"):
-        place = rising / (np.sqrt(square * square - 3 * cube * rising) - square)
-        crest = start + place * (rising + place * (square + place * cube))
-        has_crest = (rising > 0) & (falling < 0) & (crest < CREST * np.maximum(start, end))
-    return np.append(np.full(rows.stop - rows.start - len(h), -math.inf), np.where(has_crest, crest, -math.inf))
+        place, crest, _ = crest_of_cubic(np, value[:-1], value[1:], h * rate[:-1], h * rate[1:])
+        sound = (place > 0) & (place < 1) & (crest > higher) & (crest < CREST * higher)
+    return np.append(np.full(rows.stop - rows.start - len(h), -math.inf), np.where(sound, crest, -math.inf))
 
 
 def _beside(pieces: Sequence[Piece], run: np.ndarray, places: np.ndarray, onsets: np.ndarray) -> np.ndarray:

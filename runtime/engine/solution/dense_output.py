@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
 NORMS = {"norm8": 8, "norm32": 32}  # even orders of smooth stand-ins for the largest magnitude
-POINTS, ZOOMS = 17, 4  # points around the largest sample, and refinements, of an extreme
+PLACES, POINTS, ZOOMS = 16, 17, 4  # most places at which an extreme is searched, points around each, and refinements
 
 
 class Extremes(NamedTuple):
@@ -54,16 +54,30 @@ class Samples:
         return self.top(of)[1]
 
     def top(self, of: Callable[[History], np.ndarray]) -> tuple[float, float]:
-        """Return the time [s] of the largest value of a quantity in the run, and that value."""
-        times, values = self.t, of(self.history)
-        best = times[np.argmax(values)], np.max(values)
+        """Return the time [s] of the largest value of a quantity in the run, and that value.
+
+        Refined around every sample that is larger than those beside it and may, by how far it is, have the largest value near it: at
+        most PLACES, those that may reach furthest.
+        """
+        values = of(self.history)
+        beside = np.pad(values, 1, constant_values=-math.inf)
+        # a parabola through three samples is an eighth of that above them at most
+        bends = np.abs(np.pad(np.diff(values, 2), 1))
+        tops = (values > beside[:-2]) & (values >= beside[2:]) & (values + bends >= np.max(values))
+        tops[np.argmax(values)] = True
+        places = np.flatnonzero(tops)
+        places = np.sort(places[np.argsort(values[places] + bends[places])[-PLACES:]])
+        best, largest, each = self.t[places], values[places], np.arange(len(places))
+        low, high = self.t[np.maximum(places - 1, 0)], self.t[np.minimum(places + 1, len(self.t) - 1)]
         for _ in range(ZOOMS):
-            i = int(np.argmax(values))
-            times = np.linspace(times[max(i - 1, 0)], times[min(i + 1, len(times) - 1)], POINTS)
-            values = of(self.run.at(times))
-            if np.max(values) > best[1]:
-                best = times[np.argmax(values)], np.max(values)
-        return float(best[0]), float(best[1])
+            times = np.linspace(low, high, POINTS, axis=1)
+            values = of(self.run.at(times.ravel())).reshape(times.shape)
+            i = np.argmax(values, axis=1)
+            low, high = times[each, np.maximum(i - 1, 0)], times[each, np.minimum(i + 1, POINTS - 1)]
+            best = np.where(values[each, i] > largest, times[each, i], best)
+            largest = np.fmax(largest, values[each, i])
+        top = int(np.argmax(largest))
+        return float(best[top]), float(largest[top])
 
     def extremes(self, name: str) -> Extremes:
         """Return the extremes of a history."""

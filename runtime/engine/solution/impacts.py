@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.engine.integration.events.cubics import crest_of_cubic
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import slips_in
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 PEAK = 2e-4  # of a step: last move of a root, over which the value is followed by its rate, to about 1e-9
 TRIES = (4, 8)  # most iterations, nested: groups of them, and iterations of a group
+RANKINGS = 2  # of each kind: by the values at rows, and by the crests of cubics between them
 KINDS = (("force", "force_rate", +1), ("gap", "gap_rate", -1))  # sign * part peaks: normal force and penetration
 
 
@@ -41,23 +43,30 @@ class Impact(NamedTuple):
 def peaks(history: History, controls: np.ndarray, pairs: np.ndarray, tops: np.ndarray) -> np.ndarray:
     """Return the peak normal forces [N] and penetrations [m] of contacts of pairs (n,), shape (n, 2).
 
-    The largest in the rows, or within the steps beside it.
+    The largest in the rows, or within the steps beside it and beside the largest crest of a cubic.
 
     controls    of the run of each (n, size); history: of any of these runs
-    tops    by KINDS the row of the largest value, between its neighbours (n, kinds, 3, ns)
+    tops    by KINDS and RANKINGS the row of the largest value, between its neighbours (n, kinds * RANKINGS, 3, ns)
     """
-    count, kinds, _, ns = tops.shape
+    count, many, _, ns = tops.shape
     k = history.engine.model.k
-    weights = np.zeros((count, kinds, 2, kinds * k))
-    for kind, (_, _, sign) in enumerate(KINDS):
-        weights[np.arange(count), kind, :, history.places(tops[:, kind, 1], pairs) + kind * k] = sign
-    sides = (tops[:, :, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3)))
-    values = history.by_method(
-        crest, *sides, weights.reshape(-1, weights.shape[-1]), controls=np.repeat(controls, kinds * 2, axis=0)
-    ).reshape(count, kinds, 2, 3)
-    at_top, within = values[:, :, 0, 1], values[:, :, :, 2]
-    largest: np.ndarray = np.maximum(at_top, within.max(axis=2))
-    return largest
+    # most cubics are highest beside the highest row: these steps are looked through once
+    new = np.ones((count, many), dtype=bool)
+    new[:, 1::RANKINGS] = (tops[:, 1::RANKINGS, 1] != tops[:, ::RANKINGS, 1]).any(axis=2)
+    contact, ranked = np.nonzero(new)
+    rows, kind = tops[contact, ranked], ranked // RANKINGS
+    signs = np.zeros((len(rows), 2, len(KINDS) * k))
+    places = history.places(rows[:, 1], pairs[contact]) + kind * k
+    signs[np.arange(len(rows)), :, places] = np.array([sign for *_, sign in KINDS])[kind, None]
+    results = history.by_method(
+        crest,
+        *(rows[:, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3))),
+        signs.reshape(-1, signs.shape[-1]),
+        controls=np.repeat(controls[contact], 2, axis=0),
+    ).reshape(-1, 2, 3)
+    values = np.full((count, len(KINDS)), -math.inf)
+    np.maximum.at(values, (contact, kind), np.maximum(results[:, 0, 1], results[:, :, 2].max(axis=1)))
+    return values
 
 
 @per_model
@@ -69,10 +78,11 @@ def crest(model: EngineModel, integrator: Integrator, method: int) -> Rowwise:
     penetration. A crest is where the rate of the value falls through zero in the step between the rows: first that of
     the cubic through values and rates of both, then by inverse quadratic interpolation, or halving where that is not
     safe (Chandrupatla, Adv. Eng. Softw. 28 (1997) 145). It is flat: where the next root is within PEAK of the step,
-    the value there follows from value and rate here.
+    the value there follows from value and rate here. A value that rises, falls and rises again, or falls first, has its crest on one
+    side of the cubic's inflection, if the rate there says so too.
     """
     vectors, model = integrator.layouts, integrator.model
-    sizes = {"controls": vectors.controls.size, "state": vectors.state.size, "asked": len(KINDS) * model.k}
+    sizes = {"controls": vectors.controls.size, "state": vectors.state.size, "weights": len(KINDS) * model.k}
     kind: Any = ca.MX if isinstance(model, NearModel) else ca.SX
     controls, state, weights = (kind.sym(name, size) for name, size in sizes.items())
     trial, upper = vectors.trial.symbol("trial", kind), vectors.state.symbol("upper", kind)
@@ -101,9 +111,9 @@ def crest(model: EngineModel, integrator: Integrator, method: int) -> Rowwise:
     def at(h: Any) -> Any:
         return at_trial(controls, state, integrator.step(method)(state, controls, h), weights)
 
-    at_high = ca.MX.sym("at_high")
-    as_taken = ca.Function("as_taken", [at_high, *arguments], [at_high])
-    end_of_step = ca.Function.if_else("end_of_step", ca.Function("whole", [at_high, *arguments], [at(h)[0]]), as_taken)
+    taken = ca.MX.sym("taken")
+    as_taken = ca.Function("as_taken", [taken, *arguments], [taken])
+    rate_at = ca.Function.if_else("rate_at", ca.Function("evaluated", [taken, *arguments], [at(h)[0]]), as_taken)
     search = ca.MX.sym("search", 8)
     rate_there, value_there = at(search[6])
     known = ca.MX.sym("found")
@@ -118,23 +128,32 @@ def crest(model: EngineModel, integrator: Integrator, method: int) -> Rowwise:
         once = ca.Function("tried", [search, known, *arguments], [searched, best])
     upper = ca.MX.sym("upper", vectors.state.size)
     h, changed, at_low, at_high, values = ends(controls, state, upper, weights)
-    at_high = end_of_step(changed, at_high, controls, state, weights, h)
-    at_low = ca.if_else(
-        at_low == 0, ca.fabs(at_high), at_low
-    )  # a force begins with no slope, or none that is known, and rises
+    at_high = rate_at(changed, at_high, controls, state, weights, h)
+    # a force begins with no slope, or none that is known, and rises; as it ends it falls
+    at_low = ca.if_else(at_low == 0, ca.fabs(at_high), at_low)
+    at_high = ca.if_else(at_high == 0, -ca.fabs(at_low), at_high)
+    guess, bend = _crest_and_bend()(*ca.vertsplit(values), h * at_low, h * at_high)
+    at_bend = rate_at(bend > 0, 0, controls, state, weights, h * bend)
+    before, behind = ((bend > 0) * side for side in (at_low > 0, at_low < 0))
+    low, at_low = ca.if_else(behind, h * bend, 0), ca.if_else(behind, at_bend, at_low)
+    high, at_high = ca.if_else(before, h * bend, h), ca.if_else(before, at_bend, at_high)
     within = ca.logic_and(at_low > 0, at_high < 0)
-    guess = h * _crest_of_cubic()(*ca.vertsplit(values), h * at_low, h * at_high)
-    _, best = once(ca.vertcat(0, h, h, at_low, at_high, at_high, guess, within), -math.inf, controls, state, weights, h)
+    search = ca.vertcat(low, high, high, at_low, at_high, at_high, h * guess, within)
+    _, best = once(search, -math.inf, controls, state, weights, h)
     return Rowwise(ca.Function("crest", [controls, state, upper, weights], [ca.vertcat(values, best)]), constant=None)
 
 
-def _crest_of_cubic() -> Any:
-    """Return the function (values and slopes at 0 and 1) -> place where their cubic peaks."""
-    start, end, rising, falling = (ca.SX.sym(name) for name in ("start", "end", "rising", "falling"))
-    square, cube = 3 * (end - start) - 2 * rising - falling, 2 * (start - end) + rising + falling
-    place = rising / (ca.sqrt(ca.fmax(square * square - 3 * cube * rising, 0)) - square)
+def _crest_and_bend() -> Any:
+    """Return the function that finds where a cubic peaks and where it has its inflection.
+
+    (values and slopes at 0 and 1) -> place of both, the latter where both ends rise or fall and the peak between is above them, else 0.
+    """
+    start, end, rising, falling = arguments = [ca.SX.sym(name) for name in ("start", "end", "rising", "falling")]
+    place, crest, bend = crest_of_cubic(ca, *arguments)
     sound = ca.logic_and(place > 0, place < 1)
-    return ca.Function("place", [start, end, rising, falling], [ca.if_else(sound, place, rising / (rising - falling))])
+    twice = sound * (rising * falling > 0) * (crest > ca.fmax(start, end)) * (bend > 0) * (bend < 1)
+    place = ca.if_else(sound, place, rising / (rising - falling))
+    return ca.Function("place", arguments, [place, ca.if_else(twice, bend, 0)])
 
 
 def _narrowed() -> Any:

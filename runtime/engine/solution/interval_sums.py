@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Self
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.engine.integration.events.cubics import crest_of_cubic
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -107,7 +108,7 @@ class Summing:
             rows, marked = np.insert(rows, places, within, axis=0), np.insert(marked, places, True)
         if self._model.k and len(rows) > 1:
             interval = self._known - 1 + np.cumsum(marked)[:-1]
-            with np.errstate(invalid="ignore", over="ignore"):  # a run without a good end may hold what is no number
+            with np.errstate(all="ignore"):  # a run without a good end may hold what is no number
                 impulse, largest = _forces(block.of(rows))
                 np.add.at(self._impulse, interval, impulse)
                 np.maximum.at(self._largest, interval, largest)
@@ -162,21 +163,12 @@ def _forces(history: History) -> tuple[np.ndarray, np.ndarray]:
 
 def _between(f0: np.ndarray, f1: np.ndarray, g0: np.ndarray, g1: np.ndarray) -> np.ndarray:
     """Return the maximum inside 0..1 of a cubic, by values and slopes at its ends; f0 if there is none."""
-    peaks, x, square, cube = _top(f0, f1, g0, g1)
-    return np.where(peaks, f0 + x * (g0 + x * (square + x * cube)), f0)
-
-
-def _top(f0: np.ndarray, f1: np.ndarray, g0: np.ndarray, g1: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return whether that cubic peaks, where, and its coefficients of 2nd and 3rd order."""
-    peaks = (g0 > 0) & (g1 < 0)
-    square, cube = 3 * (f1 - f0) - 2 * g0 - g1, 2 * (f0 - f1) + g0 + g1
-    root = np.sqrt(np.maximum(square**2 - 3 * cube * g0, 0))
-    return peaks, np.divide(g0, root - square, out=np.zeros_like(f0), where=peaks), square, cube
+    return np.where((g0 > 0) & (g1 < 0), crest_of_cubic(np, f0, f1, g0, g1)[1], f0)
 
 
 def _peak(*values: np.ndarray) -> np.ndarray:
     """Return the peak of the quintic by values and slopes at both ends and values at NODES; NaN if none."""
-    peaks, x, *_ = _top(*values[:4])
+    peaks, (x, *_) = (values[2] > 0) & (values[3] < 0), crest_of_cubic(np, *values[:4])
     coefficients = np.linalg.solve(_SEXTUPLE, np.array(values))  # (6, n), of rising powers
     slope, bend = (np.polynomial.polynomial.polyder(coefficients, m) for m in (1, 2))
     for _ in range(3):

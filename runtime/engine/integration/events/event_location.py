@@ -14,6 +14,7 @@ from typing import Any
 
 import casadi as ca
 
+from hertzwerk.runtime.engine.integration.events.cubics import crest_of_cubic
 from hertzwerk.runtime.engine.integration.events.effect_events import LOCATED, falls
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import BEYOND
 from hertzwerk.runtime.engine.integration.many_pairs.selection import places_of
@@ -188,9 +189,8 @@ def dips(
     sizes = small * run["scales"][2], small * run["scales"][1]
     for counts, size, (mode, value, rate) in zip((ends_with_force(model), 1), sizes, RUNS_OUT, strict=True):
         f, f1, rise, rise1 = start[value], end[value], h * start[rate], h * end[rate]
-        square, cube = 3 * (f1 - f) - 2 * rise - rise1, 2 * (f - f1) + rise + rise1
-        theta = -rise / (square + ca.sqrt(ca.fmax(square * square - 3 * cube * rise, 0)))
-        least = f + theta * (rise + theta * (square + theta * cube))
+        theta, least, _ = crest_of_cubic(ca, -f, -f1, -rise, -rise1)
+        least = -least
         low = (
             counts
             * (start["mode"] == mode)
