@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 import numpy as np
 
 from hertzwerk.runtime.engine.integration.events.cubics import crest_of_cubic
+from hertzwerk.runtime.engine.integration.events.event_location import NEAR
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, FLIGHT, RELEASED
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import slips_in
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -239,6 +240,9 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
     run = np.searchsorted(stops, begins, side="right")
     goes = final[ends]
     leaves = np.append(np.flatnonzero(touched & ~touching), -1)  # the last: before these rows
+    released = leaves[:-1][modes[leaves[:-1]] == RELEASED]
+    if released.size:
+        t[released] -= _since_released(pieces, starts, j, released)
     latest = leaves[np.searchsorted(leaves[:-1], ends + ~goes, side="right") - 1]
     before = np.array([math.nan if each is None else each.left[0] for each in begun])[run]
     lefts = np.where(latest >= starts[run], t[latest], before)
@@ -261,6 +265,23 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
             watch.ended.append(contacts.part(first, last))
         if last < stop:
             watch.open[j] = contacts.part(last, stop)
+
+
+def _since_released(pieces: Sequence[Piece], starts: np.ndarray, j: int, released: np.ndarray) -> np.ndarray:
+    """Return the times (n,) [s] since the normal force of pair j ran out, at joined rows at which it is released.
+
+    Landings miss it by what rounding changes a force of the scene's stiffness by: long where the last of a force fades slowly.
+    """
+    piece, late = np.searchsorted(starts, released, side="right") - 1, []
+    for i in sorted(set(piece.tolist())):
+        block, rows = pieces[i]
+        ends = released[piece == i] - starts[i] + rows.start
+        h = block.t[ends] - block.t[ends - 1]
+        at_end = block.of(block.later(block.rows[ends - 1], h))
+        with np.errstate(all="ignore"):
+            since = at_end.of_pair("force", j) / at_end.of_pair("force_rate", j)
+        late.append(np.where(np.abs(since) <= NEAR * h, since, 0.0))  # a force that jumps has no root
+    return np.concatenate(late)
 
 
 def goes_on(modes: np.ndarray, before: bool | Sequence[bool], starts: int | np.ndarray = 0) -> np.ndarray:
