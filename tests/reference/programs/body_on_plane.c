@@ -617,7 +617,7 @@ static int simulate(Body *B, real *y) {
             mobility(B, &P, f, a);
             for (int i = 0; i < 3; i++) along_s += (a[i] + b[i]) * (rate > REST ? P.s[i] / rate : B->way[i]);
             /* the direction relaxes quickly and |s| does not fall: a step that need not resolve it */
-            if (along_s < 0) cut = least(cut, 0.7 * rate / -along_s), last = 0; /* so that no step passes over rest */
+            if (along_s < 0 && rate > REST) cut = least(cut, 0.7 * rate / -along_s), last = 0; /* so that no step passes over rest */
             stiff = N > 0 && size(a) * cut > 2 * rate && !(along_s < 0 && rate < -10 * along_s * cut);
             if (rate < 100 * REST && along_s > 0 && along_s * 1e3 > size(a)) stiff = 0; /* grows like t, not t^2 */
         }
