@@ -270,7 +270,8 @@ def _follow(watches: Sequence[Watch], pieces: Sequence[Piece], j: int) -> None:
 def _since_released(pieces: Sequence[Piece], starts: np.ndarray, j: int, released: np.ndarray) -> np.ndarray:
     """Return the times (n,) [s] since the normal force of pair j ran out.
 
-    At joined rows at which it is released. Landings miss it by what rounding changes a force of the scene's stiffness by: long where the last of a force fades slowly.
+    At joined rows at which it is released. Landings miss it by what rounding changes a force of the scene's stiffness by: long where the
+    last of a force fades slowly.
     """
     piece, late = np.searchsorted(starts, released, side="right") - 1, []
     for i in sorted(set(piece.tolist())):
