@@ -26,7 +26,7 @@ from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import BoundParameters
 from hertzwerk.runtime.engine.run.accurate_run import run_to_accuracy, verdict_of
-from hertzwerk.runtime.engine.run.continuation import parameters_of, resumable
+from hertzwerk.runtime.engine.run.continuation import REPEATABLE, parameters_of, resumable, with_steps
 from hertzwerk.runtime.engine.run.output_times import Grid
 from hertzwerk.runtime.engine.run.run_request import (
     METHOD,
@@ -56,10 +56,10 @@ from hertzwerk.runtime.engine.solution.dense_output import Extremes, Samples
 from hertzwerk.runtime.engine.solution.error_scales import Scales
 from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.engine.solution.outcome import not_closed
-from hertzwerk.runtime.engine.solution.solution import Statistics
+from hertzwerk.runtime.engine.solution.solution import EngineRun, RunSettings, Statistics
 from hertzwerk.runtime.engine.solution.step_observers import Needs
 from hertzwerk.runtime.engine.start.start_values import stated_values
-from hertzwerk.runtime.loading import Target, engine_model
+from hertzwerk.runtime.loading import Model, Target, engine_model
 from hertzwerk.runtime.output.tables import notebook
 from hertzwerk.runtime.output.tables.data_frame import data_frame
 from hertzwerk.runtime.output.tables.dataset import dataset
@@ -77,7 +77,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Derivative, Sensitivities
 
 ACCURACY = Request(1e-6)  # where none is requested
-REPEATABLE = 100_000  # most steps of a run that is made again for a picture
 
 
 def simulate(
@@ -195,7 +194,18 @@ def solving(
         ladder_result = run_to_accuracy(run, scales, times, request, progress)
         yield
         solution = _solution_of(run, ladder_result.run.data, scales, build_s, request, ladder_result)
-    return solution.with_sensitivities(*settings.sensitivities)
+    return _with_derivatives(solution, settings.sensitivities)
+
+
+def _with_derivatives(run: Solution, names: Sequence[str]) -> Solution:
+    """Return a run with its `derivatives` by some names, or with a warning that says why not."""
+    if not names:
+        return run
+    try:
+        return replace(run, derivatives=run.sensitivities(*names))
+    except InputError as error:
+        reason = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
+        return replace(run, warnings=(*run.warnings, reason))
 
 
 def _solution_of(
@@ -222,15 +232,21 @@ def _solution_of(
             or result
         )
     return Solution(
-        history=trace.recorded.history,
-        ends=trace.recorded.ends,
-        findings=trace.findings,
+        engine=EngineRun(
+            history=trace.recorded.history,
+            ends=trace.recorded.ends,
+            findings=trace.findings,
+            scales=scales,
+            checkpoint=checkpoint_of(model, trace.ending, run.request.initial),
+        ),
         outcome=result,
-        duration=run.request.seconds,
-        accuracy=None if request is None else request.error,
-        tolerance=trace.tolerance,
-        method=run.method,
-        compiled=trace.compiled,
+        settings=RunSettings(
+            duration=run.request.seconds,
+            accuracy=None if request is None else request.error,
+            tolerance=trace.tolerance,
+            method=run.method,
+            compiled=trace.compiled,
+        ),
         parameters=dict(bound.values),
         statistics=Statistics(
             steps=counted["steps"],
@@ -254,10 +270,8 @@ def _solution_of(
             *uncompiled(run.engine.code),
             *warnings,
         ),
-        scales=scales,
         energy_residual=None if trace.balance is None else trace.balance.residual,
         error=None if ladder_result is None else ladder_result.error,
-        checkpoint=checkpoint_of(model, trace.ending, run.request.initial),
     )
 
 
@@ -269,6 +283,11 @@ class Solution(plain_solution.EngineSolution):
     """
 
     derivatives: Sensitivities | None = None
+
+    @property
+    def model(self) -> Model:
+        """The model that was run."""
+        return Model(self.engine.model)
 
     def extremes(self, name: str) -> Extremes:
         """Return the least and the largest value of a history, and their times, found within the steps.
@@ -299,7 +318,7 @@ class Solution(plain_solution.EngineSolution):
         grid    as of `simulate`: of one over the whole motion the part that is left
         max_steps, max_events, wall_time    of this run alone
 
-        The result begins at `t_start`, the last step that did not depend on where the run before ended: a step or two
+        The result begins at t_start = `engine.t_start`, the last step that did not depend on where the run before ended: a step or two
         before that end, whose last ones were cut to arrive there. Where steps are kept, those of the run before with
         t < t_start and these are bitwise those of one run of that duration at that tolerance; steps as long as a
         tenth of the shorter duration, the longest in contact, are the exception. Impacts, energy balance, statistics
@@ -310,10 +329,12 @@ class Solution(plain_solution.EngineSolution):
         Raises InputError, with every fault.
         """
         began = time.perf_counter()
-        live = self.model if target is None else engine_model(target)
-        checkpoint = resumable(self, live, saved=target is None and self.history.integrator is None)
-        whole = self.duration if duration is None else duration
-        settings = Settings(whole, None, self.tolerance, self.method, compiled, grid, max_steps, max_events, wall_time)
+        live = self.engine.model if target is None else engine_model(target)
+        checkpoint = resumable(self, live, saved=target is None and self.engine.history.integrator is None)
+        whole = self.settings.duration if duration is None else duration
+        settings = Settings(
+            whole, None, self.settings.tolerance, self.settings.method, compiled, grid, max_steps, max_events, wall_time
+        )
         run_inputs, times = read(live, settings, parameters_of(self, live), checkpoint.initial)
         if run_inputs.seconds <= self.t_end:
             actual, expected = f"{run_inputs.seconds:g} s", f"more than the {self.t_end:g} s that the run reached"
@@ -321,28 +342,14 @@ class Solution(plain_solution.EngineSolution):
         run = set_up(live, settings, run_inputs, checkpoint.resume, began=began)
         build_s = time.perf_counter() - began
         rest = None if times is None else times[times >= run.begin]
-        trace = run.trace(self.tolerance, self.scales, rest, progress=progress)
+        trace = run.trace(self.settings.tolerance, self.engine.scales, rest, progress=progress)
         before = "" if self.error is None else f"; that of the run before was {self.error} at its end"
-        note = f"goes on from t = {run.begin:.9g} s at the tolerance {self.tolerance:.2g} of the run before, without an estimate of its error{before}"
-        part = _solution_of(run, trace, self.scales, build_s)
+        note = (
+            f"goes on from t = {run.begin:.9g} s at the tolerance {self.settings.tolerance:.2g} of the run before, "
+            f"without an estimate of its error{before}"
+        )
+        part = _solution_of(run, trace, self.engine.scales, build_s)
         return replace(part, warnings=(*part.warnings, note))
-
-    def with_steps(self) -> Solution:
-        """Return the run with every accepted step: itself, or one made again that is bitwise the same.
-
-        Itself too where only its rows are left: of a saved run, a continuation, or more than 100,000 steps.
-        """
-        checkpoint, many = self.checkpoint, self.statistics.steps > REPEATABLE
-        if self.history.steps or self.history.integrator is None or checkpoint is None or self.t_start > 0 or many:
-            return self
-        parameters = parameters_of(self, self.model)
-        tried = max(self.statistics.steps, self.statistics.rejected + self.statistics.retaken)
-        settings = Settings(self.duration, None, self.tolerance, self.method, max_steps=tried + 1)
-        inputs, _ = read(self.model, settings, parameters, checkpoint.initial)
-        steps = set_up(self.model, settings, inputs).trace(self.tolerance, self.scales, None).recorded.history
-        rows = steps.rows[steps.t <= self.t_end]
-        history = History(self.model, rows, steps.controls, steps.integrator, p=steps.p, beside=self.history.beside)
-        return replace(self, history=history)
 
     def sensitivities(self, *names: str) -> Sensitivities:
         """Return the exact derivatives of this run by parameters and initial states, through its impacts.
@@ -356,7 +363,7 @@ class Solution(plain_solution.EngineSolution):
         )
 
         history, bound, initial = self._from_its_start("sensitivities")
-        return Sensitivities(history, bound, initial, names, compiled=self.compiled)
+        return Sensitivities(history, bound, initial, names, compiled=self.settings.compiled)
 
     def sensitivity(self, history: str, name: str) -> Derivative:
         """Return the derivative of a history by a parameter or initial state, as a history with a unit.
@@ -369,17 +376,7 @@ class Solution(plain_solution.EngineSolution):
         derivatives = self.derivatives
         if derivatives is None or name not in derivatives.names:
             derivatives = self.sensitivities(name)
-        return derivatives.history_of(history, name, None if self.history.steps else self.t)
-
-    def with_sensitivities(self, *names: str) -> Solution:
-        """Return the run with its `derivatives` by some names, or with a warning that says why not."""
-        if not names:
-            return self
-        try:
-            return replace(self, derivatives=self.sensitivities(*names))
-        except InputError as error:
-            reason = "; ".join(f"no derivatives: {fault.found}; {fault.remedy}" for fault in error.faults)
-            return replace(self, warnings=(*self.warnings, reason))
+        return derivatives.history_of(history, name, None if self.engine.history.steps else self.t)
 
     def lyapunov(self, count: int = 1) -> Lyapunov:
         """Return the largest Lyapunov exponents, from the variational equations, through impacts.
@@ -391,21 +388,23 @@ class Solution(plain_solution.EngineSolution):
         from hertzwerk.runtime.engine.sensitivity.lyapunov import lyapunov
 
         history, bound, initial = self._from_its_start("Lyapunov exponents")
-        return lyapunov(history, bound, frozenset(initial), self.scales.state, count, compiled=self.compiled)
+        return lyapunov(
+            history, bound, frozenset(initial), self.engine.scales.state, count, compiled=self.settings.compiled
+        )
 
     def _from_its_start(self, subject: str) -> tuple[History, BoundParameters, Mapping[str, Value]]:
         """Return steps, parameters and given initial states of a run from its start; raises InputError."""
-        run, checkpoint = self.with_steps(), self.checkpoint
-        faults = steps_faults(subject, self.method, self.model)
-        if not faults and (not run.history.steps or checkpoint is None or self.t_start > 0):
+        run, checkpoint = with_steps(self), self.engine.checkpoint
+        faults = steps_faults(subject, self.settings.method, self.engine.model)
+        if not faults and (not run.engine.history.steps or checkpoint is None or self.engine.t_start > 0):
             expected = f"a run from its start, with its steps; of at most {REPEATABLE:,} where it is to be made again"
             faults.append(Fault(subject, "a run without its steps or start", expected, "simulate(..., grid=None)"))
         if faults or checkpoint is None:
-            raise InputError(self.model.name, faults)
-        return run.history, self.model.bind(parameters_of(self, self.model)), checkpoint.initial
+            raise InputError(self.engine.model.name, faults)
+        return run.engine.history, self.engine.model.bind(parameters_of(self, self.engine.model)), checkpoint.initial
 
     def _repr_html_(self) -> str:
-        return notebook.of_run(self, parameters_of(self, self.model))
+        return notebook.of_run(self, parameters_of(self, self.engine.model))
 
     def to_pandas(self) -> DataFrame:
         """Return every history as a pandas data frame over t [s]; raises InputError without the extra [data].
@@ -423,7 +422,9 @@ class Solution(plain_solution.EngineSolution):
 
     def to_file(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write every history as .csv, .parquet or .nc, by the ending; raises InputError."""
-        return write_table(path, partial(history_table, self), self.csv, overwrite=overwrite)
+        return write_table(
+            path, partial(history_table, self), partial(plain_solution.csv_of, self), overwrite=overwrite
+        )
 
     def plot(self, *names: str | Sequence[str]) -> Figure:
         """Draw the overview, one contact pair, or the named histories, also a list of them.
@@ -432,7 +433,7 @@ class Solution(plain_solution.EngineSolution):
         """
         wanted = list(chain.from_iterable(x if isinstance(x, list | tuple) else [x] for x in names))
         for name in wanted:
-            if not isinstance(name, str) or name not in (*self.model.pairs, *self):
+            if not isinstance(name, str) or name not in (*self.engine.model.pairs, *self):
                 self[name]
         from hertzwerk.runtime.output.plots import plot_run as plot
 

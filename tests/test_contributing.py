@@ -132,8 +132,10 @@ def test_a_joint(made, closing, coordinates):
         ).with_coordinates(coordinates)
         run = simulate(load(scene), duration=0.5, tolerance=1e-11)
         assert run.outcome.finished
-        q = run.history.part("y")[-1][: run.model.nq]
-        positions = run.model.function("poses")(run.t[-1], q, run.history.controls[: run.model.nc])[0]
+        q = run.engine.history.part("y")[-1][: run.engine.model.nq]
+        positions = run.engine.model.function("poses")(
+            run.t[-1], q, run.engine.history.controls[: run.engine.model.nc]
+        )[0]
         return np.array(positions)[:3, 0]
 
     own = kind("own", GROUND, body, X, Z)

@@ -395,7 +395,7 @@ def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_repor
         model = load("soft_ball")
         if cc.startswith("gcc -m64"):
             assert c_compilation._compiler()[1:] == ("-m64", "-g0")
-            assert simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5").compiled
+            assert simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5").settings.compiled
             return
         with pytest.raises(InputError, match="C compiler"):
             simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5")
@@ -404,7 +404,7 @@ def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_repor
         monkeypatch.setattr(c_compilation, "compile_seconds", lambda _: 0.0)
         run = simulate(model, duration=3.0, tolerance=1e-10, method="dopri5")
         assert run.outcome.finished
-        assert not run.compiled
+        assert not run.settings.compiled
         assert [text for text in run.warnings if text.startswith("not compiled")]
     finally:
         c_compilation._compiler.cache_clear()

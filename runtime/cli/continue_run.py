@@ -51,12 +51,12 @@ def continue_run(
         laws=_laws(request["laws"], []),
         coordinates=request["coordinates"],
     )
-    until = before.duration if duration is None else duration
+    until = before.settings.duration if duration is None else duration
     model = with_inputs(model, request["inputs"], until, parameters_of(before, model), faults)
     faults += [*_differences(before, model, request, target, **others), *unknown_histories(model, histories)]
     spacing = grid if grid is not None else request["grid"]
     if grid is None and spacing is not None and spacing.isdecimal() and duration is not None:
-        actual = f"{spacing} points over {before.duration:g} s, of the run before"
+        actual = f"{spacing} points over {before.settings.duration:g} s, of the run before"
         faults.append(Fault("--grid", actual, "points or a spacing for the longer motion", 'such as --grid "0.1 ms"'))
     refuse(f"--continue {folder}", faults)
     solution = before.continued(duration, target=model, grid=grid_of(spacing), progress=stopping, **limits)
@@ -134,7 +134,7 @@ def _differences(
             _laws(request["laws"], faults),
         ),
         "--coordinates": (coordinates, request["coordinates"]),
-        "--method": (method, before.method),
+        "--method": (method, before.settings.method),
     }
     faults += [
         Fault(option, str(now), f"{had or 'none'}, as of the run there", REMEDY)
@@ -142,7 +142,7 @@ def _differences(
         if now is not None and now != had
     ]
     if accuracy is not None:
-        expected = f"none: a run goes on at its tolerance, {before.tolerance:.2g}, without an estimate"
+        expected = f"none: a run goes on at its tolerance, {before.settings.tolerance:.2g}, without an estimate"
         faults.append(Fault("--accuracy", accuracy, expected, "leave it out"))
     if start is not None:
         faults.append(Fault("--start", start, "none: a run goes on from where it ended", "leave it out"))
@@ -167,7 +167,7 @@ def _value_differences(before: Solution, model: EngineModel, values: Mapping[str
         if other:
             value, unit = before.parameters[name]
             faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", REMEDY))
-    stated = before.checkpoint.initial if before.checkpoint is not None else {}
+    stated = before.engine.checkpoint.initial if before.engine.checkpoint is not None else {}
     faults += [
         Fault(f"--set {name}", text, f"{stated.get(name, 'the start of the model')}, as of the run there", REMEDY)
         for name, text in initial.items()

@@ -135,7 +135,7 @@ def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> E
     from hertzwerk.runtime.engine.solution.solution import SAVED
     from hertzwerk.runtime.loading import engine_model
 
-    target = scene or str(request.get("target", run.model.name))
+    target = scene or str(request.get("target", run.engine.model.name))
     if scene is None and target not in built_in_scenes():
         return None
     model = engine_model(
@@ -144,7 +144,7 @@ def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> E
         laws=assignments("--law", request.get("laws", ()), []),
         coordinates=request.get("coordinates"),
     )
-    if all(getattr(model.module, name) == getattr(run.model.module, name) for name in SAVED if name != "SOURCE"):
+    if all(getattr(model.module, name) == getattr(run.engine.model.module, name) for name in SAVED if name != "SOURCE"):
         return model
     if scene is None:
         return None

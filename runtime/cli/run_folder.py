@@ -36,15 +36,15 @@ def summary(solution: EngineSolution, *, averages: bool = False) -> dict[str, An
     """
     statistics, error, derivatives = solution.statistics, solution.error, _derivatives(solution)
     return {
-        "scene": solution.model.name,
+        "scene": solution.engine.model.name,
         "outcome": solution.outcome.name,
-        "t_start": solution.t_start,
+        "t_start": solution.engine.t_start,
         "t_end": solution.t_end,
-        "duration": solution.duration,
-        "accuracy": solution.accuracy,
-        "tolerance": solution.tolerance,
-        "method": solution.method,
-        "compiled": solution.compiled,
+        "duration": solution.settings.duration,
+        "accuracy": solution.settings.accuracy,
+        "tolerance": solution.settings.tolerance,
+        "method": solution.settings.method,
+        "compiled": solution.settings.compiled,
         "steps": statistics.steps,
         "rejected": statistics.rejected,
         "rhs_evaluations": statistics.rhs_evaluations,
@@ -62,7 +62,11 @@ def summary(solution: EngineSolution, *, averages: bool = False) -> dict[str, An
         "warnings": list(solution.warnings),
         "advice": list(solution.advice),
         **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
-        **({"sensitivities": derivatives.record(solution.states, solution.t_end)} if derivatives is not None else {}),
+        **(
+            {"sensitivities": derivatives.record(solution.engine.states, solution.t_end)}
+            if derivatives is not None
+            else {}
+        ),
     }
 
 
@@ -74,7 +78,7 @@ def _derivatives(solution: EngineSolution) -> Sensitivities | None:
 
 def record(solution: EngineSolution) -> dict[str, Any]:
     """Return the content of `run.json`: the summary, and everything needed to repeat the run."""
-    model = solution.model
+    model = solution.engine.model
     return {
         **summary(solution),
         "outcome_message": solution.outcome.message,
@@ -87,7 +91,7 @@ def record(solution: EngineSolution) -> dict[str, Any]:
         "rows": len(solution.t),
         "statistics": asdict(solution.statistics),
         "error": solution.error and solution.error.numbers,
-        "choices": [asdict(choice) for choice in solution.choices],
+        "choices": [asdict(choice) for choice in solution.engine.choices],
         "versions": versions(),
     }
 
@@ -151,9 +155,9 @@ def write(
     writes states.csv however large it is. Raises OSError where no data can be written.
     """
     stop = stopping or _Never()
-    lost = list(solution.findings.compute_all())
+    lost = list(solution.engine.findings.compute_all())
     stop.stage("writing states.npz")
-    folder, files = new_folder(solution.model.name, out, lambda at: _write_data(solution, at, lost, request))
+    folder, files = new_folder(solution.engine.model.name, out, lambda at: _write_data(solution, at, lost, request))
     written = Written(folder, files, lost)
     extras = _Extras(solution, written, stop)
     if averages:
@@ -230,7 +234,9 @@ class _Extras:
 
     def make_csv(self, *, force: bool) -> None:
         """Write states.csv, unless it would be large and was not requested."""
-        size = self.solution.csv_size()
+        from hertzwerk.runtime.engine.solution.solution import csv_size
+
+        size = csv_size(self.solution)
         if size <= CSV_LIMIT or force:
             self.make("states.csv", lambda at: self.solution.to_csv(at / "states.csv"))
             return
@@ -241,8 +247,9 @@ class _Extras:
 
     def make_pictures(self) -> None:
         """Draw the mechanism, the overview and one picture of each pair."""
+        from hertzwerk.runtime.engine.run.continuation import with_steps
 
-        drawn = cache(self.solution.with_steps)  # a run that kept a grid is made again for them, once
+        drawn = cache(partial(with_steps, self.solution))  # a run that kept a grid is made again for them, once
 
         def mechanism(at: Path) -> None:
             from hertzwerk.runtime.output.drawings import picture
@@ -272,7 +279,7 @@ class _Extras:
 
     def _pictured(self) -> list[str]:
         """Return the pairs that get a picture: of many those with the largest forces."""
-        pairs = self.solution.model.pairs
+        pairs = self.solution.engine.model.pairs
         if len(pairs) <= PICTURED:
             return [*pairs]
         peaks: dict[str, float] = {}
@@ -319,8 +326,8 @@ def _write_derivatives(solution: EngineSolution, path: Path) -> None:
     of = _derivatives(solution)
     if of is None:
         return
-    histories = [*solution.states, *(f"{pair}.normal_force" for pair in solution.model.pairs)]
-    times = None if solution.history.steps else solution.t
+    histories = [*solution.engine.states, *(f"{pair}.normal_force" for pair in solution.engine.model.pairs)]
+    times = None if solution.engine.history.steps else solution.t
     columns = [of.history_of(history, name, times) for name in of.names for history in histories]
     header = ",".join(["t [s]", *(f"{each.name} [{each.unit}]" for each in columns)])
     text = io.StringIO()

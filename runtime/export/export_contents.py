@@ -99,7 +99,7 @@ def contents(request: ExportRequest) -> Contents:
             actual = f"{solution.outcome.name}: {solution.outcome.message}"
             way_out = f"{solution.outcome.remedy or 'another accuracy or duration'}; or a local --tolerance, without an estimate"
             raise InputError(model.name, [Fault("accuracy", actual, "a run that reaches it", way_out)])
-        tolerance, scales = solution.tolerance, solution.scales
+        tolerance, scales = solution.settings.tolerance, solution.engine.scales
     else:
         scales = run.scales(tolerance)
     joints = model.joints

@@ -62,7 +62,7 @@ def _ratio(name: str, model: Any, tolerance: float, duration: Any, parameters: A
             break
     theirs = median([theirs for _, theirs in rounds]) / (2 * repeats)
     ratio = median([mine / theirs for mine, theirs in rounds])
-    turned = auto.history.part("method").any()
+    turned = auto.engine.history.part("method").any()
     note = f"95 % {low:.3f} to {high:.3f}, {len(rounds)} rounds" + ("; with implicit steps" if turned else "")
     return Ratio(f"auto / dop853, {name}, {tolerance:g}", ratio * theirs, theirs, f"<= {BAR:g}", note)
 

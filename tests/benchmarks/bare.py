@@ -28,7 +28,7 @@ def evaluations(run: Any, *, compiled: bool) -> dict[str, Evaluations]:
 
     What is tried after an accepted state, rejected or not, is tried under that state's mode.
     """
-    history = run.history
+    history = run.engine.history
     touching = history.part("mode")[:, 0] == CONTACT
     counted = np.diff(history.part("evaluations")[:, 0], append=run.statistics.rhs_evaluations)
     return {
@@ -38,7 +38,7 @@ def evaluations(run: Any, *, compiled: bool) -> dict[str, Evaluations]:
 
 
 def _seconds(run: Any, rows: np.ndarray, contacts: tuple[int, ...], *, compiled: bool) -> float:
-    history, model = run.history, run.model
+    history, model = run.engine.history, run.engine.model
     chain = _chain(model, contacts)
     chosen = np.resize(np.flatnonzero(rows), np.prod(SIZE))
     states = (history.part(name)[chosen].ravel() for name in ("t", "y", "m"))

@@ -62,7 +62,7 @@ class Motion:
         self.given = {"duration": duration, "compiled": False, "wall_time": 60, **given}
         tight = (("dop853", 1e-13), ("dopri5", 1e-13), ("dop853", 3e-13))  # the last in other steps than the first
         runs = [simulate(model, tolerance=tolerance, method=method, **self.given) for method, tolerance in tight]
-        self.known, self.uncertain = {run.method: run for run in reversed(runs)}, np.inf
+        self.known, self.uncertain = {run.settings.method: run for run in reversed(runs)}, np.inf
         if all(run.outcome.finished for run in runs):
             random, t = np.random.default_rng(len(runs[0].t)), runs[0].t
             within = t[:-1] + np.diff(t) * random.uniform(0, 1, len(t) - 1)  # close where much happens
@@ -132,10 +132,10 @@ def apart(run: Any, truth: Any, times: np.ndarray) -> float:
     mine, true = run.at(times), truth.at(times)
     states = (history.part(name) for name in ("y", "dy") for history in (mine, true))
     y, reference, dy, reference_dy = states
-    off = [float(error(run.model, run.scales, y, reference, dy, reference_dy).max(initial=0.0))]
-    for pair in run.model.pairs:
+    off = [float(error(run.engine.model, run.engine.scales, y, reference, dy, reference_dy).max(initial=0.0))]
+    for pair in run.engine.model.pairs:
         lists = ([impact for impact in which.impacts if impact.contact == pair] for which in (run, truth))
-        off += [size for _, size, _ in impact_differences(*lists, run.scales)]
+        off += [size for _, size, _ in impact_differences(*lists, run.engine.scales)]
     return max(off)
 
 

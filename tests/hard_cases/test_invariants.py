@@ -41,9 +41,16 @@ def changed(**functions):
 
 
 def with_rows(run, change):
-    rows = run.history.rows.copy()
-    change(rows, run.history.integrator.layouts.state)
-    return replace(run, history=History(run.model, rows, run.history.controls, run.history.integrator))
+    rows = run.engine.history.rows.copy()
+    change(rows, run.engine.history.integrator.layouts.state)
+    return of_rows(run, rows)
+
+
+def of_rows(run, rows):
+    history = run.engine.history
+    return replace(
+        run, engine=replace(run.engine, history=History(history.model, rows, history.controls, history.integrator))
+    )
 
 
 def test_without_a_fault_all_hold():
@@ -148,9 +155,7 @@ def test_one_bit_between_the_two_paths():
 
     assert runner.same(run, run).holds
     assert runner.same(run, with_rows(run, bit)).value == 1
-    shorter = replace(
-        run, history=History(run.model, run.history.rows[:-1], run.history.controls, run.history.integrator)
-    )
+    shorter = of_rows(run, run.engine.history.rows[:-1])
     assert not runner.same(run, shorter).holds
 
 

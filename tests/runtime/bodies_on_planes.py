@@ -274,7 +274,7 @@ def truth_of(motion: Motion, found: EngineSolution, rows: np.ndarray) -> tuple[n
         sign = np.copysign(1, sum(found[f"flight.q{k}"][rows] * y[:, 3 + k] for k in range(4)))
         truth |= {f"flight.q{k}": (sign * y[:, 3 + k], sign * dy[:, 3 + k]) for k in range(4)}
         truth |= {f"flight.angular_speed_{a}": (y[:, 10 + k], dy[:, 10 + k]) for k, a in enumerate("xyz")}
-    known = dict(zip(found.model.units, found.scales.state, strict=False))
+    known = dict(zip(found.engine.model.units, found.engine.scales.state, strict=False))
     scales = np.array([known[name] for name in truth])
     apart = np.column_stack([found[name][rows] - value for name, (value, _) in truth.items()])
     return apart / scales, np.column_stack([rate for _, rate in truth.values()]) / scales
@@ -303,7 +303,7 @@ def error_of_impacts(motion: Motion, found: EngineSolution) -> float:
 
     Of contacts on which run and truth agree by order; one that only one of them has counts by its approach speed.
     """
-    length, speed = found.scales.scene[:2]
+    length, speed = found.engine.scales.scene[:2]
     true = [(t, v0) for t, kind, v0 in motion.events if kind == "touches" and t <= found.t[-1]]
     mine = [(impact.t, impact.speed) for impact in found.impacts if impact.t > 0]
     worst = 0.0
@@ -391,7 +391,7 @@ def judged(
         if truth.wrong or other.wrong:
             yield Finding(body, accuracy, outcome.name, remark="the oracle did not get to the end")
             continue
-        pace = found.scales.pace
+        pace = found.engine.scales.pace
         apart, rates = truth_of(truth, found, rows)
         perturbed = apart - truth_of(other, found, rows)[0]
         worst = float(np.maximum(distance(apart, rates, pace).max(), error_of_impacts(truth, found)))
@@ -415,7 +415,7 @@ def _in_doubles(body: Body, found: EngineSolution, rows: np.ndarray) -> Iterator
         ]
         if not any(motion.wrong for (motion,) in pair):
             (exact, rates), (rounded, _) = (truth_of(motion, found, rows) for (motion,) in pair)
-            yield float(distance(rounded - exact, rates, found.scales.pace).max())
+            yield float(distance(rounded - exact, rates, found.engine.scales.pace).max())
 
 
 def main() -> None:

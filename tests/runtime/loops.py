@@ -91,8 +91,8 @@ def spatial_crank() -> Scene:
 
 def open_by(run) -> float:
     """Largest |constraint| over the accepted steps."""
-    model, y = run.model, run.history.part("y")
-    constraints, c = model.function("constraints"), run.history.controls[: model.nc]
+    model, y = run.engine.model, run.engine.history.part("y")
+    constraints, c = model.function("constraints"), run.engine.history.controls[: model.nc]
     ends = model.nq, model.nq + model.nu
     return max(
         np.max(np.abs(np.array(constraints(t, x[: ends[0]], x[ends[0] : ends[1]], c)[0])))

@@ -121,7 +121,7 @@ def test_a_scene_is_run_as_long_as_the_data_it_is_compared_with_last():
     assert found.solution.t_end == pytest.approx(0.058, rel=1e-15)
     assert found.solution.final == pytest.approx(run.final, rel=1e-12)
     assert compare(run, WAVE).csv() == found.csv()
-    for data in (run, run.history, 3, None):
+    for data in (run, run.engine.history, 3, None):
         with pytest.raises(InputError, match="data: found"):
             compare(run, data)
         with pytest.raises(InputError, match="data: found"):

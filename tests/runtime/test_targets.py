@@ -83,7 +83,7 @@ def test_a_generated_module_runs_bit_by_bit_as_its_scene(project):
         simulate(load(target), **RUN)
         for target in ("my_ball.py", "my_ball_generated.py", project / "my_ball_generated.py")
     ]
-    assert len({run.history.rows.tobytes() for run in runs}) == 1
+    assert len({run.engine.history.rows.tobytes() for run in runs}) == 1
     assert len(runs[0].impacts) == 1
     module = load("my_ball_generated.py").engine.module
     assert load(module).engine.module is Model(module).engine.module is module

@@ -138,7 +138,7 @@ def test_four_corners_keep_the_ledger_closed_and_the_slider_in_its_guide(guide):
     assert run.outcome.finished
     assert run.energy_residual < 1e-9
     assert {impact.contact for impact in run.impacts} >= {"front_upper", "rear_upper", "front_lower"}
-    gaps = [run[f"{pair}.gap"] for pair in run.model.pairs]
+    gaps = [run[f"{pair}.gap"] for pair in run.engine.model.pairs]
     assert min(np.min(gap) for gap in gaps) > -2e-4
 
 
@@ -312,7 +312,7 @@ def test_several_clearances_in_one_mechanism(count):
     struck = {impact.contact for impact in run.impacts}
     assert {"crank_pin", "slider_pin"} <= struck
     assert any(name.startswith("corner") for name in struck) == (count == 3)
-    for pair in run.model.pairs:
+    for pair in run.engine.model.pairs:
         assert -2e-4 < np.min(run[f"{pair}.gap"]) < 2e-4
         assert np.all(run[f"{pair}.gap"] < 1e-3)  # nothing has come apart
     curves = Curves.of(run)

@@ -50,7 +50,7 @@ def of(run, *names, joint="float"):
 
 def rotations(run):
     """Rotation matrices of the first body, shape (rows, 3, 3)."""
-    return run.history.map("poses", "t q")[1][:, :9].reshape(-1, 3, 3)
+    return run.engine.history.map("poses", "t q")[1][:, :9].reshape(-1, 3, 3)
 
 
 QUATERNION, ANGULAR = ("q0", "q1", "q2", "q3"), ("angular_speed_x", "angular_speed_y", "angular_speed_z")
@@ -217,7 +217,7 @@ def test_a_run_on_quaternions_is_saved_read_and_drawn(tmp_path):
     )
     read = EngineSolution.load(run.save(tmp_path / "run.npz"))
     assert np.array_equal(read["pin.angular_acceleration_z"], run["pin.angular_acceleration_z"])
-    assert run.history.units["pin.angular_acceleration_z"] == "rad/s^2"
+    assert run.engine.history.units["pin.angular_acceleration_z"] == "rad/s^2"
     shown = [("pin.q1", "pin.angular_speed_x", "pin.angular_acceleration_x")]
     assert (
         [motion.names for motion in Curves.of(read).motions][:1]

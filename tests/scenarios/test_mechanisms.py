@@ -229,12 +229,12 @@ def test_no_pin_leaves_its_bush_and_no_energy_goes_missing(name):
     run = simulate(model(name), duration=2 * TURN[name], tolerance=1e-8)
     assert run.outcome.finished, run
     assert run.energy_residual < 1e-6
-    assert {hit.contact for hit in run.impacts} == set(run.model.pairs)
-    for pair in run.model.pairs:
+    assert {hit.contact for hit in run.impacts} == set(run.engine.model.pairs)
+    for pair in run.engine.model.pairs:
         away = np.hypot(run[f"{pair}.eccentricity_x"], run[f"{pair}.eccentricity_y"])
         assert np.max(away) < 0.5e-3 + 0.15e-3  # deepest impact
         assert np.max(away) > 0.5e-3
-    for entry in run.model.memory:
+    for entry in run.engine.model.memory:
         if entry.endswith(".dissipated"):
             assert np.min(np.diff(run[entry])) > -1e-9 * run[entry][-1]
 

@@ -41,10 +41,10 @@ def test_outcome(outcome, scene, options):
     assert run.outcome.finished == (outcome == "finished")
     assert bool(run.outcome.remedy) != run.outcome.finished
     assert run.outcome.message
-    assert (run.t[-1] == run.duration) == run.outcome.finished
+    assert (run.t[-1] == run.settings.duration) == run.outcome.finished
     assert run.t[-1] > 0
     assert len(run.impacts) >= 1  # what was computed until then is there
-    assert np.all(np.isfinite([run[state] for state in run.states]))
+    assert np.all(np.isfinite([run[state] for state in run.engine.states]))
     assert str(run).startswith(outcome)
 
 

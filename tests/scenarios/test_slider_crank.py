@@ -43,9 +43,11 @@ def two_revolutions(scene, method="dop853", tolerance=1e-12, clearance="0.5 mm")
 
 def effective_mass(run, t):
     """Mass [kg] that the contact feels along its normal: 1/(J M^-1 J'), M^-1 from unit forces, J the gap's rate per speed."""
-    here, functions = run.at([t]), run.model.function
-    c = run.model.bind().c
-    q, u = (np.array([here[name][0] for name in names]) for names in (run.model.coordinates, run.model.speeds))
+    here, functions = run.at([t]), run.engine.model.function
+    c = run.engine.model.bind().c
+    q, u = (
+        np.array([here[name][0] for name in names]) for names in (run.engine.model.coordinates, run.engine.model.speeds)
+    )
 
     def acceleration(f):
         return np.array(functions("accelerations")(t, q, u, f, c)[0]).ravel()

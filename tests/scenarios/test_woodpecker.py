@@ -36,8 +36,8 @@ def test_the_default_method_runs_the_woodpecker(toy):
     """It comes down as by another method, though sticking and slipping all the way; dop853 takes 200,000 steps to half of it."""
     run = simulate(toy, duration="0.5 s", tolerance=1e-6, max_steps=20_000, compiled=False)
     assert run.outcome.finished
-    assert run.method == "auto"
-    assert {choice.method for choice in run.choices} == {"explicit", "implicit"}
+    assert run.settings.method == "auto"
+    assert {choice.method for choice in run.engine.choices} == {"explicit", "implicit"}
     assert run.energy_residual < 1e-5
     other = simulate(toy, duration="0.5 s", tolerance=1e-8, method="rodas", compiled=False)
     assert run.final["fall.travel"] == pytest.approx(other.final["fall.travel"], rel=1e-3)

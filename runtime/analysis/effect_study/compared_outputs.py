@@ -46,12 +46,12 @@ class Output:
 
     def missing(self, run: EngineSolution) -> str:
         """Return the histories a run lacks for this output; empty if none."""
-        return ", ".join(name for name in self.of_histories if name not in run.history.units)
+        return ", ".join(name for name in self.of_histories if name not in run.engine.history.units)
 
 
 def automatic(run: EngineSolution) -> tuple[Output, ...]:
     """Return the default outputs of a scene; those in PAST_HORIZON are for runs that part."""
-    model = run.model
+    model = run.engine.model
     chosen = list(named(run))
     if not model.k:
         chosen += [_of_history(run, "amplitude", name) for name in _coordinates(model)[:AMPLITUDES]]
@@ -60,7 +60,7 @@ def automatic(run: EngineSolution) -> tuple[Output, ...]:
 
 def named(run: EngineSolution) -> tuple[Output, ...]:
     """Return the outputs with a name of their own that apply to a scene."""
-    model, units = run.model, run.history.units
+    model, units = run.engine.model, run.engine.history.units
     speeds = _of_one_kind(model, model.speeds, "m/s")
     accelerations = tuple(acceleration_of(speed) for speed in speeds)
     outputs = [
@@ -127,7 +127,7 @@ def unknown_outputs(model: EngineModel, texts: Sequence[str]) -> list[Fault]:
 
 def _of_history(run: EngineSolution, kind: str, name: str) -> Output:
     meaning, of = _KINDS[kind]
-    return Output(f"{kind}.{name}", run.history.units[name], f"{meaning} {name}", lambda s: of(s, name), (name,))
+    return Output(f"{kind}.{name}", run.engine.history.units[name], f"{meaning} {name}", lambda s: of(s, name), (name,))
 
 
 def _highest(samples: Samples, name: str) -> float:
@@ -169,7 +169,7 @@ def _largest(history: History, names: Sequence[str]) -> np.ndarray:
 
 def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
     """Return the length of the paths of the eccentricities: the integral of their speeds."""
-    model = samples.run.model
+    model = samples.run.engine.model
     fine = Samples(samples.run, WAY_SAMPLES)
 
     def speeds(history: History) -> np.ndarray:

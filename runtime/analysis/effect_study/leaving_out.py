@@ -48,14 +48,14 @@ def driven_start(
 
     The others start as in the run. Empty where there are none, and where bodies cannot start so.
     """
-    whole, joints = run.model, model.joints
+    whole, joints = run.engine.model, model.joints
     q_free = [i for i, name in enumerate(joints.coordinates) if name not in whole.joints.coordinates]
     u_free = [i for i, name in enumerate(joints.speeds) if name not in whole.joints.speeds]
     if whole.module.BODIES != model.module.BODIES or not (q_free or u_free):
         return {}
     known = run.initial
     start = (np.array([known[name] for name in names]) for names in (whole.coordinates, whole.speeds))
-    there = _flat(_motion(whole)(0.0, *start, run.history.controls[: whole.nc]))
+    there = _flat(_motion(whole)(0.0, *start, run.engine.history.controls[: whole.nc]))
     bound = model.bind(parameters)
     q, u = _flat(joints.function("start")(bound.p))
     for values, names in ((q, joints.coordinates), (u, joints.speeds)):
@@ -143,10 +143,10 @@ def study_effects(
     study = Study(
         scene=whole.name,
         outcome=first.outcome,
-        duration=first.duration,
+        duration=first.settings.duration,
         method=method,
         tolerances=(bench.tolerance, bench.finest),
-        compiled=first.compiled,
+        compiled=first.settings.compiled,
         effects=tuple(name for name, *_ in whole.module.EFFECTS),
         cost=cost_of(whole),
         within=within,
@@ -173,7 +173,7 @@ def study_effects(
         Case(whole),
         cases,
         bench,
-        compiled=first.compiled,
+        compiled=first.settings.compiled,
         eighths=EIGHTHS if measured.past_horizon else LADDER[0],
         progress=lambda part: report(0.7 + 0.3 * part),
     )
@@ -239,7 +239,7 @@ class _Trials:
     @property
     def whole(self) -> EngineModel:
         """The whole scene."""
-        return self.run.model
+        return self.run.engine.model
 
     def row(self, effect: str) -> Row:
         """Measure the scene without an effect."""

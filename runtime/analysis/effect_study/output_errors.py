@@ -188,31 +188,31 @@ class Bench:
     def _diverges(self, runs: Sequence[EngineSolution]) -> bool:
         """Return whether runs at the coarsest and at the finest tolerance end in different states."""
         first, last = runs[0], runs[-1]
-        ends = (run.history.part("y")[-1] for run in (first, last))
-        return float(error_scales.error(first.model, last.scales, *ends)) > VALID
+        ends = (run.engine.history.part("y")[-1] for run in (first, last))
+        return float(error_scales.error(first.engine.model, last.engine.scales, *ends)) > VALID
 
     def same_motion(self, run: EngineSolution, model: EngineModel) -> bool:
         """Return whether another scene has the accelerations of a run, to rounding, in every state of it.
 
         Then both move alike, whatever the runs say.
         """
-        whole = run.model
+        whole = run.engine.model
         if (whole.coordinates, whole.speeds, whole.pairs) != (model.coordinates, model.speeds, model.pairs):
             return False
         if (whole.latches, whole.slips) != (model.latches, model.slips):
             return False
-        y, speeds = run.history.part("y"), slice(whole.nq, whole.nq + whole.nu)
+        y, speeds = run.engine.history.part("y"), slice(whole.nq, whole.nq + whole.nu)
         shared = [name for name in model.memory if name in whole.memory]
         if len(shared) < model.nz:
             return False
         memory = [whole.nq + whole.nu + whole.memory.index(name) for name in model.memory]
         states = np.hstack([y[:, : whole.nq + whole.nu], y[:, memory]])
-        parts = [run.history.part(name) for name in ("mode", "m")]
+        parts = [run.engine.history.part(name) for name in ("mode", "m")]
         if model.inputs:
             columns = [WIDTH * list(whole.inputs).index(name) + k for name in model.inputs for k in range(WIDTH)]
-            parts.append(run.history.part("pieces")[:, columns])
-        (rates,) = _rates(model)(model.bind(self.parameters(model)).c, run.history.part("t"), states, *parts)
-        here = run.history.part("dy")[:, speeds]
+            parts.append(run.engine.history.part("pieces")[:, columns])
+        (rates,) = _rates(model)(model.bind(self.parameters(model)).c, run.engine.history.part("t"), states, *parts)
+        here = run.engine.history.part("dy")[:, speeds]
         size = np.max(np.abs(here), axis=0, initial=0.0)
         return bool(np.all(np.abs(rates[:, speeds] - here) <= SAME * size))
 

@@ -133,10 +133,10 @@ def on_grid(
         from hertzwerk.runtime.simulation import simulate
 
         again = simulate(
-            run.model,
-            duration=run.duration,
-            tolerance=run.tolerance,
-            method=run.method,
+            run.engine.model,
+            duration=run.settings.duration,
+            tolerance=run.settings.tolerance,
+            method=run.settings.method,
             parameters=parameters,
             grid=times,
             compiled=False,

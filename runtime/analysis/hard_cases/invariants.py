@@ -52,7 +52,7 @@ class Measured:
 
 def measure(case: HardCase, method: str, run: EngineSolution) -> tuple[Measured, ...]:
     """Return every invariant of the case on a run of it."""
-    broken = sum(int(np.sum(~np.isfinite(run.history.part(part)))) for part in ("y", "dy", *PAIR_PARTS))
+    broken = sum(int(np.sum(~np.isfinite(run.engine.history.part(part)))) for part in ("y", "dy", *PAIR_PARTS))
     measured = [
         Measured(FINITE, broken, 0, "1", "entries of states, rates and contacts that are infinite or undefined")
     ]
@@ -66,7 +66,7 @@ def measure(case: HardCase, method: str, run: EngineSolution) -> tuple[Measured,
     if not energies.driven:
         note = f"largest rise of the energy, which nothing drives, over the sum of {parts}"
         measured.append(Measured(RISING, energies.rise / energies.scale, tolerance, "1", note))
-    if run.model.k:
+    if run.engine.model.k:
         measured.append(_depth(energies, tolerance))
     tries = run.statistics.steps + run.statistics.rejected + run.statistics.retaken
     measured += [_known(known, run) for known in case.known]
@@ -80,14 +80,14 @@ class Energies:
     """Energies of a run [J], shape (rows,) each."""
 
     def __init__(self, run: EngineSolution) -> None:
-        self.run, history = run, run.history
-        self.mode, self.stored = history.part("mode"), np.zeros((len(run.t), run.model.k))
+        self.run, history = run, run.engine.history
+        self.mode, self.stored = history.part("mode"), np.zeros((len(run.t), run.engine.model.k))
         kinetic, potential, stored = history.map("energy", "t q u")
         self.kinetic, self.potential = kinetic[:, 0], potential[:, 0]
-        if run.model.k:
+        if run.engine.model.k:
             self.stored = stored
         self.dissipated, self.input = (
-            np.sum([run[name] - run[name][0] for name in run.model.memory if name.endswith(end)], axis=0)
+            np.sum([run[name] - run[name][0] for name in run.engine.model.memory if name.endswith(end)], axis=0)
             + np.zeros(len(run.t))
             for end in (".dissipated", ".input")
         )
@@ -95,7 +95,7 @@ class Energies:
     @property
     def driven(self) -> bool:
         """Return whether anything puts energy in."""
-        return any(name.endswith(".input") for name in self.run.model.memory)
+        return any(name.endswith(".input") for name in self.run.engine.model.memory)
 
     @cached_property
     def total(self) -> Array:
@@ -112,7 +112,7 @@ class Energies:
     def work(self) -> float:
         """Total work, of drives and contacts."""
         done = float(np.max(np.abs(self.input)))
-        for j in range(self.run.model.k):
+        for j in range(self.run.engine.model.k):
             begins = self.begins(j)
             stored = np.where(self.mode[:, j] == CONTACT, self.stored[:, j], 0)
             done += float(np.sum(np.maximum.reduceat(stored, np.flatnonzero(begins)))) if np.any(begins) else 0.0
@@ -153,7 +153,7 @@ def _depth(energies: Energies, tolerance: float) -> Measured:
     run, mode = energies.run, energies.mode
     slack = tolerance * energies.scale
     worst, place = -1.0, (0, 0, 0.0)
-    for j in range(run.model.k):
+    for j in range(run.engine.model.k):
         rows = np.arange(len(run.t))
         inside = mode[:, j] == CONTACT
         onset = np.where(inside, np.maximum.accumulate(np.where(energies.begins(j), rows, 0)), rows)
@@ -166,7 +166,7 @@ def _depth(energies: Energies, tolerance: float) -> Measured:
     row, j, there_then = place
     if worst <= 0:
         return Measured(DEPTH, 0, 1, "1", "nothing is stored in any contact")
-    pair = run.model.pairs[j]
+    pair = run.engine.model.pairs[j]
     depth, bound = float(max(-run[f"{pair}.gap"][row], 0.0)), _depth_that_stores(run, row, j, there_then)
     return Measured(DEPTH, depth / bound, 1, "1", f"{depth:.4g} m of {bound:.4g} m at {pair}")
 
@@ -176,8 +176,8 @@ def _depth_that_stores(run: EngineSolution, row: int, j: int, energy: float) -> 
 
     Reached from a row along the gap's gradient.
     """
-    model = run.model
-    c, y, t = run.history.controls[: model.nc], run.history.part("y")[row], float(run.t[row])
+    model = run.engine.model
+    c, y, t = run.engine.history.controls[: model.nc], run.engine.history.part("y")[row], float(run.t[row])
     q0, u = y[: model.nq], y[model.nq : model.nq + model.nu]
     gradient = np.array(_gap_gradients(model)(t, q0, u, c))[j]
     direction = -gradient / float(gradient @ gradient)  # penetration grows by 1 per unit, to first order
@@ -186,7 +186,7 @@ def _depth_that_stores(run: EngineSolution, row: int, j: int, energy: float) -> 
         _, potential, stored = model.function("energy")(t, q0 + depth * direction, u, c)
         return float(potential) + float(np.array(stored).ravel()[j]) - energy
 
-    step = max(abs(float(run.history.part("gap")[row, j])), 1e-15)
+    step = max(abs(float(run.engine.history.part("gap")[row, j])), 1e-15)
     low = 0.0
     for _ in range(DOUBLINGS):  # to a bracket; false for NaN
         if excess(low) <= 0 <= excess(step):
@@ -195,14 +195,14 @@ def _depth_that_stores(run: EngineSolution, row: int, j: int, energy: float) -> 
     else:
         return math.nan
     further = float(brentq(excess, low, step, xtol=1e-300, rtol=1e-14))
-    moved = run.history.rows[[row]].copy()
-    if run.history.integrator is None:
+    moved = run.engine.history.rows[[row]].copy()
+    if run.engine.history.integrator is None:
         return math.nan
-    layout = run.history.integrator.layouts.state
+    layout = run.engine.history.integrator.layouts.state
     q = q0 + further * direction
     moved[0, layout["y"]][: model.nq] = q
     moved[0, layout["gap"]] = np.array(model.function("gaps")(t, q, u, c)[0]).ravel()
-    there = History(model, moved, run.history.controls, run.history.integrator)
+    there = History(model, moved, run.engine.history.controls, run.engine.history.integrator)
     return -float(there[f"{model.pairs[j]}.gap"][0])
 
 

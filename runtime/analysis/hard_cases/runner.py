@@ -112,7 +112,7 @@ def same(run: EngineSolution, twin: EngineSolution) -> Measured:
 
     All of them where the runs differ in length.
     """
-    one, two = run.history.rows, twin.history.rows
+    one, two = run.engine.history.rows, twin.engine.history.rows
     alike = one.shape == two.shape
     differing = int(np.sum(one.view(np.uint64) != two.view(np.uint64))) if alike else max(one.size, two.size)
     return Measured(SAME, differing, 0, "1", f"entries of {one.size:,} that differ in any bit")
@@ -175,6 +175,6 @@ def _of_model(work: Work) -> Iterator[Result]:
     """Yield the results of cases that share a model."""
     runs = [(case, method, solve(case, method, compiled=False)) for case, method in work]
     if available():
-        compile_together(dict.fromkeys((run.history.engine.model, method) for _, method, run in runs))
+        compile_together(dict.fromkeys((run.engine.history.engine.model, method) for _, method, run in runs))
     for case, method, run in runs:
         yield _judged(case, method, run, native=True)

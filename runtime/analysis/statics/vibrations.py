@@ -363,12 +363,12 @@ def of_equilibrium(rest: Equilibrium) -> Modes:
 
 def _of_run(run: EngineSolution, at: str | float | None) -> Modes:
     """Return the modes of the equations frozen at a time of a run; raises InputError."""
-    model, faults = run.model, list[Fault]()
-    if run.history.integrator is None:
+    model, faults = run.engine.model, list[Fault]()
+    if run.engine.history.integrator is None:
         raise InputError(model.name, [Fault("modes", "a saved run", "a run that `simulate` returned")])
     t = run.t_end if at is None else 0.0 if at == 0 else read_duration(model, {}, at, faults)
-    if faults or not run.t_start <= t <= run.t_end:
-        raise InputError(model.name, [Fault("at", shown(at), f"a time from {run.t_start:g} to {run.t_end:g} s")])
+    if faults or not run.engine.t_start <= t <= run.t_end:
+        raise InputError(model.name, [Fault("at", shown(at), f"a time from {run.engine.t_start:g} to {run.t_end:g} s")])
     state = run.at([t])
     q, u, z = (
         np.array([state[name][0] for name in names]) for names in (model.coordinates, model.speeds, model.memory)

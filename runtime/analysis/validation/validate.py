@@ -58,7 +58,7 @@ def validate(scenario: Scenario, solution: EngineSolution) -> tuple[Verdict, ...
     """Return the verdict of every check; raises InputError for unknown names or unfit units."""
     refuse(
         f"checks of scenario {scenario.scene}",
-        [fault for check in scenario.checks if (fault := misfit(check, solution.history.units)) is not None],
+        [fault for check in scenario.checks if (fault := misfit(check, solution.engine.history.units)) is not None],
     )
     return tuple(_verdict(check, measure(solution, check.quantity)) for check in scenario.checks)
 

@@ -112,8 +112,8 @@ def record(study: Study) -> dict[str, Any]:
             for row in study.rows
         ],
         "reference": {
-            "methods": [held.run.method, held.partner.method],
-            "tolerance": held.run.tolerance,
+            "methods": [held.run.settings.method, held.partner.settings.method],
+            "tolerance": held.run.settings.tolerance,
             "uncertainty": held.uncertainty,
             "horizon": held.horizon,
             "levels": [{"tolerance": tolerance, "difference": difference} for tolerance, difference in held.levels],

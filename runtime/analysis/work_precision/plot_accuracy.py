@@ -98,7 +98,7 @@ def _work(axis: Axes, study: Study) -> None:
     axis.set_ylim(floor / 10, max(100 * floor, axis.get_ylim()[1]))
     axis.axhspan(floor / 10, floor, color=SHADE, zorder=0.6, linewidth=0)
     axis.axhline(floor, color=GREY, linewidth=0.8, zorder=0.7)
-    one, other = study.reference.run.method, study.reference.partner.method
+    one, other = study.reference.run.settings.method, study.reference.partner.settings.method
     axis.text(
         0.5, floor / 3.2, f"floor: {one} and {other}, the reference, differ by {floor:.0e}",
         transform=axis.get_yaxis_transform(), ha="center", va="center", fontsize=8.5, color=GREY,

@@ -90,18 +90,20 @@ class Reference:
     def _along(self, run: Solution, measure: Callable[..., Array]) -> Array:
         reached = self.t <= run.t_end
         errors = np.full(len(self.t), np.nan)
-        errors[reached] = measure(run.model, self.run.scales, states(run, self.t[reached]), self.y[reached])
+        errors[reached] = measure(
+            run.engine.model, self.run.engine.scales, states(run, self.t[reached]), self.y[reached]
+        )
         return errors
 
     @cached_property
     def floor(self) -> Array:
         """Difference of the two runs, shape (n,), below which no error can be measured."""
-        return difference(self.run.model, self.run.scales, self.other, self.y)
+        return difference(self.run.engine.model, self.run.engine.scales, self.other, self.y)
 
     @cached_property
     def floor_of_departure(self) -> Array:
         """Difference of the coordinates alone."""
-        return scaling.departure(self.run.model, self.run.scales, self.other, self.y)
+        return scaling.departure(self.run.engine.model, self.run.engine.scales, self.other, self.y)
 
     @property
     def uncertainty(self) -> float:
@@ -176,12 +178,14 @@ def reference(problem: Problem, progress: Callable[[float], object] = lambda _: 
         by_method = {method: states(run, t) for method, run in runs.items()}
         (one, a), (two, b) = by_method.items()
         change = {
-            method: at_end(difference(problem.model, runs[one].scales, y, before[method])) if method in before else 0.0
+            method: at_end(difference(problem.model, runs[one].engine.scales, y, before[method]))
+            if method in before
+            else 0.0
             for method, y in by_method.items()
         }
         if change[one] > change[two]:
             (one, a), (two, b) = (two, b), (one, a)
-        apart = at_end(difference(problem.model, runs[one].scales, b, a))
+        apart = at_end(difference(problem.model, runs[one].engine.scales, b, a))
         levels.append((tolerance, apart))
         if best is None or apart <= at_end(best.floor):
             best = Reference(runs[one], runs[two], t, a, b, tuple(levels))

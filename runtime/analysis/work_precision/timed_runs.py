@@ -115,7 +115,7 @@ def make(by: RunSpec, held: Reference) -> TimedRun:
         departure=held.departure(run),
         estimate=run.error.worst if run.error is not None and run.error.known else None,
         floor=None if run.error is None else run.error.floor,
-        tolerance=run.tolerance,
+        tolerance=run.settings.tolerance,
         steps=run.statistics.steps,
         rhs_evaluations=run.statistics.rhs_evaluations,
         taken=_shares(run) if by.method == "auto" else {},
@@ -140,6 +140,6 @@ def repeat(made: Sequence[TimedRun], progress: Callable[[float], object]) -> Non
 
 def _shares(run: Solution) -> dict[str, float]:
     """Return the share of simulated time for each of the two methods of `auto`."""
-    implicit = np.diff(run.t) @ (run.history.part("method")[1:, 0] == IMPLICIT) / run.t[-1]
+    implicit = np.diff(run.t) @ (run.engine.history.part("method")[1:, 0] == IMPLICIT) / run.t[-1]
     explicit, other = (table().name for table in METHODS["auto"])
     return {explicit: float(1 - implicit), other: float(implicit)}

@@ -210,7 +210,7 @@ def study(
     Raises InputError for bad input, NoReferenceError where there is no reference.
     """
     held = reference(problem, lambda part: progress(FIRST[0] * part))
-    requested = held.run.duration
+    requested = held.run.settings.duration
     if held.known < requested:
         problem = replace(problem, duration=held.known)
         held = reference(problem)
@@ -266,10 +266,10 @@ def _series(
 
 def _lyapunov(held: Reference) -> Lyapunov | None:
     """Return the largest exponent along the reference, by the cheaper of its two runs."""
-    runs = [run for run in (held.run, held.partner) if run.method in EXPLICIT or run.statistics.steps <= DEAR]
+    runs = [run for run in (held.run, held.partner) if run.settings.method in EXPLICIT or run.statistics.steps <= DEAR]
     if not runs:
         return None
-    exponents = min(runs, key=lambda run: (run.method not in EXPLICIT, run.statistics.steps)).lyapunov()
+    exponents = min(runs, key=lambda run: (run.settings.method not in EXPLICIT, run.statistics.steps)).lyapunov()
     return None if exponents.reason else exponents
 
 

@@ -156,7 +156,11 @@ def run(
         for text in written.left_out:
             line("left out", text)
         line("written", f"{written.folder}/ ({', '.join(written.files)})")
-        if solution.outcome.name in STOPPED and solution.t_end < solution.duration and "states.npz" in written.files:
+        if (
+            solution.outcome.name in STOPPED
+            and solution.t_end < solution.settings.duration
+            and "states.npz" in written.files
+        ):
             line("go on", f"hertzwerk run --continue {written.folder}")
     if file is not None and file.exists():
         line("written", str(file))
@@ -252,7 +256,8 @@ def _report(solution: Solution) -> None:
     """Print a run in a few lines."""
     statistics, outcome = solution.statistics, solution.outcome
     line(
-        solution.model.name, f"{time_text(solution.duration, 4)}, {solution.method}, tolerance {solution.tolerance:.2g}"
+        solution.model.name,
+        f"{time_text(solution.settings.duration, 4)}, {solution.settings.method}, tolerance {solution.settings.tolerance:.2g}",
     )
     count = len(solution.impacts)
     closed = "" if solution.energy_residual is None else f", energy closed to {solution.energy_residual:.1g}"
@@ -261,14 +266,14 @@ def _report(solution: Solution) -> None:
         outcome.name,
         f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {time_text(statistics.wall_s, 4)}{checked}",
     )
-    if solution.error is not None and solution.accuracy is not None:
+    if solution.error is not None and solution.settings.accuracy is not None:
         from hertzwerk.runtime.engine.accuracy.error_estimate import brief
 
         cost = solution.error.decade_cost
         more = "" if cost is None else f"; ten times more would cost about {cost:.1f} x the time"
         line(
             "accuracy",
-            f"requested {brief(solution.accuracy, 3)}{' at the end' if solution.error.at_end else ''}, estimated {solution.error}{more}",
+            f"requested {brief(solution.settings.accuracy, 3)}{' at the end' if solution.error.at_end else ''}, estimated {solution.error}{more}",
         )
     if not outcome.finished:
         line("", outcome.message)

@@ -121,8 +121,8 @@ def _head(problem: Problem, held: Reference) -> None:
 
     span = seconds(float(held.t[-1]))
     line(problem.model.name, f"{span}; error: the largest of the run, in the scene's scales; times of one run each")
-    methods = f"{held.run.method} and {held.partner.method}"
-    line("reference", f"{methods} at a tolerance of {held.run.tolerance:.0e} agree to {held.uncertainty:.1e}")
+    methods = f"{held.run.settings.method} and {held.partner.settings.method}"
+    line("reference", f"{methods} at a tolerance of {held.run.settings.tolerance:.0e} agree to {held.uncertainty:.1e}")
 
 
 def _report(result: Study) -> None:

@@ -125,7 +125,7 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     missing: list[str] = []
     folder = written_or_none(
         lambda: new_folder(
-            f"{comparison.solution.model.name}-compare",
+            f"{comparison.solution.engine.model.name}-compare",
             out,
             lambda at: _write(comparison, at, missing, plots=not no_plots),
         ),
@@ -139,7 +139,11 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
         if folder is not None:
             line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
     code = report_missing(missing)
-    return OTHER_OUTCOME if comparison.differs or comparison.solution.t_end < comparison.solution.duration else code
+    return (
+        OTHER_OUTCOME
+        if comparison.differs or comparison.solution.t_end < comparison.solution.settings.duration
+        else code
+    )
 
 
 def _compared(

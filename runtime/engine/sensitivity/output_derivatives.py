@@ -73,7 +73,7 @@ class OutputDerivatives:
         return derivatives
 
     def _derivatives(self, output: str) -> np.ndarray:
-        run, model = self.run, self.run.model
+        run, model = self.run, self.run.engine.model
         before, _, last = output.rpartition(".")
         if before == "final":
             last = output.removeprefix("final.")
@@ -107,7 +107,7 @@ class OutputDerivatives:
         self, name: str, of: Callable[[np.ndarray], np.ndarray], slope: Callable[[np.ndarray], np.ndarray]
     ) -> np.ndarray:
         """Return the derivatives of the integral over time of a function of a history, whose slope is given."""
-        history = self.run.history
+        history = self.run.engine.history
         steps = np.flatnonzero(np.diff(history.t) > 0)
         panels = int(np.clip(PANELS // len(steps), 1, PANELS))
         h = np.diff(history.t)[steps] / panels
@@ -132,7 +132,7 @@ class OutputDerivatives:
 
         By rounding the event itself may lie on the other side of a surface, where a force is another.
         """
-        history = self.run.history
+        history = self.run.engine.history
         steps = np.append(np.diff(history.t), 0.0)
         length, speed = history.controls[history.engine.layouts.controls["scales"]][:2]
         by = np.minimum(np.maximum(BESIDE * steps, CLEAR * length / speed), steps / 4)
@@ -169,7 +169,7 @@ class OutputDerivatives:
 
     @property
     def _time(self) -> float:
-        return self.run.t_end - self.run.t_start
+        return self.run.t_end - self.run.engine.t_start
 
     @property
     def samples(self) -> Samples:

@@ -106,6 +106,6 @@ class Samples:
     @cached_property
     def _step_ends(self) -> History:
         """Histories where each step ends, before an event there."""
-        if self.run.history.steps:
-            return self.run.history.between(self._begins, self._steps)
+        if self.run.engine.history.steps:
+            return self.run.engine.history.between(self._begins, self._steps)
         return self.run.at(self.run.t[self._begins + 1])

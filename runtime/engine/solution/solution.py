@@ -5,9 +5,9 @@ from __future__ import annotations
 import io
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, Self
 
 import numpy as np
 
@@ -57,38 +57,32 @@ class Statistics:
     compile_s: float = 0.0
 
 
-@dataclass(frozen=True, eq=False)
-class EngineSolution(Histories):
-    """Result of a run, a mapping from names to histories over `run.t`, in SI.
+@dataclass(frozen=True)
+class RunSettings:
+    """Settings of a run: duration requested [s], method, whether it was compiled, what it was to be accurate to.
 
-    `run["guide.travel"]` is one, `run["guide.travel", "mm"]` in a unit of one's own, `list(run)` has the names,
-    `run.units[name]` the SI unit.
+    accuracy: requested of the whole run, None for a run at a tolerance; tolerance: local, of this run.
     """
 
-    model_type: ClassVar[type[EngineModel]] = EngineModel  # of saved runs
-    history: History = field(repr=False)
-    ends: History = field(repr=False)  # the first and the last of its rows are the run's
-    findings: Findings = field(repr=False)
-    outcome: Outcome
     duration: float
-    accuracy: float | None  # requested, see `error.at_end`; None for a run at a tolerance
-    tolerance: float  # local, of this run
+    accuracy: float | None
+    tolerance: float
     method: str
     compiled: bool
-    parameters: Mapping[str, tuple[float, str]] = field(repr=False)
-    statistics: Statistics
-    warnings: tuple[str, ...]
-    scales: Scales = field(repr=False)
-    energy_residual: float | None = None
-    """Largest error of the energy balance over the largest energy that the run moves.
 
-    The error is |energy - initial energy + dissipated - input| of all accepted steps; the energy moved is kinetic,
-    dissipated, put in, or change of potential, or a millionth of the scene's energy scale where that is more. None
-    without a ledger, and where a failed run holds an energy that is not finite.
+
+@dataclass(frozen=True, eq=False)
+class EngineRun:
+    """Run as the engine has it: rows of its states, what was found in its steps, scales of its errors.
+
+    ends: rows of which the first and the last are the run's; checkpoint: state that a longer run continues from.
     """
-    # None for a run at a tolerance, and where nothing could be compared
-    error: ErrorEstimate | None = field(default=None, repr=False)
-    checkpoint: Checkpoint | None = field(default=None, repr=False)  # state that a longer run continues from
+
+    history: History
+    ends: History
+    findings: Findings
+    scales: Scales
+    checkpoint: Checkpoint | None = None
 
     @cached_property
     def shared_results(self) -> dict[type, object]:
@@ -104,24 +98,9 @@ class EngineSolution(Histories):
         return self.history.model
 
     @property
-    def advice(self) -> tuple[str, ...]:
-        """Reservations about the scene's laws, such as a point contact law for a line contact."""
-        return tuple(self.model.module.ADVICE)
-
-    @property
-    def t(self) -> np.ndarray:
-        """Times of the accepted steps, or of the requested grid [s], shape (rows,)."""
-        return self.history.t
-
-    @property
     def t_start(self) -> float:
         """Time [s] at which the run began: 0, or where it was continued."""
         return float(self.ends.t[0])
-
-    @property
-    def t_end(self) -> float:
-        """Time [s] that the run reached."""
-        return float(self.ends.t[-1])
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -129,37 +108,81 @@ class EngineSolution(Histories):
         return (*self.model.coordinates, *self.model.speeds, *self.model.memory)
 
     @property
-    def units(self) -> Mapping[str, str]:
-        """SI unit text of every history by name."""
-        return self.history.units
-
-    @property
     def choices(self) -> tuple[Choice, ...]:
         """Choices of `method="auto"`: the first method and every change, with reasons; else empty."""
         return self.findings.choices
 
+    def with_model(self, model: EngineModel) -> EngineRun:
+        """Return a saved run with the functions of its model, by which pictures show the ideal mechanism too."""
+        return replace(self, history=self.history.with_model(model))
+
+
+@dataclass(frozen=True, eq=False)
+class EngineSolution(Histories):
+    """Result of a run, a mapping from names to histories over `run.t`, in SI.
+
+    `run["guide.travel"]` is one, `run["guide.travel", "mm"]` in a unit of one's own, `list(run)` has the names,
+    `run.units[name]` the SI unit.
+
+    engine    what the engine has of the run, for programs of one's own
+    outcome    how it ended, with a message and a remedy
+    settings    duration, accuracy or tolerance, method, compiled
+    parameters    value and unit of every parameter by name
+    statistics    its cost: steps, evaluations, times
+    warnings    what to heed
+    energy_residual    largest error of the energy balance over the largest energy that the run moves. The error is |energy - initial energy +
+        dissipated - input| of all accepted steps; the energy moved is kinetic, dissipated, put in, or change of potential, or a millionth of the
+        scene's energy scale where that is more. None without a ledger, and where a failed run holds an energy that is not finite
+    error    estimate for an accuracy; None for a run at a tolerance, and where nothing could be compared
+    """
+
+    engine: EngineRun = field(repr=False)
+    outcome: Outcome
+    settings: RunSettings
+    parameters: Mapping[str, tuple[float, str]] = field(repr=False)
+    statistics: Statistics
+    warnings: tuple[str, ...]
+    energy_residual: float | None = None
+    error: ErrorEstimate | None = field(default=None, repr=False)
+
+    @property
+    def advice(self) -> tuple[str, ...]:
+        """Reservations about the scene's laws, such as a point contact law for a line contact."""
+        return tuple(self.engine.model.module.ADVICE)
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times of the accepted steps, or of the requested grid [s], shape (rows,)."""
+        return self.engine.history.t
+
+    @property
+    def t_end(self) -> float:
+        """Time [s] that the run reached."""
+        return float(self.engine.ends.t[-1])
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """SI unit text of every history by name."""
+        return self.engine.history.units
+
     def __getitem__(self, name: str | tuple[str, str]) -> np.ndarray:
-        return self.history[name]
+        return self.engine.history[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self.history)
+        return iter(self.engine.history)
 
     def __len__(self) -> int:
-        return len(self.history)
+        return len(self.engine.history)
 
     def __contains__(self, name: object) -> bool:
-        return name in self.history
+        return name in self.engine.history
 
     def with_histories(self, *names: str) -> Self:
         """Return the run with readings listed among its histories, so that tables and files have them too.
 
         `model.histories` has all of them. Raises KeyError for an unknown name.
         """
-        return replace(self, history=self.history.with_names(names))
-
-    def with_model(self, model: EngineModel) -> Self:
-        """Return a saved run with the functions of its model, by which pictures show the ideal mechanism too."""
-        return replace(self, history=self.history.with_model(model))
+        return replace(self, engine=replace(self.engine, history=self.engine.history.with_names(names)))
 
     def at(self, times: Value | Sequence[float] | np.ndarray) -> History:
         """Return histories at one or more times of the run [s]; one time may have a unit, "2 ms".
@@ -167,37 +190,40 @@ class EngineSolution(Histories):
         Interpolated by the method's own step and order, under the modes of the step that covers each time. Raises InputError for what is
         no time, ValueError for times outside the run, and between the rows of a run that kept a grid or was saved.
         """
-        return self.history.at(si_of_all("times", "s", times))
+        return self.engine.history.at(si_of_all("times", "s", times))
 
     @property
     def initial(self) -> dict[str, float]:
         """Every state at the start, SI."""
-        return {name: float(self.ends[name][0]) for name in self.states}
+        return {name: float(self.engine.ends[name][0]) for name in self.engine.states}
 
     @property
     def final(self) -> dict[str, float]:
         """Every state at the end, SI."""
-        return {name: float(self.ends[name][-1]) for name in self.states}
-
-    def with_steps(self) -> EngineSolution:
-        """Return the run with its accepted steps, where it has them or can be made again; else itself."""
-        return self
+        return {name: float(self.engine.ends[name][-1]) for name in self.engine.states}
 
     @property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
-        return self.findings.impacts
+        return self.engine.findings.impacts
 
     def averages(self, *, interval: str | float | None = None, skip: str | float | None = None) -> tuple[Average, ...]:
         """Return averages of the run with 95 % confidence: impact rates, forces, powers.
 
         See `hertzwerk.runtime.engine.solution.averages.averages`.
         """
-        run = Run(self.model, self.findings, self.scales, self.tolerance, self.t_start, self.t_end)
+        run = Run(
+            self.engine.model,
+            self.engine.findings,
+            self.engine.scales,
+            self.settings.tolerance,
+            self.engine.t_start,
+            self.t_end,
+        )
         return averages(run, interval=interval, skip=skip)
 
     def __repr__(self) -> str:
-        return f"<Solution {self.model.name}: {str(self).partition(chr(10))[0]}>"
+        return f"<Solution {self.engine.model.name}: {str(self).partition(chr(10))[0]}>"
 
     def __str__(self) -> str:
         statistics, count = self.statistics, len(self.impacts)
@@ -214,58 +240,44 @@ class EngineSolution(Histories):
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
-        return write(path, self.csv(), overwrite=overwrite)
-
-    def csv_size(self) -> float:
-        """Estimate the size [bytes] of the file that `to_csv` would write."""
-        some = slice(None, None, max(len(self.t) // SAMPLE, 1))
-        return len(self.csv(some)) * len(self.t) / len(self.t[some])
-
-    def csv(self, rows: slice = slice(None)) -> bytes:
-        """Return the content of the file that `to_csv` writes, or some rows of it."""
-        units = self.history.units
-        table = np.column_stack([self.t[rows], *(self[name][rows] for name in self)])
-        text = io.StringIO()
-        text.write(",".join(f"{name} [{units[name]}]" for name in ("t", *self)) + "\n")
-        np.savetxt(text, table, delimiter=",", fmt="%.17g")
-        return text.getvalue().encode()
+        return write(path, csv_of(self), overwrite=overwrite)
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
-        module = self.model.module
+        module = self.engine.model.module
         about = {
             "scene": {name: getattr(module, name) for name in SAVED} | {"BESIDE": self._beside()},
-            "ledger": self.model.has_ledger,
+            "ledger": self.engine.model.has_ledger,
             "outcome": asdict(self.outcome),
             "statistics": asdict(self.statistics),
             "parameters": dict(self.parameters),
             "warnings": self.warnings,
-            **{name: getattr(self, name) for name in ("duration", "accuracy", "tolerance", "method", "compiled")},
+            **asdict(self.settings),
             "energy_residual": self.energy_residual,
-            "scales": {"state": self.scales.state.tolist(), "scene": self.scales.scene.tolist()},
+            "scales": {"state": self.engine.scales.state.tolist(), "scene": self.engine.scales.scene.tolist()},
             "error": self.error and self.error.numbers,
             "impacts": [impact._asdict() for impact in self.impacts],
-            "choices": [asdict(choice) for choice in self.choices],
-            "sums": self.findings.sums().about(),
-            "period": self.findings.period,
-            "checkpoint": self.checkpoint and self.checkpoint.about(),
-            "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
+            "choices": [asdict(choice) for choice in self.engine.choices],
+            "sums": self.engine.findings.sums().about(),
+            "period": self.engine.findings.period,
+            "checkpoint": self.engine.checkpoint and self.engine.checkpoint.about(),
+            "ends": {name: self.engine.ends[name][[0, -1]].tolist() for name in ("t", *self.engine.states)},
         }
         histories: dict[str, Any] = {name: self[name] for name in ("t", *self)}
-        if self.checkpoint is not None:
-            histories[CHECKPOINT] = self.checkpoint.resume.state
+        if self.engine.checkpoint is not None:
+            histories[CHECKPOINT] = self.engine.checkpoint.resume.state
         content = b""
-        if self.history.steps:
+        if self.engine.history.steps:
             with suppress(MemoryError):  # then without them: they serve pictures alone
-                content = saved_run.packed(about, {**histories, RATES: saved_run.rates(self.history)})
+                content = saved_run.packed(about, {**histories, RATES: saved_run.rates(self.engine.history)})
         return write(path, content or saved_run.packed(about, histories), overwrite=overwrite)
 
     def _beside(self) -> list[tuple[str, str, str]]:
         """Return the table of the readings that are saved with a run: name, unit, meaning."""
-        if not self.history.beside:
+        if not self.engine.history.beside:
             return []
-        known = readings_of(self.model).rows
-        return [(name, known[name].unit, known[name].meaning) for name in self.history.beside]
+        known = readings_of(self.engine.model).rows
+        return [(name, known[name].unit, known[name].meaning) for name in self.engine.history.beside]
 
     @classmethod
     def load(cls, path: str | Path) -> Self:
@@ -280,8 +292,8 @@ class EngineSolution(Histories):
         state, rates = histories.pop(CHECKPOINT, None), histories.pop(RATES, None)
         tables = {name: _tuples(about["scene"][name]) for name in (*SAVED, "BESIDE")}
         module = with_tables(**tables, **({"ledger": None} if about["ledger"] else {}))
-        model = cls.model_type(module)
-        return cls(
+        model = EngineModel(module)
+        engine = EngineRun(
             history=History.stored(model, histories, saved_run.rates_by_name(rates, model, histories)),
             ends=History.stored(model, {name: np.array(values) for name, values in about["ends"].items()}),
             findings=Findings.saved(
@@ -291,20 +303,34 @@ class EngineSolution(Histories):
                 Sums.saved(about["sums"], model),
                 about["period"],
             ),
+            scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
+            checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
+        )
+        return cls(
+            engine=engine,
             outcome=Outcome(**about["outcome"]),
-            duration=about["duration"],
-            accuracy=about["accuracy"],
-            tolerance=about["tolerance"],
-            method=about["method"],
-            compiled=about["compiled"],
+            settings=RunSettings(**{each.name: about[each.name] for each in fields(RunSettings)}),
             parameters={name: (value, unit) for name, (value, unit) in about["parameters"].items()},
             statistics=Statistics(**about["statistics"]),
             warnings=tuple(about["warnings"]),
-            scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
             energy_residual=about["energy_residual"],
             error=about["error"] and ErrorEstimate.from_numbers(about["error"]),
-            checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
         )
+
+
+def csv_of(run: EngineSolution, rows: slice = slice(None)) -> bytes:
+    """Return the content of the file that `to_csv` writes, or some rows of it."""
+    table = np.column_stack([run.t[rows], *(run[name][rows] for name in run)])
+    text = io.StringIO()
+    text.write(",".join(f"{name} [{run.units[name]}]" for name in ("t", *run)) + "\n")
+    np.savetxt(text, table, delimiter=",", fmt="%.17g")
+    return text.getvalue().encode()
+
+
+def csv_size(run: EngineSolution) -> float:
+    """Estimate the size [bytes] of the file that `to_csv` would write."""
+    some = slice(None, None, max(len(run.t) // SAMPLE, 1))
+    return len(csv_of(run, some)) * len(run.t) / len(run.t[some])
 
 
 _OF_FUNCTIONS = ("LANDMARKS", "FAMILIES", "GIVEN", "SEATED", *(name for name in EMPTY if name.startswith("JOINT_")))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
@@ -97,10 +98,10 @@ class Places:
         Of a run too long to be made again, at its rows. `also`: further times [s] of a run with steps. Raises
         InputError for a saved run.
         """
-        run = run.with_steps()
-        if run.history.integrator is None:
-            raise _without_functions(run.model)
-        if run.history.steps and len(run.t) > 1:
+        run = with_steps(run)
+        if run.engine.history.integrator is None:
+            raise _without_functions(run.engine.model)
+        if run.engine.history.steps and len(run.t) > 1:
             rows = run.t[:: 1 + len(run.t) // SAMPLES]
             further = np.zeros(0) if also is None else also
             times = np.unique(np.concatenate([rows, np.linspace(run.t[0], run.t[-1], SAMPLES), run.t[-1:], further]))
@@ -110,9 +111,11 @@ class Places:
         good = np.isfinite(positions).all(axis=1) & np.isfinite(rotations).all(
             axis=1
         )  # to where a run came to no good end
-        defaults = {name: (port.default, port.unit) for name, port in run.model.parameters.items()}
+        defaults = {name: (port.default, port.unit) for name, port in run.engine.model.parameters.items()}
         parameters = {name: value for name, value in run.parameters.items() if value != defaults[name]}
-        return cls._of(run.model, run.model.bind(parameters).p, times[good], positions[good], rotations[good])
+        return cls._of(
+            run.engine.model, run.engine.model.bind(parameters).p, times[good], positions[good], rotations[good]
+        )
 
     @classmethod
     def _of(cls, model: EngineModel, p: Array, t: Array, positions: Array, rotations: Array) -> Places:

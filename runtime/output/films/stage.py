@@ -54,8 +54,8 @@ def friction_of(curves: Curves, pair: str) -> Array:
     That of a set-valued law is a history, also while it sticks. Of others by the power that friction takes, over the
     sliding velocity; 0 where it does not slide, in a scene without a ledger, and in a run of which there are rows alone.
     """
-    model, nothing = curves.run.model, np.zeros(len(curves.t))
-    if not curves.run.history.units.lists(f"{pair}.sliding_velocity") or not isinstance(curves.sampled, History):
+    model, nothing = curves.run.engine.model, np.zeros(len(curves.t))
+    if not curves.run.engine.history.units.lists(f"{pair}.sliding_velocity") or not isinstance(curves.sampled, History):
         return nothing
     if is_set_valued(curves, pair):
         return np.abs(curves[f"{pair}.friction_force"])
@@ -76,7 +76,7 @@ def friction_of(curves: Curves, pair: str) -> Array:
 
 def is_set_valued(curves: Curves, pair: str) -> bool:
     """Return whether the friction force of a pair, along its tangent, is a history of the run."""
-    return curves.run.history.units.lists(f"{pair}.friction_force")
+    return curves.run.engine.history.units.lists(f"{pair}.friction_force")
 
 
 def tangent_of(parts: Parts, marks: Sequence[Landmark], normal: Array) -> Array | None:
@@ -194,7 +194,7 @@ class Stage:
         """Set the stage of a run that has its functions; raises InputError for a saved one."""
         curves = Curves.of(run)
         times = clock.times
-        if curves.run.history.steps:
+        if curves.run.engine.history.steps:
             places = Places.over(curves.run, also=np.union1d(times, curves.t))
         else:
             places = Places.over(curves.run)
@@ -258,8 +258,8 @@ class Stage:
     @cached_property
     def forces(self) -> dict[str, Array]:
         """Normal forces of the pairs over the curves' times [N]; empty where none acts and there is no film."""
-        forces = {name: self.curves[f"{name}.normal_force"] for name in self.run.model.pairs}
-        return forces if films(self.run.model) or any(np.any(force) for force in forces.values()) else {}
+        forces = {name: self.curves[f"{name}.normal_force"] for name in self.run.engine.model.pairs}
+        return forces if films(self.run.engine.model) or any(np.any(force) for force in forces.values()) else {}
 
     @property
     def _rubs(self) -> bool:
@@ -302,7 +302,7 @@ class Stage:
             sign = np.sign(self.curves[f"{name}.friction_force"][m])
             if tangent is not None:
                 return sign * tangent, size
-            if not self.run.model.reads:
+            if not self.run.engine.model.reads:
                 return None
             force = np.array([self.curves[f"{name}.friction_force_{axis}"][m] for axis in "xyz"])
             return force / size, size
@@ -320,7 +320,9 @@ class Stage:
     def _pairs(self) -> dict[str, tuple[str, list[Landmark]]]:
         """Kind and landmarks of every pair."""
         return {
-            part: (kind, marks) for (part, kind), marks in self.drawing.parts.of.items() if part in self.run.model.pairs
+            part: (kind, marks)
+            for (part, kind), marks in self.drawing.parts.of.items()
+            if part in self.run.engine.model.pairs
         }
 
     def _rub(self, paper: MovingPaper, name: str, k: int, i: int, inset: insets.Inset | None = None) -> None:
@@ -347,7 +349,7 @@ class Stage:
     def _contact(self, name: str, k: int, i: int) -> Contact | None:
         """Return where a pair's force acts and its direction: by landmarks, or as it was when it was largest."""
         kind, marks = self._pairs[name]
-        if kind in CONTACTS or not self.run.model.reads:
+        if kind in CONTACTS or not self.run.engine.model.reads:
             return contact_of(self.drawing.parts, kind, marks, i)
         m = self._largest_at(name, k)
         point, force = (self._vector(f"{name}.{quantity}", m) for quantity in ("point", "force"))
@@ -357,7 +359,7 @@ class Stage:
     def _vector(self, name: str, m: int) -> Array:
         """Return a vector (3,) that can be read of the run, at a row of the curves."""
         parts = (f"{name}_{axis}" for axis in "xyz")
-        return np.array([self.curves[part][m] if part in self.run.history.units else 0.0 for part in parts])
+        return np.array([self.curves[part][m] if part in self.run.engine.history.units else 0.0 for part in parts])
 
     def _largest_at(self, name: str, k: int) -> int:
         """Return the curves' row since the frame before at which a pair's normal force was largest."""
@@ -398,7 +400,7 @@ class Stage:
             [line for text in texts for line in textwrap.wrap(text, int(LETTERS * across))]
             for texts in (self.notes(), notes_on(run))
         )
-        title, differs = title_of(run.model, run.model.module.SUMMARY), differences(run)
+        title, differs = title_of(run.engine.model, run.engine.model.module.SUMMARY), differences(run)
         foot = 0.1 + LINE * (len(notes) + len(cautions))
         low = foot + (STRIP + BELOW + 0.25 if strip else 0.0)
         main = low + under + (insets.HEIGHT if row else 0.0)
@@ -442,13 +444,13 @@ class Stage:
                 f" Arrows: contact force on the first body of a pair, the largest since the frame before; "
                 f"{'thinner its friction at that instant; ' if self._rubs else ''}the longest is {self.peak / scale.factor:.3g} {scale.unit}."
             )
-            kinds = dict(self.run.model.module.PAIRS)
+            kinds = dict(self.run.engine.model.module.PAIRS)
             others = dict.fromkeys(_whole(name) for name in self.forces if kinds[name] not in CONTACTS)
             if others:
-                lead = "With friction in one" if self.run.model.reads else "Without an arrow"
+                lead = "With friction in one" if self.run.engine.model.reads else "Without an arrow"
                 pace += f" {lead}: {', '.join(others)}."
         yield pace
-        yield from self.curves.notes[: 0 if self.curves.run.history.steps else 1]
+        yield from self.curves.notes[: 0 if self.curves.run.engine.history.steps else 1]
 
     def _name_bodies(self, page: Figure, y: float, room: float) -> None:
         """Write the names of the bodies in their colours, where there is room [inch] for them."""
@@ -461,7 +463,7 @@ class Stage:
 
     def _draw_histories(self, axis: Axes) -> None:
         """Draw the histories of the forces."""
-        oils = films(self.run.model)
+        oils = films(self.run.engine.model)
         shown = {name: force for name, force in self.forces.items() if np.any(force)}
         shown |= {f"film, {oil}": self.curves[f"{oil}.force"] for oil in oils.values()}
         if len(shown) > MANY:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.engine.run.continuation import parameters_of
+from hertzwerk.runtime.engine.run.continuation import parameters_of, with_steps
 from hertzwerk.runtime.engine.solution.history import History, acceleration_of
 from hertzwerk.runtime.engine.start.ideal_mechanism import IdealMotion, has_clearance, ideal_motion, unknown_because
 from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
@@ -62,14 +62,14 @@ class Curves:
 
         A run that kept a grid is made again for them; a saved one, or a very long one, has only its rows.
         """
-        curves = run.shared_results.get(cls)
+        curves = run.engine.shared_results.get(cls)
         if not isinstance(curves, Curves):
-            curves = run.shared_results[cls] = cls._sampled(run)
+            curves = run.engine.shared_results[cls] = cls._sampled(run)
         return curves
 
     @classmethod
     def _sampled(cls, run: EngineSolution) -> Curves:
-        run = run.with_steps()
+        run = with_steps(run)
         if not len(run.t):
             raise ValueError(
                 f"found no rows to draw: the run stopped at t = {run.t_end:g} s, before the first requested time"
@@ -92,14 +92,14 @@ class Curves:
         run = self.run
         if not self._evaluates:
             return None
-        start = np.array([run[name][0] for name in run.model.coordinates])
-        live = run.history.integrator is not None
-        c = run.history.controls if live else run.model.bind(parameters_of(run, run.model)).c
+        start = np.array([run[name][0] for name in run.engine.model.coordinates])
+        live = run.engine.history.integrator is not None
+        c = run.engine.history.controls if live else run.engine.model.bind(parameters_of(run, run.engine.model)).c
         for count in KNOTS:
             if len(self.t) <= count:
-                return ideal_motion(run.model, self.t, start, c[: run.model.nc])
+                return ideal_motion(run.engine.model, self.t, start, c[: run.engine.model.nc])
             knots = np.linspace(self.t[0], self.t[-1], count)
-            ideal = ideal_motion(run.model, knots, start, c[: run.model.nc])
+            ideal = ideal_motion(run.engine.model, knots, start, c[: run.engine.model.nc])
             if ideal is None or _resolves(ideal):
                 break
         return ideal and _between(ideal, self.t)
@@ -107,15 +107,15 @@ class Curves:
     @property
     def _evaluates(self) -> bool:
         """Whether the functions of the run's model, and its inputs, are known."""
-        model = self.run.model
-        return model.has_function("outputs") and (self.run.history.integrator is not None or not model.inputs)
+        model = self.run.engine.model
+        return model.has_function("outputs") and (self.run.engine.history.integrator is not None or not model.inputs)
 
     @property
     def no_ideal(self) -> str:
         """Explain why a run with clearance is not compared with the ideal mechanism; empty where it is."""
-        if self.ideal is not None or not self._evaluates or not has_clearance(self.run.model):
+        if self.ideal is not None or not self._evaluates or not has_clearance(self.run.engine.model):
             return ""
-        why = unknown_because(self.run.model) or "it cannot be assembled, or locks on the way"
+        why = unknown_because(self.run.engine.model) or "it cannot be assembled, or locks on the way"
         return f"No ideal mechanism to compare with: {why}."
 
     @property
@@ -124,7 +124,7 @@ class Curves:
 
         States of effects are no motions.
         """
-        model, units = self.run.model, self.run.history.units
+        model, units = self.run.engine.model, self.run.engine.history.units
         effects = [row[0] for row in model.module.EFFECTS]
         scalar_parts = [name for i, name in enumerate(model.coordinates) if i not in model.quaternions]
         motions = []
@@ -148,7 +148,7 @@ class Curves:
 
     def size(self, names: tuple[str, ...]) -> float:
         """Return the scale of some states [SI]; 0 where none is known."""
-        states, scales = self.run.states, self.run.scales.state
+        states, scales = self.run.engine.states, self.run.engine.scales.state
         known = [float(scales[states.index(name)]) for name in names if name in states and len(scales) == len(states)]
         return max(known, default=0.0)
 
@@ -195,6 +195,6 @@ def impact_curves(run: EngineSolution, impact: Impact) -> tuple[Array, Array, Ar
         sampled, chosen = between(run, t), np.full(IMPACT_SAMPLES, fill_value=True)
     else:
         chosen = (run.t >= impact.t) & (run.t <= end)
-        t, sampled = run.t[chosen], run.history
+        t, sampled = run.t[chosen], run.engine.history
     force, penetration = (sampled[f"{impact.contact}.{name}"][chosen] for name in ("normal_force", "penetration"))
     return t - impact.t, force, penetration

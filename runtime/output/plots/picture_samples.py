@@ -27,12 +27,12 @@ IMPACT_BINS = 1000  # parts of a run in which a picture shows one impact of each
 
 def has_steps(run: EngineSolution) -> bool:
     """Return whether a run is known between its rows, which are its steps."""
-    return run.history.steps or bool(run.history.rates)
+    return run.engine.history.steps or bool(run.engine.history.rates)
 
 
 def between(run: EngineSolution, times: Array) -> History | BetweenSteps:
     """Return histories of a run between its steps, at times [s]: by its method, or a saved run by Hermite."""
-    return run.at(times) if run.history.integrator is not None else BetweenSteps(run.history, times)
+    return run.at(times) if run.engine.history.integrator is not None else BetweenSteps(run.engine.history, times)
 
 
 def dense(run: EngineSolution) -> History | BetweenSteps:
@@ -45,10 +45,10 @@ def dense(run: EngineSolution) -> History | BetweenSteps:
 
 def hardest(run: EngineSolution) -> list[Impact]:
     """Return the hardest impact of each pair in every part of a run that a picture resolves."""
-    part = max(run.t_end - run.t_start, 1e-300) / IMPACT_BINS
+    part = max(run.t_end - run.engine.t_start, 1e-300) / IMPACT_BINS
     by_pair: dict[tuple[str, int], Impact] = {}
     for impact in run.impacts:
-        key = impact.contact, int((impact.t - run.t_start) / part)
+        key = impact.contact, int((impact.t - run.engine.t_start) / part)
         if key not in by_pair or impact.peak_force > by_pair[key].peak_force:
             by_pair[key] = impact
     return list(by_pair.values())
@@ -64,7 +64,7 @@ class _Steps:
     """Steps of a run and the curves that pictures show of them, in parts of what a picture resolves."""
 
     def __init__(self, run: EngineSolution) -> None:
-        model = run.model
+        model = run.engine.model
         names = (*model.coordinates, *model.speeds, *model.outputs, *(f"{pair}.normal_force" for pair in model.pairs))
         self._run, self._t = run, run.t
         sizes = {name: float(np.ptp(values)) for name in names if np.isfinite(values := run[name]).all()}

@@ -34,7 +34,7 @@ CONSTANT = 1e-12  # relative: less change than this is rounding, and not drawn
 def caption(figure: Figure, run: EngineSolution, subtitle: str, notes: Sequence[str] = ()) -> None:
     """Write title and differences from the scene; below the panels outcome, warnings and notes."""
     width, height = figure.get_size_inches()
-    used = write_title(figure, title_of(run.model, subtitle), differences(run))
+    used = write_title(figure, title_of(run.engine.model, subtitle), differences(run))
     remarks = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
     remarks += [*run.warnings, *notes]  # unchecked laws among them
     rows = [line for note in remarks for line in textwrap.wrap(note, int(12 * width))]

@@ -60,7 +60,7 @@ def plot(run: EngineSolution, *names: str) -> Figure:
     """
     if not names:
         return overview(run)
-    if len(names) == 1 and names[0] in run.model.pairs:
+    if len(names) == 1 and names[0] in run.engine.model.pairs:
         return pair(run, names[0])
     return histories(run, *names)
 
@@ -73,9 +73,9 @@ def histories(run: EngineSolution, *names: str) -> Figure:
         figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout=Arrangement())
         axes = figure.subplots(len(names), 1, squeeze=False).ravel()
         for axis, name, of in zip(axes, names, values, strict=True):
-            scale = lines(axis, curves, run.history.units.get(name, "1"), {name: of})
+            scale = lines(axis, curves, run.engine.history.units.get(name, "1"), {name: of})
             over_time(axis, curves, f"{name} [{scale.unit}]")
-        caption(figure, run, run.model.module.SUMMARY, curves.notes)
+        caption(figure, run, run.engine.model.module.SUMMARY, curves.notes)
     return figure
 
 
@@ -86,8 +86,8 @@ def overview(run: EngineSolution) -> Figure:
 
 def pair(run: EngineSolution, name: str) -> Figure:
     """Draw one contact pair: journal path or gap, force, first impact; raises KeyError for another name."""
-    if name not in run.model.pairs:
-        raise KeyError(f"{name!r} is no contact pair; there are {', '.join(run.model.pairs)}")
+    if name not in run.engine.model.pairs:
+        raise KeyError(f"{name!r} is no contact pair; there are {', '.join(run.engine.model.pairs)}")
     return _pair(Curves.of(run), name)
 
 
@@ -96,7 +96,7 @@ def pages(run: EngineSolution) -> dict[str, Callable[[Path], None]]:
     _ = Curves.of(run).ideal
 
     figures: dict[str, Callable[[], Figure]] = {"overview": partial(overview, run)}
-    figures |= {name: partial(pair, run, name) for name in run.model.pairs}
+    figures |= {name: partial(pair, run, name) for name in run.engine.model.pairs}
 
     def save(name: str, path: Path) -> None:
         save_png(figures[name](), path)
@@ -114,7 +114,7 @@ def _overview(curves: Curves) -> Figure:
         panels += [partial(_motion, unit=unit, order=order) for order in orders]
         if curves.ideal is not None:
             panels += [partial(_deviations, unit=unit), partial(_accelerations, unit=unit)]
-    if curves.run.model.pairs:
+    if curves.run.engine.model.pairs:
         panels.append(_forces)
     if curves.run.energy_residual is not None:
         panels.append(_energy)
@@ -126,16 +126,16 @@ def _overview(curves: Curves) -> Figure:
             draw(axis, curves)
         for axis in axes[len(panels) :]:
             axis.set_visible(False)
-        caption(figure, curves.run, curves.run.model.module.SUMMARY, curves.notes)
+        caption(figure, curves.run, curves.run.engine.model.module.SUMMARY, curves.notes)
     return figure
 
 
 def _pair(curves: Curves, name: str) -> Figure:
-    run, film = curves.run, films(curves.run.model).get(name)
+    run, film = curves.run, films(curves.run.engine.model).get(name)
     impact = next((impact for impact in run.impacts if impact.contact == name), None)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM if film else mpl.rcParams["axes.titlepad"]}):
         figure = Figure(figsize=(12.5, 6.4), layout=Arrangement())
-        inside = [output for output in run.model.outputs if output.startswith(f"{name}.eccentricity_")]
+        inside = [output for output in run.engine.model.outputs if output.startswith(f"{name}.eccentricity_")]
         if len(inside) > 1:
             views = [(inside[0], other) for other in inside[1:]]
             figure.set_figwidth(7 + 5.5 * len(views))
@@ -153,7 +153,7 @@ def _pair(curves: Curves, name: str) -> Figure:
             _gap(figure.add_subplot(grid[0, :]), curves, name)
             _first_impact(figure.add_subplot(grid[1, 0]), run, impact)
             _loop(figure.add_subplot(grid[1, 1]), run, impact)
-        laws = [text for effect, _, text in run.model.module.EFFECTS if effect in (name, film)]
+        laws = [text for effect, _, text in run.engine.model.module.EFFECTS if effect in (name, film)]
         caption(figure, run, ", ".join([name, *laws]), [note for note in curves.notes if note != curves.no_ideal])
     return figure
 
@@ -220,8 +220,8 @@ def _deviations(axis: Axes, curves: Curves, unit: str) -> None:
 
 
 def _forces(axis: Axes, curves: Curves) -> None:
-    oils = films(curves.run.model)
-    contacts = {name: curves[f"{name}.normal_force"] for name in curves.run.model.pairs}
+    oils = films(curves.run.engine.model)
+    contacts = {name: curves[f"{name}.normal_force"] for name in curves.run.engine.model.pairs}
     scale = lines(axis, curves, "N", contacts | {f"film, {oil}": curves[f"{oil}.force"] for oil in oils.values()})
     axis.set_ylim(bottom=0)
     title = (
@@ -233,7 +233,7 @@ def _forces(axis: Axes, curves: Curves) -> None:
 
 
 def _normal_force(axis: Axes, curves: Curves, name: str) -> None:
-    film = films(curves.run.model).get(name)
+    film = films(curves.run.engine.model).get(name)
     values = {"contact": curves[f"{name}.normal_force"]}
     scale = lines(axis, curves, "N", values | ({"film": curves[f"{film}.force"]} if film else {}))
     axis.set_ylim(bottom=0)
@@ -252,7 +252,7 @@ def _energy(axis: Axes, curves: Curves) -> None:
     Their sum is then constant but for the error of the run, which the title states.
     """
     parts = {"mechanical": curves["energy"] - curves["energy"][0]}
-    for name in curves.run.model.memory:
+    for name in curves.run.engine.model.memory:
         owner, _, quantity = name.rpartition(".")
         label = {"dissipated": f"loss, {owner}", "input": "drives' work"}.get(quantity)
         if label is not None:
@@ -290,7 +290,7 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     touching = gap[:-1] + gap[1:] < 0  # of each line between two points
     ends = [0, *np.flatnonzero(np.diff(touching)) + 1, len(touching)]
     ways = [(touching[a], points[a : b + 1]) for a, b in pairwise(ends) if a < b]
-    apart = "on the film" if name in films(curves.run.model) else "free flight"
+    apart = "on the film" if name in films(curves.run.engine.model) else "free flight"
     for touches, colour, width, label in (
         (False, BLUE, 0.8, apart),
         (True, VERMILLION, 1.0, "in contact" + (" (outside the circle: penetration)" if len(inside) == 2 else "")),
@@ -303,7 +303,7 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     axis.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
     labels = (f"eccentricity {part[-1]} [{scale.unit}]" for part in view)
     axis.set(**dict(zip(("xlabel", "ylabel"), labels, strict=True)))
-    pin = dict(curves.run.model.module.PAIRS)[name] == "pin_in_bush"
+    pin = dict(curves.run.engine.model.module.PAIRS)[name] == "pin_in_bush"
     axis.set_title(f"Path of the {'pin' if pin else 'ball'}'s centre in the {'bush' if pin else 'socket'}")
     arrangement: Any = axis.figure.get_layout_engine()
     arrangement.legend_below(axis, columns=2)

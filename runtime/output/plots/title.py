@@ -29,8 +29,8 @@ def title_of(model: EngineModel, subtitle: str) -> str:
 
 def differences(run: EngineSolution) -> str:
     """Describe the variation of the scene, and the parameters and initial states that are not its own."""
-    initial = {} if run.checkpoint is None else run.checkpoint.initial
-    return differences_of(run.model, parameters_of(run, run.model), initial)
+    initial = {} if run.engine.checkpoint is None else run.engine.checkpoint.initial
+    return differences_of(run.engine.model, parameters_of(run, run.engine.model), initial)
 
 
 def differences_of(model: EngineModel, parameters: Mapping[str, Value], initial: Mapping[str, Value]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -54,10 +55,10 @@ def run_page(
     """
     derived = getattr(run, "derivatives", None)
     if derived is not None:
-        sensitivities = derived.record(run.states, run.t_end)
-    declared = model if model is not None else run.model
-    if run.history.integrator is None:
-        run = run.with_model(declared)
+        sensitivities = derived.record(run.engine.states, run.t_end)
+    declared = model if model is not None else run.engine.model
+    if run.engine.history.integrator is None:
+        run = replace(run, engine=run.engine.with_model(declared))
     readable, why = scene_sections.readable_of(declared)
     sections = [
         _heed(run),
@@ -65,22 +66,22 @@ def run_page(
         _accuracy(run),
         _impacts(run, whole),
         Section("Averages", guarded("Averages", partial(_averages, run))),
-        scene_sections.parameters(run.model, run.parameters, readable),
-        scene_sections.effects(run.model, readable),
+        scene_sections.parameters(run.engine.model, run.parameters, readable),
+        scene_sections.effects(run.engine.model, readable),
         _states(run),
         _sensitivities(run, sensitivities, whole) if sensitivities else None,
         scene_sections.equations(readable, why),
     ]
-    live = run.history.integrator is not None
+    live = run.engine.history.integrator is not None
     made = origin or Origin(call_of(run), versions() if live else None)
     top = joined([_outcome(run), _facts(run)])
-    name, summary = run.model.name, run.model.module.SUMMARY
+    name, summary = run.engine.model.name, run.engine.model.module.SUMMARY
     return page("run", name, summary, top, [section for section in sections if section is not None], made)
 
 
 def call_of(run: EngineSolution) -> str:
     """Return the call in Python that repeats a run."""
-    model, options = run.model, {}
+    model, options = run.engine.model, {}
     target, variation = repr(model.name), model.declaration
     if variation is not None:
         target = repr(variation.target) if isinstance(variation.target, str) else f"scene, which is {model.name}"
@@ -90,13 +91,15 @@ def call_of(run: EngineSolution) -> str:
             "coordinates": variation.coordinates,
         }
     load = ", ".join([target, *(f"{name}={value!r}" for name, value in options.items() if value)])
-    arguments: dict[str, Any] = {"duration": run.duration}
-    arguments |= {"tolerance": run.tolerance} if run.accuracy is None else {"accuracy": run.accuracy}
-    arguments |= {} if run.method == "auto" else {"method": run.method}
+    arguments: dict[str, Any] = {"duration": run.settings.duration}
+    arguments |= (
+        {"tolerance": run.settings.tolerance} if run.settings.accuracy is None else {"accuracy": run.settings.accuracy}
+    )
+    arguments |= {} if run.settings.method == "auto" else {"method": run.settings.method}
     parameters = {
         name: value if unit == "1" else f"{value!r} {unit}" for name, (value, unit) in parameters_of(run, model).items()
     }
-    initial = {} if run.checkpoint is None else dict(run.checkpoint.initial)
+    initial = {} if run.engine.checkpoint is None else dict(run.engine.checkpoint.initial)
     arguments |= {name: values for name, values in (("parameters", parameters), ("initial", initial)) if values}
     return f"simulate(load({load}), {', '.join(f'{name}={value!r}' for name, value in arguments.items())})"
 
@@ -109,10 +112,10 @@ def _outcome(run: EngineSolution) -> Markup:
 def _facts(run: EngineSolution) -> Markup:
     statistics, error = run.statistics, run.error
     rows = {
-        "time simulated": _quantity(run.t_end - run.t_start, "s"),
+        "time simulated": _quantity(run.t_end - run.engine.t_start, "s"),
         "impacts": number_text(len(run.impacts)),
         "steps": number_text(statistics.steps),
-        "method, local tolerance": f"{run.method}, {brief(run.tolerance, 2)}",
+        "method, local tolerance": f"{run.settings.method}, {brief(run.settings.tolerance, 2)}",
         "error of the run": "not estimated" if error is None else str(error),
         "trajectory valid": "not known" if error is None else _horizon(run),
         "energy closed to": "no ledger" if run.energy_residual is None else brief(run.energy_residual, 2),
@@ -136,26 +139,31 @@ def _pictures(run: EngineSolution, declared: EngineModel) -> list[Markup]:
     from hertzwerk.runtime.output.plots import plot_run
 
     def mechanism() -> Figure:
-        if run.history.integrator is not None:
+        if run.engine.history.integrator is not None:
             return drawing.of_run(run)
-        initial = {} if run.checkpoint is None else run.checkpoint.initial
-        return drawing.of_start(declared, parameters_of(run, run.model), initial)
+        initial = {} if run.engine.checkpoint is None else run.engine.checkpoint.initial
+        return drawing.of_start(declared, parameters_of(run, run.engine.model), initial)
 
-    name = run.model.name
+    name = run.engine.model.name
     return [
         scene_sections.drawn(mechanism, "mechanism", f"The mechanism {name}, its clearances enlarged"),
         scene_sections.drawn(lambda: plot_run.plot(run), "overview", f"Motion, forces and energy of {name}"),
-        *(scene_sections.drawn(partial(plot_run.plot, run, pair), pair, f"Contact {pair}") for pair in run.model.pairs),
+        *(
+            scene_sections.drawn(partial(plot_run.plot, run, pair), pair, f"Contact {pair}")
+            for pair in run.engine.model.pairs
+        ),
     ]
 
 
 def _accuracy(run: EngineSolution) -> Section:
     error, sentences = run.error, []
-    if error is None or run.accuracy is None:
-        sentences.append(f"One run at the local tolerance {brief(run.tolerance, 2)}; its error was not estimated.")
+    if error is None or run.settings.accuracy is None:
+        sentences.append(
+            f"One run at the local tolerance {brief(run.settings.tolerance, 2)}; its error was not estimated."
+        )
     else:
         sentences.append(
-            f"Requested: an error of at most {brief(run.accuracy, 3)}{' at the end' if error.at_end else ''}, in the scene's scales; it is "
+            f"Requested: an error of at most {brief(run.settings.accuracy, 3)}{' at the end' if error.at_end else ''}, in the scene's scales; it is "
             f"{error}, known from {error.runs} runs, which took {_quantity(error.pilot_s, 's')} more."
         )
         if error.horizon is None:
@@ -181,8 +189,8 @@ def _accuracy(run: EngineSolution) -> Section:
         [[s.steps, s.rejected, s.retaken, s.rhs_evaluations, s.events]],
     )
     choices = table(
-        (("from", "s"), "steps", "because"), [[c.t, c.method, c.reason] for c in run.choices]
-    ) if len(run.choices) > 1 else None  # fmt: skip
+        (("from", "s"), "steps", "because"), [[c.t, c.method, c.reason] for c in run.engine.choices]
+    ) if len(run.engine.choices) > 1 else None  # fmt: skip
     return Section("Accuracy and cost", joined([paragraphs(sentences), counts, choices]))
 
 
@@ -226,11 +234,15 @@ def _averages(run: EngineSolution) -> Markup:
 
 
 def _states(run: EngineSolution) -> Section:
-    units: Mapping[str, str] = run.model.units
+    units: Mapping[str, str] = run.engine.model.units
     rows: list[list[Cell]] = [
         [name, value, run.final[name], unit_markup(units[name])] for name, value in run.initial.items()
     ]
-    stated = [] if run.checkpoint is None else [f"{name} = {value}" for name, value in run.checkpoint.initial.items()]
+    stated = (
+        []
+        if run.engine.checkpoint is None
+        else [f"{name} = {value}" for name, value in run.engine.checkpoint.initial.items()]
+    )
     sentences = [f"Given in place of the model's start: {', '.join(stated)}."] if stated else []
     heads = ("state", "at the start", "at the end", "unit")
     return Section("States", joined([paragraphs(sentences), table(heads, rows, digits=8)]))
@@ -238,7 +250,7 @@ def _states(run: EngineSolution) -> Section:
 
 def _sensitivities(run: EngineSolution, by_name: Mapping[str, Any], whole: str) -> Section:
     """Return the derivatives of final states and impacts by each name."""
-    units, known, parts = run.model.units, quantities(run.model), list[Markup]()
+    units, known, parts = run.engine.model.units, quantities(run.engine.model), list[Markup]()
     for name, derivatives in by_name.items():
         until = (
             f"Up to {_quantity(derivatives['until'], 's')}: {derivatives['reason']}." if derivatives["reason"] else ""

@@ -12,13 +12,13 @@ from hertzwerk.runtime.system.versions import versions
 
 def history_table(run: EngineSolution) -> LabelledTable:
     """Return every history of a run over its times, with parameters and outcome."""
-    model, units = run.model, run.history.units
+    model, units = run.engine.model, run.engine.history.units
     columns = {name: Column(run[name], units[name], meaning_of(model, name)) for name in ("t", *run)}
     about: dict[str, str | float] = {
         "scene": model.name,
         "outcome": run.outcome.name,
-        "method": run.method,
-        "tolerance": run.tolerance,
+        "method": run.settings.method,
+        "tolerance": run.settings.tolerance,
         **({} if run.error is None else {"error": run.error.judged}),
         "hertzwerk": versions()["hertzwerk"],
     }

@@ -37,7 +37,7 @@ def of_run(run: EngineSolution, parameters: Mapping[str, tuple[float, str]]) -> 
     """Return outcome, warnings, given parameters, and the first impacts of a run."""
     first, *rest = str(run).split("\n")
     name = run.outcome.name
-    parts = [heading(run.model.name, name, first.removeprefix(name), good=name == "finished")]
+    parts = [heading(run.engine.model.name, name, first.removeprefix(name), good=name == "finished")]
     parts += [tag("p", note, style=f"color:{OTHER}") for note in (*rest, *run.warnings)]
     if parameters:
         parts.append(

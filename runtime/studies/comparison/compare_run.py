@@ -73,7 +73,7 @@ def compare(
     run = target if isinstance(target, EngineSolution) else None
     if run is not None and settings:
         raise InputError("compare", [Fault(", ".join(settings), "values beside a run", "none: it has its own")])
-    model = run.model if run is not None else engine_model(cast("Target", target))
+    model = run.engine.model if run is not None else engine_model(cast("Target", target))
     request = read_comparison_request(
         units_of(model, None) if run is None else run.units,
         data,

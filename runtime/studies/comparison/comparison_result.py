@@ -84,7 +84,7 @@ class Compared:
         run, request = self.solution, self.request
         data = request.measurement
         yield (
-            run.model.name,
+            run.engine.model.name,
             f"{time_text(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times",
         )
         yield "instrument", str(request.instrument or "none: the run is compared as it is")
@@ -116,7 +116,7 @@ class Compared:
         """Return everything but the samples as plain numbers, in SI, null for missing ones."""
         data, alignment = self.request.measurement, self.alignment
         return {
-            "scene": self.solution.model.name,
+            "scene": self.solution.engine.model.name,
             "outcome": self.solution.outcome.name,
             "source": data.source,
             "instrument": self.request.instrument

@@ -37,7 +37,7 @@ SEED = 0  # of the noise added to the run before statistics
 
 def match(run: EngineSolution, request: ComparisonRequest) -> Compared:
     """Compare a run with what was read; raises InputError for a run too short, or without its steps."""
-    if not run.history.steps:
+    if not run.engine.history.steps:
         actual, expected = "a saved run, or one that kept a grid", "a run that kept its steps, grid=None"
         raise InputError("comparison with measured data", [Fault("run", actual, expected)])
     times = request.measurement.times
@@ -50,7 +50,7 @@ def match(run: EngineSolution, request: ComparisonRequest) -> Compared:
     inside = (at >= filtered.start) & (at <= filtered.end)
     shown = filtered.at(at[inside])
     signals = tuple(
-        _signal(channel, at[inside], samples[inside, k], shown[:, k], request, known, run.findings.period)
+        _signal(channel, at[inside], samples[inside, k], shown[:, k], request, known, run.engine.findings.period)
         for k, channel in enumerate(request.channels)
     )
     outside = int(np.sum(~inside))

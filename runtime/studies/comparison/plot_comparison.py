@@ -43,7 +43,7 @@ def figure(comparison: Compared) -> Figure:
         for signal, (above, below) in zip(comparison.signals, zip(rows[::2], rows[1::2], strict=True), strict=True):
             below[0].sharex(above[0])
             _signal(above, below, signal, comparison)
-        name, data = comparison.solution.model.name, comparison.request.measurement
+        name, data = comparison.solution.engine.model.name, comparison.request.measurement
         title = f"{name} beside {Path(data.source).name or 'measured data'}"
         page.suptitle(plain(title), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
         notes = [f"{label}: {text}" for label, text in list(comparison.lines())[1:]]

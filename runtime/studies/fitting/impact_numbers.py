@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.model.model import EngineModel
+from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.engine.solution.history import units_of
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ def _rebounds(run: EngineSolution, history: str, onsets: list[float], by: Sensit
     from scipy.optimize import minimize_scalar  # slow to import
 
     largest = np.full(len(onsets) if by is None else (len(onsets), len(by.names)), np.nan)
-    steps = run.with_steps().t
+    steps = with_steps(run).t
     for i, (start, end) in enumerate(pairwise(onsets)):
         nodes = np.unique(np.concatenate([[start, end], steps[(steps > start) & (steps < end)]]))
         parts = np.arange(PER_STEP) / PER_STEP

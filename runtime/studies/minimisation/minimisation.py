@@ -23,6 +23,7 @@ from hertzwerk.runtime.engine.model.binding import Value, named_values, read_sta
 from hertzwerk.runtime.engine.model.free_quantities import Free, Freed, read_free, read_quantity
 from hertzwerk.runtime.engine.model.ranges import starts_in
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units, unit_at
+from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
@@ -225,7 +226,7 @@ class _Problem:
         duration = self.settings["duration"]
         if duration_follows(self.model, names, duration):
             raise NoDerivativeError(f"the duration {duration} changes with what is varied: state it as a time")
-        derivatives, numbers = OutputDerivatives(run.with_steps(), run.sensitivities(*names)), self.numbers(run)
+        derivatives, numbers = OutputDerivatives(with_steps(run), run.sensitivities(*names)), self.numbers(run)
         of = {name: derivatives[name] for name in self.outputs}
         of |= {name: np.eye(len(names))[i] for i, name in enumerate(names) if name not in of}
         still = np.zeros(len(names))

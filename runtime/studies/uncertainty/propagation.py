@@ -21,6 +21,7 @@ from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import quantities
+from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END
@@ -183,10 +184,10 @@ def _derivatives(run: Solution, names: tuple[str, ...], duration: object) -> tup
     """Return the derivatives of a run's outputs; None with the reason where there are none."""
     if run.outcome.name not in REACHED_END:
         return None, f"the run at the means ended: {run.outcome.message}"
-    if duration_follows(run.model, names, duration):
+    if duration_follows(run.engine.model, names, duration):
         return None, f"the duration {duration} changes with what is uncertain: state it as a time"
     try:
-        whole = run.with_steps()
+        whole = with_steps(run)
         return OutputDerivatives(whole, run.sensitivities(*names)), ""
     except InputError as error:
         return None, "; ".join(f"{fault.where}: {fault.found}" for fault in error.faults)

@@ -32,7 +32,7 @@ assert Scenario(scene="soft_ball", duration="1 s", method="own").method == "own"
 assert "own" in inspect.signature(work_precision_study.study).parameters["methods"].default
 assert "own" in reference_run.METHODS and "own" in case.METHODS and "own" in case.EXPLICIT
 run = simulate(load("soft_ball"), duration="1 ms", tolerance=1e-4, method="own")
-assert run.outcome.finished and run.method == "own"
+assert run.outcome.finished and run.settings.method == "own"
 """
 
 

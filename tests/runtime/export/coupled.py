@@ -158,7 +158,7 @@ def study(folder, steps=STEPS):
     def error_of(ends):
         y = np.array([ends(name) for name in (*model.coordinates, *model.speeds)])
         exact = np.array([check[name][-1] for name in (*model.coordinates, *model.speeds)])
-        return float(error(model, whole.scales, y, exact))
+        return float(error(model, whole.engine.scales, y, exact))
 
     rows = [(DURATION / n, *(error_of(coupled(folder, n, linear).get) for linear in (False, True))) for n in steps]
     return rows, error_of(lambda name: whole[name][-1]), len(whole.impacts)

@@ -25,7 +25,7 @@ def closed(within: float) -> Known:
     """Expect closed loops over the accepted steps."""
 
     def opening(run: EngineSolution) -> float:
-        return max(float(np.max(np.abs(run[name]))) for name in run.model.constraints)
+        return max(float(np.max(np.abs(run[name]))) for name in run.engine.model.constraints)
 
     return Known("largest opening", opening, 0.0, within, "", "closed loops")
 

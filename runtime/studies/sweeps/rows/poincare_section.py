@@ -74,7 +74,7 @@ class Section:
 
     def crossings(self, run: EngineSolution, begin: float) -> np.ndarray:
         """Return the times [s] after `begin` of a run with its steps at which the history crosses the value."""
-        history, t = run.history, run.t
+        history, t = run.engine.history, run.t
         first = max(int(np.searchsorted(t, begin, side="right")) - 1, 0)
         parts = int(np.clip(SAMPLES // max(len(t) - 1 - first, 1), LEAST_PARTS, MOST_PARTS))
         crossings = []

@@ -115,8 +115,8 @@ class RowArrays:
             arrays[SECTION] = self._packed(run, at)
         if times.grid is not None:
             arrays[HISTORIES] = self._packed(run, times.grid)
-        end = np.array([run.ends[name][-1] for name in self.end])
-        if self.end and run.t_end >= run.duration and np.isfinite(end).all():
+        end = np.array([run.engine.ends[name][-1] for name in self.end])
+        if self.end and run.t_end >= run.settings.duration and np.isfinite(end).all():
             arrays[END] = Packed.of(end)
         return arrays
 

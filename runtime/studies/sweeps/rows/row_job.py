@@ -130,7 +130,7 @@ class Job:
     def do(self, *tasks: Task) -> list[Row]:
         """Run rows, all of them in stages; raises KeyboardInterrupt where they were stopped."""
         made = in_stages([self._running(task) for task in tasks])
-        runs = [run[0].findings for run in made if not isinstance(run, Row)]
+        runs = [run[0].engine.findings for run in made if not isinstance(run, Row)]
         try:
             Findings.find_impacts(runs)
         except Exception:  # of any of them: each alone says so
@@ -176,7 +176,7 @@ class Job:
             whole = solution.outcome.name != "wall_time_limit"
             if whole:
                 left.take()
-            done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
+            done = 1.0 if whole else max(solution.t_end / solution.settings.duration, 1e-9)
             wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
             one = min(wall_s / done, self.settings.wall_time or math.inf)
             self.foreseen = one * math.ceil((len(left) + later) / workers)

@@ -18,6 +18,7 @@ from hertzwerk.derive.common.faults import Fault, shown, unknown
 from hertzwerk.runtime.engine.model.free_quantities import quantities
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import ratio
+from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import (
     NoDerivativeError,
     OutputDerivatives,
@@ -47,12 +48,21 @@ class Measured:
     def averages(self) -> Mapping[str, Callable[[], Average]]:
         """Averages after the transient, by name; each is computed when it is called."""
         run = self.run
-        return averages_by_name(Run(run.model, run.findings, run.scales, run.tolerance, run.t_start, run.t_end))
+        return averages_by_name(
+            Run(
+                run.engine.model,
+                run.engine.findings,
+                run.engine.scales,
+                run.settings.tolerance,
+                run.engine.t_start,
+                run.t_end,
+            )
+        )
 
     @cached_property
     def derivatives(self) -> OutputDerivatives:
         """Derivatives of outputs; raises NoDerivativeError where the run has none."""
-        run = self.run.with_steps()
+        run = with_steps(self.run)
         if self.run.derivatives is None:
             raise NoDerivativeError("the run has none: its steps are not known")
         return OutputDerivatives(run, self.run.derivatives)
@@ -237,7 +247,7 @@ def _number(name: str, unit: str, needs: Needs, of: Callable[[Measured], float |
 
 
 def _final(name: str, state: str, unit: str) -> Output:
-    return _number(name, unit, Needs.ENDS, lambda measured: measured.run.ends[state][-1])
+    return _number(name, unit, Needs.ENDS, lambda measured: measured.run.engine.ends[state][-1])
 
 
 _ENERGY_RESIDUAL = _number("energy_residual", "", Needs.ENDS, lambda measured: measured.run.energy_residual)
@@ -272,7 +282,7 @@ def _penetration(pair: str) -> Output:
 def _impulse(pair: str, j: int) -> Output:
     def of(measured: Measured) -> float:
         run = measured.run
-        return float(run.findings.sums(run.t_end - run.t_start).impulse[:, j].sum())
+        return float(run.engine.findings.sums(run.t_end - run.engine.t_start).impulse[:, j].sum())
 
     return _number(f"{pair}.impulse", "N s", Needs.STEPS, of)
 

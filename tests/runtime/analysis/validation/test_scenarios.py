@@ -51,7 +51,7 @@ def test_built_in_scenarios_come_out(name):
     assert solution.outcome.name == scenario.outcome
     failed = [str(verdict) for verdict in validate(scenario, solution) if not verdict.passed]
     assert failed == []
-    assert solution.model.has_ledger
+    assert solution.engine.model.has_ledger
     assert solution.energy_residual < 10 * scenario.accuracy
 
 
@@ -67,7 +67,7 @@ def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
         "initial": scenario.initial,
     }
     run = simulate(model, **given)
-    assert run.t_end == run.duration
+    assert run.t_end == run.settings.duration
     assert run.energy_residual < 1e-6
     if run.outcome.name == "beyond_horizon":
         assert run.error.worst > 1e-2
@@ -224,7 +224,7 @@ expected = "1"
 def test_a_duration_may_be_revolutions_of_the_one_drive_there_is(tmp_path):
     text = 'scene = "slider_crank"\nduration = "0.05 rev"\naccuracy = 1e-3\n'
     solution = run_scenario(load_scenario(written(tmp_path, text)))
-    assert solution.duration == pytest.approx(0.05 * 60 / 5000, rel=1e-12)
+    assert solution.settings.duration == pytest.approx(0.05 * 60 / 5000, rel=1e-12)
     with pytest.raises(InputError, match="one drive of constant speed"):
         load_scenario(written(tmp_path, GOOD.replace("0.1 s", "2 rev")))
 

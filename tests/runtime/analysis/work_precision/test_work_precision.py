@@ -125,7 +125,7 @@ def test_a_reference_is_the_true_motion_within_its_uncertainty(of_unstable):
     true = np.cos(SWING * held.t)
     departure = np.abs(held.y[:, 0] - true)
     assert departure[-1] <= 3 * held.uncertainty < 1e-7
-    assert held.run.method != held.partner.method
+    assert held.run.settings.method != held.partner.settings.method
     assert held.horizon == math.inf
     assert held.levels[-1][1] < 1e-3 * held.levels[0][1]
 

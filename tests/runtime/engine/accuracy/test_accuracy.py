@@ -79,8 +79,8 @@ def share_within_ten(judged, estimated):
 
 def test_the_estimate_is_the_error_and_the_request_is_met(judged):
     assert all(run.outcome.finished for run, _ in judged)
-    assert all(run.error.end <= run.error.worst <= run.accuracy for run, _ in judged)
-    assert np.mean([true <= run.accuracy for run, true in judged]) >= 0.95
+    assert all(run.error.end <= run.error.worst <= run.settings.accuracy for run, _ in judged)
+    assert np.mean([true <= run.settings.accuracy for run, true in judged]) >= 0.95
     assert share_within_ten(judged, lambda run: run.error.end) >= 0.95
 
 
@@ -98,7 +98,7 @@ def test_an_estimate_without_amplification_fails(judged, wrong):
 
 def test_runs_beside_cost_about_as_much_again(judged):
     assert np.median([run.error.runs for run, _ in judged]) <= 4
-    assert all(1.1 < run.error.decade_cost < (1.5 if run.method == "dop853" else 2.2) for run, _ in judged)
+    assert all(1.1 < run.error.decade_cost < (1.5 if run.settings.method == "dop853" else 2.2) for run, _ in judged)
 
 
 # ---- of runs made up -------------------------------------------------------------------------------------------------
@@ -394,16 +394,18 @@ def test_an_impact_that_one_run_has_a_moment_later_is_no_horizon():
 
 def test_the_run_is_bitwise_that_of_its_tolerance_and_survives_saving(judged, tmp_path):
     for run, _ in judged[:2] + judged[5:6]:
-        plain = simulate(run.model, duration=FAR, tolerance=run.tolerance, method=run.method)
-        assert np.array_equal(run.history.rows, plain.history.rows)
-        assert plain.error is plain.accuracy is None
+        plain = simulate(run.engine.model, duration=FAR, tolerance=run.settings.tolerance, method=run.settings.method)
+        assert np.array_equal(run.engine.history.rows, plain.engine.history.rows)
+        assert plain.error is plain.settings.accuracy is None
     loaded = EngineSolution.load(run.save(tmp_path / "run.npz"))
     assert np.array_equal(loaded.error.values, run.error.values)
     assert loaded.error.numbers == run.error.numbers
     assert EngineSolution.load(plain.save(tmp_path / "plain.npz")).error is None
     assert f"error {run.error}" in str(run)
-    kept = simulate(run.model, duration=FAR, accuracy=run.accuracy, method=run.method, grid=[0.002, FAR])
-    assert np.array_equal(kept.history.rows, plain.at(np.array([0.002, FAR])).rows)
+    kept = simulate(
+        run.engine.model, duration=FAR, accuracy=run.settings.accuracy, method=run.settings.method, grid=[0.002, FAR]
+    )
+    assert np.array_equal(kept.engine.history.rows, plain.at(np.array([0.002, FAR])).rows)
     assert np.array_equal(kept.error.values, run.error.values)
 
 
@@ -436,9 +438,9 @@ def test_a_run_longer_than_its_horizon_says_so():
     far = float(re.search(r"simulate (\S+) s, up to which a smaller tolerance", run.outcome.remedy)[1])
     assert 1.1 * alone < far < run.error.horizon
     assert all("the law" in text for text in run.warnings)  # its limit of v0, and contacts that left it
-    shorter = simulate(run.model, duration=far, accuracy=1e-6, grid=2)  # the remedy helps
+    shorter = simulate(run.engine.model, duration=far, accuracy=1e-6, grid=2)  # the remedy helps
     assert shorter.outcome.finished
-    assert not simulate(run.model, duration=2 * far, accuracy=1e-6, grid=2).outcome.finished
+    assert not simulate(run.engine.model, duration=2 * far, accuracy=1e-6, grid=2).outcome.finished
 
 
 def test_limits_and_the_user_end_it_with_what_there_is():
@@ -454,7 +456,7 @@ def test_limits_and_the_user_end_it_with_what_there_is():
         run = simulate(crank, duration=FAR, accuracy=1e-5, **limit)
         assert run.outcome.name == name
         assert "complete" in run.outcome.message
-        assert np.array_equal(run.history.rows, whole.history.rows)
+        assert np.array_equal(run.engine.history.rows, whole.engine.history.rows)
         assert not run.error.known
         known = len(run.error.values)
         assert 1 < known < len(whole.error.values)
@@ -484,12 +486,12 @@ def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatc
     first = simulate(model("soft_ball"), duration="1 s", accuracy=1e-8)
     assert first.outcome.finished
     cases = (
-        (lambda tolerance: tolerance != first.tolerance, 1e-8, "accuracy_unknown"),
-        (lambda tolerance: tolerance < first.tolerance, first.error.end / 3, "accuracy_unreachable"),
+        (lambda tolerance: tolerance != first.settings.tolerance, 1e-8, "accuracy_unknown"),
+        (lambda tolerance: tolerance < first.settings.tolerance, first.error.end / 3, "accuracy_unreachable"),
     )
     for which, asked, name in cases:
         monkeypatch.setattr(SingleRun, "trace", failing(which))
-        monkeypatch.setattr(accurate_run, "first_tolerance", lambda *_: first.tolerance)
+        monkeypatch.setattr(accurate_run, "first_tolerance", lambda *_: first.settings.tolerance)
         run = simulate(model("soft_ball"), duration="1 s", accuracy=asked)
         assert run.outcome.name == name
         assert run.t_end == 1.0
@@ -504,6 +506,9 @@ def test_the_ball_that_bounced_nine_times_is_not_known_better_than_its_rounding(
     ball = engine_model("bouncing_ball")
     run = simulate(ball, duration="5 s", accuracy=1e-9, method="dop853", compiled=False)
     others = [simulate(ball, duration="5 s", tolerance=t, method="dop853", compiled=False) for t in (1e-12, 3e-13)]
-    off = max(scaling.error(ball, run.scales, run.history.part("y")[-1], o.history.part("y")[-1]) for o in others)
+    off = max(
+        scaling.error(ball, run.engine.scales, run.engine.history.part("y")[-1], o.engine.history.part("y")[-1])
+        for o in others
+    )
     assert off > 1e-10
     assert off / 2 < run.error.end < 100 * off

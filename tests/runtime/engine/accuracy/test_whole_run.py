@@ -88,11 +88,13 @@ def test_the_request_holds_on_the_way_to_rest_and_of_peaks(asked):
     assert run.outcome.finished
     assert run.error.end <= run.error.worst <= asked
     for mine, true in zip(run.impacts, truth.impacts, strict=True):
-        assert abs(mine.speed - true.speed) <= asked * run.scales.scene[1]
-        assert abs(mine.peak_force - true.peak_force) <= asked * max(run.scales.scene[2], truth.impacts[0].peak_force)
+        assert abs(mine.speed - true.speed) <= asked * run.engine.scales.scene[1]
+        assert abs(mine.peak_force - true.peak_force) <= asked * max(
+            run.engine.scales.scene[2], truth.impacts[0].peak_force
+        )
     times = np.linspace(0.1, 4.9, 500)
     off = np.abs(run.at(times)["vertical.travel"] - truth.at(times)["vertical.travel"])
-    assert off.max() <= 2 * asked * run.scales.scene[0]  # a shift of one scale moves it by another at most
+    assert off.max() <= 2 * asked * run.engine.scales.scene[0]  # a shift of one scale moves it by another at most
 
 
 def test_the_end_alone_is_requested_by_name():
@@ -115,7 +117,7 @@ def test_an_error_says_the_worst_when_the_end_and_of_a_history_in_its_unit():
     assert f"t = {error.when:.4g} s" in str(error)
     assert error.times[np.argmax(error.values)] == error.when
     travel = error.of("vertical.travel")
-    assert 0 < travel <= error.worst * run.scales.state[0] * (1 + 1e-9)
+    assert 0 < travel <= error.worst * run.engine.scales.state[0] * (1 + 1e-9)
     assert 0 < error.of("floor.normal_force") < 1e-3 * run.impacts[0].peak_force
     with pytest.raises(KeyError, match=r"vertical\.travel"):
         error.of("vertical.acceleration")
@@ -148,7 +150,7 @@ def test_two_runs_of_the_same_steps_are_no_estimate(method, monkeypatch):
     def ratio():
         run = simulate(hung, duration="0.3 s", accuracy=1e-3, method=method, compiled=False)
         off = [abs(run.final[name] - truth.final[name]) for name in (*hung.coordinates, *hung.speeds)]
-        return run.error.end / np.max(off / run.scales.state[: len(off)])
+        return run.error.end / np.max(off / run.engine.scales.state[: len(off)])
 
     assert 0.1 < ratio() < 10
     if method == "dop853":
@@ -195,7 +197,7 @@ def test_where_friction_turns_round_within_a_step_the_error_is_seen(asked, durat
     truth = simulate(crank, duration=duration, tolerance=1e-13, method="dopri5", parameters=given, compiled=False)
     times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in (0, 0.4, 0.8)]))
     states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
-    true = error(crank, run.scales, *states).max()
+    true = error(crank, run.engine.scales, *states).max()
     assert run.outcome.finished
     assert true <= asked
     assert true <= 3 * run.error.worst
@@ -209,7 +211,7 @@ def test_a_step_over_a_turn_is_compared_as_often_as_its_dense_output_may_bend():
     truth = simulate(rubbed, tolerance=1e-13, method="dop853", **given)
     times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in np.arange(0, 1, 0.05)]))
     states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
-    true = error(rubbed, run.scales, *states).max()
+    true = error(rubbed, run.engine.scales, *states).max()
     assert run.outcome.finished
     assert true <= asked
     assert true <= 3 * run.error.worst
@@ -240,7 +242,7 @@ def test_of_a_fast_vibration_the_error_is_seen_where_no_shift_in_time_accounts_f
     place, speed = stretch * np.cos(pulse * times), -stretch * pulse * np.sin(pulse * times)
     true, rates = np.stack([place, speed], axis=1), np.stack([speed, -(pulse**2) * place], axis=1)
     rows = run.at(times)
-    off = error(vibrating, run.scales, rows.part("y")[:, :2], true, rows.part("dy")[:, :2], rates)
+    off = error(vibrating, run.engine.scales, rows.part("y")[:, :2], true, rows.part("dy")[:, :2], rates)
     assert off.max() <= asked
     assert 0.3 * run.error.worst <= off.max() <= 2 * run.error.worst
     assert np.median(off) < 0.02 * run.error.worst

@@ -70,8 +70,8 @@ def test_the_file_of_a_run_with_two_rows_at_an_event_is_compared(tmp_path):
 
     run = simulate(load("soft_ball"), duration="1 s", tolerance=1e-9)
     onset = int(np.searchsorted(run.t, run.impacts[0].t))
-    rows = run.history.rows[np.sort([*range(len(run.t)), onset])]
-    twice = replace(run, history=run.history.of(rows))
+    rows = run.engine.history.rows[np.sort([*range(len(run.t)), onset])]
+    twice = replace(run, engine=replace(run.engine, history=run.engine.history.of(rows)))
     assert np.sum(np.diff(twice.t) == 0) == 1
     found = compare(run, twice.to_csv(tmp_path / "states.csv"), map={"vertical.travel": "vertical.travel"})
     assert found.signals[0].residual.rms < 1e-12

@@ -239,7 +239,7 @@ def test_an_effect(name, coordinates, method):
     if coordinates == "absolute":
         joints = run(name, "tree", "dop853", 1e-12)
         for state in joints.final:
-            if state in expected.model.units or state in expected.final:
+            if state in expected.engine.model.units or state in expected.final:
                 assert expected.final[state] == pytest.approx(
                     joints.final[state], abs=WITHIN * max(np.abs(joints[state]).max(), 1e-3)
                 ), state

@@ -32,6 +32,7 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.scenes.slider_crank import scene as crank
 from hertzwerk.runtime import Samples, simulate
+from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.loading import engine_model
 
 RNG = np.random.default_rng(5)
@@ -45,13 +46,13 @@ END = float(TIMES[-1])
 def test_samples_are_met_as_by_exact_discretisation(method, held):
     samples = Samples(TIMES, VALUES, ("s", "N"), "held" if held else "linear")
     run = simulate(shaken(), duration=END, tolerance=1e-12, method=method, inputs={"push": samples})
-    at = run.history.at(TIMES)
+    at = run.engine.history.at(TIMES)
     found = np.column_stack([at["slide.travel"], at["slide.speed"]])
     assert np.max(np.abs(found - exact(TIMES, VALUES, held=held))) < (1e-9 if method == "cvodes" else 1e-10)
     assert run.energy_residual < 1e-8
     assert set(TIMES) <= set(run.t)  # to the bit
     power = np.interp(TIMES[:-1], TIMES, VALUES) * at["slide.speed"][:-1]
-    np.testing.assert_allclose(run.history.at(TIMES[:-1])["motor.power"], power, atol=1e-9)
+    np.testing.assert_allclose(run.engine.history.at(TIMES[:-1])["motor.power"], power, atol=1e-9)
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -92,8 +93,8 @@ def test_a_crank_moves_as_by_the_same_torque_as_an_expression(coordinates):
     other = simulate(driven_crank(coordinates, False), duration="6 ms", accuracy=1e-7)
     run = simulate(driven_crank(coordinates, True), duration="6 ms", accuracy=1e-7, inputs=given)
     assert run.outcome.finished and len(run.impacts) == len(other.impacts) > 5
-    scale = run.scales.state[: run.model.nq + run.model.nu]
-    ends = (each.history.part("y")[-1][: len(scale)] for each in (run, other))
+    scale = run.engine.scales.state[: run.engine.model.nq + run.engine.model.nu]
+    ends = (each.engine.history.part("y")[-1][: len(scale)] for each in (run, other))
     assert np.max(np.abs(np.subtract(*ends)) / scale) < 1e-6
     assert run.energy_residual < 1e-7
     np.testing.assert_array_equal(run["torque"], run["motor.torque"])
@@ -102,14 +103,14 @@ def test_a_crank_moves_as_by_the_same_torque_as_an_expression(coordinates):
 def test_a_run_goes_on_and_is_made_again_to_the_bit():
     held = Samples(np.linspace(0, 20, 200), 20 * np.sin(np.arange(200)), ("ms", "N m"), "held")
     short = simulate(driven_crank("tree", True), duration="2 ms", tolerance=1e-8, inputs={"torque": held})
-    whole = simulate(short.model, duration="4 ms", tolerance=1e-8, compiled=False)
+    whole = simulate(short.engine.model, duration="4 ms", tolerance=1e-8, compiled=False)
     rest = short.continued("4 ms", compiled=False)
     for name in ("t", "y"):  # it may begin where a piece does, after the row that ends the piece before
-        np.testing.assert_array_equal(whole.history.part(name)[-len(rest.t) :], rest.history.part(name))
-    again = simulate(pickle.loads(pickle.dumps(short.model)), duration="2 ms", tolerance=1e-8)
-    np.testing.assert_array_equal(again.history.rows, short.history.rows)
-    grid = simulate(short.model, duration="2 ms", tolerance=1e-8, grid=101)
-    np.testing.assert_array_equal(grid.with_steps().history.rows, short.history.rows)
+        np.testing.assert_array_equal(whole.engine.history.part(name)[-len(rest.t) :], rest.engine.history.part(name))
+    again = simulate(pickle.loads(pickle.dumps(short.engine.model)), duration="2 ms", tolerance=1e-8)
+    np.testing.assert_array_equal(again.engine.history.rows, short.engine.history.rows)
+    grid = simulate(short.engine.model, duration="2 ms", tolerance=1e-8, grid=101)
+    np.testing.assert_array_equal(with_steps(grid).history.rows, short.engine.history.rows)
 
 
 def _shaft(*effects):
@@ -133,7 +134,7 @@ def test_a_motor_at_a_measured_voltage_and_a_controller_with_a_set_point_that_st
     run = simulate(
         engine_model(_shaft(motor, control)), duration="2 s", accuracy=1e-6, inputs={"target": target, "noise": "0 V"}
     )
-    at = run.history.at(np.array([0.49, 2.0]))["main.speed"] * 30 / math.pi
+    at = run.engine.history.at(np.array([0.49, 2.0]))["main.speed"] * 30 / math.pi
     assert at == pytest.approx([1000, 2000], rel=2e-3) and run.energy_residual < 1e-6
 
 

@@ -32,9 +32,9 @@ def closes(run: Solution, tolerance: float) -> bool:
 
 def check(run: Solution) -> None:
     """What holds of every run, however it ended: all is finite, the ledger closes, and in flight no pin is in its bush, neither between steps."""
-    assert np.all(np.isfinite(run.history.part("y")))
-    assert closes(run, run.tolerance)
-    least = -1e-6 * run.scales.scene[0]  # of the clearance
+    assert np.all(np.isfinite(run.engine.history.part("y")))
+    assert closes(run, run.settings.tolerance)
+    least = -1e-6 * run.engine.scales.scene[0]  # of the clearance
     flies = run["slider_pin.mode"] == 0
     assert np.all(run["slider_pin.gap"][flies] >= least)
     steps = np.flatnonzero(flies[:-1] & flies[1:])[:: max(len(run.t) // 1000, 1)]

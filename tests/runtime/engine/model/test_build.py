@@ -85,7 +85,7 @@ def test_a_full_disk_ends_nothing_that_can_do_without_the_cache(folder, monkeypa
     monkeypatch.setattr(cache, "write_atomically", full)
     assert cache.keep("a", ".py", b"x") is None
     assert build.build_built_in("two_spheres", ["energy_ledger"]).PARAMETERS
-    assert simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=True).compiled
+    assert simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=True).settings.compiled
     assert list(folder.iterdir()) == []
 
 

@@ -51,7 +51,7 @@ def test_attempts_are_the_steps_of_a_run():
     model = load("slider_crank")
     run = simulate(model, duration="0.3 ms", tolerance=1e-8, method="dop853", compiled=False)
     attempt, state, place = model.function("attempt"), layouts(model.engine).state, 0
-    row, last = run.history.rows[0], run.history.controls
+    row, last = run.engine.history.rows[0], run.engine.history.controls
     seen = [row]
     while place < 40 and len(seen) < 12:
         row, place = np.array(attempt(row, last)).ravel(), place + 1
@@ -59,13 +59,13 @@ def test_attempts_are_the_steps_of_a_run():
             seen.append(row)
     kept = [*("t", "y", "mode", "m")]
     for part in kept:
-        np.testing.assert_array_equal(np.array(seen)[:, state[part]], run.history.part(part)[: len(seen)])
+        np.testing.assert_array_equal(np.array(seen)[:, state[part]], run.engine.history.part(part)[: len(seen)])
 
 
 def test_rates_are_the_slopes_of_a_run():
     model = load("slider_crank")
     run = simulate(model, duration="0.3 ms", tolerance=1e-8, compiled=False)
-    rates, history = model.function("rates"), run.history
+    rates, history = model.function("rates"), run.engine.history
     for i in (0, len(run.t) // 2, len(run.t) - 1):
         at = (history.part(part)[i] for part in ("t", "y", "mode", "m"))
         np.testing.assert_array_equal(np.array(rates(*at, model.bind().c)).ravel(), history.part("dy")[i])

@@ -89,7 +89,7 @@ def test_no_table_is_taken_for_empty_where_it_is_missing():
 def test_a_saved_run_with_tables_of_another_format_is_refused(tmp_path, monkeypatch):
     run = simulate(engine_model("pendulum"), duration="1 ms", tolerance=1e-6)
     now = run.save(tmp_path / "now.npz")
-    assert EngineSolution.load(now).model.slips == ()
+    assert EngineSolution.load(now).engine.model.slips == ()
     for form in ("hertzwerk module 0", None):
         pack = saved_run.packed
 

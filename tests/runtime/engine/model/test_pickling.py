@@ -35,17 +35,17 @@ def test_a_run_is_what_it_was(name, again):
     scene, asked = RUNS[name]
     run = simulate(engine_model(scene), compiled=False, **asked)
     twin = again(run)
-    assert twin.history is not run.history
-    assert twin.model is not run.model
+    assert twin.engine.history is not run.engine.history
+    assert twin.engine.model is not run.engine.model
     assert (str(twin), twin.impacts, twin.warnings) == (str(run), run.impacts, run.warnings)
     for history in ("t", *run):
         assert np.array_equal(twin[history].view(np.uint64), run[history].view(np.uint64)), history
-    assert (twin.energy_residual, twin.choices) == (run.energy_residual, run.choices)
-    times = np.linspace(0, run.t_end, 17) if run.history.steps else run.t[:5]
-    rows = [each.history.at(times).rows for each in (twin, run)]
+    assert (twin.energy_residual, twin.choices) == (run.energy_residual, run.engine.choices)
+    times = np.linspace(0, run.t_end, 17) if run.engine.history.steps else run.t[:5]
+    rows = [each.engine.history.at(times).rows for each in (twin, run)]
     assert np.array_equal(*rows)
-    longer = [each.continued(2 * run.duration, compiled=False) for each in (twin, run)]
-    assert np.array_equal(*(part.history.rows[-1] for part in longer))
+    longer = [each.continued(2 * run.settings.duration, compiled=False) for each in (twin, run)]
+    assert np.array_equal(*(part.engine.history.rows[-1] for part in longer))
 
 
 def test_a_copy_has_its_own_inputs(crank):
@@ -65,7 +65,7 @@ def test_a_saved_run_is_what_it_was(crank, tmp_path):
     twin = restored(saved)
     assert np.array_equal(twin["guide.travel"], saved["guide.travel"])
     assert (twin.impacts, str(twin)) == (saved.impacts, str(saved))
-    assert isinstance(twin.model, EngineModel)
+    assert isinstance(twin.engine.model, EngineModel)
 
 
 def travel(model):

@@ -31,8 +31,8 @@ def assert_bitwise(whole, *parts):
         values = one[name]
         t = one.t
         for part in parts[1:]:
-            values = np.concatenate([values[t < part.t_start], part[name]])
-            t = np.concatenate([t[t < part.t_start], part.t])
+            values = np.concatenate([values[t < part.engine.t_start], part[name]])
+            t = np.concatenate([t[t < part.engine.t_start], part.t])
         assert values.tobytes() == whole[name].tobytes(), name
 
 
@@ -53,7 +53,7 @@ def test_wherever_it_was_stopped(scene, method, duration, options):
     whole = simulate(crank, **asked)
     count = whole.statistics.steps
     assert whole.outcome.finished
-    assert scene != "incline_lugre" or method != "auto" or len(whole.choices) > 1  # it changes method on the way
+    assert scene != "incline_lugre" or method != "auto" or len(whole.engine.choices) > 1  # it changes method on the way
     modes = [whole[f"{pair}.mode"] for pair in crank.pairs]
     touching = [int(i) for mode in modes for i in np.flatnonzero(mode == 1)[1:2]]
     for steps in sorted({1, count // 2, count - 1, *touching}):
@@ -93,9 +93,9 @@ def test_a_run_that_was_finished_goes_on_as_if_it_had_not_ended_there(method):
         short = simulate(crank, duration=end, **asked)
         assert short.outcome.finished
         rest = short.continued("24 ms")
-        assert rest.t_start < short.t_end
+        assert rest.engine.t_start < short.t_end
         assert_bitwise(whole, short, rest)
-        assert rest.duration == whole.duration
+        assert rest.settings.duration == whole.settings.duration
 
 
 def test_grids_go_on_and_find_what_the_whole_finds():
@@ -105,7 +105,7 @@ def test_grids_go_on_and_find_what_the_whole_finds():
     assert_bitwise(whole, stopped, rest)
     assert rest.t[0] - stopped.t[-1] < 1.01e-4
     onsets = {impact.t for impact in whole.impacts}
-    assert {i.t for i in stopped.impacts} | {i.t for i in rest.impacts if i.t > rest.t_start} == onsets
+    assert {i.t for i in stopped.impacts} | {i.t for i in rest.impacts if i.t > rest.engine.t_start} == onsets
     assert rest.energy_residual < 1e-6
 
 
@@ -113,11 +113,11 @@ def test_averages_of_a_part_are_those_of_its_time():
     crank = built("slider_crank")
     short = simulate(crank, duration="24 ms", tolerance=TOLERANCE)
     rest = short.continued("180 ms", compiled=False)
-    sums = rest.findings.sums()
+    sums = rest.engine.findings.sums()
     assert sums.count == 13  # periods of 12 ms from 24 ms on
     of_sums = float(np.sum(sums.impulse[:, 0])) / (sums.count * sums.interval)
     t, force = rest.t, rest["slider_pin.normal_force"]
-    within = t <= rest.t_start + sums.count * sums.interval
+    within = t <= rest.engine.t_start + sums.count * sums.interval
     assert of_sums == pytest.approx(
         float(np.trapezoid(force[within], t[within])) / (sums.count * sums.interval), rel=0.02
     )
@@ -128,11 +128,11 @@ def test_an_accuracy_gives_a_run_that_goes_on_at_its_tolerance_and_says_so():
     crank = built("slider_crank")
     short = simulate(crank, duration="6 ms", accuracy=1e-5)
     rest = short.continued("12 ms")
-    assert rest.tolerance == short.tolerance
+    assert rest.settings.tolerance == short.settings.tolerance
     assert rest.error is None
-    assert rest.accuracy is None
+    assert rest.settings.accuracy is None
     assert "without an estimate" in rest.warnings[-1]
-    assert_bitwise(simulate(crank, duration="12 ms", tolerance=short.tolerance), short, rest)
+    assert_bitwise(simulate(crank, duration="12 ms", tolerance=short.settings.tolerance), short, rest)
 
 
 def test_a_run_that_cannot_continue_says_why():
@@ -175,7 +175,7 @@ def test_a_folder_goes_on_in_a_new_one_bitwise(hertzwerk):
     assert third.exit_code == 0, third.output
     one, two, three = (Solution.load(f"{name}/states.npz") for name in ("one", "two", "three"))
     values = {"parameters": {"clearance": "0.3 mm"}, "initial": {"guide.speed": "0.1 m/s"}}
-    asked = {"tolerance": one.tolerance, "method": "esdirk", **values}
+    asked = {"tolerance": one.settings.tolerance, "method": "esdirk", **values}
     assert_bitwise(simulate(crank, duration="12 ms", **asked), one, two)
     assert_bitwise(simulate(crank, duration="18 ms", **asked), one, two, three)
     told = json.loads(Path("three/run.json").read_text())

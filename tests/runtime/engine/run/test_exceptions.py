@@ -54,9 +54,9 @@ def test_an_exception_keeps_the_steps_before_it_and_goes_on_from_there(error, ba
     assert f"{type(error).__name__} in call (test_exceptions.py, line " in run.outcome.message
     count = len(run.t)
     assert 100 < count <= 513
-    assert np.array_equal(run.history.rows[:-1], whole.history.rows[: count - 1])
+    assert np.array_equal(run.engine.history.rows[:-1], whole.engine.history.rows[: count - 1])
     rest = run.continued(compiled=False)
-    assert np.array_equal(rest.history.rows[-1], whole.history.rows[-1])
+    assert np.array_equal(rest.engine.history.rows[-1], whole.engine.history.rows[-1])
 
 
 def test_an_exception_ends_a_run_of_the_reference_methods(ball):
@@ -103,7 +103,7 @@ def test_an_observer_that_fails_takes_no_row_from_the_others(ball, whole, monkey
     assert run.t_end == seen[2]
     assert np.array_equal(run.t, np.linspace(0, 5, 1000)[np.linspace(0, 5, 1000) <= run.t_end])
     assert len(seen) == 3
-    assert run.checkpoint is None
+    assert run.engine.checkpoint is None
 
 
 def test_a_recorder_short_of_memory_keeps_the_first_rows(monkeypatch):
@@ -140,8 +140,8 @@ def test_a_run_ends_before_its_steps_fill_the_memory(monkeypatch):
     assert run.outcome.name == "exception"
     assert "MemoryError" in run.outcome.message
     assert "keep a grid" in run.outcome.remedy
-    assert 2**19 < run.history.rows.nbytes < 2**20
-    assert np.array_equal(run.history.rows, whole.history.rows[: len(run.t)])
+    assert 2**19 < run.engine.history.rows.nbytes < 2**20
+    assert np.array_equal(run.engine.history.rows, whole.engine.history.rows[: len(run.t)])
     assert simulate(crank, **given, grid=100).outcome.finished
 
 

@@ -63,9 +63,9 @@ def test_a_compiler_is_stopped_when_the_time_of_the_call_is_over(crank, slow_com
     assert not slow_compiler.exists()
     assert run.outcome.name == "wall_time_limit"
     assert "wall_time = 1 s" in run.outcome.message
-    assert not run.compiled
+    assert not run.settings.compiled
     assert run.t_end > 0
-    assert np.all(np.isfinite(run.history.rows))
+    assert np.all(np.isfinite(run.engine.history.rows))
 
 
 def test_the_time_is_that_of_all_runs_of_a_request(crank, monkeypatch):
@@ -128,11 +128,11 @@ def test_max_steps_is_a_limit_of_each_run(crank):
     steps = whole.statistics.steps
     limited = simulate(crank, **asked, max_steps=2 * steps)  # all of them take more
     assert limited.outcome.finished
-    assert np.array_equal(limited.history.rows, whole.history.rows)
+    assert np.array_equal(limited.engine.history.rows, whole.engine.history.rows)
     cut = simulate(crank, **asked, max_steps=steps + 1)  # the run that checks it takes more
     assert cut.outcome.name == "too_many_steps"
     assert f"max_steps = {steps + 1:,}" in cut.outcome.message
-    assert f"the run at tolerance {whole.tolerance / 5:.2g}" in cut.outcome.message
+    assert f"the run at tolerance {whole.settings.tolerance / 5:.2g}" in cut.outcome.message
 
 
 def test_without_a_limit_no_count_ends_a_run(monkeypatch):
@@ -141,7 +141,7 @@ def test_without_a_limit_no_count_ends_a_run(monkeypatch):
     given = {"duration": "5 s", "tolerance": 1e-12, "method": "dopri5", "compiled": False}
     plain = simulate(ball, **given)
     assert plain.statistics.steps > 1000
-    layout, counted = plain.history.integrator.layouts.state, 2_000_000
+    layout, counted = plain.engine.history.integrator.layouts.state, 2_000_000
 
     def counts(self):
         results = evaluate(self)
@@ -160,7 +160,7 @@ def test_a_run_that_stands_still_is_stopped_as_a_stall(monkeypatch):
     """Every attempt is rejected: nothing but the lack of progress can end it."""
     ball, evaluate = load("bouncing_ball"), caller.Caller.__call__
     given = {"duration": "1 s", "tolerance": 1e-6, "compiled": False, "method": "dop853"}
-    layout = simulate(ball, **given).history.integrator.layouts.state
+    layout = simulate(ball, **given).engine.history.integrator.layouts.state
 
     def rejects(self):
         results = evaluate(self)
@@ -183,7 +183,7 @@ def test_a_run_that_stands_still_is_stopped_as_a_stall(monkeypatch):
 
 
 def test_the_remedy_of_a_stall_names_a_method_once_and_not_its_own(monkeypatch):
-    history = simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, compiled=False).history
+    history = simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, compiled=False).engine.history
     given = {"tolerance": 1e-6, "t": 0.0, "steps": 0, "rejected": 0}
 
     def remedy(method):
@@ -241,7 +241,7 @@ def test_auto_turns_to_implicit_steps_where_explicit_ones_are_rejected(pressed, 
     for name in ("base.x", "base.y", "base.angle"):
         assert run.final[name] == pytest.approx(check.final[name], abs=1e3 * tolerance)
     assert run.statistics.steps < 200
-    assert [choice.method for choice in run.choices] == ["explicit", "implicit"]
+    assert [choice.method for choice in run.engine.choices] == ["explicit", "implicit"]
 
 
 def test_auto_leaves_a_chatter_within_the_tolerance():
@@ -262,7 +262,7 @@ def test_auto_leaves_a_chatter_within_the_tolerance():
     run = simulate(load(scene), duration="0.3 s", tolerance=1e-3, compiled=False, max_steps=3000)
     assert run.outcome.finished
     assert run.final["fall.travel"] == pytest.approx(0.011 - 0.114 * 9.81 / 1.5e8, abs=1e-9)
-    assert any("rejected again and again" in choice.reason for choice in run.choices)
+    assert any("rejected again and again" in choice.reason for choice in run.engine.choices)
 
 
 @pytest.mark.parametrize("output", [None, 2])

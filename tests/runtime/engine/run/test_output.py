@@ -60,7 +60,7 @@ def small_blocks(monkeypatch):
 def test_a_grid_holds_what_lies_between_the_steps_bitwise(case, small_blocks):
     steps = run(case)
     grid = run(case, grid=101)
-    times = np.linspace(0, steps.duration, 101)
+    times = np.linspace(0, steps.settings.duration, 101)
     assert np.array_equal(grid.t, times)
     between = steps.at(times)
     assert list(grid) == list(steps)
@@ -83,12 +83,12 @@ def test_a_grid_changes_nothing_else(case, small_blocks):
 
 def test_the_choices_of_a_run_that_changes_its_method_are_found_across_blocks(small_blocks):
     grid = run("resting", grid=2)
-    assert [choice.method for choice in grid.choices[:2]] == ["explicit", "implicit"]
+    assert [choice.method for choice in grid.engine.choices[:2]] == ["explicit", "implicit"]
 
 
 def test_blocks_of_every_size_find_the_same(monkeypatch):
     steps = run("squeezed")
-    size = steps.history.rows[0].nbytes
+    size = steps.engine.history.rows[0].nbytes
     for rows in (2, 3, 7, 50, 1000):
         monkeypatch.setattr("hertzwerk.runtime.engine.run.single_run.BLOCK", rows * size)
         monkeypatch.setattr("hertzwerk.runtime.engine.integration.loop.chunk.SIZE", (3,))
@@ -117,7 +117,7 @@ def test_between_steps_the_error_falls_with_the_order_of_the_method(method, orde
     """x'' = 2 x^3 from x = x' = 1 is x = 1/(1 - t): a part of a step adds an error that falls with one power more, or faster."""
     start = {"path.travel": "1 m", "path.speed": "1 m/s"}
     model = point(push=lambda t, x, v: 2 * x**3)
-    history = simulate(model, duration=0.5, tolerance=1e-2, method=method, initial=start).history
+    history = simulate(model, duration=0.5, tolerance=1e-2, method=method, initial=start).engine.history
     errors = []
     for part in (h, h / 2):
         between, x = history.between(np.array([0]), np.array([part])), 1 / (1 - part)
@@ -133,12 +133,12 @@ def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it():
     times = np.array([0.0, impact.t, impact.t + impact.duration, 1.0])
     grid = simulate(ball, duration="1 s", tolerance=1e-8, grid=times)
     assert list(grid["floor.mode"]) == [0, 1, 0, 0]
-    assert np.array_equal(grid.history.rows, steps.history.rows[np.isin(steps.t, times)])
+    assert np.array_equal(grid.engine.history.rows, steps.engine.history.rows[np.isin(steps.t, times)])
 
 
 def test_of_two_rows_at_one_time_a_grid_has_the_later_one_also_across_blocks():
     """As SUNDIALS gives them where an event lies on a row."""
-    history = simulate(built("bouncing_ball"), duration="1 s", tolerance=1e-6).history
+    history = simulate(built("bouncing_ball"), duration="1 s", tolerance=1e-6).engine.history
     onset = int(np.argmax(history["floor.mode"] == 1))
     before = history.rows[onset].copy()
     before[history.columns("mode")] = 0
@@ -149,7 +149,7 @@ def test_of_two_rows_at_one_time_a_grid_has_the_later_one_also_across_blocks():
     for row in np.insert(history.rows, onset, before, axis=0):
         record.keep(row[None, :])
     record.flush()
-    assert kept.history["floor.mode"] == [1]
+    assert kept.engine.history["floor.mode"] == [1]
 
 
 @pytest.mark.by_turns(2)
@@ -270,7 +270,7 @@ def test_saved_drawn_and_loaded(tmp_path):
     again = Solution.load(grid.save(tmp_path / "run.npz"))
     for name in ("impacts", "choices", "energy_residual", "final", "initial", "t_end"):
         assert getattr(again, name) == getattr(grid, name), name
-    assert grid.choices
+    assert grid.engine.choices
     assert np.array_equal(again["guide.travel"], grid["guide.travel"])
     for figure in (grid.plot(), grid.plot("slider_pin"), again.plot(), again.plot("slider_pin")):
         figure.draw_without_rendering()

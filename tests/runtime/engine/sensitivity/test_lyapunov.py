@@ -147,7 +147,7 @@ def test_through_forces_that_jump_changes_grow_as_differences_of_runs():
     how = {"duration": "0.6 s", "tolerance": 1e-12, "compiled": False}
     run = simulate(model, **how)
     assert len(run.impacts) == 1
-    scales, d = run.scales.state[:2], 1e-5
+    scales, d = run.engine.scales.state[:2], 1e-5
     units = {name: model.units[name] for name in ("vertical.travel", "vertical.speed")}
 
     def end(name, change):
@@ -171,7 +171,7 @@ def test_errors_of_runs_grow_as_they_say():
     for name in start:
         beside = {**start, name: (start[name][0] + 1e-10, "rad")}
         other = simulate(model, duration="12 s", tolerance=1e-12, initial=beside, compiled=False)
-        errors.append(scaling.departure(model, run.scales, other.at(t).part("y"), run.at(t).part("y")))
+        errors.append(scaling.departure(model, run.engine.scales, other.at(t).part("y"), run.at(t).part("y")))
     seen, told = growth(t, errors, [np.zeros(len(t))] * 2), run.lyapunov()
     assert seen.kind == told.law.kind == "exponential"
     assert told.law.rate == pytest.approx(seen.rate, rel=0.05)

@@ -141,14 +141,14 @@ def test_an_impact_passes_on_what_the_ball_loses(law):
         "ball_between_walls", laws={"right_wall": law} if law != "hunt_crossley" else None
     )  # which it has
     run = simulate(model, duration="100 ms", tolerance=1e-9, parameters={"restitution": 0.7}, compiled=False)
-    impulse = run.findings.sums(0.05).impulse[:, model.pairs.index("right_wall")].sum()
+    impulse = run.engine.findings.sums(0.05).impulse[:, model.pairs.index("right_wall")].sum()
     assert impulse == pytest.approx(MASS * (run.initial["track.speed"] - run.final["track.speed"]), rel=2e-5)
 
 
 def test_a_motor_puts_in_what_friction_takes():
     """A loaded journal turning in its bush, at rest but for that: N and F_t = mu N carry the load."""
     run = simulate(engine_model("journal_in_bearing"), duration="10 s", tolerance=1e-8, compiled=False)
-    model, values, averages = run.model, run.model.bind(), named(run)
+    model, values, averages = run.engine.model, run.engine.model.bind(), named(run)
     load_, speed = values["load"], (values["bush_radius"] - values["clearance"]) * values["speed"]
     mu = values["friction_coefficient"] * np.tanh(speed / values["friction_speed"])
     exact = mu * load_ / np.sqrt(1 + mu**2) * speed

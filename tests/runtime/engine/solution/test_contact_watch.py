@@ -30,7 +30,7 @@ def run():
 
 def found(model):
     solution = solve(model, SETTINGS, {}, {}, needs=WANTED)
-    sums = solution.findings.sums()
+    sums = solution.engine.findings.sums()
     return solution.impacts, solution.energy_residual, sums.impulse.tolist(), sums.largest.tolist(), solution.warnings
 
 
@@ -50,8 +50,8 @@ def test_compiled_finders_return_the_same_bits(run):
 @pytest.mark.parametrize("size", [1, 2, 7, 100])
 def test_blocks_of_any_size_have_the_contacts_of_the_whole(run, size):
     """A contact lies across blocks; its tops, and their neighbours, at their ends."""
-    rows, history = run.history.rows[:290], run.history
-    whole, parts = Watch(run.model), Watch(run.model)
+    rows, history = run.engine.history.rows[:290], run.engine.history
+    whole, parts = Watch(run.engine.model), Watch(run.engine.model)
     whole.take(history.of(rows), 0)
     for first in range(0, len(rows), size):
         known = min(first, OVERLAP)
@@ -69,7 +69,7 @@ def watched(history):
 
 def table(run, modes):
     """Rows of a run with these modes of its pair, a second apart; forces rise and fall in each contact."""
-    rows = run.history.of(np.tile(run.history.rows[100], (len(modes), 1)))
+    rows = run.engine.history.of(np.tile(run.engine.history.rows[100], (len(modes), 1)))
     rows.part("mode")[:, 0], rows.part("t")[:, 0] = modes, np.arange(len(modes))
     rows.part("gap_rate")[:, 0] = -np.arange(len(modes))
     return rows
@@ -86,7 +86,7 @@ def table(run, modes):
 )
 @pytest.mark.parametrize("size", [1, 2, 3, 7])
 def test_contacts_begin_and_end_by_their_modes(run, modes, expected, size):
-    rows, watch = table(run, modes), Watch(run.model)
+    rows, watch = table(run, modes), Watch(run.engine.model)
     for first in range(0, len(modes), size):
         known = min(first, OVERLAP)
         watch.take(rows.of(rows.rows[first - known : first + size]), known)
@@ -136,12 +136,15 @@ def test_peaks_are_those_within_the_steps(run, monkeypatch):
 
 def test_a_step_of_rounding_at_a_peak_hides_no_crest(run):
     """An event close to a peak was landed on by steps of 1e-16 s; one of their values was the largest, and no crest was looked for before it."""
-    rows, expected = run.history.rows[:290], watched(run.history.of(run.history.rows[:290])).impacts()
-    force, t = (run.history.of(rows).part(name)[:, 0] for name in ("force", "t"))
+    rows, expected = (
+        run.engine.history.rows[:290],
+        watched(run.engine.history.of(run.engine.history.rows[:290])).impacts(),
+    )
+    force, t = (run.engine.history.of(rows).part(name)[:, 0] for name in ("force", "t"))
     for impact in expected[:-1]:
         within = np.flatnonzero((t >= impact.t) & (t <= impact.t + impact.duration))
         top = within[np.argmax(force[within])]
-        doubled = run.history.of(np.insert(rows, [top + 1] * 2, rows[top], axis=0))
+        doubled = run.engine.history.of(np.insert(rows, [top + 1] * 2, rows[top], axis=0))
         for i in (1, 2):
             doubled.part("t")[top + i, 0] += 30 * i * np.spacing(t[top])
             doubled.part("force")[top + i, 0] *= 1 + i * 1e-12
@@ -189,16 +192,16 @@ def test_the_crest_of_a_step_that_ends_where_friction_sticks_is_found():
 def test_no_crest_is_found_on_a_step_past_the_onset_of_sticking():
     """A step landed just before it; behind it slip would have gone on to 90.89 N, where the force peaks at 90.66 N as friction sticks."""
     run = bodies_on_planes.run(replace(body_of(366), duration=0.1284), tolerance=1e-12)
-    rows, (*_, expected), engine = run.history.rows, run.impacts, run.history.engine
+    rows, (*_, expected), engine = run.engine.history.rows, run.impacts, run.engine.history.engine
     places, parts = engine.layouts.state, engine.layouts.trial
     sticks = np.flatnonzero(np.diff(rows[:, places["m"]][:, -1]))[-1] + 1
     landed, before = rows[sticks].copy(), rows[sticks - 1]
     h = rows[sticks, places["t"]] - before[places["t"]]
-    trial = engine.step(0)(before, run.history.controls, h).full().ravel()
+    trial = engine.step(0)(before, run.engine.history.controls, h).full().ravel()
     landed[places["m"]] = before[places["m"]]
     for name in ("dy", "force_rate"):
         landed[places[name]] = trial[parts[name]]
     landed[places["force"]] *= 1 + 1e-15
-    found = watched(run.history.of(np.insert(rows, sticks, landed, axis=0))).impacts()[-1]
+    found = watched(run.engine.history.of(np.insert(rows, sticks, landed, axis=0))).impacts()[-1]
     assert rows[sticks, places["force"]] == pytest.approx(expected.peak_force, rel=1e-12)
     assert found.peak_force == pytest.approx(expected.peak_force, rel=1e-12)

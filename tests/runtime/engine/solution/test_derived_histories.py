@@ -27,7 +27,7 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.common.module_format import sealed
 from hertzwerk.derive.scenes import NAMES
-from hertzwerk.runtime import Model, Solution, simulate, sweep
+from hertzwerk.runtime import Solution, simulate, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.model.generated_text import module_of, text_of
@@ -191,7 +191,11 @@ def test_contact_force_is_a_vector_that_moves_the_slider(rattling):
 
 def carried(run, other):
     """Histories of a model in absolute coordinates at the states of a run in joint coordinates."""
-    there, here, model = simulate(other, duration=1e-9, tolerance=1e-3).history, run.history, run.model
+    there, here, model = (
+        simulate(other, duration=1e-9, tolerance=1e-3).engine.history,
+        run.engine.history,
+        run.engine.model,
+    )
     rows, bound = np.repeat(there.rows[:1], len(here.rows), axis=0), other.bind()
     for i, (t, y, mode, m, friction) in enumerate(
         zip(*map(here.part, ("t", "y", "mode", "m", "friction")), strict=True)
@@ -223,7 +227,7 @@ def worst_reaction(name, model):
         (each, each) for each in there.units.everything if ".reaction" in each or each.endswith((".torque", ".power"))
     ]
     # across the plane of motion a tree has none where it is zero by structure
-    found = {one: (run[one] if one in run.history.units else np.zeros(5), there[other]) for one, other in pairs}
+    found = {one: (run[one] if one in run.engine.history.units else np.zeros(5), there[other]) for one, other in pairs}
     scale = {}
     for one, (value, _) in found.items():
         kind = one.rpartition(".")[2].rstrip("xyz")
@@ -260,7 +264,7 @@ def test_a_fault_in_the_inertia_is_seen():
 
 
 def test_all_names_are_reported_and_used_wherever_a_history_is(rattling, tmp_path):
-    entries = {entry.name: entry for entry in Model(rattling.model).histories}
+    entries = {entry.name: entry for entry in rattling.model.histories}
     assert entries["crank_drive.torque"].derived and not entries["guide.travel"].derived
     assert (
         entries["main_bearing.reaction_x"].unit == "N" and "main_bearing" in entries["main_bearing.reaction_x"].meaning
@@ -270,7 +274,7 @@ def test_all_names_are_reported_and_used_wherever_a_history_is(rattling, tmp_pat
     assert list(beside)[-2:] == ["rod.x", "crank_drive.power"]
     again = Solution.load(beside.save(tmp_path / "run.npz"))
     np.testing.assert_array_equal(again["rod.x"], rattling["rod.x"])
-    assert again.history.units["rod.x"] == "m"
+    assert again.engine.history.units["rod.x"] == "m"
     with pytest.raises(KeyError, match="with_histories"):
         again["rod.y"]
     with pytest.raises(KeyError, match="did you mean"):

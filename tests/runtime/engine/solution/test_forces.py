@@ -196,9 +196,9 @@ def test_the_ledger_closes_with_every_element_at_once():
     )
     scene = follower(Harmonic("drive", "rail", AMPLITUDE, RATE), JointDamper("rails", "rail", DAMPING))
     found = run(Scene(scene.mechanism, (*(e for e in scene.effects if e.name != "spring"), *extra), scene.scales), 10.0)
-    assert set(found.model.memory) == {
+    assert set(found.engine.model.memory) == {
         "energy_ledger.input", "rails.dissipated", "damper.dissipated", "motor.input", "friction.dissipated"
     }  # fmt: skip
-    assert min(abs(found[name][-1]) for name in found.model.memory) > 1e-3
+    assert min(abs(found[name][-1]) for name in found.engine.model.memory) > 1e-3
     rails = C * (0.05 * 3.0) ** 2 * (10 / 2 + np.sin(60) / 12)  # of the drive alone: c A^2 W^2 cos^2, integrated
     assert found["rails.dissipated"][-1] == pytest.approx(rails, rel=1e-8)

@@ -18,15 +18,15 @@ ALONG = "xyz"
 
 def frames(run):
     """Rotation of every body at the end, by its name, that of the ground included."""
-    model = run.model
-    q = run.history.part("y")[-1, : model.nq]
+    model = run.engine.model
+    q = run.engine.history.part("y")[-1, : model.nq]
     matrices = model.evaluate("poses", run.t[-1], q, model.bind().c)[1].reshape(-1, 3, 3)
     return {"ground": np.eye(3), **dict(zip(model.module.BODIES, matrices, strict=True))}
 
 
 def end(run, name):
     """Value at the end; 0 of what is zero by structure, and no history."""
-    return run[name][-1] if name in {entry.name for entry in load(run.model).histories} else 0.0
+    return run[name][-1] if name in {entry.name for entry in run.model.histories} else 0.0
 
 
 def of_joints(run, joints):

@@ -95,12 +95,12 @@ def test_a_ball_pressed_on_a_shaken_plane():
     vibration = (run["floor.penetration"] - DEPTH)[1000:-1]  # ten periods
     found = 2j * np.mean(vibration * np.exp(-1j * OMEGA * run.t[1000:-1]))
     assert found == pytest.approx(x, rel=1e-5)
-    (left,) = run.findings.lasting
+    (left,) = run.engine.findings.lasting
     assert (left.pair, left.since) == ("floor", 0)
     assert left.speed == pytest.approx(v0, rel=1e-12)
     assert left.ratio == pytest.approx(RATIO, rel=1e-3)
     power = MASS * FACTOR * GRAVITY / v0 * (OMEGA * abs(x)) ** 2 / 2
-    assert left.dissipated == pytest.approx(power * run.duration, rel=1e-3)
+    assert left.dissipated == pytest.approx(power * run.settings.duration, rel=1e-3)
     (warning,) = (text for text in run.warnings if "left the law of damping" in text)
     assert warning.startswith(
         f"a contact of floor, since t = 0 s, left the law of damping (100% of its dissipation): gap rates up to {left.ratio:.2g} times"
@@ -112,14 +112,14 @@ def test_a_ball_pressed_on_a_shaken_plane():
 def test_nothing_is_computed_beside_the_steps(monkeypatch):
     run = pressed()
     monkeypatch.setattr(Caller, "__call__", None)  # a call of a model's function fails
-    observer = LastingContacts(run.model)
-    observer.take(run.history, 0)
-    assert observer.contacts == run.findings.lasting != ()
+    observer = LastingContacts(run.engine.model)
+    observer.take(run.engine.history, 0)
+    assert observer.contacts == run.engine.findings.lasting != ()
 
 
 def test_it_is_the_same_of_steps_that_are_kept_and_of_those_that_are_not():
     kept, alone = pressed(), pressed(grid=2)
-    assert kept.findings.lasting == alone.findings.lasting != ()
+    assert kept.engine.findings.lasting == alone.engine.findings.lasting != ()
 
 
 @pytest.mark.by_turns(4)
@@ -128,26 +128,26 @@ def test_a_ball_put_down_gently_leaves_every_law_with_v0_and_an_impact_none(damp
     """It is put on its plane with the least approach speed, and reaches 44 mm/s; or it falls with 1 m/s and leaves with less."""
     given = {"duration": "20 ms", "tolerance": 1e-7, "max_steps": 20_000, "compiled": False}
     down = simulate(ball(damping), **given, parameters={"approach_floor": "1 um/s"})
-    assert [left.pair for left in down.findings.lasting] == ["floor"]
-    assert down.findings.lasting[0].ratio > 100
+    assert [left.pair for left in down.engine.findings.lasting] == ["floor"]
+    assert down.engine.findings.lasting[0].ratio > 100
     assert any("left the law of damping" in text for text in down.warnings)
     hit = simulate(ball(damping), **given, parameters={"sunk": "-1 mm", "rising": "-1 m/s"})
     assert len(hit.impacts) == 1
     assert hit.impacts[0].duration is not None
-    assert hit.findings.lasting == ()
+    assert hit.engine.findings.lasting == ()
     assert not any("left the law" in text for text in hit.warnings)
 
 
 def test_a_damping_without_v0_has_nothing_to_leave():
     run = simulate(ball("tsuji"), duration="20 ms", tolerance=1e-7, compiled=False)
-    assert run.findings.lasting == ()
+    assert run.engine.findings.lasting == ()
 
 
 def test_the_flagship_says_since_when_and_how_much():
     """Its pin comes to stay at about 0.2 s, with an approach speed that is chance."""
     crank = load("slider_crank")
     runs = [simulate(crank, duration="0.3 s", tolerance=1e-6, grid=output, compiled=False) for output in (2, 500)]
-    first, second = (run.findings.lasting for run in runs)
+    first, second = (run.engine.findings.lasting for run in runs)
     assert first == second  # whatever is kept
     worst = max(first, key=lambda left: left.ratio)
     assert 0.15 < worst.since < 0.25

@@ -22,7 +22,7 @@ def run():
 
 
 def test_a_run_is_a_mapping_from_names_to_arrays(run):
-    for each in (run, run.history, run.at([0.05, 0.06])):
+    for each in (run, run.engine.history, run.at([0.05, 0.06])):
         assert list(each) == list(each.keys()) == [name for name, _ in each.items()]
         assert len(each) == len(list(each)) == len(dict(each)) == len(list(each.values()))
         assert "vertical.travel" in each
@@ -44,7 +44,7 @@ def test_runs_compare_by_identity(run):
 def test_an_unknown_name_lists_those_that_exist(run, key):
     for ask in (
         lambda: run[key],
-        lambda: run.history[key],
+        lambda: run.engine.history[key],
         lambda: run.plot(*(key if isinstance(key, list) else (key,)), 0),
     ):
         with pytest.raises(KeyError, match=r"no history .*there are t, vertical\.travel"):
@@ -115,14 +115,21 @@ def test_quantities_are_values_with_units(stiffness, text):
 
 def test_no_picture_of_an_object_is_its_address(run):
     things = [
-        *(run, run.history, run.at(0.05), run.derivatives, run.sensitivity("vertical.travel", "mass"), run.impacts),
+        *(
+            run,
+            run.engine.history,
+            run.at(0.05),
+            run.derivatives,
+            run.sensitivity("vertical.travel", "mass"),
+            run.impacts,
+        ),
         *(
             run.statistics,
             run.outcome,
-            run.findings,
-            run.model,
-            load(run.model).histories,
-            run.model.bind(),
+            run.engine.findings,
+            run.engine.model,
+            run.model.histories,
+            run.engine.model.bind(),
             run.averages(),
         ),
         *(equilibrium(BALL), modes(BALL), Normal("1 m", "1 mm"), sweep(BALL, {"mass": ["1 kg"]}, **SHORT, workers=1)),

@@ -221,7 +221,7 @@ def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):
     with pytest.raises(InputError, match=r"(?s)saved run.*simulate again"):
         saved.draw()
     with pytest.raises(InputError, match=r"load\('bouncing_ball'\)"):
-        load(saved.model).draw()
+        saved.model.draw()
 
 
 # ---- command line ----------------------------------------------------------------------------------------------------

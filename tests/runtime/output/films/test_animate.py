@@ -58,7 +58,7 @@ def crank():
 
 
 def stage_of(run, frames) -> Stage:
-    return Stage.of(run, Clock(np.linspace(run.t_start, run.t_end, frames), 10.0, 1.0))
+    return Stage.of(run, Clock(np.linspace(run.engine.t_start, run.t_end, frames), 10.0, 1.0))
 
 
 def frames_of(path) -> list[np.ndarray]:
@@ -386,6 +386,6 @@ def test_the_command_films_other_coordinates_an_accuracy_and_a_grid(tmp_path, mo
     assert CliRunner().invoke(main, ["animate", "bouncing_ball", *how], catch_exceptions=False).exit_code == 0
     assert CliRunner().invoke(main, ["animate", "bouncing_ball", "--duration", "0.1 s"]).exit_code == 0
     asked, plain = made
-    assert (asked.model.coordinates[0], plain.model.coordinates[0]) == ("ball.x", "vertical.travel")
-    assert (asked.accuracy, len(asked.t)) == (1e-4, 7)
-    assert (plain.accuracy, plain.tolerance) == (None, 1e-6)
+    assert (asked.engine.model.coordinates[0], plain.engine.model.coordinates[0]) == ("ball.x", "vertical.travel")
+    assert (asked.settings.accuracy, len(asked.t)) == (1e-4, 7)
+    assert (plain.settings.accuracy, plain.settings.tolerance) == (None, 1e-6)

@@ -82,8 +82,10 @@ def test_the_ideal_mechanism_is_assembled_as_often_as_a_picture_needs(crank, mon
     shown = curves.Curves._sampled(crank)
     found = shown.ideal
     assert len(times) == curves.KNOTS[0]
-    start = np.array([crank[name][0] for name in crank.model.coordinates])
-    exact = ideal_mechanism.ideal_motion(crank.model, shown.t, start, crank.history.controls[: crank.model.nc])
+    start = np.array([crank[name][0] for name in crank.engine.model.coordinates])
+    exact = ideal_mechanism.ideal_motion(
+        crank.engine.model, shown.t, start, crank.engine.history.controls[: crank.engine.model.nc]
+    )
     for part in ("q", "u", "acceleration"):
         missed = np.abs(getattr(found, part) - getattr(exact, part)) / np.ptp(getattr(exact, part), axis=0)
         assert np.max(missed) < 1e-6  # of a deviation, which is 1/200 of a motion, a picture shows 1/1000

@@ -9,8 +9,9 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.output.drawings import picture
-from hertzwerk.runtime.output.plots import picture_samples, plot_panel, title
+from hertzwerk.runtime.output.plots import curves, picture_samples, plot_panel, title
 from hertzwerk.runtime.output.plots.curves import Curves
 
 built = cache(load)  # with its functions, for all tests here
@@ -38,8 +39,8 @@ def coarse():
 @pytest.fixture(autouse=True)
 def _sampled_anew(crank, coarse):
     yield
-    crank.shared_results.clear()
-    coarse.shared_results.clear()
+    crank.engine.shared_results.clear()
+    coarse.engine.shared_results.clear()
 
 
 # ---- peaks -----------------------------------------------------------------------------------------------------------
@@ -47,7 +48,7 @@ def _sampled_anew(crank, coarse):
 
 def missed(run) -> float:
     """Largest part of an impact's peak that the curve of its force misses."""
-    run.shared_results.clear()  # sampled anew
+    run.engine.shared_results.clear()  # sampled anew
     (axis,) = run.plot("slider_pin.normal_force").axes
     unit = {"kN": 1e3, "N": 1.0}[re.search(r"\[(k?N)\]", axis.get_title("left"))[1]]
     t, force = (np.asarray(values) for values in axis.get_lines()[0].get_data())
@@ -76,19 +77,19 @@ def test_rows_alone_and_steps_alone_would_miss_them(crank, coarse, monkeypatch):
     monkeypatch.setattr(picture_samples, "EVEN", 2)
     monkeypatch.setattr(picture_samples, "hardest", lambda _: [])
     assert missed(crank) > 1e-3
-    monkeypatch.setattr(type(coarse), "with_steps", lambda run: run)
+    monkeypatch.setattr(curves, "with_steps", lambda run: run)
     assert missed(coarse) > 0.5
 
 
 def test_a_run_on_a_grid_is_made_again_bitwise(crank, coarse):
-    again = coarse.with_steps()
+    again = with_steps(coarse)
     assert np.array_equal(again.t, crank.t)
-    assert np.array_equal(again.history.rows, crank.history.rows)
-    assert crank.with_steps() is crank
+    assert np.array_equal(again.engine.history.rows, crank.engine.history.rows)
+    assert with_steps(crank) is crank
     stopped = simulate(built("slider_crank"), duration="6 ms", tolerance=1e-6, grid=100, max_steps=100)
-    again = stopped.with_steps()
+    again = with_steps(stopped)
     assert again.t[-1] == stopped.t_end < 6e-3
-    assert np.array_equal(again.history.rows, crank.history.rows[: len(again.t)])
+    assert np.array_equal(again.engine.history.rows, crank.engine.history.rows[: len(again.t)])
 
 
 def test_loose_steps_are_drawn_smooth():
@@ -122,7 +123,7 @@ def test_titles_name_what_differs_from_the_scene(crank, monkeypatch):
         assert said in texts(figure)
         assert "crank_speed" not in texts(figure)
     assert "=" not in title.differences(crank)
-    assert "clearance = 0.1 mm" in texts(load(run.model).draw(parameters={"clearance": "0.1 mm"}))
+    assert "clearance = 0.1 mm" in texts(run.model.draw(parameters={"clearance": "0.1 mm"}))
     monkeypatch.setattr(plot_panel, "differences", lambda _: "")
     assert said not in texts(run.plot())  # it is the title that tells
 
@@ -149,7 +150,7 @@ def test_every_coordinate_is_drawn(crank):
         run = simulate(built(name), duration="1 ms", tolerance=1e-4)
         drawn = sum(len([line for line in axis.get_lines() if line.get_label() != "ideal mechanism"])
                     for axis in run.plot().axes if re.match(r"(Position|Angle)( of \w+)? \[", axis.get_title("left")))  # fmt: skip
-        assert drawn == run.model.nq
+        assert drawn == run.engine.model.nq
 
 
 def test_energy_that_nothing_changes_is_said_to_be_constant_and_not_drawn_as_noise():

@@ -90,7 +90,11 @@ def no_pictures(monkeypatch):
 
 def test_long_tables_say_where_the_whole_is(ball, no_pictures):
     many = replace(
-        ball, findings=type("Many", (), {"impacts": ball.impacts * 250, "energy_residual": None, "choices": ()})()
+        ball,
+        engine=replace(
+            ball.engine,
+            findings=type("Many", (), {"impacts": ball.impacts * 250, "energy_residual": None, "choices": ()})(),
+        ),
     )
     page = run_report.run_page(many, whole="there.npz")
     (table,) = Outline(page).tables["Impacts"]

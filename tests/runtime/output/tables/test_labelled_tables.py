@@ -183,7 +183,7 @@ def test_histories_of_a_run_have_units_meanings_and_parameters(run, tmp_path):
     frame = run.to_pandas()
     assert same(frame.index.to_numpy(), run.t)
     assert all(same(frame[name].to_numpy(), run[name]) for name in run)
-    assert frame.attrs["units"] == run.history.units
+    assert frame.attrs["units"] == run.engine.history.units
     for found in (run.to_xarray(), xr.load_dataset(run.to_file(tmp_path / "run.nc"), engine="h5netcdf")):
         assert same(found["t"].values, run.t)
         assert all(same(found[name].values, run[name]) for name in run)

@@ -31,7 +31,7 @@ def measured(run, noise, at, rng):
         return MeasuredImpacts(np.arange(1, at + 1), made, units), names
     seen = run.at(at)
     made = {names[n]: seen[n] + rng.normal(0, noise[n], len(at)) for n in noise}
-    return Measurement(at, made, {names[n]: run.history.units[n] for n in noise}), names
+    return Measurement(at, made, {names[n]: run.engine.history.units[n] for n in noise}), names
 
 
 @pytest.mark.exhaustive
@@ -44,7 +44,8 @@ def test_intervals_hold_the_truth_as_often_as_they_say(scene):
     run = simulate(model, duration=duration, tolerance=1e-11, parameters=true)
     bound, held, explained = model.bind(true), dict.fromkeys(free, 0), 0
     units = {
-        name: run.history.units.get(name, {"t": "s", "speed": "m/s"}.get(name.rpartition(".")[2])) for name in noise
+        name: run.engine.history.units.get(name, {"t": "s", "speed": "m/s"}.get(name.rpartition(".")[2]))
+        for name in noise
     }
     for seed in range(SEEDS):
         data, names = measured(run, noise, at, np.random.default_rng(seed))

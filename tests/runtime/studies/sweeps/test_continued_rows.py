@@ -51,7 +51,7 @@ def test_each_value_starts_from_the_end_of_the_one_before_bitwise(crank, continu
         run = simulate(crank, parameters=row.stated, initial=start, duration="2 rev", tolerance=1e-6, compiled=False)
         assert row.final == run.final
         assert list(row.stated) == ["crank_speed"]
-        start = {name: (float(run.ends[name][-1]), units[name]) for name in names}
+        start = {name: (float(run.engine.ends[name][-1]), units[name]) for name in names}
     assert list(table["crank_speed"]) == sorted(table["crank_speed"])
 
 

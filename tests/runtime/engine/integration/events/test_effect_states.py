@@ -105,7 +105,7 @@ def test_a_current_that_a_jolted_crank_drives_is_not_taken_for_stiff():
         engine_model("slider_crank_dc_motor"), duration="6 ms", tolerance=1e-9, method="auto", compiled=False
     )
     assert len(run.impacts) >= 2
-    assert not run.history.part("pressure").any()
+    assert not run.engine.history.part("pressure").any()
 
 
 def test_a_controlled_speed_of_second_order():
@@ -273,7 +273,7 @@ def test_events_follow_each_other_at_one_instant():
     closes = run.t[np.argmax(run["second.closed"] > 0)]
     assert closes == pytest.approx(0.5, rel=1e-9)  # 4 N on 2 kg reach 1 m/s
     assert run.final["slide.speed"] == pytest.approx(1, rel=1e-9)
-    ready = simulate(run.model, duration=0.1, tolerance=1e-8, initial={"first.closed": 1})
+    ready = simulate(run.engine.model, duration=0.1, tolerance=1e-8, initial={"first.closed": 1})
     assert ready.final["slide.speed"] == 0  # an event is due at the start
 
 

@@ -250,7 +250,7 @@ def test_a_graze_that_is_not_in_doubt_does_not_halve_the_step():
 def test_a_force_is_not_located_within_what_one_rounding_moves_it():
     """Of a coordinate of 1 m by the contact's stiffness, however stiff, and of the time; else within the tolerance."""
     model = engine_model("bouncing_ball")
-    history = simulate(model, duration="1 ms", tolerance=1e-9, initial={"vertical.travel": "1 m"}).history
+    history = simulate(model, duration="1 ms", tolerance=1e-9, initial={"vertical.travel": "1 m"}).engine.history
     vectors = layouts(model)
     at, run = vectors.state.split(ca.DM(history.rows[0])), vectors.controls.split(ca.DM(history.controls))
     small = LANDING * 1e-9 * float(run["scales"][2])

@@ -65,7 +65,7 @@ def test_no_time_within_a_passing_step_is_found_through_the_position(method):
 
 def test_near_singular_positions_no_step_is_implicit(monkeypatch):
     run, _ = run_of("esdirk", tolerance=1e-11)
-    ahead, methods = (run.history.part(part)[:-1, 0] for part in ("ahead", "method"))
+    ahead, methods = (run.engine.history.part(part)[:-1, 0] for part in ("ahead", "method"))
     near = ahead < singular_positions.REACH * np.diff(run.t)
     assert near.sum() >= 10  # passages
     assert np.all(methods[near] == 1)

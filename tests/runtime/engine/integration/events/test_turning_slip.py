@@ -22,7 +22,9 @@ MU, SPEED = 0.2, 1.0
 def sliding():
     """The rows of a ball that slides and comes to roll, the run's controls, and its model."""
     model = engine_model(ball(dry(MU)))
-    history = simulate(model, duration="0.2 s", tolerance=1e-8, initial={"flight.x_speed": f"{SPEED} m/s"}).history
+    history = simulate(
+        model, duration="0.2 s", tolerance=1e-8, initial={"flight.x_speed": f"{SPEED} m/s"}
+    ).engine.history
     return model, history.rows, history.controls
 
 
@@ -83,5 +85,5 @@ def test_a_body_breaks_loose_in_few_steps(method):
     last = np.flatnonzero(found["floor.slip"] == 0)[-1]
     assert found.t[last + 1] == pytest.approx(0.14683035198, abs=2e-9)
     for name, value in LOOSE.items():
-        scale = found.scales.state[list(found.model.units).index(f"flight.{name}")]
+        scale = found.engine.scales.state[list(found.engine.model.units).index(f"flight.{name}")]
         assert found.final[f"flight.{name}"] == pytest.approx(value, abs=3e-8 * scale)

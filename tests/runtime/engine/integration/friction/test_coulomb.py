@@ -175,7 +175,7 @@ def test_compiled_is_bitwise_the_virtual_machine(model, method):
     given = {"duration": "0.3 s", "tolerance": 1e-6, "method": method, "parameters": parameters}
     one, two = (simulate(model, compiled=compiled, **given) for compiled in (False, True))
     assert {-1.0, 0.0, 1.0} <= set(one["floor_0.slip"])
-    assert np.array_equal(one.history.rows, two.history.rows)
+    assert np.array_equal(one.engine.history.rows, two.engine.history.rows)
 
 
 # ---- several contacts ------------------------------------------------------------------------------------------------

@@ -291,7 +291,11 @@ def test_two_frictions_feed_each_other(coordinates):
     tolerance = 1e-9
     run = simulate(load(two_journals().with_coordinates(coordinates)), duration=1.0, tolerance=tolerance)
     steps = int(np.sum(run["second.slip"] == 0))
-    speed = 1e-12 if coordinates == "tree" else 2 * steps * tolerance * run.scales.scene[1] / run.scales.scene[0]
+    speed = (
+        1e-12
+        if coordinates == "tree"
+        else 2 * steps * tolerance * run.engine.scales.scene[1] / run.engine.scales.scene[0]
+    )
     for joint, name in (("hinge", "first"), ("elbow", "second")):
         pressed, slip = np.hypot(run[f"{joint}.reaction_x"], run[f"{joint}.reaction_y"]), run[f"{name}.slip"]
         force, slides = run[f"{name}.friction_force"], slip != 0

@@ -61,7 +61,7 @@ def run(declared: Scene, coordinates: str = "tree", duration: float = 1.0, **opt
     )
     assert found.outcome.finished
     assert found.energy_residual < EXACT
-    assert max(np.max(np.abs(found[name])) for name in found.model.constraints) < EXACT
+    assert max(np.max(np.abs(found[name])) for name in found.engine.model.constraints) < EXACT
     return found
 
 

@@ -78,8 +78,8 @@ def changes(run):
 
 def scaled(run, other):
     """Return the difference of two ends, beside the scales of the state."""
-    scale = run.history.controls[run.history.engine.layouts.controls["scale"]]
-    return float(np.max(np.abs(run.history.part("y")[-1] - other.history.part("y")[-1]) / scale))
+    scale = run.engine.history.controls[run.engine.history.engine.layouts.controls["scale"]]
+    return float(np.max(np.abs(run.engine.history.part("y")[-1] - other.engine.history.part("y")[-1]) / scale))
 
 
 def last_stick(mass, inertia, radius, tilt, mu, speed, force):

@@ -40,7 +40,7 @@ def clock(monkeypatch):
 
 def test_a_short_run_is_not_compiled(crank, clock, tmp_path):
     run = simulate(crank, duration="24 ms", tolerance=1e-8)
-    assert not run.compiled
+    assert not run.settings.compiled
     assert run.statistics.compile_s == 0
     assert not (tmp_path / "cache").exists()
 
@@ -49,23 +49,23 @@ def test_a_run_changes_to_c_on_the_way_and_no_bit_changes(crank, eager, tmp_path
     options = {"duration": "24 ms", "tolerance": 1e-8}
     machine = simulate(crank, compiled=False, **options)
     run = simulate(crank, **options)
-    assert run.compiled
+    assert run.settings.compiled
     assert run.statistics.compile_s > 0.05
     assert run.statistics.wall_s < run.statistics.compile_s
-    assert np.array_equal(machine.history.rows, run.history.rows)
+    assert np.array_equal(machine.engine.history.rows, run.engine.history.rows)
     assert Solution.load(run.save(tmp_path / "run.npz")).statistics == run.statistics
     again = simulate(crank, **options)  # from the start on
-    assert again.compiled
+    assert again.settings.compiled
     assert again.statistics.compile_s == 0
-    assert np.array_equal(machine.history.rows, again.history.rows)
-    assert not simulate(crank, compiled=False, **options).compiled
+    assert np.array_equal(machine.engine.history.rows, again.engine.history.rows)
+    assert not simulate(crank, compiled=False, **options).settings.compiled
 
 
 def test_a_cached_library_is_used_at_once(crank, monkeypatch):
     simulate(crank, duration="1 ms", compiled=True, tolerance=1e-6)
     monkeypatch.setattr(automatic_compilation, "LOOK", 0.0)
     monkeypatch.setattr(c_compilation, "compile_files", None)  # a call of it fails
-    assert simulate(load(crank.name), duration="24 ms", tolerance=1e-8).compiled
+    assert simulate(load(crank.name), duration="24 ms", tolerance=1e-8).settings.compiled
 
 
 def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
@@ -75,7 +75,7 @@ def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
     run = simulate(crank, duration="24 ms", tolerance=1e-8)
     c_compilation._compiler.cache_clear()
     assert run.outcome.finished
-    assert not run.compiled
+    assert not run.settings.compiled
 
 
 @pytest.fixture

@@ -49,7 +49,7 @@ def test_many_parts_in_many_files_give_the_same_bits(small, method):
     machine = simulate(model, compiled=False, **settings)
     native = simulate(model, compiled=True, **settings)
     assert len(native.impacts) > 1
-    assert np.array_equal(machine.history.rows.view(np.uint64), native.history.rows.view(np.uint64))
+    assert np.array_equal(machine.engine.history.rows.view(np.uint64), native.engine.history.rows.view(np.uint64))
 
 
 def test_small_parts_are_made_of_the_text(small, text):
@@ -151,9 +151,9 @@ def test_compiling_together_gives_the_same_bits_and_happens_once(monkeypatch, tm
     compile_together([(model, method) for method in machine])
     for method, run in machine.items():
         native = simulate(model, method=method, compiled=True, **settings)
-        assert native.compiled
+        assert native.settings.compiled
         assert len(native.impacts) > 1
-        assert np.array_equal(run.history.rows.view(np.uint64), native.history.rows.view(np.uint64))
+        assert np.array_equal(run.engine.history.rows.view(np.uint64), native.engine.history.rows.view(np.uint64))
     assert len(made) == 1
 
 

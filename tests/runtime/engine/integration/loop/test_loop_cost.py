@@ -109,7 +109,7 @@ def test_a_run_costs_few_calls_beyond_its_chunks(crank, monkeypatch):
 def test_attempts_after_the_end_are_passed_over_and_change_nothing(crank):
     """A nested chunk against one that calls every attempt, from a start that ends within its first calls."""
     run = simulate(crank, duration="20 us", tolerance=1e-3, method="dop853")
-    made, history = run.history.engine, run.history
+    made, history = run.engine.history.engine, run.engine.history
     given = history.rows[0], history.controls, tally(crank).first(history.rows[0], history.controls)[0]
     nested, flat = (chunk(made, sizes).call(given) for sizes in ((4, 4), (16,)))
     assert int(nested[0][made.layouts.state.places["status"], 3]) == FINISHED

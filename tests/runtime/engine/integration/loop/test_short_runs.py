@@ -52,5 +52,5 @@ def test_a_run_of_one_step_on_a_grid_has_one_row(tmp_path):
 
 
 def test_a_driven_run_without_a_step_has_sums_of_no_interval(stuck):
-    sums = stuck.findings.sums()
+    sums = stuck.engine.findings.sums()
     assert (sums.count, len(sums.memory)) == (0, 1)

@@ -40,7 +40,7 @@ def hit(model, gap, **options):
 
 
 def part(run, name):
-    return run.history.part(name)
+    return run.engine.history.part(name)
 
 
 @pytest.mark.parametrize(("method", "gap"), [("dop853", APART), ("dop853", CLOSE), ("rodas", CLOSE), ("auto", CLOSE)])
@@ -57,7 +57,7 @@ def test_a_class_for_each_pair_changes_no_number(monkeypatch, method, gap):
     assert ({first, several} if gap == CLOSE else {first, second, third}) <= set(part(own, "class")[:, 0])
     assert set(part(masked, "class")[:, 0]) == {0.0, 1.0, 2.0}
     if method == "dop853":
-        names = own.history.integrator.layouts.state.sizes
+        names = own.engine.history.integrator.layouts.state.sizes
         assert [name for name in names if not np.array_equal(part(own, name), part(masked, name))] == ["class"]
     assert part(own, "y") == pytest.approx(part(masked, "y"), rel=1e-10, abs=1e-13)
 
@@ -146,7 +146,7 @@ def test_pairs_that_are_not_evaluated_change_no_bit(monkeypatch, gap):
     lean = hit(row(4), gap, **options)
     monkeypatch.setattr("hertzwerk.runtime.engine.integration.loop.plain_attempt.pairs_by_polynomial", every_pair)
     asked = hit(EngineModel(row(4).module), gap, **options)
-    assert np.array_equal(lean.history.rows, asked.history.rows)
+    assert np.array_equal(lean.engine.history.rows, asked.engine.history.rows)
 
 
 MARKS = (ca.OP_ERF, ca.OP_ASINH, ca.OP_ATANH)  # which nothing else uses
@@ -176,7 +176,7 @@ def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
 @pytest.mark.parametrize("method", [pytest.param("dop853", marks=pytest.mark.exhaustive), "auto"])
 def test_the_same_digits_compiled(method):
     machine, native = (hit(row(4), CLOSE, tolerance=1e-8, method=method, compiled=c) for c in (False, True))
-    assert np.array_equal(machine.history.rows, native.history.rows)
+    assert np.array_equal(machine.engine.history.rows, native.engine.history.rows)
 
 
 def linear(B):

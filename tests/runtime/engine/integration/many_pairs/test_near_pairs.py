@@ -75,11 +75,11 @@ def test_a_list_that_is_kept_too_long_misses_impacts(listed, every_pair_evaluate
 def test_dissipation_of_a_pair_stays_booked_after_it_leaves_the_list(listed, every_pair_evaluated):
     every = every_pair_evaluated
     run = simulate(listed, initial=fast(1), **OPTIONS)
-    assert len(run.history.departures) > 3
+    assert len(run.engine.history.departures) > 3
     names = [name for name in every if name.endswith(".dissipated")]
     ends = [[float(of[name][-1]) for name in names] for of in (run, every)]
     assert ends[0] == pytest.approx(ends[1], rel=1e-6, abs=1e-12)
-    dense = run.history.part("y")[-1][-len(names) :]
+    dense = run.engine.history.part("y")[-1][-len(names) :]
     assert dense.tolist() == ends[0]
 
 
@@ -122,7 +122,7 @@ def test_sensitivities_and_continuation_say_what_a_list_does_not_have(listed):
     with pytest.raises(InputError, match="lists the near ones"):
         simulate(listed, sensitivities=["radius"], **OPTIONS)
     run = simulate(listed, **{**OPTIONS, "duration": "1 ms"})
-    assert run.checkpoint is None
+    assert run.engine.checkpoint is None
 
 
 def test_pairs_that_latch_nothing_are_listed(monkeypatch):
@@ -139,7 +139,7 @@ def test_pairs_that_latch_nothing_are_listed(monkeypatch):
     assert len(begun(every)) >= 5 and [pair for pair, _ in begun(run)] == [pair for pair, _ in begun(every)]
     assert [t for _, t in begun(run)] == pytest.approx([t for _, t in begun(every)], abs=1e-9)
     assert run["flight_3.z"][-1] == pytest.approx(every["flight_3.z"][-1], abs=1e-7)
-    assert run.history.part("m").shape == (len(run.history.t), 0)
+    assert run.engine.history.part("m").shape == (len(run.engine.history.t), 0)
 
 
 @pytest.mark.exhaustive
@@ -154,4 +154,4 @@ def test_a_hundred_spheres_move_bit_for_bit_as_with_every_pair_in_every_step(mon
     every = simulate(whole, **options)
     assert len(run.impacts) > 20 and begun(run) == begun(every)
     moving = slice(0, model.nq + model.nu)
-    assert np.array_equal(run.history.part("y")[:, moving], every.history.part("y")[:, moving])
+    assert np.array_equal(run.engine.history.part("y")[:, moving], every.engine.history.part("y")[:, moving])

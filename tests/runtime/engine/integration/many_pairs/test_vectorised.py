@@ -236,7 +236,7 @@ def test_c_of_vectors_has_the_digits_of_the_virtual_machine():
     assert contact_forces(balls(7)).touching.numel_out(0) > 1
     runs = [simulate(balls(7), duration="0.15 s", tolerance=1e-7, compiled=compiled) for compiled in (False, True)]
     assert len(runs[0].impacts) >= 3
-    assert np.array_equal(runs[0].history.rows, runs[1].history.rows)
+    assert np.array_equal(runs[0].engine.history.rows, runs[1].engine.history.rows)
 
 
 @pytest.mark.parametrize("name", ["slider_crank", "tippe_top"])
@@ -248,4 +248,4 @@ def test_called_stages_give_the_run_of_inlined_ones(name, monkeypatch):
         EngineModel(engine_model(name).module), duration="5 ms", tolerance=1e-8, method="dop853", compiled=False
     )
     assert called.statistics.steps == inlined.statistics.steps
-    assert called.history.part("y") == pytest.approx(inlined.history.part("y"), rel=1e-11, abs=1e-13)
+    assert called.engine.history.part("y") == pytest.approx(inlined.engine.history.part("y"), rel=1e-11, abs=1e-13)

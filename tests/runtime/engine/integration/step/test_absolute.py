@@ -47,9 +47,9 @@ def both(scene: Scene, duration: float, tolerance: float = TOLERANCE, **options)
 
 def poses(run, t: np.ndarray) -> np.ndarray:
     """Positions and rotation matrices of all bodies, row by row."""
-    found, model = run.at(t), run.model
+    found, model = run.at(t), run.engine.model
     q = np.column_stack([found[name] for name in model.coordinates])
-    c = run.history.controls[: model.nc]
+    c = run.engine.history.controls[: model.nc]
     return np.array(
         [
             np.concatenate([np.array(x).ravel() for x in model.function("poses")(s, row, c)])
@@ -130,7 +130,7 @@ def test_the_same_motion_energy_and_work(name):
     assert np.ptp(poses(tree, t), axis=0).max() > 0.3  # and it moves
     assert absolute.energy_residual < 3e-9
     assert open_by(absolute) < 1e-11
-    for row in tree.model.memory:
+    for row in tree.engine.model.memory:
         assert absolute.at(t)[row] == pytest.approx(tree.at(t)[row], abs=1e-7 * max(1.0, np.max(np.abs(tree[row]))))
 
 
@@ -173,8 +173,8 @@ def test_the_force_of_a_drive_holds_its_joint():
 @pytest.mark.exhaustive
 def test_loops_stay_closed_and_quaternions_of_norm_1_in_a_long_run():
     run = simulate(engine_model(ball_chain().with_coordinates("absolute")), duration=100.0, tolerance=1e-11)
-    q = run.history.part("y")[:, : run.model.nq]
-    for i in run.model.quaternions:
+    q = run.engine.history.part("y")[:, : run.engine.model.nq]
+    for i in run.engine.model.quaternions:
         assert np.max(np.abs(np.linalg.norm(q[:, i : i + 4], axis=1) - 1)) < 1e-14
     assert open_by(run) < 1e-12
     assert run.energy_residual < 1e-7

@@ -128,7 +128,7 @@ def test_after_a_thousand_turns_loops_are_closed_as_far_as_the_angles_are_known(
     turned = np.spacing(2000 * np.pi)
     assert 0.5 * turned / 2 > 1e-13 * 0.5  # half a digit times the crank, against the tolerance of closing
     assert late["foot.angle"][-1] == pytest.approx(first["foot.angle"][-1], abs=100 * turned)
-    assert max(np.max(np.abs(late[name])) for name in late.model.constraints) < 4 * turned
+    assert max(np.max(np.abs(late[name])) for name in late.engine.model.constraints) < 4 * turned
 
 
 # -- assembly ----------------------------------------------------------------------------------------------------------
@@ -141,7 +141,9 @@ def test_initial_values_count_as_given():
         initial={"left_1.angle": "0.2 rad", "foot_2.speed": "-1 rad/s", "foot_0.speed": "-1 rad/s"},
         tolerance=1e-6,
     )
-    assert [run[name][0] for name in run.model.coordinates] == pytest.approx([-0.2, -0.2, -0.2, 0.2, 0.2], abs=1e-12)
+    assert [run[name][0] for name in run.engine.model.coordinates] == pytest.approx(
+        [-0.2, -0.2, -0.2, 0.2, 0.2], abs=1e-12
+    )
 
 
 def test_too_much_is_said_with_the_loop_and_how_far_it_is_open():

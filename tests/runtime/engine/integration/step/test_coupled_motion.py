@@ -65,7 +65,7 @@ def run(declared: Scene, coordinates: str = "tree", duration: float = 2.0, **opt
     )
     assert found.outcome.finished
     assert found.energy_residual < EXACT
-    assert max(np.max(np.abs(found[name])) for name in found.model.constraints) < EXACT
+    assert max(np.max(np.abs(found[name])) for name in found.engine.model.constraints) < EXACT
     return found
 
 
@@ -140,7 +140,7 @@ def test_a_rack_falls_with_its_pinion(coordinates):
     a = -2.0 * 9.81 / (2.0 + 0.2 / 0.4**2)
     at_rate(found, "rack.speed", a)
     assert found["mesh.force"] == pytest.approx(-0.2 * a / 0.4**2, rel=EXACT)
-    assert found.history.units["mesh.force"] == "N"
+    assert found.engine.history.units["mesh.force"] == "N"
 
 
 def test_a_screw_press_is_lifted_by_its_torque():

@@ -139,13 +139,13 @@ def test_compiled_is_bitwise_the_virtual_machine(name, tmp_path, monkeypatch):
     model, duration = engine_model(name), "24 ms" if name == "slider_crank" else "5 s"
     machine = simulate(model, duration=duration, tolerance=1e-8)
     native = simulate(model, duration=duration, tolerance=1e-8, compiled=True)
-    assert np.array_equal(machine.history.rows, native.history.rows)
+    assert np.array_equal(machine.engine.history.rows, native.engine.history.rows)
     libraries = list((tmp_path / "cache").iterdir())
     assert [library.suffix for library in libraries] == [".so"]
     before = libraries[0].stat().st_mtime_ns
     again = simulate(engine_model(name), duration=duration, tolerance=1e-8, compiled=True)
     assert libraries[0].stat().st_mtime_ns == before  # found, not compiled again
-    assert np.array_equal(machine.history.rows, again.history.rows)
+    assert np.array_equal(machine.engine.history.rows, again.engine.history.rows)
 
 
 def test_without_a_compiler_the_message_names_the_way_out(crank, monkeypatch):
@@ -240,7 +240,7 @@ def test_runs_of_one_model_side_by_side_do_not_disturb_each_other(ball):
     heights = [f"{0.5 + 0.1 * i} m" for i in range(8)]
 
     def rows(height):
-        return simulate(ball, duration="5 s", tolerance=1e-9, parameters={"drop_height": height}).history.rows
+        return simulate(ball, duration="5 s", tolerance=1e-9, parameters={"drop_height": height}).engine.history.rows
 
     alone = list(map(rows, heights))
     with ThreadPoolExecutor(4) as pool:
@@ -296,7 +296,7 @@ def stopped(run, name):
     assert run.outcome.name == name
     assert run.outcome.message
     assert run.outcome.remedy
-    assert np.all(np.isfinite(run.history.rows))
+    assert np.all(np.isfinite(run.engine.history.rows))
     return run
 
 
@@ -423,7 +423,7 @@ def test_an_exponent_goes_with_its_stiffness(ball):
 def test_values_in_other_units_are_the_same_run(ball):
     first = simulate(ball, duration="1 s", parameters={"mass": "2 kg", "drop_height": (50, "cm")}, tolerance=1e-6)
     second = simulate(ball, duration="1000 ms", parameters={"mass": "2000 g", "drop_height": "0.5 m"}, tolerance=1e-6)
-    assert np.array_equal(first.history.rows, second.history.rows)
+    assert np.array_equal(first.engine.history.rows, second.engine.history.rows)
 
 
 def test_outside_the_recommended_range_is_a_warning(crank):
@@ -508,7 +508,7 @@ def test_npz_there_and_back(crank, tmp_path):
     assert all(np.array_equal(again[name], run[name]) for name in ("t", *run))
     for name in ("outcome", "statistics", "impacts", "energy_residual", "warnings", "parameters", "final", "duration"):
         assert getattr(again, name) == getattr(run, name), name
-    assert again.model.module.PARAMETERS == crank.module.PARAMETERS
+    assert again.engine.model.module.PARAMETERS == crank.module.PARAMETERS
     with pytest.raises(ValueError, match="simulate again"):
         again.at([0.0])
     with pytest.raises(FileExistsError):

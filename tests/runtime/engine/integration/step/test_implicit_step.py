@@ -236,9 +236,9 @@ def test_compiled_is_bitwise_the_virtual_machine(ball, method, tmp_path, monkeyp
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
     options = {"duration": "2 s", "tolerance": 1e-6, "method": method, "parameters": {"restitution": 0.5}}
     machine, native = (simulate(ball, compiled=compiled, **options) for compiled in (False, True))
-    assert np.array_equal(machine.history.rows, native.history.rows)
+    assert np.array_equal(machine.engine.history.rows, native.engine.history.rows)
     if method == "auto":
-        assert {choice.method for choice in machine.choices} == {"explicit", "implicit"}
+        assert {choice.method for choice in machine.engine.choices} == {"explicit", "implicit"}
 
 
 @pytest.mark.parametrize("method", IMPLICIT)
@@ -368,7 +368,7 @@ def swung():
 def test_derivatives_of_a_constrained_motion_are_those_of_how_it_is_solved_for(swung):
     """Of the equations that accelerations solve it takes a fraction of the operations."""
     run = simulate(swung, duration="0.3 s", tolerance=1e-10, method="dop853")
-    y, c = run.history.part("y")[-1], run.history.controls[: swung.nc]
+    y, c = run.engine.history.part("y")[-1], run.engine.history.controls[: swung.nc]
     q, u = y[: swung.nq], y[swung.nq : swung.nq + swung.nu]
     f = np.array(swung.function("applied")(0, q, u, c)).ravel() + np.linspace(-1, 1, swung.nu)
     found = implicit._motion_derivatives(swung)
@@ -394,7 +394,7 @@ def test_a_constrained_motion_is_the_same_by_calls(swung, method, monkeypatch):
     monkeypatch.setattr(implicit, "LARGE", 0)
     called = simulate(EngineModel(swung.module, swung.declaration), **options)
     assert called.statistics.steps == pytest.approx(written.statistics.steps, abs=2)
-    ends = [run.history.part("y")[-1, : swung.nq] for run in (called, written)]
+    ends = [run.engine.history.part("y")[-1, : swung.nq] for run in (called, written)]
     assert ends[0] == pytest.approx(ends[1], abs=1e-7)
 
 
@@ -419,8 +419,8 @@ def test_auto_stays_explicit_on_impacts(crank):
         simulate(engine_model("slider_crank_frictionless"), duration="6 ms", tolerance=1e-7, method=method)
         for method in ("auto", "dop853")
     )
-    assert [choice.method for choice in auto.choices] == ["explicit"]
-    assert np.array_equal(auto.history.part("y"), explicit.history.part("y"))
+    assert [choice.method for choice in auto.engine.choices] == ["explicit"]
+    assert np.array_equal(auto.engine.history.part("y"), explicit.engine.history.part("y"))
 
 
 def test_looking_for_stiffness_costs_nothing_in_free_flight_and_little_in_contact(ball):
@@ -441,7 +441,7 @@ def test_looking_for_stiffness_costs_nothing_in_free_flight_and_little_in_contac
 
 def test_auto_changes_when_the_ball_settles_and_says_why(ball):
     run = simulate(ball, duration="2 s", tolerance=1e-6, method="auto", parameters={"restitution": 0.5})
-    first, second, *_ = run.choices
+    first, second, *_ = run.engine.choices
     assert (first.method, first.t) == ("explicit", 0)
     assert second.method == "implicit"
     assert second.t > run.impacts[4].t  # not for the bounces
@@ -458,14 +458,14 @@ def test_auto_leaves_implicit_steps_that_save_fewer_explicit_ones_than_they_cost
     """Corners that rub, at 1e-9: an implicit step costs 3.3 explicit ones. It goes on bitwise from between two changes, by explicit steps alone."""
     model = engine_model("translational_clearance")
     auto, explicit = (simulate(model, duration="42 ms", tolerance=1e-9, method=m) for m in ("auto", "dop853"))
-    implicit = int(np.sum(auto.history.part("method")[1:]))
+    implicit = int(np.sum(auto.engine.history.part("method")[1:]))
     assert implicit > 100
     assert auto.statistics.steps - implicit + 3.3 * implicit < 1.15 * explicit.statistics.steps
-    assert {choice.method for choice in auto.choices[2:]} == {"explicit", "implicit"}
-    back, again = (choice.t for choice in auto.choices[2:4])
+    assert {choice.method for choice in auto.engine.choices[2:]} == {"explicit", "implicit"}
+    back, again = (choice.t for choice in auto.engine.choices[2:4])
     part = simulate(model, duration=(back + again) / 2, tolerance=1e-9, method="auto")
     rest = part.continued("42 ms")
-    assert np.array_equal(rest.history.rows, auto.history.rows[auto.t >= rest.t[0]])
+    assert np.array_equal(rest.engine.history.rows, auto.engine.history.rows[auto.t >= rest.t[0]])
 
 
 # ---- SUNDIALS --------------------------------------------------------------------------------------------------------

@@ -71,7 +71,7 @@ def test_which_constraint_is_taken_out_changes_on_the_way():
     governor = model("flyball_governor").without_redundancy(groups)
     softness = redundant_constraints._softness(governor)
     run = simulate(model("flyball_governor"), duration=0.4, tolerance=1e-9)
-    c, q = run.history.controls[: governor.nc], run.history.part("y")[:, : governor.nq]
+    c, q = run.engine.history.controls[: governor.nc], run.engine.history.part("y")[:, : governor.nq]
     out = (
         np.array([np.array(softness(0, row, c, np.ones(governor.nu), 1.0)).ravel() for row in q])
         == redundant_constraints.OUT

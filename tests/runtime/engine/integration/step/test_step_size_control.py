@@ -45,8 +45,12 @@ def test_smooth_coordinates_hide_no_error_of_a_contact_at_rest():
 def test_how_wary_a_run_gets_has_a_limit(before, after):
     """It grew threefold with every return to explicit steps, beyond what a number can tell, with a warning."""
     run = simulate(load("bouncing_ball"), duration="0.1 s", tolerance=1e-6, compiled=False)
-    layouts = run.history.engine.layouts
-    old = layouts.state.split(ca.DM(run.history.rows[-1])) | {"method": IMPLICIT, "pressure": 0.0, "wary": before}
-    controls = layouts.controls.split(ca.DM(run.history.controls))
+    layouts = run.engine.history.engine.layouts
+    old = layouts.state.split(ca.DM(run.engine.history.rows[-1])) | {
+        "method": IMPLICIT,
+        "pressure": 0.0,
+        "wary": before,
+    }
+    controls = layouts.controls.split(ca.DM(run.engine.history.controls))
     still = ca.DM.zeros(old["y"].numel(), old["y"].numel())
-    assert choice(run.model, BY_MODE, old, controls, old, 1e-3, still)["wary"] == after
+    assert choice(run.engine.model, BY_MODE, old, controls, old, 1e-3, still)["wary"] == after
