@@ -13,6 +13,7 @@ from hertzwerk import runtime
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.scenes.bouncing_ball import scene
 from hertzwerk.runtime import simulation
+from hertzwerk.runtime.engine.run import continuation
 
 T = np.linspace(0, 0.058, 30)
 GIVEN = {name: getattr(runtime, name) for name in runtime.__all__}
@@ -355,7 +356,8 @@ ball.equations()
 @pytest.mark.parametrize("row", WRONG.strip().splitlines())
 def test_a_wrong_call_is_refused_before_anything_runs(row, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(simulation, "set_up", lambda *given, **how: pytest.fail("a run was begun"))
+    for place in (simulation, continuation):
+        monkeypatch.setattr(place, "set_up", lambda *given, **how: pytest.fail("a run was begun"))
     call, _, found = row.partition("  ->  ")
     with pytest.raises((InputError, KeyError)) as caught:
         eval(call, {**GIVEN})

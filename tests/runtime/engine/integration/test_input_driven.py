@@ -110,7 +110,7 @@ def test_a_run_goes_on_and_is_made_again_to_the_bit():
     again = simulate(pickle.loads(pickle.dumps(short.engine.model)), duration="2 ms", tolerance=1e-8)
     np.testing.assert_array_equal(again.engine.history.rows, short.engine.history.rows)
     grid = simulate(short.engine.model, duration="2 ms", tolerance=1e-8, grid=101)
-    np.testing.assert_array_equal(with_steps(grid).history.rows, short.engine.history.rows)
+    np.testing.assert_array_equal(with_steps(grid).engine.history.rows, short.engine.history.rows)
 
 
 def _shaft(*effects):

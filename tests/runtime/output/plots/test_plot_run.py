@@ -10,8 +10,9 @@ from matplotlib.patches import Circle
 
 from hertzwerk.derive import Contact
 from hertzwerk.derive.laws import power
-from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.build import scene_from
+from hertzwerk.runtime.engine.solution.solution import EngineRun
 from hertzwerk.runtime.output.plots import curves
 from hertzwerk.runtime.output.plots.picture_samples import dense
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
@@ -53,7 +54,7 @@ def test_a_run_is_sampled_once_for_all_of_its_pictures(output, monkeypatch):
     assert b"Curves" not in pickle.dumps(run)  # what pictures share is theirs
     run.continued("1.5 s").plot()
     assert len(calls) == 2
-    monkeypatch.setattr(Solution, "shared_results", property(lambda run: {}))  # seeded fault: nothing is kept
+    monkeypatch.setattr(EngineRun, "shared_results", property(lambda run: {}))  # seeded fault: nothing is kept
     run.plot(), run.plot("floor")
     assert len(calls) == 4
 

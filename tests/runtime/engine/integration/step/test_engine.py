@@ -506,7 +506,7 @@ def test_npz_there_and_back(crank, tmp_path):
     again = Solution.load(path)
     assert list(again) == list(run)
     assert all(np.array_equal(again[name], run[name]) for name in ("t", *run))
-    for name in ("outcome", "statistics", "impacts", "energy_residual", "warnings", "parameters", "final", "duration"):
+    for name in ("outcome", "statistics", "impacts", "energy_residual", "warnings", "parameters", "final", "settings"):
         assert getattr(again, name) == getattr(run, name), name
     assert again.engine.model.module.PARAMETERS == crank.module.PARAMETERS
     with pytest.raises(ValueError, match="simulate again"):
