@@ -1,4 +1,4 @@
-"""Continuation of a run: what it takes over from the run before, whether it can go on; its steps made again."""
+"""Continuation of a run: what it takes over from the run before, and its steps made again."""
 
 from __future__ import annotations
 

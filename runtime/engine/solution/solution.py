@@ -59,7 +59,7 @@ class Statistics:
 
 @dataclass(frozen=True)
 class RunSettings:
-    """Settings of a run: duration requested [s], method, whether it was compiled, what it was to be accurate to.
+    """Settings of a run: duration requested [s], accuracy or tolerance, method, whether compiled.
 
     accuracy: requested of the whole run, None for a run at a tolerance; tolerance: local, of this run.
     """
