@@ -124,7 +124,7 @@ def coupled(folder, steps, linear):
     """States by name at the end of both units, stepped at the same time; inputs are held, or go on as they changed."""
     wide = DURATION / steps
     one, other = (
-        Part(ENGINE, folder, engine_model=0.0),
+        Part(ENGINE, folder, load=0.0),
         Part(CRANK, folder, shaft_angle=0.0, shaft_speed=float(5000 * np.pi / 30)),
     )
     before = None
@@ -135,7 +135,7 @@ def coupled(folder, steps, linear):
         rates = {}
         if linear:
             rates = {"load__rate": 0.0 if before is None else (load_now - before) / wide}
-        one.set(engine_model=load_now, **rates)
+        one.set(load=load_now, **rates)
         rates = {"shaft_angle__rate": speed, "shaft_speed__rate": acceleration} if linear else {}
         other.set(shaft_angle=angle, shaft_speed=speed, **rates)
         before = load_now

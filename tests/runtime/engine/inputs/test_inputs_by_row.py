@@ -122,7 +122,7 @@ def test_many_runs_have_inputs_of_their_own():
     sets = [{"push": (TIMES, LOADS["calm"])}, {"push": "2 N"}, {"push": (TIMES, LOADS["gusty"]), "push.scale": 0.5}, {}]
     table = simulate_many(shaken(), sets, inputs={"push": "1 N"}, duration="1 s", tolerance=1e-8, workers=1)
     assert table["push"].tolist()[:3] == ["samples", "2 N", "samples 2"]
-    half = tuple(0.5 * engine_model for engine_model in LOADS["gusty"])
+    half = tuple(0.5 * load for load in LOADS["gusty"])
     expected = [alone(push) for push in ((TIMES, LOADS["calm"]), "2 N", (TIMES, half), "1 N")]
     assert table[TRAVEL] == pytest.approx(expected, rel=1e-12)
     bare = simulate_many(shaken(), [{"push": "2 N"}, {"damping": "1 N s/m"}], duration="1 s", tolerance=1e-8, workers=1)

@@ -54,7 +54,7 @@ def test_a_loaded_journal_rests_as_deep_as_its_load_presses_it_and_stays(exponen
 @pytest.fixture(scope="module")
 def seated_bearing():
     oblique = PointForce("load", journal.at(0, 0, 0), (weight * 3 / 5, -weight * 4 / 5, 0))
-    return engine_model(replace(bearing.without("bearing_friction").replace(engine_model=oblique), start=SEATED))
+    return engine_model(replace(bearing.without("bearing_friction").replace(load=oblique), start=SEATED))
 
 
 def ideal_forces(angle):

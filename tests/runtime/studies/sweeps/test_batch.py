@@ -154,7 +154,7 @@ import multiprocessing, threading
 multiprocessing.set_start_method("forkserver")
 from hertzwerk.runtime import simulate, simulate_many
 from hertzwerk.runtime.loading import engine_model
-ball, sets = load("bouncing_ball"), [{"drop_height": f"{0.5 + 0.01 * i} m"} for i in range(12)]
+ball, sets = engine_model("bouncing_ball"), [{"drop_height": f"{0.5 + 0.01 * i} m"} for i in range(12)]
 def batch():
     sweep = simulate_many(ball, sets, duration="2 s", tolerance=1e-8, workers=2, compiled=False)
     print(len(sweep), *sorted(set(map(str, sweep["outcome"]))), flush=True)
@@ -179,7 +179,7 @@ def highest(run):
 def process(run):
     return os.getpid()
 if __name__ == "__main__":
-    model, asked = load("bouncing_ball"), {"over": {"drop_height": "0.3..0.5 m:4"}, "duration": "0.5 s", "workers": 2}
+    model, asked = engine_model("bouncing_ball"), {"over": {"drop_height": "0.3..0.5 m:4"}, "duration": "0.5 s", "workers": 2}
     def rows(**functions):
         return sweep(model, outputs=["floor.peak_force", "final.vertical.travel"], functions=functions, **asked)
     forked = rows(highest=highest)
@@ -213,7 +213,7 @@ def tell(run):
     time.sleep(600 if run.initial["vertical.speed"] else 0)
     return 0.0
 sets = [{}] + [{"vertical.speed": "-1 m/s"}] * 3
-simulate_many(load("bouncing_ball"), sets, duration="1 s", tolerance=1e-6, workers=2, compiled=False, functions={"x": tell})
+simulate_many(engine_model("bouncing_ball"), sets, duration="1 s", tolerance=1e-6, workers=2, compiled=False, functions={"x": tell})
 """
     parent = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     workers = {int(parent.stdout.readline()) for _ in range(3)} - {parent.pid}
