@@ -36,7 +36,7 @@ from hertzwerk.derive.audit.audit import audit_law
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.cli import GROUPS, main
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 
 PAGE = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
@@ -212,6 +212,7 @@ def test_a_method(made, monkeypatch):
 def test_a_command(made, monkeypatch):
     command = made(RECIPES["command"], "command.py")["freedoms"]
     monkeypatch.setitem(main.commands, command.name, command)
+    monkeypatch.setitem(GROUPS["Analyse"], command.name, "command")
     done = CliRunner().invoke(main, ["freedoms", "double_pendulum"])
     assert (done.exit_code, done.stdout) == (0, "double_pendulum: 2\n")
     assert CliRunner().invoke(main, ["freedoms", "nothing"]).exit_code == 2
