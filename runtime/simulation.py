@@ -345,8 +345,8 @@ class Solution(plain_solution.EngineSolution):
         trace = run.trace(self.settings.tolerance, self.engine.scales, rest, progress=progress)
         before = "" if self.error is None else f"; that of the run before was {self.error} at its end"
         note = (
-            f"goes on from t = {run.begin:.9g} s at the tolerance {self.settings.tolerance:.2g} of the run before, "
-            f"without an estimate of its error{before}"
+            f"continues from t = {run.begin:.9g} s at the tolerance {self.settings.tolerance:.2g} of the run before, "
+            f"without an error estimate{before}"
         )
         part = _solution_of(run, trace, self.engine.scales, build_s)
         return replace(part, warnings=(*part.warnings, note))

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import EngineModel
     from hertzwerk.runtime.simulation import Solution
 
-REMEDY = "leave it out: a run goes on as it began"
+REMEDY = "omit it: a continued run keeps its settings"
 
 
 def continue_run(
@@ -42,7 +42,7 @@ def continue_run(
     before, request = _read(folder)
     limits = limits_of(max_steps, wall_time, faults)
     if sensitivities:
-        actual = f"{', '.join(sensitivities)}, of a run that goes on"
+        actual = f"{', '.join(sensitivities)}, of a continued run"
         faults.append(Fault("--sensitivity", actual, "a run from its start", "run the whole without --continue"))
     stopping.stage("building")
     model = engine_model(
@@ -142,10 +142,10 @@ def _differences(
         if now is not None and now != had
     ]
     if accuracy is not None:
-        expected = f"none: a run goes on at its tolerance, {before.settings.tolerance:.2g}, without an estimate"
+        expected = f"none: a run continues at its tolerance, {before.settings.tolerance:.2g}, without an estimate"
         faults.append(Fault("--accuracy", accuracy, expected, "leave it out"))
     if start is not None:
-        faults.append(Fault("--start", start, "none: a run goes on from where it ended", "leave it out"))
+        faults.append(Fault("--start", start, "none: a run continues from its end", "leave it out"))
     return faults + _value_differences(before, model, assignments("--set", settings, faults))
 
 

@@ -211,7 +211,7 @@ class _Extras:
     def make(self, name: str, make: Callable[[Path], object]) -> None:
         """Make one file, or something without a file, in a scratch folder, and move complete files."""
         if self.stop.requested:
-            self.written.missing.append(f"{name} is not there: it was stopped before")
+            self.written.missing.append(f"{name} is missing: it was stopped before")
             return
         self.guarded(name, lambda: self._made(name, make))
 
@@ -228,7 +228,7 @@ class _Extras:
         try:
             make()
         except KeyboardInterrupt:
-            self.written.missing.append(f"{name} is not there: it was stopped while it was made")
+            self.written.missing.append(f"{name} is missing: it was stopped while it was made")
         except Exception as error:  # whatever it is: the data are there, and so is what else can be made from them
             self.written.missing.append(f"{name} could not be made: {type(error).__name__}: {error}")
 
@@ -273,7 +273,7 @@ class _Extras:
                 pages()
         made = side_by_side([partial(self._apart, f"{name}.png", make) for name, make in makers.items()])
         for i, name in enumerate(makers):
-            files, missing = made.get(i, ([], [f"{name}.png is not there: the process that made it ended"]))
+            files, missing = made.get(i, ([], [f"{name}.png is missing: the process that drew it ended"]))
             self.written.files += files
             self.written.missing += missing
 

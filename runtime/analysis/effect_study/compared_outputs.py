@@ -77,7 +77,7 @@ def named(run: EngineSolution) -> tuple[Output, ...]:
     journals = [tuple(model.outputs[i] for i in rows) for rows in model.journals.values()]
     if journals:
         parts = tuple(part for journal in journals for part in journal)
-        meaning = "way of the pin or ball within its bearing" + (", all of them" if len(journals) > 1 else "")
+        meaning = "path length of the pin or ball within its bearing" + (", all of them" if len(journals) > 1 else "")
         outputs.append(Output("journal_path", "m", meaning, lambda samples: _way(samples, journals), parts))
     return tuple(outputs)
 

@@ -248,7 +248,7 @@ class _Trials:
             along_with = tuple(name for name in self._effects if name in gone and name != effect)
             measured, changes = self._measured(case)
         except InputError as error:
-            return Row(effect, fault=f"cannot be left out: {'; '.join(map(str, error.faults))}")
+            return Row(effect, fault=f"cannot be omitted: {'; '.join(map(str, error.faults))}")
         cost = cost_of(self.whole) - cost_of(case.model)
         if not measured.outcome.finished:
             return Row(
@@ -329,7 +329,7 @@ class _Trials:
         if self.bench.same_motion(self.run, model):
             yield "the equations of motion give the same accelerations without it, in every state of the run"
         if measured.past_horizon and not self.measured.past_horizon:
-            yield "without it runs at different tolerances part: its outputs are means of several runs"
+            yield "without it runs at different tolerances separate: its outputs are means of several runs"
         if measured.failed:
             yield f"without it {len(measured.failed)} of its runs did not finish and do not count: {'; '.join(measured.failed)}"
 

@@ -61,7 +61,7 @@ def figure(study: Study) -> Figure:
             if study.smallest is not None and row.effect in study.smallest.left_out:
                 tick.set_color(GREY)
         page.suptitle(
-            f"{study.scene}: what each effect costs, and what leaving it out changes",
+            f"{study.scene}: cost and influence of each effect",
             x=0.01, ha="left", fontsize=12.5, fontweight="bold",
         )  # fmt: skip
         caption = "\n".join(line for note in _captions(study) for line in textwrap.wrap(note, CHARACTERS * columns))
@@ -185,20 +185,20 @@ def _captions(study: Study) -> list[str]:
     """Return the notes below the picture."""
     coarse, fine = study.tolerances
     error = (
-        "the 95 % intervals of the means of 9 runs, which part whatever the tolerance"
+        "the 95 % intervals of the means of 9 runs, which separate at any tolerance"
         if study.past_horizon
         else f"what local tolerances of {coarse:.2g} to {fine:.2g} change"
     )
     notes = [
         f"Triangles: size and sign of the change, relative to the whole scene, with {study.method} over {study.duration:.4g} s. "
-        f"Grey: too small to be seen, by {error}."
+        f"Grey: below the error, by {error}."
     ]
     notes += [f"{row.effect}: {row.fault}" for row in study.rows if row.fault]
     notes += [f"{row.effect}: {note}" for row in study.rows for note in row.notes]
     if study.smallest is not None and study.within is not None:
         effects = ", ".join(study.smallest.effects) or "no effect at all"
         notes.append(
-            f"Smallest scene within {100 * study.within:g} % (dashed): {effects}. Names of what it leaves out are grey."
+            f"Smallest scene within {100 * study.within:g} % (dashed): {effects}. Names of excluded effects are grey."
         )
     return notes + list(study.warnings)
 

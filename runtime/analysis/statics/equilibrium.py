@@ -207,14 +207,14 @@ class Equilibrium(Mapping[str, Value]):
     @property
     def notes(self) -> tuple[str, ...]:
         """Reservations: instability, choice among many, forces that balance alone leaves open."""
-        remarks = [] if self.stable or not self.converged else ["unstable: some displacement is pushed further away"]
+        remarks = [] if self.stable or not self.converged else ["unstable: some displacement grows"]
         if self.indifferent:
             remarks.append(f"indifferent: {', '.join(self.indifferent)} may have other values; no force holds them")
         if self.sticking and self.converged:
             remarks.append(f"one of many: {', '.join(self.sticking)} sticks, and holds within a range of positions")
         if self.indeterminate:
             remarks.append(
-                f"statically indeterminate: balance alone leaves the forces of {', '.join(self.indeterminate)} open"
+                f"statically indeterminate: balance alone does not determine the forces of {', '.join(self.indeterminate)}"
             )
         return tuple(remarks)
 
@@ -346,8 +346,8 @@ def _outcome(model: EngineModel, rest: Rest, indifferent: tuple[str, ...], drift
     if drifting:
         units = model.units
         remarks = ", ".join(f"{name} by {rate:.3g} ({units[name]})/s" for name, rate in drifting.items())
-        remedy = "what keeps a speed has no position of rest: `modes(run, at=...)` is about its motion"
-        return Outcome("no_equilibrium", f"where nothing moves states go on changing: {remarks}", remedy)
+        remedy = "a motion that keeps its speed has no position of rest: `modes(run, at=...)` is about its motion"
+        return Outcome("no_equilibrium", f"states change although nothing moves: {remarks}", remedy)
     loose = [
         f"{name} by {abs(part):.2g}"
         for name, part in zip(model.speeds, rest.unbalanced, strict=True)
@@ -366,7 +366,7 @@ def _outcome(model: EngineModel, rest: Rest, indifferent: tuple[str, ...], drift
     smooth = any(kind == "friction" for _, kind, _ in model.module.EFFECTS) and slides
     remedy = "look for a load without a support, or start nearer to a position of rest"
     if smooth:
-        remedy += "; smoothed friction holds nothing at rest, the laws coulomb and lugre do"
+        remedy += "; smoothed friction holds nothing at rest; the laws coulomb and lugre do"
     return Outcome("no_equilibrium", f"{why}; unbalanced, of the forces: {', '.join(loose)}", remedy)
 
 

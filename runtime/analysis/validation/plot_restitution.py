@@ -56,7 +56,7 @@ def figure(study: Study) -> Figure:
         _together(together, study)
         _own(own, study)
         page.suptitle(
-            "Restitution of the damping laws: what one free impact returns, less the requested one",
+            "Restitution of the damping laws: restitution of one free impact minus the requested one",
             x=0.01, ha="left", fontsize=13, fontweight="bold",
         )  # fmt: skip
         page.supxlabel(

@@ -34,8 +34,8 @@ def warnings(study: Study) -> list[str]:
     if study.shortened:
         known = "" if math.isinf(held.horizon) else f"; even to 1 % only until {seconds(held.horizon)}"
         reservations.append(
-            f"after {seconds(float(held.t[-1]))} of {seconds(study.requested)} no method here knows the true trajectory well enough to measure "
-            f"errors by{known}: errors are those at that time. Of longer runs statistics survive, single trajectories do not: run.averages()"
+            f"after {seconds(float(held.t[-1]))} of {seconds(study.requested)} no two methods agree on the trajectory well enough to measure "
+            f"errors by{known}: errors are those at that time. Statistics of longer runs remain valid, trajectories do not: run.averages()"
         )
     if not study.compiled:
         reservations.append("there is no working C compiler: every time is that of CasADi's virtual machine")
@@ -222,7 +222,9 @@ def _lyapunov(study: Study) -> list[str]:
     if lyapunov is None:
         return []
     low, high = lyapunov.spread
-    meaning = "chaos, or an unstable motion" if lyapunov.chaotic else "neighbouring motions do not part exponentially"
+    meaning = (
+        "chaos, or an unstable motion" if lyapunov.chaotic else "neighbouring motions do not separate exponentially"
+    )
     return [
         f"The largest Lyapunov exponent of the motion, from its variational equations, is "
         f"{plain(lyapunov.law.rate)} +- {plain(lyapunov.law.deviation)} /s "

@@ -60,7 +60,7 @@ def figure(study: Study) -> Figure:
         _work(left, study)
         _along(right, study)
         page.suptitle(
-            f"{study.problem.model.name}: what accuracy costs in {seconds(float(study.reference.t[-1]))}",
+            f"{study.problem.model.name}: cost of accuracy in {seconds(float(study.reference.t[-1]))}",
             x=0.01, ha="left", fontsize=12.5, fontweight="bold",
         )  # fmt: skip
         said = [*conclusions(study), *(f"Warning: {text}" for text in warnings(study))]

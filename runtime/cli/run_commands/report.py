@@ -33,7 +33,7 @@ def report(target: str, out: Path | None, scene: str | None, overwrite: bool) ->
 
     place = Path(target)
     path = out or (place / "report.html" if place.is_dir() else Path(f"{place.stem}.html"))
-    if faults := new_file_faults("--out", path, "name another, or say --overwrite", overwrite=overwrite):
+    if faults := new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite):
         raise InputError("report", faults)
     line("written", str(write(path, page_of(place, target, scene).encode(), overwrite=overwrite)))
     return GOOD

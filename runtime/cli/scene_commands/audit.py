@@ -123,7 +123,7 @@ def _audit_laws(as_json: bool) -> int:
         ],
     )  # fmt: skip
     if differing:
-        line("different", f"verdicts that the catalogue states otherwise: {', '.join(differing)}")
+        line("different", f"verdicts that differ from the catalogue: {', '.join(differing)}")
         return OTHER_OUTCOME
     line("consistent", f"{len({f.law for f in findings})} laws, each with the verdict its record states")
     return GOOD

@@ -79,7 +79,7 @@ def derive(
     if show or as_json:
         _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
     elif coordinates is not None and out is None and not all(map(in_python, targets)):
-        expected = "a folder for what are other modules than those of generated/"
+        expected = "a folder for modules other than those of generated/"
         raise InputError(
             "derive", [Fault("--coordinates without --out", coordinates, expected, "name a folder: --out DIR")]
         )

@@ -61,7 +61,7 @@ def draw(
     if len(names) > 1 and (values or duration is not None):
         faults.append(Fault("--set, --duration", "several targets", "one"))
     path = out or Path(f"{Path(names[0]).stem}.png" if len(names) == 1 else "mechanisms.png")
-    faults += new_file_faults("--out", path, "name another, or say --overwrite", overwrite=overwrite)
+    faults += new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite)
     refuse("draw", faults)
     views = [_places(name, values, duration, start) for name in names]
     content = io.BytesIO()

@@ -205,7 +205,7 @@ def _print_band(sheet: Sheet) -> None:
         if any(abs(depth - other) < 1e-6 * other for other in shown)
     ]
     print_prose(
-        "\nThe paper's own expression could not be had. The band of its candidates, forces in N, largest over smallest:"
+        "\nThe expression of the paper was not available. The band of its candidates, forces in N, largest over smallest:"
     )
     table(("penetration [m]", *(candidate.law for candidate in band.candidates), "band"), rows)
     print_prose(f"As a picture: hertzwerk laws {sheet.law.name} --picture {sheet.law.name}.png")

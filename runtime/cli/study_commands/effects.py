@@ -159,7 +159,7 @@ def _report(study: Study) -> None:
     if study.past_horizon:
         line(
             "warning",
-            "past the horizon: runs part whatever the tolerance; outputs are means of 9 runs, averages those of one, with 95 % intervals",
+            "beyond the horizon, where runs separate at any tolerance: outputs are means of 9 runs, averages those of one run, with 95 % intervals",
         )
     for warning in study.warnings:
         line("warning", warning)
@@ -167,8 +167,8 @@ def _report(study: Study) -> None:
     columns = ("effect", "in flight", "in contact", "states", "events", "time")
     table((*columns, *(output.name for output in study.outputs)), [_cells(study, row) for row in study.rows])
     print_prose(
-        "\nWhat an effect costs: operations of one evaluation, states, event functions, share of the time. "
-        "Then what leaving it out changes, relative to the whole scene."
+        "\nCost of an effect: operations of one evaluation, states, event functions, share of the time. "
+        "Then the changes without it, relative to the whole scene."
     )
     for row in study.rows:
         for note in _notes(row):
@@ -222,8 +222,8 @@ def _report_smallest(study: Study) -> None:
         line("left out", f"{', '.join(smallest.left_out)}: {change}{saved}")
     noisy = [name for name, number in study.numbers.items() if number.error > study.within * abs(number.value)]
     if noisy:
-        line("warning", f"the error of {', '.join(noisy)} alone is larger than that: what could be left out is not known; "
-                        "runs within the horizon, or other outputs, would show")  # fmt: skip
+        line("warning", f"the error of {', '.join(noisy)} alone is larger than that, so the smallest scene is unknown; "
+                        "take runs within the horizon, or other outputs")  # fmt: skip
     tried = "" if smallest.complete else ", the most that are tried: a smaller one may exist"
-    line("found by", "leaving out one effect after another, or two at once where no single one can go, each time with all outputs measured again; "
+    line("found by", "effects were removed one after another, or two at once where no single one can be, and all outputs were measured each time; "
                      f"{smallest.tried} scenes tried{tried}")  # fmt: skip

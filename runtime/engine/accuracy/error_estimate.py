@@ -107,7 +107,7 @@ class ErrorEstimate:
         A shift in time, as of an impact that is a nanosecond late, is not in it. Raises KeyError for another name.
         """
         if history not in self.parts:
-            raise KeyError(f"no error of {history!r} is known; there are those of {', '.join(self.parts)}")
+            raise KeyError(f"no error of {history!r} is known; known are those of {', '.join(self.parts)}")
         return self.parts[history]
 
     @property
@@ -127,7 +127,7 @@ class ErrorEstimate:
 
     def __str__(self) -> str:
         if not self.known:
-            return f"not known from t = {self.times[-1]:.4g} s on"
+            return f"unknown after t = {self.times[-1]:.4g} s"
         if self.worst <= LEAST:
             return f"below {brief(LEAST)}"
         return f"{brief(self.worst, 2)} at t = {self.when:.4g} s, {brief(self.end, 2)} at the end"
@@ -146,7 +146,7 @@ def beyond_horizon(error: ErrorEstimate) -> str:
     grow = "" if error.growth is None else f"; errors grow at {error.growth:.3g}/s"
     return (
         f"the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
-        f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are, run.averages()"
+        f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are valid, run.averages()"
     )
 
 

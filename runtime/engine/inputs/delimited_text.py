@@ -69,7 +69,7 @@ def text_of(path: Path) -> str:
 
 
 def _no_text(error: Exception) -> Exception:
-    plain = "bytes that are no UTF-8, UTF-16 or Latin-1 text; a workbook is saved as CSV first"
+    plain = "bytes that are not UTF-8, UTF-16 or Latin-1 text; save a workbook as CSV first"
     return error if isinstance(error, OSError) else ValueError(plain)
 
 
@@ -229,7 +229,7 @@ class Numbers:
         for r, row in enumerate(rows):
             if not width <= len(row) <= most or (any(row[width:]) and not remarks):
                 comma = self._layout.delimiter == "," and any(re.fullmatch(r"[-+\d]+,\d+", c) for c in row)
-                remedy = "decimal commas want another delimiter, or quotes" if comma else ""
+                remedy = "decimal commas need another delimiter, or quotes" if comma else ""
                 self.add(r, f"{len(row)} cells", f"{width}, as there are headings", remedy)
                 rows[r] = [UNEVEN] * width
         columns = [[row[place] for row in rows] for place in self._places]
@@ -261,7 +261,9 @@ class Numbers:
         if mark == "," and "." in firsts:
             (r, c, cell), (other, column, point) = firsts[","], firsts["."]
             actual = f"{shown(cell)}, and {shown(point)} in line {self._rows[other][0]}, {self._names[column]}"
-            self.add(r, actual, "one decimal mark", 'decimal="," or decimal="." decides, and refuses the other', c)
+            self.add(
+                r, actual, "one decimal mark", 'decimal="," or decimal="." states it, and the other is then refused', c
+            )
             return ".,"
         doubtful = None if mark == "," else firsts.get("?,")
         if doubtful := doubtful or (None if mark == "." else firsts.get("?.")):

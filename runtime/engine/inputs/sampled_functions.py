@@ -117,7 +117,7 @@ class _Sampler:
     def unresolved(self, a: float, b: float) -> Unresolved:
         """Return the error of a span in which pieces, however short, miss the function."""
         return Unresolved(f"a function that pieces of {b - a:.2g} s do not resolve at t = {a:g} s",
-                          'what jumps again and again, or is noise, is given as samples: Samples(times, values, units, "held")')  # fmt: skip
+                          'supply a noisy or often jumping input as samples: Samples(times, values, units, "held")')  # fmt: skip
 
     def _at(self, times: np.ndarray) -> np.ndarray:
         return np.array([_value(self._function, float(t)) for t in times])

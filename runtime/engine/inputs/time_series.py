@@ -84,14 +84,14 @@ class Samples:
             strange = np.flatnonzero(~np.isfinite(array))
             if strange.size:
                 actual = f"the {kind} {array[strange[0]]} in place {strange[0] + 1}"
-                yield Fault(where, actual, "finite numbers", "leave out the samples that are missing")
+                yield Fault(where, actual, "finite numbers", "omit missing samples")
                 return
         falls = np.flatnonzero(np.diff(t) <= 0)
         if falls.size:
             k = int(falls[0])
             actual = f"the time {t[k + 1]:g} after {t[k]:g} in place {k + 2}, and {falls.size - 1} more like it"
             yield Fault(
-                where, actual, "times that increase", "sort the samples by time; of two at one time leave one out"
+                where, actual, "times that increase", "sort the samples by time; omit one of two at the same time"
             )
 
 

@@ -179,7 +179,7 @@ def _states(history: Rows) -> dict[str, np.ndarray]:
 
 def _mapped(history: Rows, reading: Reading, values: Mapping[str, np.ndarray]) -> np.ndarray:
     if history.p is None:
-        raise ValueError("readings need the parameters of a run, and these rows are of none")
+        raise ValueError("readings need the parameters of a run; these rows belong to none")
     names = ARGUMENTS[reading.function].split()[:-1]
     (constants,) = _constants(history.model)(history.p)
     (result,) = _function(history.model, reading.function, reading.result)(

@@ -384,8 +384,8 @@ class EngineModel:
     def _undefined(self, p: np.ndarray, c: np.ndarray, texts: Mapping[str, tuple[float, str]]) -> list[Fault]:
         """Return the faults of constants that are not finite: one for each unchecked law, one for all others."""
         rows = [(*row, float(x)) for row, x in zip(self.module.CONSTANTS, c, strict=True) if not math.isfinite(x)]
-        remedy = ("an unchecked law takes SI values as they are, and its formula has no value for them: take its consistent form, "
-                  "whose hidden units are named (`hertzwerk laws NAME` says which)")  # fmt: skip
+        remedy = ("an unchecked law takes SI values as they are, and its formula is undefined there: take its consistent form, "
+                  "whose hidden units are named (`hertzwerk laws NAME` lists it)")  # fmt: skip
         faults = {}
         for name, unit, value in rows:
             law = next(((e, text) for e, text in self.module.UNCHECKED if name.startswith(f"{e}_")), None)

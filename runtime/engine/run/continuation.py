@@ -51,7 +51,12 @@ def resumable(run: EngineSolution, model: EngineModel, *, saved: bool) -> Checkp
     if run.outcome.name not in CONTINUABLE:
         expected = f"one of {', '.join(CONTINUABLE)}"
         faults.append(
-            Fault("outcome", run.outcome.name, expected, "it would end so again: change the model or its parameters")
+            Fault(
+                "outcome",
+                run.outcome.name,
+                expected,
+                "it would end in the same way: change the model or its parameters",
+            )
         )
     if checkpoint is None:
         expected = f"a run of the engine itself: {', '.join(IN_GRAPH)}"

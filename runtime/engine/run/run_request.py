@@ -266,7 +266,7 @@ def input_faults(model: EngineModel, seconds: float, before: Sequence[Fault] = (
             faults.append(Fault(where, "no value", expected, f'inputs={{"{name}": ...}}, or --input {name}=...'))
         elif signal.begins[0] > 0 or signal.end < seconds * (1 - 1e-12):
             actual = f"{signal.text} from {signal.begins[0]:g} s to {signal.end:g} s"
-            way_out = "shorten the run, or add a sample at each end that says how it goes on"
+            way_out = "shorten the run, or add a sample at each end"
             faults.append(Fault(where, actual, f"values over the whole run, from 0 to {seconds:g} s", way_out))
         elif signal.smooth < model.smooth.get(name, (-1, ""))[0]:
             derivatives, use = model.smooth[name]

@@ -39,7 +39,7 @@ def open_forces(model: EngineModel, bound: BoundParameters, q: np.ndarray) -> It
 
     names = [constraint_force(name) for name in undetermined(model, bound, q)]
     if names:
-        yield f"redundant constraints leave these forces undetermined; those of least norm are given: {', '.join(names)}"
+        yield f"redundant constraints leave these forces undetermined; those of least norm are reported: {', '.join(names)}"
 
 
 def too_fast(model: EngineModel, limits: np.ndarray, tally: Mapping[str, np.ndarray]) -> Iterator[str]:
@@ -68,11 +68,11 @@ def lost_grip(model: EngineModel, bound: BoundParameters, history: History) -> I
         along = [force for of, force in held.items() if of.startswith(f"{name}.friction_force")]
         if normal is None:
             if limited:
-                yield f"{name}: its joints keep the surfaces in contact, so that no normal force is known to compare friction with"
+                yield f"{name}: its joints keep the surfaces in contact, so there is no normal force to compare friction with"
             continue
         worst = int(np.argmin(normal))
         if normal[worst] < 0:
-            yield f"{name} holds its surfaces together with {-normal[worst]:.3g} N at {history.t[worst]:.4g} s: they would part"
+            yield f"{name} holds its surfaces together with {-normal[worst]:.3g} N at {history.t[worst]:.4g} s: they would separate"
         needed = np.linalg.norm(along, axis=0) / np.where(normal > 0, normal, np.inf) if along else np.zeros(1)
         worst = int(np.argmax(needed))
         if needed[worst] > limit:
@@ -94,7 +94,7 @@ def floored(count: int, floor: float) -> Iterator[str]:
     if not count:
         return
     contacts = "one contact began" if count == 1 else f"{count} contacts began"
-    yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law took for the approach speed"
+    yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law used as the approach speed"
 
 
 def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> Iterator[str]:
@@ -112,19 +112,19 @@ def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> I
     of = f" of {', '.join(pairs)}"
     which = f"{len(lasting)} contacts{of}, the worst" if len(lasting) > 1 else f"a contact{of},"
     yield (
-        f"{which} since t = {worst.since:.4g} s, left the law of damping{share}: gap rates up to {worst.ratio:.2g} times the approach speed v0; "
+        f"{which} since t = {worst.since:.4g} s, exceeded its damping law{share}: gap rates up to {worst.ratio:.2g} times the approach speed v0; "
         "take a law without v0 (`hertzwerk laws`), or raise approach_floor, the least v0"
     )
 
 
 def unsettled(count: int) -> Iterator[str]:
-    """Yield a warning of instants at which no forces were found that say who sticks and who slips."""
+    """Yield a warning of instants at which sticking and slipping contacts were not determined."""
     if count:
         instants = "an instant" if count == 1 else f"{count} instants"
-        yield f"at {instants} it was not settled which contacts stick and which slip: they went on as found, maybe wrongly"
+        yield f"at {instants} the search for sticking and slipping contacts did not converge: the run continued with its last state, perhaps wrongly"
 
 
 def uncompiled(code: Code | None) -> Iterator[str]:
     """Yield a warning where C would have saved time but the compiler failed."""
     if code is not None and code.compiler_failure:
-        yield f"not compiled, which costs time and no accuracy: {code.compiler_failure}"
+        yield f"not compiled; the run is slower, its results are the same: {code.compiler_failure}"

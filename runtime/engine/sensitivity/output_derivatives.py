@@ -150,7 +150,7 @@ class OutputDerivatives:
         if self.run.t_end > horizon:
             raise NoDerivativeError(
                 f"the run is longer than the horizon of its derivatives, {horizon:.4g} s, by which an error as small as its tolerance "
-                f"has grown to {VALID:.0%}: the average does not change as along this trajectory; {REGRESSION}"
+                f"has grown to {VALID:.0%}: the derivative along this trajectory is not that of the average; {REGRESSION}"
             )
 
     def _mean(self, name: str) -> np.ndarray:

@@ -158,7 +158,7 @@ class Jumps:
             return len(self.rows), ""
         first = int(bad[0])
         if self.determined[first]:
-            return first, "events at one instant that would part"
+            return first, "simultaneous events that would separate"
         none = not self.graze[first] and not self.guards[first].any()
         return first, "an event whose time no margin determines" if none else GRAZE
 

@@ -51,7 +51,7 @@ def _method_for_steps(method: str, history: History) -> str:
     stiff = bool(np.mean(rates[:, 0] > method_choice.STIFF / 2) > MOST)
     explicit = isinstance(table, RungeKutta)
     if explicit and stiff:
-        return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or {' or '.join(IMPLICIT)}"
+        return f"stability, not accuracy, limits the steps of {method}: {AUTO}, or {' or '.join(IMPLICIT)}"
     if explicit and _alternates(rates[:, 1:]):
         return f"step after step of {method} crosses the layer in which friction reverses: {AUTO}, or {' or '.join(IMPLICIT)}"
     if not explicit and not stiff:
@@ -111,42 +111,42 @@ _OUTCOMES = {
     OUTSIDE_LAW_RANGE: (
         "outside_law_range",
         "at t = {t:.9g} s a contact law was left where it is not defined: {where}",
-        "choose a law, or of boxes a rounding, that reaches as deep; or check load and stiffness",
+        "choose a law (for boxes, a rounding radius) that is defined at this depth, or check load and stiffness",
     ),
     FRICTION_LOCKS: (
         "friction_locks",
-        "at t = {t:.9g} s friction locks {where}: the reaction that it makes feeds it, and no motion without impact is left, or more than one",
-        "take less friction, a longer guide or a smaller arm; or let contacts carry what the joint does: they have a stiffness",
+        "at t = {t:.9g} s friction locks {where}: it increases the reaction on which it depends; no motion without impact exists, or several",
+        "take less friction, a longer guide or a smaller arm; or replace the joint by contacts, which have a stiffness",
     ),
     EVENT_LIMIT: (
         "event_limit",
         "more than {max_events:,} contacts and events of effects by t = {t:.9g} s",
-        "raise max_events, or request more accuracy if contacts chatter, give a relay that chatters a hysteresis",
+        "raise max_events; request more accuracy if contacts chatter; add hysteresis to a relay that chatters",
     ),
     TOO_MANY_STEPS: (
         "too_many_steps",
         "the run at tolerance {tolerance:.2g} ended at t = {t:.9g} s: {steps:,} steps accepted, {rejected:,} rejected, {whose} = {max_steps:,.0f}",
-        "raise max_steps or leave it out, request less accuracy, or simulate a shorter time",
+        "raise or omit max_steps, request less accuracy, or simulate a shorter time",
     ),
     INTERRUPTED: (
         "interrupted",
         "stopped by the user at t = {t:.9g} s",
-        "what was computed until then is in the solution",
+        "the solution contains everything computed until then",
     ),
     WALL_TIME_LIMIT: (
         "wall_time_limit",
-        "wall_time = {wall_time:g} s was over when the run at tolerance {tolerance:.2g} was at t = {t:.9g} s",
+        "wall_time = {wall_time:g} s elapsed when the run at tolerance {tolerance:.2g} was at t = {t:.9g} s",
         "raise wall_time, request less accuracy, or simulate a shorter time",
     ),
     STALLED: (
         "stalled",
-        "the run at tolerance {tolerance:.2g} hardly gets ahead at t = {t:.9g} s, after {steps:,} accepted and {rejected:,} rejected steps",
-        "take another tolerance; give a relay that chatters a hysteresis; with a max_steps of your own it goes on",
+        "the run at tolerance {tolerance:.2g} makes hardly any progress at t = {t:.9g} s, after {steps:,} accepted and {rejected:,} rejected steps",
+        "change the tolerance; add hysteresis to a relay that chatters; with a stated max_steps the run continues",
     ),
     EXCEPTION: (
         "exception",
         "after t = {t:.9g} s there was {error}",
-        "what was computed until then is in the solution; mend the cause or, where memory ran out, keep a grid of states",
+        "the solution contains everything computed until then; remove the cause or, if memory ran out, keep a grid of states",
     ),
 }
 
@@ -169,8 +169,8 @@ def unreachable(
     """
     better = _method_for_accuracy(method)
     gives = "is expected to give" if foreseen else "that was tried gives"
-    rounding = f"errors no longer fall, as what rounding leaves is more, the most at t = {when:.4g} s"
-    many = f"errors are proportional to the tolerance, and below {brief(LEAST)} that is rounding"
+    rounding = f"errors no longer decrease, because rounding dominates, most at t = {when:.4g} s"
+    many = f"errors are proportional to the tolerance, and below {brief(LEAST)} rounding dominates"
     by, why = (f" of {method}", "") if better else ("", f": {many if foreseen else rounding}")
     if tighter is not None:
         why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
@@ -200,7 +200,7 @@ def too_long(requested: float, error: ErrorEstimate, tolerance: float) -> Outcom
     return Outcome(
         "beyond_horizon",
         f"an error of {brief(requested, 3)}{' at the end' if error.at_end else ''} is out of reach: {beyond_horizon(error)}",
-        f"simulate {known:.4g} s, up to which a smaller tolerance is expected to be so accurate, perhaps longer; for statistics take this run, "
+        f"simulate {known:.4g} s, for which a smaller tolerance is expected to reach this accuracy, or somewhat longer; for statistics use this run, "
         "or tolerance= in place of accuracy=",
     )
 

@@ -345,6 +345,6 @@ def write(path: str | Path, content: bytes | Iterable[bytes], *, overwrite: bool
     """Write a file whole; raises FileExistsError if it exists and `overwrite` is not set."""
     path = as_path("path", path)
     if path.exists() and not overwrite:
-        raise FileExistsError(f"{path} exists; name another file, or say overwrite=True")
+        raise FileExistsError(f"{path} exists; name another file, or pass overwrite=True")
     write_atomically(path, content)
     return path

@@ -95,9 +95,9 @@ class Choices:
             elif pressure[i] == PASSING:
                 reason = "a direction of sliding turns faster than explicit steps can follow"
             elif stiffness[i] > STIFF:
-                reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
+                reason = f"step x fastest rate = {stiffness[i]:.2g}: stability, not accuracy, limits explicit steps"
             elif stiffness[i] == 0:
-                reason = "explicit steps were rejected again and again, and got hardly any time ahead"
+                reason = "explicit steps were rejected repeatedly and made hardly any progress"
             else:
                 reason = "step after step crossed the layer in which friction reverses: the pair sticks"
             self.made.append(Choice(float(block.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))

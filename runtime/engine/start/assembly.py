@@ -377,8 +377,8 @@ def _position(loops: _Loops, q: Array, fixed: Collection[str]) -> tuple[Array, t
         remedy = _remedies(
             [name for name in names if name in fixed],
             loops.drives if not free[0] else [],
-            f"no place that was tried closes it: check {'its couplings and ' if loops.couplings else ''}the lengths between its joints, "
-            "or state positions nearer to one in the scene's Start",
+            f"no position that was tried closes it: check {'its couplings and ' if loops.couplings else ''}the lengths between its joints, "
+            "or state positions closer to an assembly in the scene's Start",
         )
         fault = Fault(
             "start, positions", f"over-determined or out of reach: {', '.join(unclosed)}", loops.wanted, remedy
@@ -408,10 +408,10 @@ def _norms(model: EngineModel, q: Array) -> Array:
 
 def _remedies(fixed: list[str], drives: list[str], otherwise: str) -> str:
     """Suggest what to leave out of a start whose loops stay open."""
-    ways = [f"given: {', '.join(fixed)}; leave some of it to be found"] if fixed else []
+    ways = [f"stated: {', '.join(fixed)}; omit some, which are then solved for"] if fixed else []
     if drives:
         ways.append(
-            f"driven by {', '.join(drives)}: more than the loop has freedoms for, or past where it can go; leave one out"
+            f"driven by {', '.join(drives)}: more drives than the loop has degrees of freedom, or beyond its range; omit one"
         )
     return "; or ".join(ways) or otherwise
 

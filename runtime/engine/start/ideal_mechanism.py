@@ -93,7 +93,7 @@ def unknown_because(model: EngineModel) -> str:
         return f"{', '.join(model.guides)} guide with a clearance that cannot be closed"
     equations = len(journals(model)) + model.nl
     if equations != model.nu:
-        return f"closed clearances and loops make {equations} equations for {model.nu} freedoms, so it moves by its masses and forces"
+        return f"closed clearances and loops give {equations} equations for {model.nu} degrees of freedom, so its motion depends on masses and forces"
     return ""
 
 

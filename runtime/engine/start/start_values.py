@@ -139,7 +139,7 @@ def overlaps(
     from hertzwerk.runtime.engine.start.intrusion import LIMIT, intrusions
 
     faults, warnings = [], []
-    held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""
+    held = ", and its damping, which has no approach speed, may hold it there" if model.latches else ""
     for overlap in intrusions(model, bound, q, u):
         way_out = _separating_change(model, bound, initial, overlap.pair)
         if not overlap.too_deep:

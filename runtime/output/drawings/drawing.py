@@ -116,7 +116,7 @@ class Drawing:
             return "At the start."
         time = scale_of("s", t[-1])
         later = ", ".join(f"{value:.3g}" for value in time(t[list(self.ghosts)]))
-        faint = f"; faint at {later} {time.unit}" if self.ghosts else "; how it moves is too little to be seen"
+        faint = f"; faint at {later} {time.unit}" if self.ghosts else "; its motion is too small to be visible"
         paths = [mark.part if mark.place in ("pin", "ball", "child") else mark.body for mark, _ in self.paths]
         if not paths:
             return f"At t = 0{faint}."

@@ -209,9 +209,7 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
             size, away = (x * parts.unit.factor for x in (2 * inset.half, far))
             text = f"{inset.name}, {size:.3g} m large and {away:.3g} m from the origin"
             expected = f"at most {FARTHEST / 2:g} times as far as it is large, so that numbers resolve it"
-            raise InputError(
-                parts.places.model.name, [Fault("drawing", text, expected, "look for a length with the wrong unit")]
-            )
+            raise InputError(parts.places.model.name, [Fault("drawing", text, expected, "check the units of lengths")])
         yield inset
 
 

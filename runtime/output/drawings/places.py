@@ -132,7 +132,7 @@ class Places:
         )
         if not places.reach <= LARGEST:
             far, most = f"parts {places.reach:.3g} m large or far from the origin", f"at most {LARGEST:g} m"
-            raise InputError(model.name, [Fault("drawing", far, most, "look for a length with the wrong unit")])
+            raise InputError(model.name, [Fault("drawing", far, most, "check the units of lengths")])
         return places
 
     @property

@@ -49,7 +49,7 @@ class Clock:
     def pace(self) -> str:
         """Describe how fast the film runs."""
         if self.slow == 1:
-            return "As fast as it happens"
+            return "Real time"
         return f"{self.slow:.4g} times slower" if self.slow > 1 else f"{1 / self.slow:.4g} times faster"
 
     def shown(self, k: int) -> str:

@@ -100,7 +100,9 @@ def guarded(subject: str, make: Callable[[], Markup]) -> Markup:
 def _origin(origin: Origin) -> Markup:
     known = origin.versions
     software = (
-        "the file does not say" if known is None else ", ".join(f"{name} {version}" for name, version in known.items())
+        "the file does not state it"
+        if known is None
+        else ", ".join(f"{name} {version}" for name, version in known.items())
     )
     return joined(
         [tag("p", "Made by"), tag("pre", origin.command), tag("p", f"Computed by: {software}.", class_="note")]

@@ -188,7 +188,7 @@ def _figure(figure: Record, folder: Path, number: int) -> Markup:
     title, path = str(figure["title"]), str(figure["path"])
     file = folder / path
     if Path(path).name != path or not file.is_file():  # nothing outside
-        return paragraphs([f"{path} is not beside the record."], "note")
+        return paragraphs([f"{path} is not in the folder of the record."], "note")
     return guarded(f"The picture {path}", lambda: picture(file.read_text("utf-8"), f"figure-{number}", title))
 
 

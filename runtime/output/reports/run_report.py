@@ -178,7 +178,7 @@ def _accuracy(run: EngineSolution) -> Section:
         if error.decade_cost is not None:
             sentences.append(f"Ten times more accuracy would cost about {error.decade_cost:.1f} times the evaluations.")
         if error.floor is not None:
-            sentences.append(f"No tolerance gives less than {brief(error.floor, 2)}.")
+            sentences.append(f"No tolerance gives an error below {brief(error.floor, 2)}.")
     if run.energy_residual is not None:
         sentences.append(
             f"The balance of energy closes to {brief(run.energy_residual, 2)} of the energy that the run moves."
@@ -243,7 +243,7 @@ def _states(run: EngineSolution) -> Section:
         if run.engine.checkpoint is None
         else [f"{name} = {value}" for name, value in run.engine.checkpoint.initial.items()]
     )
-    sentences = [f"Given in place of the model's start: {', '.join(stated)}."] if stated else []
+    sentences = [f"Stated in place of the model's start: {', '.join(stated)}."] if stated else []
     heads = ("state", "at the start", "at the end", "unit")
     return Section("States", joined([paragraphs(sentences), table(heads, rows, digits=8)]))
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def readable_of(model: EngineModel) -> tuple[Readable | None, str]:
     """Return the equations of a model for people; else None, and why there are none."""
     if model.declaration is None:
-        return None, f"A saved run holds no declaration of its scene; load({model.name!r}).equations() shows them."
+        return None, f"A saved run does not contain its scene; load({model.name!r}).equations() shows them."
     try:
         return model.equations(), ""
     except Exception as error:  # the rest of the page does not depend on them

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 _WHOLE = {
     "outcome": "how the run ended",
-    "message": "what the run said of its end",
-    "warnings": "what the run warned of",
+    "message": "message of the outcome",
+    "warnings": "warnings of the run",
     "impacts": "number of contacts that began",
     "peak_force": "largest contact force",
     "max_penetration": "largest penetration of a contact",

@@ -32,7 +32,9 @@ FEWEST = 16  # samples within the run, wherever in the ranges
 DRIFTS = 401  # most that are tried
 NEARLY = 1.5  # times the missing correlation of the best offset: another one that is as good is doubtful
 PROMINENT = 0.05  # least prominence of another peak of the correlation
-PAST_HORIZON = "the alignment rests on times past the horizon, where trajectories part: it is that of the drive at best"
+PAST_HORIZON = (
+    "the alignment uses times beyond the horizon, where trajectories separate: it is that of the drive at best"
+)
 FINEST = 1e-4  # of the spacing of offsets that are tried: to which the best is refined
 
 
@@ -146,8 +148,8 @@ def align(
         signals, lost = until(filtered.end), (PAST_HORIZON,)
     fewest = min(map(len, signals))
     if fewest < FEWEST:
-        actual = f"{fewest} samples that lie within the run, {filtered.start:.4g}..{filtered.end:.4g} s, wherever they are put"
-        remedy = "a longer run, narrower ranges, or an offset that brings the data into it"
+        actual = f"{fewest} samples that lie within the run, {filtered.start:.4g}..{filtered.end:.4g} s, at every offset of the range"
+        remedy = "a longer run, narrower ranges, or an offset that places the data within it"
         raise InputError("offset", [Fault("offset, drift", actual, f"at least {FEWEST}", remedy)])
     if not stated.searched:
         return stated
@@ -183,7 +185,7 @@ def _at_ends(alignment: Alignment, spacing: float) -> list[str]:
         "drift": (alignment.drift, alignment.drifts, (alignment.drifts[1] - alignment.drifts[0]) / 100),
     }
     return [
-        f"the {name} found lies at an end of the range that was searched: a better one may lie outside"
+        f"the {name} found lies at an end of the searched range: a better one may lie outside"
         for name, (value, (low, high), near) in at.items()
         if low < high and min(value - low, high - value) < min(near, (high - low) / 100)
     ]

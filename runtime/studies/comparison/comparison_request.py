@@ -18,7 +18,7 @@ from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
 HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "1/s": 1.0}
 FREQUENCY = re.compile(r"\s*(?P<number>[-+.\deE]+)\s*(?P<unit>Hz|kHz|MHz|1/s)\s*")
 
-AS_MEASURED = "Measurement(run.t, dict(run), run.units) takes a run as if it were measured"
+AS_MEASURED = "Measurement(run.t, dict(run), run.units) makes a measurement of a run"
 Between = str | float | tuple[float, float]  # "-2..2 ms", (-0.002, 0.002), or one value
 
 

@@ -87,7 +87,7 @@ class Compared:
             run.engine.model.name,
             f"{time_text(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times",
         )
-        yield "instrument", str(request.instrument or "none: the run is compared as it is")
+        yield "instrument", str(request.instrument or "none: the run is compared unfiltered")
         yield "alignment", _alignment(self.alignment)
         for signal in self.signals:
             yield from _signal_lines(signal, self.horizon, run.t_end, statistics=statistics)
@@ -156,7 +156,7 @@ def _alignment(alignment: Alignment) -> str:
     if not alignment.searched and alignment.offset == alignment.drift == 0:
         return "none: measured times are times of the run"
     if not alignment.searched:
-        return f"the measured time plus {time_text(alignment.offset)}, a drift of {alignment.drift:.3g}: as given, nothing searched"
+        return f"the measured time plus {time_text(alignment.offset)}, a drift of {alignment.drift:.3g}: as stated, without a search"
     ends = [
         f"{name} {show(value)}"
         + (f" +- {show(float(f'{error:.2g}'))} (of {show(low)} to {show(high)})" if low < high else " (given)")
@@ -196,7 +196,7 @@ def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: boo
         yield "statistics", f"none: {signal.no_statistics}"
     reasons = {each.reason for statistic in signal.statistics for each in (statistic.measured, statistic.run)}
     if signal.statistics and "" not in reasons:
-        yield "statistics", f"beyond the horizon, but without confidence: {'; '.join(sorted(reasons))}"
+        yield "statistics", f"beyond the horizon, without confidence intervals: {'; '.join(sorted(reasons))}"
         return
     for statistic in signal.statistics if statistics else ():
         yield "statistics", _statistic(statistic)
@@ -206,11 +206,11 @@ def _noise(residual: Residual, unit: str) -> str:
     ratio = residual.rms / residual.noise if residual.noise else math.nan
     limit = f"{residual.largest:.4g}{unit}, which noise of {residual.noise:.4g}{unit} alone exceeds once in a hundred"
     if not residual.explained:
-        return f"the residual is {ratio:.3g} times the stated noise, more than {limit}: something else differs"
+        return f"the residual is {ratio:.3g} times the stated noise, more than {limit}: the model or the measurement differs in another way"
     if residual.overstated:
         least = f"{residual.least:.4g}{unit}, which noise of {residual.noise:.4g}{unit} falls below once in a hundred"
-        return f"the residual is {ratio:.2g} times the stated noise, less than {least}: too much noise is stated, and hides differences"
-    return f"the residual is {ratio:.3g} times the stated noise, within {limit}: no difference is seen"
+        return f"the residual is {ratio:.2g} times the stated noise, less than {least}: the stated noise is too large, and hides differences"
+    return f"the residual is {ratio:.3g} times the stated noise, within {limit}: no difference is detected"
 
 
 def _statistic(statistic: Statistic) -> str:

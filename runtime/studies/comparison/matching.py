@@ -112,11 +112,11 @@ def _warnings(run: EngineSolution, request: ComparisonRequest, alignment: Alignm
     if not run.outcome.finished:
         yield f"{run.outcome.name}: {run.outcome.message}"
     if run.error is None:
-        yield "the horizon is not known, as the run was made at a tolerance: past it a residual says nothing of the model"
+        yield "the horizon is not known, as the run was made at a tolerance: beyond it a residual does not test the model"
     if request.instrument is not None and request.instrument.cut_off > 0.5 / step:
         yield (
-            f"the cut-off lies above half the sampling rate, {0.5 / step:.4g} Hz: what the instrument lets through above that "
-            "folds back in the data, not in the run"
+            f"the cut-off lies above half the sampling rate, {0.5 / step:.4g} Hz: higher frequencies that the instrument passes "
+            "are aliased in the data, not in the run"
         )
     if request.instrument is None:
         durations = [impact.duration for impact in run.impacts if impact.duration is not None]
@@ -128,9 +128,9 @@ def _warnings(run: EngineSolution, request: ComparisonRequest, alignment: Alignm
     if outside:
         yield (
             f"{outside:,} of {len(request.measurement.times):,} measured times lie outside the run, or before its filter has settled, "
-            "and are left out"
+            "and are omitted"
         )
     if request.measurement.jumps:
-        yield f"{request.measurement.jumps:,} times stand twice in the file: taken as jumps, of which the later line counts"
+        yield f"{request.measurement.jumps:,} times are repeated in the file: they are read as jumps, of which the later line counts"
     yield from alignment.doubts
     yield from run.warnings

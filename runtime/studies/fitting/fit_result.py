@@ -135,7 +135,7 @@ class Estimates(ABC):
         names = [free.name for free in self.known.free]
         lost = [name for name in self.values if self.known.concerned(names.index(name))]
         if lost:
-            remedy = "measure what determines it, or fit without it"
+            remedy = "measure a quantity that determines it, or fit without it"
             faults = [
                 Fault(name, "a quantity that the data do not determine", "those that they determine", remedy)
                 for name in lost
@@ -218,7 +218,7 @@ class Fitted(Estimates):
         """Say whether the model explains the data, and whether they identify its parameters."""
         parts = []
         if self.goodness is None and any(signal.stated for signal in self.signals):
-            parts.append("as many quantities as data are fitted: nothing is left to judge the model by")
+            parts.append("as many quantities as data are fitted: no degree of freedom is left to test the model")
         elif self.goodness is None:
             parts.append("the model is not tested, as the noise of the measurement is not stated (noise)")
         else:

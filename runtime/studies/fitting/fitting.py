@@ -180,7 +180,7 @@ def _refuse_idle(search: Search, request: FitRequest) -> None:
         if np.all(sensitivity > IDLE):
             return
     columns = sorted({f"{c.column} ({c.history})" for each in request.observed for c in each.channels})
-    remedy = "leave it out, or measure what it changes"
+    remedy = "omit it, or measure a quantity that it changes"
     raise InputError(
         f"fit of {request.observed[0].model.name}",
         [
@@ -288,14 +288,12 @@ def _warnings(
         warnings.append("the search ended before it converged")
     if share < 1:
         warnings.append(
-            f"{1 - share:.0%} of the data lie beyond the horizon, where the run's own error exceeds a tenth of the noise: they are left out; "
+            f"{1 - share:.0%} of the data lie beyond the horizon, where the run's own error exceeds a tenth of the noise: they are omitted; "
             "a shorter record, a smaller tolerance, or statistics of them (fit_moments)"
         )
     lost = int(np.sum(~np.isfinite(forward.at(estimate.x).predicted) & estimate.used))
     if lost:
-        warnings.append(
-            f"the best fit has no value for {lost} of the data: impacts that it does not make, or a run that ended before"
-        )
+        warnings.append(f"the best fit has no value for {lost} of the data: its run has fewer impacts, or ended before")
     warnings += [
         f"{value.name} lies at an end of its range, {value.low:.6g}..{value.high:.6g} {value.unit}"
         for value in values
@@ -307,8 +305,8 @@ def _warnings(
             continue
         if residual.independent < CORRELATED * residual.samples:
             warnings.append(
-                f"{signal.channel.column}: neighbouring residuals are alike, {residual.samples} of them are worth {residual.independent:.0f}: "
-                "the model or the noise is another one, and the intervals are too narrow"
+                f"{signal.channel.column}: neighbouring residuals are correlated, {residual.samples} of them are worth {residual.independent:.0f}: "
+                "the model or the stated noise is wrong, and the intervals are too narrow"
             )
     for run in forward.at(estimate.x).runs:
         if run is not None:

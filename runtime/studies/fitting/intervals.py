@@ -109,7 +109,7 @@ def _end(
         warm[place] = least.x
         if least.cost < estimate.cost - 0.01 * rise:
             name = search.forward.searched[j].name
-            warnings.append(f"a better fit than the best was met on the profile of {name}: more starts")
+            warnings.append(f"a better fit was met on the profile of {name}: more starts")
         return math.sqrt(max(least.cost - estimate.cost, 0.0)) - math.sqrt(rise)
 
     near, step = x, min(half, FIRST) if half > 0 else FIRST

@@ -209,9 +209,7 @@ class _Problem:
         varied = {name: (value, units[name] or "1") for name, value in self.values_at(x).items()}
         run = simulate(self.model, **{**self.settings, "parameters": {**(self.settings["parameters"] or {}), **varied}})
         if run.outcome.name not in REACHED_END:
-            raise _StoppedError(
-                run.outcome.name, f"a run ended before its time: {run.outcome.message}", run.outcome.remedy
-            )
+            raise _StoppedError(run.outcome.name, f"a run ended early: {run.outcome.message}", run.outcome.remedy)
         return run
 
     def numbers(self, run: Solution) -> dict[str, float]:
@@ -331,7 +329,7 @@ class _Search:
         from scipy.optimize import minimize
 
         problem = self.problem
-        checked, outcome = math.nan, Outcome("finished", "the objective changes no more", "")
+        checked, outcome = math.nan, Outcome("finished", "the objective no longer changes", "")
         try:
             size = abs(self.at(self.begin).value[0]) or 1.0
             checked = self.checked()
@@ -355,7 +353,7 @@ class _Search:
                 outcome = Outcome(
                     "no_progress",
                     f"SciPy's SLSQP: {result.message}",
-                    "begin elsewhere (start), or request more accurate runs (tolerance)",
+                    "change the start (start), or request more accurate runs (tolerance)",
                 )
         return self._result(checked, outcome)
 
@@ -379,7 +377,7 @@ class _Search:
         key, best = min(self.known.items(), key=order)
         if order((key, best))[0] > 0:
             outcome = Outcome(
-                "infeasible", "no run keeps the constraints", "widen ranges or bounds, or begin elsewhere (start)"
+                "infeasible", "no run satisfies the constraints", "widen ranges or bounds, or change the start (start)"
             )
         x, units = np.frombuffer(key), si_units(problem.model)
         values = problem.values_at(x)
@@ -412,7 +410,7 @@ class _Search:
         if self.why:
             yield f"by differences of runs, as there are no derivatives: {self.why}"
         if checked > DOUBT:
-            yield f"derivatives and differences of runs part by {checked:.2g} at the start: in chaos, or across a switch, neither leads"
+            yield f"derivatives and differences of runs differ by {checked:.2g} at the start: in chaos, or across a switch, neither is useful"
         names = [name for formula in self.problem.formulas for name in formula.names if LARGEST.search(name)]
         if names or any(formula.switches for formula in self.problem.formulas):
             subject = ", ".join(dict.fromkeys(names)) or "the formula"

@@ -281,4 +281,4 @@ def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
         )
 
 
-STUDY = Study("bouncing", "What do the damping laws return when spheres or cylinders bounce?", run)
+STUDY = Study("bouncing", "Which restitution do the damping laws return when spheres or cylinders bounce?", run)

@@ -128,8 +128,8 @@ def _page(
             "goes from 1 to 2, as the literature does: that is another law in other units, not another exponent of the same law.",
             f"One impact: the reduced mass {MASS:.3g} kg of rod and slider meets the wall at {SPEED:g} m/s, restitution {RESTITUTION:g} by "
             "Lankarani and Nikravesh. Then one revolution of the slider-crank at 5000 rpm, clearance 0.5 mm, friction 0.1, K d^n run unchecked.",
-            f"Penetrations below {100 * UNNOTICED:g} % of the clearance are called unnoticed: no picture of the mechanism shows them, the joint "
-            f"looks ideal. Above {100 * SUNK:g} % the pin has sunk into its bush, and nothing is left of small deformations.",
+            f"Penetrations below {100 * UNNOTICED:g} % of the clearance count as unnoticed: no picture of the mechanism shows them, and the joint "
+            f"looks ideal. Above {100 * SUNK:g} % the pin has sunk into its bush, and deformations are no longer small.",
         ),
         tables=(_impact_table(impacts), *((_crank_table(rows),) if rows else ())),
         charts=(_impact_chart(impacts), *((_crank_chart(rows, drawn),) if rows else ())),
@@ -297,4 +297,4 @@ def _crank_verdicts(rows: list[tuple[float, Measurement, int]]) -> tuple[Verdict
     return tuple(Verdict(text, source) for text in texts)
 
 
-STUDY = Study("exponents", "May the exponent of Hertz's law be changed while its stiffness keeps its number?", run)
+STUDY = Study("exponents", "May the exponent of Hertz's law change while its stiffness keeps its number?", run)

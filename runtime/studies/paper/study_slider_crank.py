@@ -133,7 +133,7 @@ def run(quick: bool, progress: Progress, sweeps: Sweeps) -> Page:
         ),
         verdicts=(*_trajectory_verdicts(trajectories), *_case_verdicts(cases, plan)),
         lacking=(
-            "Neither the paper's expressions of K nor its measurement could be had: wang_liu_internal is a reconstruction (grade R), and no "
+            "Neither the paper's expressions of K nor its measurement were available: wang_liu_internal is a reconstruction (grade R), and no "
             "measured data are shown unless `--measured FILE` lays them over the figures. The mechanism's data are not the paper's.",
         ),
     )  # fmt: skip
@@ -246,7 +246,7 @@ def _trajectory_chart(trajectories: Sequence[Trajectory]) -> Chart:
                 Curve("1 %: the horizon", ends, np.full(2, 0.01), look="dashed"),
             )),
         ),
-        note="(R): a reconstruction, the paper's own expression could not be had.",
+        note="(R): a reconstruction, as the paper's own expression was not available.",
     )  # fmt: skip
 
 
@@ -327,7 +327,7 @@ def _impact_chart(name: str, cases: Sequence[Case], plan: Plan) -> Chart:
         )
     return Chart(
         name, f"Rate and severity of the impacts, {where}", tuple(panels),
-        note="Bands: 95 % intervals of the means. (R): a reconstruction, the paper's own expression could not be had.",
+        note="Bands: 95 % intervals of the means. (R): a reconstruction, as the paper's own expression was not available.",
     )  # fmt: skip
 
 
@@ -405,5 +405,5 @@ def _apart(cases: Sequence[Case], subject: str, group: Callable[[Case], tuple[ob
 
 
 STUDY = Study(
-    "slider_crank", "How do the laws compare in a slider-crank with clearance, and how sure is each number?", run
+    "slider_crank", "How do the laws compare in a slider-crank with clearance, and how certain is each number?", run
 )

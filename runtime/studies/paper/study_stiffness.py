@@ -145,7 +145,7 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
             "values as it is printed; those whose units do not hold (marked *) once more with mm, N, MPa, where another force comes out.",
             f"{FITTED}, marked * too, keeps Hertz's K of a point contact and takes the exponent n = {n:.4f}, fitted to Johnson's force from "
             "0.1 to 10 µm.",
-            f"Abnormal is called what has no real value, or is more than {PLAIN:g} times off Johnson's force, the law of elastic line "
+            f"A force is abnormal if it has no real value, or is more than {PLAIN:g} times off Johnson's force, the law of elastic line "
             f"contact, at {DEPTH * 1e6:g} µm. Then one revolution of the slider-crank at 5000 rpm, friction 0.1; inconsistent laws run unchecked.",
         ),
         tables=(_law_table(laws), *((_crank_table(rides),) if rides else ())),
@@ -341,11 +341,11 @@ def _law_verdicts(laws: Sequence[Law]) -> tuple[Verdict, ...]:
         ),
         Verdict(
             "abnormal: " + (", ".join(f"{label} {remark}" for label, remark in abnormal.items()) or "none")
-            + f"; inconsistent, and not seen by its values: {', '.join(sly) or 'none'}",
+            + f"; inconsistent, but not detected by its values: {', '.join(sly) or 'none'}",
             f"forces at {DEPTH * 1e6:g} µm, clearance 0.5 mm",
         ),
         Verdict(
-            f"laws whose units hold lie within {least:.3g} to {most:.3g} times Johnson's force: units alone do not make a law right",
+            f"laws whose units hold lie within {least:.3g} to {most:.3g} times Johnson's force: consistent units do not make a law correct",
             f"forces at {DEPTH * 1e6:g} µm, clearance 0.5 mm",
         ),
         Verdict(
@@ -376,5 +376,5 @@ def _crank_verdicts(rides: Sequence[Ride]) -> tuple[Verdict, ...]:
 
 
 STUDY = Study(
-    "stiffness", "Do the improved stiffness laws of the literature hold their units, and where do they agree?", run
+    "stiffness", "Do the improved stiffness laws of the literature have consistent units, and where do they agree?", run
 )

@@ -159,7 +159,7 @@ def read_chains(
     if continued not in DIRECTIONS:
         faults.append(Fault("continued", shown(continued), "up or down"))
     if model.joints is not model:
-        actual = "a model in absolute coordinates: it ends in states of bodies, a start has those of joints, and nothing turns one into the other"
+        actual = "a model in absolute coordinates: it ends in states of bodies, a start has those of joints, which cannot be converted"
         faults.append(Fault("continued", actual, "a model in joint coordinates", 'coordinates="tree"'))
     name = next((name for name in over if name in model.parameters), None)
     if name is None:

@@ -398,8 +398,8 @@ def _interrupted(store: Store) -> Outcome:
 
 
 def _not_stored(error: Exception) -> Outcome:
-    remedy = "make space, then start it again: the rows that are stored stay, and the others are computed"
-    return Outcome(NOT_STORED, f"what was computed could not be stored: {error}", remedy)
+    remedy = "free space, then start it again: stored rows are kept, and the others are computed"
+    return Outcome(NOT_STORED, f"a computed row could not be stored: {error}", remedy)
 
 
 @dataclass(frozen=True)

@@ -86,7 +86,7 @@ class StoredRows(Sequence[Row]):
             for entry in rows.execute(joined, (self._last,)) if rows is not None else ():
                 point, row = entry[:POINT], entry[POINT:]
                 if not (is_whole(point, self._plan) and is_whole(row)):
-                    raise DamagedError(f"{self._file} is damaged, or was changed while it was read; load it anew")
+                    raise DamagedError(f"{self._file} is damaged, or changed while it was read; load it again")
                 yield point[1], row
 
 

@@ -105,4 +105,4 @@ def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> li
     except InputError as error:
         known = {*nobody, *heads}
         return [fault for fault in error.faults if fault.where not in known]
-    raise AssertionError("a sweep without workers was computed")
+    raise AssertionError("a sweep without workers")

@@ -229,7 +229,7 @@ def opened(folder: Path) -> Iterator[Store]:
         try:
             lock.execute("BEGIN EXCLUSIVE")  # ends with the process, however that ends, and no fork inherits it
         except sqlite3.OperationalError as error:
-            expected, way_out = "a folder that no other process works on", "wait for its end, or take another folder"
+            expected, way_out = "a folder that no other process uses", "wait for its end, or take another folder"
             raise InputError("sweep", [Fault(str(folder), f"one in use ({error})", expected, way_out)]) from error
         try:
             with closing(Store(folder)) as store:

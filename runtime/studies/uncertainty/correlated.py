@@ -63,7 +63,7 @@ def read_correlation(names: Sequence[str], pairs: object, faults: list[Fault]) -
             correlation[i, j] = correlation[j, i] = value
     least = float(np.linalg.eigvalsh(correlation)[0])
     if len(faults) == before and least <= 1e-12:
-        expected = "correlations that quantities can have together, a positive definite matrix"
+        expected = "correlations that are possible together, a positive definite matrix"
         faults.append(Fault("correlation", f"a matrix with the eigenvalue {least:.3g}", expected))
     return correlation
 

@@ -281,4 +281,4 @@ def _missing(rows: Sweep, good: np.ndarray, *, indices: bool) -> Iterator[str]:
     if not good.all():
         first = next(row for row, fine in zip(rows, good, strict=True) if not fine)
         lost = "; without them there are no Sobol indices" if indices else ""
-        yield f"{int((~good).sum())} of {len(good)} runs are left out, as the first: {first.outcome}: {first.message}{lost}"
+        yield f"{int((~good).sum())} of {len(good)} runs are omitted, the first because: {first.outcome}: {first.message}{lost}"

@@ -74,7 +74,7 @@ class Uncertain:
         if abs(self.linear - self.std) > FACTOR * self.std_error + slack:
             remarks.append(
                 f"{self.name}: {self.linear:.3g} {self.unit} by derivatives, but {self.std:.3g} +- {self.std_error:.2g} "
-                f"{self.unit} in the samples: it is not linear over this spread, the samples count"
+                f"{self.unit} in the samples: it is not linear over this spread; use the samples"
             )
         if abs(self.nominal - self.mean) > FACTOR * self.mean_error + slack:
             remarks.append(

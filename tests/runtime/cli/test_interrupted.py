@@ -308,5 +308,5 @@ def test_a_stop_while_a_run_is_sampled_for_pictures_keeps_the_rest(tmp_path, mon
     written = run_folder.write(run, tmp_path / "run", plots=True, stopping=stop)
     assert written.files == ["states.npz", "run.json", "states.csv"]
     assert written.missing == [
-        f"{name}.png is not there: it was stopped before" for name in ("overview", "mechanism", "spheres")
+        f"{name}.png is missing: it was stopped before" for name in ("overview", "mechanism", "spheres")
     ]

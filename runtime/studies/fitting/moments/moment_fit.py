@@ -85,7 +85,7 @@ class FittedMoments(Estimates):
     def verdict(self) -> str:
         """Say whether the model explains the statistics, and whether they identify its parameters."""
         if self.goodness is None:
-            text = "as many quantities as statistics are fitted: nothing is left to judge the model by"
+            text = "as many quantities as statistics are fitted: no degree of freedom is left to test the model"
         else:
             g = self.goodness
             does = "explain" if self.explained else "do not explain"
@@ -405,7 +405,7 @@ def _concluded(
             math.isnan(end) and edge not in (low, high) for end, edge in zip(ends, surface.box[j], strict=True)
         ):
             warnings.append(
-                f"{each.name}: its interval reaches beyond the runs of the regression, and ends there by curvature alone"
+                f"{each.name}: its interval extends beyond the runs of the regression, where it rests on curvature alone"
             )
         linear = best[j] - quantile * errors[j], best[j] + quantile * errors[j]
         ends = (linear[0] if math.isnan(ends[0]) else ends[0]), (linear[1] if math.isnan(ends[1]) else ends[1])
@@ -428,7 +428,7 @@ def _concluded(
     freedom, square = len(moments) - len(best), float(residual @ residual)
     goodness = Goodness(square, freedom, float(chi2.sf(square, freedom))) if freedom > 0 else None
     warnings += [
-        f"{m.name}: runs and regression are less sure than the measured value: longer runs or a narrower range"
+        f"{m.name}: runs and regression are less certain than the measured value: take longer runs or a narrower range"
         for m in moments
         if m.fitted_deviation > m.deviation
     ]

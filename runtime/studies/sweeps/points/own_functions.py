@@ -23,7 +23,7 @@ def digest(name: str, function: Callable[..., Any]) -> str:
     try:
         described = repr(_described(function, getattr(function, "__module__", None), ()))
     except _UnknownError as error:
-        remedy = "hand such values over as numbers or text"
+        remedy = "pass such values as numbers or text"
         raise InputError(
             "sweep", [Fault(f"functions[{name!r}]", str(error), "numbers, text, functions", remedy)]
         ) from None

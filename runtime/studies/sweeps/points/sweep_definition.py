@@ -243,7 +243,7 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
         expected = "the file as the sweep executed it"
         changed = f"hertzwerk sweep {shlex.quote(definition['target'])} ... --into {shlex.quote(str(folder))} --widen"
         way_out = f"restore it, or accept it: {changed}, with the whole definition, executes it and keeps the rows that are the same"
-        faults.append(Fault(definition["target"], "another content, or none: it is not executed", expected, way_out))
+        faults.append(Fault(definition["target"], "changed or missing content: it is not executed", expected, way_out))
     refuse("sweep", faults)
     return {name: definition[name] for name in ARGUMENTS}
 

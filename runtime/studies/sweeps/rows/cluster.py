@@ -106,7 +106,7 @@ class Cluster:
                     else:
                         yield [row]
         except CONNECTION as error:
-            raise EngineLostError(f"the scheduler is gone ({error})") from error
+            raise EngineLostError(f"the scheduler has stopped ({error})") from error
         finally:
             with suppress(*CONNECTION):
                 client.cancel([sent, *(future for future, _ in under_way.values())])
@@ -120,7 +120,7 @@ class Cluster:
         if threads:
             self._answered, self.workers = now, threads
         elif now - self._answered > PATIENCE:
-            raise EngineLostError(f"no worker has been there for {PATIENCE:g} s")
+            raise EngineLostError(f"no worker was available for {PATIENCE:g} s")
 
     def _threads(self) -> int:
         return sum(self._client.nthreads().values())
@@ -159,7 +159,7 @@ def _packed(job: Job) -> bytes:
         with _by_value(functions):
             return pickle.dumps((in_use(), cloudpickle.dumps(bare)))
     except (pickle.PicklingError, TypeError, AttributeError, ValueError) as error:
-        way_out = "make what it uses within it, or hand it over as numbers or text"
+        way_out = "create the values that it uses within it, or pass them as numbers or text"
         raise InputError(model.name, [Fault("functions", str(error), "functions that pickle", way_out)]) from error
 
 

@@ -156,7 +156,9 @@ def read_row_arrays(
     if section is None and grid is None:
         for name, value in (("histories", histories), ("after", after)):
             if value not in (None, (), []):
-                faults.append(Fault(name, shown(value), "none without a section or a grid", "say where they are kept"))
+                faults.append(
+                    Fault(name, shown(value), "none without a section or a grid", "state a section or a grid")
+                )
         return RowArrays({}, None, None, None, duration, end) if end else None
     place = None if section is None else read_section(model, section, faults)
     units = _units(model, histories, faults)

@@ -154,9 +154,7 @@ class Job:
 
     def lost(self, task: Task) -> Row:
         """Return the row of a run whose process died repeatedly."""
-        message = (
-            "its process died, and died again where it ran alone; where rows are stored, the next call tries it anew"
-        )
+        message = "its process died, and died again when the row ran alone; where rows are stored, the next call tries it again"
         return Row(*task, LOST, message, self._values(task))
 
     def probe(self, left: Tasks, workers: int, later: int = 0) -> Iterator[Row]:

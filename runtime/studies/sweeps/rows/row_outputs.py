@@ -64,7 +64,7 @@ class Measured:
         """Derivatives of outputs; raises NoDerivativeError where the run has none."""
         run = with_steps(self.run)
         if self.run.derivatives is None:
-            raise NoDerivativeError("the run has none: its steps are not known")
+            raise NoDerivativeError("the run has none: its steps were not kept")
         return OutputDerivatives(run, self.run.derivatives)
 
     def impacts(self, pair: str | None) -> list[Impact]:
@@ -151,7 +151,7 @@ def _derivative_faults(model: EngineModel, there: Mapping[str, Output], name: st
     if _output_of(model, there, above) is None:
         faults.append(unknown("sweep output", above, there, _OTHERWISE))
     elif DERIVATIVE.fullmatch(above):
-        faults.append(Fault(name, "a derivative of a derivative", "a first derivative: there are no others"))
+        faults.append(Fault(name, "a derivative of a derivative", "a first derivative: higher ones are not available"))
     elif reason := without_derivative(above):
         faults.append(Fault(name, f"{above}: {reason}", "an output with a derivative"))
     return faults

@@ -207,7 +207,7 @@ def test_an_effect_that_a_scene_cannot_do_without_says_why():
     )
     study = study_effects(scene, duration="1 s", within=0.5)
     motor, spring_row = study.rows
-    assert motor.fault.startswith("cannot be left out: scales: found no arm")
+    assert motor.fault.startswith("cannot be omitted: scales: found no arm")
     assert (motor.cost, dict(motor.changes)) == (None, {})
     assert spring_row.changes["amplitude.slide.travel"].relative == -1
     assert study.smallest.effects == ("motor", "spring")

@@ -160,7 +160,7 @@ FILES = {
     "excel, unicode text": File("t [s]\tx [mm]\r\n0\t1.5\r\n1\t2.5\r\n", ([0, 1], {"x": [1.5, 2.5]}, "mm"), encoding="utf-16"),
     "excel, separator stated": File("sep=;\nt [s];x [mm]\n0;1.5\n1;2.5\n", ([0, 1], {"x": [1.5, 2.5]}, "mm")),
     "excel, dates": File("t [s];x [mm]\n27.11.2026;1.5\n28.11.2026;2.5\n", "'27.11.2026'; expected a finite number"),
-    "excel, a workbook": File("PK\x03\x04\x14\x00\x06\x00", "a workbook is saved as CSV first"),
+    "excel, a workbook": File("PK\x03\x04\x14\x00\x06\x00", "save a workbook as CSV first"),
     "excel, wrong formula": File("t [s];x [mm]\n0;1.5\n1;#DIV/0!\n", "line 3, x: found '#DIV/0!'"),
     # MATLAB, NumPy, simulation programs
     "matlab table": File("t_s,x_mm\n0,1.5\n1,NaN\n", "one time column"),

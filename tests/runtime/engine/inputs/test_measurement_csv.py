@@ -75,7 +75,7 @@ def test_the_file_of_a_run_with_two_rows_at_an_event_is_compared(tmp_path):
     assert np.sum(np.diff(twice.t) == 0) == 1
     found = compare(run, twice.to_csv(tmp_path / "states.csv"), map={"vertical.travel": "vertical.travel"})
     assert found.signals[0].residual.rms < 1e-12
-    assert "1 times stand twice" in str(found)
+    assert "1 times are repeated" in str(found)
 
 
 def test_all_faults_of_a_file_come_at_once_with_their_lines(tmp_path):

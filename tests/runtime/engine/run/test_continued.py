@@ -143,7 +143,7 @@ def test_a_run_that_cannot_continue_says_why():
             short.continued(duration)
     with pytest.raises(InputError, match="other equations"):
         short.continued("2 ms", target=built("bouncing_ball"))
-    with pytest.raises(InputError, match="it would end so again"):
+    with pytest.raises(InputError, match="it would end in the same way"):
         replace(short, outcome=replace(short.outcome, name="not_finite")).continued("2 ms")
 
 
@@ -180,7 +180,7 @@ def test_a_folder_goes_on_in_a_new_one_bitwise(hertzwerk):
     assert_bitwise(simulate(crank, duration="18 ms", **asked), one, two, three)
     told = json.loads(Path("three/run.json").read_text())
     assert told["request"]["continues"] == "two"
-    assert any("goes on from" in warning for warning in told["warnings"])
+    assert any("continues from" in warning for warning in told["warnings"])
 
 
 def test_options_that_differ_from_the_run_are_refused_with_the_difference(hertzwerk):

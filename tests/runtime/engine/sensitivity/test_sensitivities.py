@@ -343,7 +343,7 @@ def test_events_at_one_instant_that_would_part_have_no_derivative():
     assert len({impact.t for impact in run.impacts}) == 1
     together, parted = (run.sensitivities(name) for name in ("gravity", "left.travel"))
     assert (together.reason, together.until) == ("", run.t_end)
-    assert (parted.reason, parted.until) == ("events at one instant that would part", run.impacts[0].t)
+    assert (parted.reason, parted.until) == ("simultaneous events that would separate", run.impacts[0].t)
 
 
 def pair_of_balls():

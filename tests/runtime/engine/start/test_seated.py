@@ -123,4 +123,4 @@ def test_bodies_that_cannot_be_seated_are_reported():
     )  # which states where all bodies are
     with pytest.raises(InputError) as refused:
         start_of(centred, {}, {})
-    assert "leave some of it to be found" in refused.value.faults[0].remedy
+    assert "omit some, which are then solved for" in refused.value.faults[0].remedy

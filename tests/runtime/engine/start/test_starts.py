@@ -255,7 +255,7 @@ def test_a_start_one_clearance_deep_is_allowed_and_reported():
     assert 'take method="auto"' in told.outcome.remedy
     (warning,) = (text for text in told.warnings if "deep" in text)
     assert warning.startswith("slider_pin starts 0.0005 m deep: stiffness alone would throw that apart at 51.4 m/s")
-    assert "damping, which knows no approach, may hold it there" in warning
+    assert "damping, which has no approach speed, may hold it there" in warning
     assert "they touch with guide.travel at 0.1705 m in place of 0.171 m" in warning
     for allowed in ("170 mm", "170.5 mm", "170.6 mm"):  # apart, touching, and pressed as an impact of the scene might
         run = simulate(crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": allowed})

@@ -285,7 +285,7 @@ def test_colours_of_a_gif_are_those_of_the_pictures():
     ("span", "slow", "said"),
     [
         (0.024, 500.0, "500 times slower"),
-        (5.0, 1.0, "As fast as it happens"),
+        (5.0, 1.0, "Real time"),
         (100.0, 0.1, "10 times faster"),
         (1.0, 10.0, "10 times slower"),
     ],

@@ -62,7 +62,7 @@ def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
     assert outline.tables["Table"] == [[["a [m/s2]", "b"], ["2.5", HOSTILE], ["", "y"], ["1.25", "z"]]]
     assert "1 of 2 comparisons hold" in page
     assert [text.split()[0] for text in outline.texts["li"] if " x: 1" in text] == ["holds", "fails", "found"]
-    assert any("../away.svg is not beside the record" in text for text in outline.texts["p"])
+    assert any("../away.svg is not in the folder of the record" in text for text in outline.texts["p"])
     assert STUDY["command"] in outline.texts["pre"]
     assert HOSTILE in outline.texts["code"]
 

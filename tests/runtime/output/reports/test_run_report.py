@@ -118,7 +118,7 @@ def test_saved_runs_have_equations_where_their_declaration_is_at_hand(ball, tmp_
     page = run_report.run_page(saved)
     alone = Outline(page)
     assert "math" not in alone.texts
-    assert any("holds no declaration of its scene" in text for text in alone.texts["p"])
+    assert any("does not contain its scene" in text for text in alone.texts["p"])
     assert len(Outline(run_report.run_page(saved, model=engine_model("soft_ball"))).texts["math"]) > 20
     assert saved.report(tmp_path / "x.html").read_text("utf-8") == page
     with pytest.raises(FileExistsError, match="exists"):
@@ -157,7 +157,7 @@ def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path
     (tmp_path / "never.py").write_text("raise SystemExit(7)")
     (tmp_path / "runs/soft_ball-001/run.json").write_text(json.dumps(sealed(told)))
     assert hertzwerk("report", "runs/soft_ball-001", "--out", "b.html").exit_code == 0
-    assert "holds no declaration" in (tmp_path / "b.html").read_text("utf-8")
+    assert "does not contain its scene" in (tmp_path / "b.html").read_text("utf-8")
 
 
 def test_the_command_reports_a_scene(tmp_path, monkeypatch):

@@ -249,7 +249,7 @@ def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(b
     how = {**BALL, "compiled": compiled, "workers": 2, "functions": {"end": end}, "into": tmp_path / "a"}
     first = sweep(ball, OVER, **how)
     assert list(first["outcome"]) == ["finished"] * 4 + ["lost"]
-    assert "the next call tries it anew" in first.rows[-1].message
+    assert "the next call tries it again" in first.rows[-1].message
     assert first["drop_height"][-1] == 1.5
     assert list(sweep(ball, OVER, **{**how, "workers": 1})["outcome"])[-1] == "lost"
     assert Path(tries).stat().st_size == 2

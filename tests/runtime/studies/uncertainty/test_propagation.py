@@ -118,7 +118,7 @@ def test_runs_that_fail_are_reported(ball):
     assert one.first == {}
     assert (
         found.warnings[-1].startswith("10 of 48 runs")
-        or "runs are left out, as the first: bad_input" in found.warnings[-1]
+        or "runs are omitted, the first because: bad_input" in found.warnings[-1]
     )
 
 

@@ -76,7 +76,7 @@ def test_an_unsettled_start_is_reported(monkeypatch):
     given = {"duration": "1 s", "method": "dop853", "tolerance": 1e-8, "compiled": False}
     short = simulate(load(curling(dry(MU), 3)), max_steps=2000, **given)
     monkeypatch.undo()
-    assert sum("not settled which contacts stick" in warning for warning in short.warnings) == 1
+    assert sum("sticking and slipping contacts did not converge" in warning for warning in short.warnings) == 1
     assert not simulate(built(curling, dry(MU), 3), **given).warnings
 
 

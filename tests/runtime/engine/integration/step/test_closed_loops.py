@@ -223,7 +223,7 @@ def test_more_drives_than_a_loop_has_freedoms_are_named():
     assert fault.where == "start, speeds"
     assert "over-determined: right_0 open by" in fault.found
     assert "driven by drive_0, drive_1" in fault.remedy
-    assert "leave one out" in fault.remedy
+    assert "omit one" in fault.remedy
     one = replace(window, effects=(*window.effects, drives[0]), start=Start())
     assert simulate(engine_model(one), duration=1e-2).outcome.finished
 

@@ -106,7 +106,7 @@ def test_a_start_that_contradicts_names_both_coordinates():
     given = {"wheel": Parameter("one", "rad", 0.3), "pinion": Parameter("other", "rad", 0.3)}
     with pytest.raises(InputError, match=r"mesh off by 1\.2 rad; expected .*couplings that hold") as error:
         run(gears(MOTOR, MESH, position=given))
-    assert "given: wheel.angle, pinion.angle" in error.value.faults[0].remedy
+    assert "stated: wheel.angle, pinion.angle" in error.value.faults[0].remedy
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
