@@ -145,7 +145,7 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
     if at_onset is None or abs(at_onset) > LEFT_AT_ONSET * abs(forces[-1]):
         actual = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} N"
         yield trial.fault("force", {d: mpf(0)}, actual, "0 N, and no jump at the onset",
-                          "A contact begins without a force: leave out what does not vanish with d.")  # fmt: skip
+                          "A contact begins without a force: omit terms that do not vanish with d.")  # fmt: skip
         return
     falling = _end_of_rise(law.force, slope, trial.values, [mpf(0), *(depth for depth, _ in points)], [mpf(0), *forces])
     if falling is not None:

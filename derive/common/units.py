@@ -232,7 +232,7 @@ _PREFIXES |= {"da": 1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12}
 
 _OUTSIDE = "expected a unit over mass, length, time, temperature and electric current"
 _REFUSED = {
-    "Hz": "hertz does not say whether it counts radians or turns: an angular speed is written in rpm (1 Hz of turns is 60 rpm) or rad/s, "
+    "Hz": "hertz may count radians or turns: an angular speed is written in rpm (1 Hz of turns is 60 rpm) or rad/s, "
     "another rate in 1/s",
     **dict.fromkeys(
         ("°C", "degC", "celsius"),

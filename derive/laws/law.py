@@ -63,7 +63,7 @@ GRADES = {
     "A": "checked against an independent published number or an exact relation",
     "B": "seen in a public source",
     "C": "from general knowledge of the literature, not checked again",
-    "R": "reconstruction: the paper's own expression could not be had",
+    "R": "reconstruction: the expression of the paper was not available",
 }
 """How well what a law states is known."""
 

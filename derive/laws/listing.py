@@ -16,7 +16,7 @@ _HEADINGS = {
     "film": "Film laws: the oil between a pin and its bush",
 }
 _NOT_CONSISTENT = {
-    "inconsistent": "its units do not hold",
+    "inconsistent": "its units are inconsistent",
     "outside_si": "its constants hide units",
 }
 
@@ -30,12 +30,13 @@ def _markdown() -> Iterator[str]:
     yield from textwrap.dedent("""\
         # Contact laws
 
-        Written by `hertzwerk laws --markdown`; a test fails where it is out of date. A law is called with its parameters, in order or by name, in
-        their units: `laws.flores(e)`, `laws.power(K, n=1.5)`; a `Material` stands for Young's modulus and Poisson's ratio together:
-        `laws.hertz_point(steel, steel)`. What else a law needs (penetration, speeds, radii, lengths, masses) its pair supplies.
-        `hertzwerk laws NAME` prints the formula of one with units, ranges and cost, `help(laws.NAME)` what it takes.
-        `hertzwerk laws --restitution` tries every damping law in one free impact, through the engine and in closed form where there is one; they
-        agree to 2e-12. `exact`, `tsuji` (beside K d^1.5) and `kelvin_voigt` (beside K d) return what they are given; `lankarani_nikravesh` is off
+        `hertzwerk laws --markdown` writes this page; a test fails where it is out of date. Call a law with its parameters, in order or by name, in
+        their units: `laws.flores(e)`, `laws.power(K, n=1.5)`. A `Material` stands for Young's modulus and Poisson's ratio together:
+        `laws.hertz_point(steel, steel)`. The pair supplies all other quantities: penetration, speeds, radii, lengths, masses.
+
+        `hertzwerk laws NAME` prints the sheet of a law: formula, units, ranges and cost. `help(laws.NAME)` lists its parameters.
+        `hertzwerk laws --restitution` tests every damping law in one free impact, by simulation and, where there is one, in closed form. Both agree
+        to 2e-12. `exact`, `tsuji` (with K d^1.5) and `kelvin_voigt` (with K d) return the stated restitution. `lankarani_nikravesh` is off
         by up to 0.05 in its recommended range and never returns less than 0.663.
 
         | grade | meaning |
@@ -43,7 +44,7 @@ def _markdown() -> Iterator[str]:
     yield from (f"| {grade} | {meaning} |" for grade, meaning in GRADES.items())
     for kind, heading in _HEADINGS.items():
         laws = [law for law in LAWS.values() if law.kind == kind]
-        yield from ("", f"## {heading}", "", "| law | what it is | for | grade | source |", "|---|---|---|---|---|")
+        yield from ("", f"## {heading}", "", "| law | title | for | grade | source |", "|---|---|---|---|---|")
         yield from (_row(law) for law in laws)
 
 

@@ -186,7 +186,7 @@ class Bushing(BetweenFrames):
             uneven = [(i, j) for i in range(6) for j in range(i) if sp.expand(matrix[i][j] - matrix[j][i]) != 0]
             for i, j in uneven:
                 yield Fault(f"{self.where}, {label}", f"{matrix[i][j]} of {SIX[i]} by {SIX[j]}, {matrix[j][i]} of {SIX[j]} by {SIX[i]}",
-                            "a symmetric matrix: else the work depends on the path", "Give both the same value.")  # fmt: skip
+                            "a symmetric matrix: else the work depends on the path", "Make both equal.")  # fmt: skip
             if not uneven and not _semidefinite([[default_value(value) for value in row] for row in matrix]):
                 yield Fault(f"{self.where}, {label}", "a matrix that feeds some motion, at the defaults",
                             "a positive semidefinite one",

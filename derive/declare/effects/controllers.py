@@ -127,11 +127,11 @@ class SpeedController(JointEffect):
                 f"{self.where}, tracking time",
                 shown(self.tracking),
                 "a limit beside it",
-                "Without one nothing winds up.",
+                "Without a limit nothing winds up.",
             )
         elif self.limit is not None and self.tracking is None and self.proportional == 0:
             yield Fault(where, "a limit without a proportional gain or a tracking time", "one of them",
-                        "tracking=... is the time in which the integral follows what the limit cuts off.")  # fmt: skip
+                        "tracking=... is the time constant of anti-windup by back-calculation.")  # fmt: skip
         elif len(limits) == 2 and not default_value(limits[0]) < default_value(limits[1]):
             actual = " and ".join(f"{default_value(x):g}" for x in limits)
             yield Fault(where, f"{actual} [SI], at the defaults", "the least command first")

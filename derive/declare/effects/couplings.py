@@ -127,7 +127,7 @@ class Coupling(Effect):
             beside = [*stated, *(["offset"] if self.offset != 0 else [])]
             if beside:
                 yield Fault(self.where, f"an equation beside {', '.join(beside)}", "either",
-                            "The equation says all: equation=coordinate_of(first) - ratio*coordinate_of(second) - offset.")  # fmt: skip
+                            "An equation is complete: equation=coordinate_of(first) - ratio*coordinate_of(second) - offset.")  # fmt: skip
             if not is_number(self.equation):
                 yield Fault(f"{self.where}, equation", repr(self.equation), "an expression that is zero where it holds",
                             "It may contain coordinate_of(joint), T and parameters.")  # fmt: skip
@@ -167,11 +167,11 @@ class Coupling(Effect):
         where, dimension = f"{self.where}, equation", self._dimension(scene)
         if dimension is not None and dimension not in (Dimension.from_unit("m"), Dimension.from_unit("rad")):
             yield Fault(where, f"{shown(self.equation)} [{dimension}]",
-                        "a length [m] or an angle [rad], so that what holds it is a force or a torque",
+                        "a length [m] or an angle [rad], so that its multiplier is a force or a torque",
                         "Divide it by a parameter that makes it one: x^2 + y^2 - l^2 by l.")  # fmt: skip
         kinks = [node for node in sp.preorder_traversal(sp.sympify(self.equation)) if isinstance(node, _KINKED)]
         if kinks:
-            yield Fault(where, f"{shown(kinks[0])}, whose slope jumps or is none", "an equation that is twice differentiable",
+            yield Fault(where, f"{shown(kinks[0])}, whose slope jumps or does not exist", "an equation that is twice differentiable",
                         "A Table is smooth; jumps belong to a contact, a spring or a force.")  # fmt: skip
             return
         states = states_in(self.equation)

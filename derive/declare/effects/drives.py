@@ -213,5 +213,5 @@ class Drive(AnyDrive):
                     self.where,
                     f"{name} {value} beside a {quantity}",
                     f"{name} 0",
-                    f"The {quantity} says where it begins.",
+                    f"The {quantity} determines where it begins.",
                 )

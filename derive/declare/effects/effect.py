@@ -381,7 +381,7 @@ class Effect:
         if self.enters != APPLIED:
             return None
         actual = f"the kind {self.kind!r}, which has no element"
-        raise InputError(self.where, [Fault(self.where, actual, "one that says what it does",
+        raise InputError(self.where, [Fault(self.where, actual, "an effect with an element",
                          f"def element(self, kin): return Element(...), in {type(self).__name__}.")])  # fmt: skip
 
     def speed_constraints(self, kin: Moving) -> Iterator[SpeedConstraint]:
@@ -519,7 +519,7 @@ def joint_faults(
         return
     closing = key.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
     if dependent and not closing and key in scene.scalars:
-        yield Fault(where, f"{key}, of which the speeds are no rates", "a coordinate whose rate is a speed of its own",
+        yield Fault(where, f"{key}, whose rate is not a speed", "a coordinate whose rate is a speed of its own",
                     "Kinematical equations q' = u in SymPy make it one.")  # fmt: skip
         return
     known = key in [joint.name for joint in scene.mechanism.joints]

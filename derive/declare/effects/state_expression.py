@@ -337,7 +337,7 @@ def smoothness_faults(slot: Slot, value: Any) -> Iterator[Fault]:
             value = sp.Add(*(sp.diff(value, by) for by in changing)) if order < derivatives else value
         except EmitError as error:
             yield Fault(slot.where, f"{of}{shown(slot.value)}: {error}", "an expression of known functions, as smooth as its use requires",
-                        "A choice is Where(condition, a, b); what jumps is no position.")  # fmt: skip
+                        "A choice is Where(condition, a, b); a position must not jump.")  # fmt: skip
             return
         except ValueError as error:
             yield Fault(slot.where, f"{of}{shown(slot.value)}", "an expression that is smooth enough", str(error))

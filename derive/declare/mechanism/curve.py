@@ -316,7 +316,7 @@ def _shape_faults(curve: Curve) -> Iterator[Fault]:
         return
     size = max(max(row[k] for row in rows) - min(row[k] for row in rows) for k in (1, 2))
     if size == 0:
-        yield Fault(where, "a curve of no length", "one that x and y run along with S")
+        yield Fault(where, "a curve of no length", "a curve whose x and y change with S")
         return
     slowest = min(rows, key=lambda row: math.hypot(row[3], row[4]))
     if math.hypot(slowest[3], slowest[4]) * (rows[-1][0] - rows[0][0]) < 1e-6 * size:
@@ -340,7 +340,7 @@ def _shape_faults(curve: Curve) -> Iterator[Fault]:
         area = sum(a[1] * b[2] - a[2] * b[1] for a, b in pairwise(rows)) / 2
         if area < 0:
             yield Fault(where, "a closed curve that runs clockwise", "one that runs counterclockwise",
-                        "Replace S by -S in x and y; that its solid is outside says hole=True.")  # fmt: skip
+                        "Replace S by -S in x and y; for a solid outside it use hole=True.")  # fmt: skip
     # between the rows, for curves love to cross at round values of their parameter
     middles = [((a[1] + b[1]) / 2, (a[2] + b[2]) / 2) for a, b in pairwise(rows)]
     crossed = crossing([*middles, middles[0]] if curve.closed else middles, curve.closed)

@@ -137,7 +137,7 @@ class Outline(SolidCurve):
         drawn, number = self._drawn()
         if self.closed and sum(a[0] * b[1] - a[1] * b[0] for a, b in pairwise(drawn)) < 0:
             yield Fault(self.where, "a closed chain that runs clockwise", "one that runs counterclockwise",
-                        "List its pieces in the other order; that its solid is outside says hole=True.")  # fmt: skip
+                        "List its pieces in the other order; for a solid outside it use hole=True.")  # fmt: skip
         crossed = crossing(drawn, self.closed)
         if crossed is not None:
             first, second = (number[k] for k in crossed)

@@ -103,7 +103,7 @@ def absolute(scene: Scene) -> Absolute:
         if guides and mechanism.plane is not None:
             unruled.append(
                 Fault(f"joint {joint.name}", "a guide on a moving body, whose reaction is read, in plane motion",
-                      "a guide on the ground: what presses it across the plane, coordinates in the plane do not determine",
+                      "a guide on the ground: plane coordinates do not determine the force across the plane",
                       "Keep the joints' coordinates: coordinates='tree'.")
             )  # fmt: skip
         unruled += joint.unruled()
@@ -223,7 +223,7 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
                 yield Fault(
                     where,
                     actual,
-                    "a freedom that shows in where its bodies are: the only turn, one of two that differ, a slide square to its others",
+                    "a freedom that the poses of its bodies determine: the only turn, one of two that differ, a slide normal to its others",
                     remedy,
                 )
 

@@ -318,7 +318,7 @@ class Closure:
 def _axis_of(freedom: Freedom) -> Direction:
     """Axis of a turn or a slide; raises TypeError for a ball."""
     if freedom.axis is None:
-        raise TypeError(f"{freedom.key} turns about every axis: how far it has turned is no number")
+        raise TypeError(f"{freedom.key} turns about every axis, so it has no single angle")
     return freedom.axis
 
 

@@ -131,7 +131,7 @@ class _Reader:
                 for bound in effect.laws:
                     yield f"- `{effect.name}`: {bound.law.title}. {bound.law.source}, grade {bound.law.grade}."
                 if effect.unchecked:
-                    yield f"- `{effect.name}` is UNCHECKED: its units do not hold."
+                    yield f"- `{effect.name}` is UNCHECKED: its units are inconsistent."
 
     def _open(self, drafts: list[Draft]) -> tuple[sp.Symbol, ...]:
         """Symbols that are neither defined nor input, such as the static friction of a sticking contact."""

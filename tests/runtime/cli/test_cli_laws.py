@@ -56,7 +56,7 @@ def test_a_sheet(hertzwerk):
     done = hertzwerk("laws", "wang_liu_secant", "lankarani_nikravesh", "goldsmith")
     assert done.exit_code == 0
     for said in (
-        "R: reconstruction: the paper's own expression could not be had",
+        "R: reconstruction: the expression of the paper was not available",
         "made for pin_in_bush",
         r"F = \frac{\pi E_{\mathrm{eff}} L d \sqrt{\frac{d}{2 d + 2 \Delta R}}}{2}",
         "1e-06            84.6596    1.4990",

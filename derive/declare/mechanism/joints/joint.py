@@ -266,7 +266,7 @@ class Joint:
         remedy = (
             "Let the joint carry its body, by the joints' coordinates: coordinates='tree'; or make two joints of it."
         )
-        actual = f"{chain}: no rule says what {subject} forbid where the joint closes a loop"
+        actual = f"{chain}: no rule gives the constraints of {subject} forbid where the joint closes a loop"
         return InputError(f"joint {self.name}", [Fault(f"joint {self.name}", actual, expected, remedy)])
 
     # -- landmarks -----------------------------------------------------------------------------------------------------
@@ -300,7 +300,7 @@ class Joint:
         """Yield the fault of freedoms that are not independent."""
         axes = [freedom.axis for freedom in self.freedoms if freedom.axis is not None]
         if all(axis.points for axis in axes) and not self._independent():
-            yield Fault(f"joint {self.name}", "freedoms of which one does what others do, as two parallel axes of turns do",
+            yield Fault(f"joint {self.name}", "redundant freedoms, such as turns about two parallel axes",
                         "axes that are not parallel", "One rotation about one axis is a Revolute.")  # fmt: skip
 
     def _independent(self) -> bool:

@@ -23,7 +23,7 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
         yield from _state_faults(scene, effect)
     for subject, count in Counter(effect.only for effect in scene.effects if effect.only).items():
         if count > 1:
-            yield Fault(subject, str(count), "one", "Leave out the others, or sum up in one what they do.")
+            yield Fault(subject, str(count), "one", "Omit the others, or combine them in one.")
     if not scene.mechanism.freedoms:
         yield Fault("effects", "no joint that can move", "at least one joint that is free to move",
                     "A robot without joints that move can float: from_urdf(..., base='floating').")  # fmt: skip

@@ -27,7 +27,7 @@ def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
         yield from unruled
         if not unruled and not joint.constraints():
             yield Fault(f"joint {joint.name}", f"a free joint to {joint.child.body.name}, which another joint carries", "one that closes the loop",
-                        "A free joint forbids nothing: leave it out, or declare it first.")  # fmt: skip
+                        "A free joint constrains nothing: leave it out, or declare it first.")  # fmt: skip
     for pair in mechanism.pairs:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
@@ -71,7 +71,7 @@ def connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
             reached.append(child)
         elif child not in reached:
             yield Fault(where, f"{child.name}, which no joint before carries", "a body of an earlier joint",
-                        "A track only takes freedoms: let a Planar(...) or another joint carry the body.")  # fmt: skip
+                        "A track only removes freedoms: let a Planar(...) or another joint carry the body.")  # fmt: skip
 
 
 def rigid_root(mechanism: Mechanism, body: Frame) -> Frame:
