@@ -122,7 +122,7 @@ def test_an_unknown_column_and_an_unreadable_file_are_refused(tmp_path):
         for f in faults_of(tmp_path, "t [s],acceleration [m/s^2]\n1,2\n2,3\n", ["accleration"])
     )
     (tmp_path / "binary.csv").write_bytes(b"\xff\xfe\x00")
-    for name, expected in (("binary.csv", "no UTF-8"), ("absent.csv", "no such file"), (".", "a folder")):
+    for name, expected in (("binary.csv", "not UTF-8"), ("absent.csv", "no such file"), (".", "a folder")):
         with pytest.raises(InputError, match=expected):
             read_measurement(tmp_path / name)
 

@@ -131,7 +131,7 @@ def test_an_accuracy_gives_a_run_that_goes_on_at_its_tolerance_and_says_so():
     assert rest.settings.tolerance == short.settings.tolerance
     assert rest.error is None
     assert rest.settings.accuracy is None
-    assert "without an estimate" in rest.warnings[-1]
+    assert "without an error estimate" in rest.warnings[-1]
     assert_bitwise(simulate(crank, duration="12 ms", tolerance=short.settings.tolerance), short, rest)
 
 

@@ -211,7 +211,7 @@ def test_a_closed_loop_counts_beside_the_clearances():
 
 def test_a_model_without_ideal_mechanism_says_why():
     """A slider in its guide is four corners on two faces; a ball in a socket by itself keeps all its turns."""
-    assert "3 equations for 6 freedoms" in unknown_because(engine_model("ball_in_socket"))
+    assert "3 equations for 6 degrees of freedom" in unknown_because(engine_model("ball_in_socket"))
     assert "no joint with clearance" in unknown_because(engine_model("soft_ball"))
     assert "front_upper guide with a clearance" in unknown_because(engine_model("translational_clearance"))
     assert unknown_because(engine_model("spatial_slider_crank")) == ""
