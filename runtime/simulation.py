@@ -290,7 +290,7 @@ class Solution(plain_solution.EngineSolution):
         return Model(self.engine.model)
 
     def extremes(self, name: str) -> Extremes:
-        """Return the least and the largest value of a history, and their times, found within the steps.
+        """Return the minimum and the maximum of a history, and their times, found within the steps.
 
         As a sweep's `.min` and `.max`: `run[name]` has values at the steps alone, which may be some per cent lower.
         Raises KeyError for an unknown name, ValueError for a run that kept a grid or was saved.

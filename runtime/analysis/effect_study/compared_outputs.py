@@ -64,15 +64,15 @@ def named(run: EngineSolution) -> tuple[Output, ...]:
     speeds = _of_one_kind(model, model.speeds, "m/s")
     accelerations = tuple(acceleration_of(speed) for speed in speeds)
     outputs = [
-        Output("peak_acceleration", units[accelerations[0]], f"largest |acceleration| of {', '.join(speeds)}",
+        Output("peak_acceleration", units[accelerations[0]], f"peak |acceleration| of {', '.join(speeds)}",
                lambda samples: samples.highest(lambda history: _largest(history, accelerations)), accelerations),
     ]  # fmt: skip
     if model.k:
         outputs = [
-            Output("peak_force", "N", "largest normal force of all pairs", _peak_force),
+            Output("peak_force", "N", "peak normal force of all pairs", _peak_force),
             *outputs,
             Output("impact_rate", "1/s", "contacts begun per time", _impact_rate),
-            Output("mean_peak_force", "N", "mean of the largest normal force of each contact", _mean_peak_force),
+            Output("mean_peak_force", "N", "mean of the peak normal force of each contact", _mean_peak_force),
         ]
     journals = [tuple(model.outputs[i] for i in rows) for rows in model.journals.values()]
     if journals:
@@ -139,8 +139,8 @@ def _lowest(samples: Samples, name: str) -> float:
 
 
 _KINDS: dict[str, tuple[str, Callable[[Samples, str], float]]] = {
-    "max": ("largest", _highest),
-    "min": ("least", _lowest),
+    "max": ("maximum of", _highest),
+    "min": ("minimum of", _lowest),
     "mean": ("mean over time of", lambda s, name: s.mean(lambda history: history[name])),
     "amplitude": ("half the range of", lambda s, name: (_highest(s, name) - _lowest(s, name)) / 2),
 }

@@ -120,7 +120,7 @@ def _head(problem: Problem, held: Reference) -> None:
     from hertzwerk.runtime.analysis.work_precision.accuracy_report import seconds
 
     span = seconds(float(held.t[-1]))
-    line(problem.model.name, f"{span}; error: the largest of the run, in the scene's scales; times of one run each")
+    line(problem.model.name, f"{span}; error: the maximum over the run, in the scene's scales; times of one run each")
     methods = f"{held.run.settings.method} and {held.partner.settings.method}"
     line("reference", f"{methods} at a tolerance of {held.run.settings.tolerance:.0e} agree to {held.uncertainty:.1e}")
 

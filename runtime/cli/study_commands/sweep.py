@@ -322,7 +322,7 @@ def _report(result: Sweep, folder: Path | None, file: Path | None) -> None:
     outputs = [name for name in result.columns if name not in ("outcome", "message", "warnings", *result.varied)]
     if len(result) and outputs:
         click.echo()
-        table(("output", "unit", "least", "largest"), [_extremes(result, name) for name in outputs])
+        table(("output", "unit", "minimum", "maximum"), [_extremes(result, name) for name in outputs])
         click.echo()
         _report_undetermined(result, outputs)
     for name in result.arrays:

@@ -20,7 +20,7 @@ PLACES, POINTS, ZOOMS = 16, 17, 4  # most places at which an extreme is searched
 
 
 class Extremes(NamedTuple):
-    """Least and largest value of a history within a run, in SI, and their times [s]."""
+    """Minimum and maximum of a history within a run, in SI, and their times [s]."""
 
     lowest: float
     lowest_t: float

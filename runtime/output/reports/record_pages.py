@@ -89,7 +89,7 @@ def minimum_page(record: Record, folder: Path, origin: Origin) -> str:
     objective, finished = record["objective"], record["outcome"] == "finished"
     unit = f" {objective['unit']}" if objective["unit"] else ""
     counted = {
-        "least": f"{number_text(objective['value'], 6)}{unit}",
+        "minimum": f"{number_text(objective['value'], 6)}{unit}",
         "at the start": f"{number_text(objective['begun'], 6)}{unit}",
         "runs": number_text(len(record["trials"])),
         "derivatives": "exact" if record["exact"] else "by differences of runs",
@@ -125,7 +125,7 @@ def minimum_page(record: Record, folder: Path, origin: Origin) -> str:
         Section("Runs", _trials(record["trials"])),
     ]
     top = joined([verdict(str(record["outcome"]).replace("_", " "), finished, str(record["message"])), facts(counted)])
-    return page("minimum", str(record["scene"]), f"least {objective['text']}", top, sections, origin)
+    return page("minimum", str(record["scene"]), f"minimum {objective['text']}", top, sections, origin)
 
 
 def _trials(trials: list[Record]) -> Markup:

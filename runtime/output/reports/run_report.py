@@ -227,9 +227,12 @@ def _averages(run: EngineSolution) -> Markup:
         [a.name, a.mean, a.half_width, unit_markup(a.unit), a.blocks or None, a.reason] for a in run.averages()
     ]
     heads = ["quantity", "mean", "± 95 %", "unit", "blocks", "why something is missing"]
-    if not any(row[-1] for row in rows):
-        rows, heads = [row[:-1] for row in rows], heads[:-1]
     sentence = "A tenth of the run is left out as transient; intervals come from the means of blocks of whole periods."
+    reasons = {row[-1] for row in rows}
+    if len(reasons) == 1:  # stated once
+        rows, heads = [row[:-1] for row in rows], heads[:-1]
+        if (reason := str(*reasons)) and not any(row[4] for row in rows):
+            return paragraphs([f"There are no averages after the transient: {reason}."])
     return joined([paragraphs([sentence]), table(heads, rows)])
 
 

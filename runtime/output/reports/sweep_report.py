@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST = 1000  # rows of the table
-RANGES = ("column", "unit", "least", "median", "largest", "rows")
+DIGESTS = {"text": "digest of the module", "readings": "digest of the histories beside it"}  # entries that hold one
+RANGES = ("column", "unit", "minimum", "median", "maximum", "rows")
 
 
 def sweep_page(
@@ -36,7 +37,7 @@ def sweep_page(
 
     columns    unit by name of column; `rows`, the first of them, have an entry for each
     outcomes    number of rows by outcome
-    ranges    name, unit, least, median, largest and number of each column of numbers
+    ranges    name, unit, minimum, median, maximum and number of each column of numbers
     warnings    those of the rows, whose column has their numbers
     definition    what the sweep computes, as plain data
     draw    draws it
@@ -69,8 +70,19 @@ def _table(columns: Mapping[str, str], rows: Sequence[Sequence[str | float]], co
 
 def _definition(definition: Mapping[str, Any]) -> Markup:
     rows: list[list[Cell]] = [
-        [name, value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)]
+        [DIGESTS.get(name, name), _plain(value)]
         for name, value in definition.items()
         if value not in (None, [], {}, "", False)
     ]
     return table(("setting", "value"), rows)
+
+
+def _plain(value: Any) -> str:
+    """Return a setting as a reader writes it, deeper nested ones as JSON."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list) and all(isinstance(entry, str) for entry in value):
+        return ", ".join(value)
+    if isinstance(value, dict) and all(isinstance(entry, str) for entry in value.values()):
+        return "; ".join(f"{name} = {entry}" for name, entry in value.items())
+    return json.dumps(value, ensure_ascii=False)

@@ -47,7 +47,7 @@ def figure(title: str, unit: str, names: Mapping[str, str], trials: Sequence[Tri
         for there, colour, label in ((feasible, BLUE, "constraints kept"), (~feasible, ORANGE, "constraints not kept")):
             if np.any(there):
                 axes[0].plot(numbers[there], scale(objective[there]), "o", color=colour, markersize=5, label=label)
-        axes[0].axhline(float(scale(least)), color=VERMILLION, linewidth=1.2, label="the least found")
+        axes[0].axhline(float(scale(least)), color=VERMILLION, linewidth=1.2, label="minimum")
         axes[0].set_title(f"objective{f' [{scale.unit}]' if scale.unit != '1' else ''}")
         if np.all(objective > 0) and np.ptp(np.log10(objective)) > 1:
             axes[0].set_yscale("log")

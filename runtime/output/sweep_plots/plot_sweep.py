@@ -182,7 +182,7 @@ def _lines(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: in
     groups = list(_groups(others, len(good)))
     subtitle = [_listed(names, count)]
     if any(mask.sum() > 2 * PLACES for _, mask in groups):
-        subtitle.append(f"{len(good):,} rows, of which the least and the largest at {PLACES:,} places are drawn")
+        subtitle.append(f"{len(good):,} rows, of which the minimum and the maximum at {PLACES:,} places are drawn")
     page, panels = _page(drawn, (WIDE, HIGH), len(names), _shape(len(names)), "; ".join(filter(None, subtitle)))
     for panel, name in zip(panels, names, strict=True):
         scale = shown_in(table.columns[name], columns[name])
@@ -288,7 +288,7 @@ def _maps(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: int
 def _of_many(x: Varied, y: Varied, count: int, *, gridded: bool) -> str:
     """Return what is said of a map that does not show all rows."""
     if not gridded:
-        return f"{DOTS:,} of {count:,} rows are drawn, the least and the largest among them" if count > DOTS else ""
+        return f"{DOTS:,} of {count:,} rows are drawn, the minimum and the maximum among them" if count > DOTS else ""
     sides = [len(coarse_edges(_edges(axis), CELLS)) - 1 for axis in (x, y)]
     if sides == [len(axis.distinct) for axis in (x, y)]:
         return ""

@@ -414,6 +414,6 @@ class _Search:
         names = [name for formula in self.problem.formulas for name in formula.names if LARGEST.search(name)]
         if names or any(formula.switches for formula in self.problem.formulas):
             subject = ", ".join(dict.fromkeys(names)) or "the formula"
-            yield f"{subject}: a largest value switches from one peak to another, where its derivative jumps; HISTORY.norm32 is smooth"
+            yield f"{subject}: a maximum switches from one peak to another, where its derivative jumps; HISTORY.norm32 is smooth"
         if not run.outcome.finished:
             yield f"the run at the minimum: {run.outcome.name}: {run.outcome.message}"

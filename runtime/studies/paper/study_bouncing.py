@@ -179,15 +179,15 @@ def _table(bounces: Sequence[Bounce]) -> Table:
             ("e in", ""),
             ("e out", ""),
             ("closed form", ""),
-            ("its limit", ""),
+            ("limit of their difference", ""),
             ("rebound", "mm"),
         ),
         *(
             ("peak force", "kN"),
-            ("over elastic", ""),
+            ("force/elastic", ""),
             ("penetration", "µm"),
             ("duration", "µs"),
-            ("over elastic's", ""),
+            ("duration/elastic", ""),
         ),
         *(("energy lost", ""), ("impacts", ""), ("steps", "")),
     )
@@ -275,7 +275,7 @@ def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
         least = min((b for b in bounces if b.form is form), key=lambda b: b.out)
         most = max((b for b in bounces if b.form is form), key=lambda b: b.peak_force / form.force)
         yield Verdict(
-            f"{form.name}: the least restitution returned is {least.out:.3g} ({least.law}, e = {least.e_in:g}); the largest peak force is "
+            f"{form.name}: the lowest restitution returned is {least.out:.3g} ({least.law}, e = {least.e_in:g}); the highest peak force is "
             f"{most.peak_force / form.force:.3g} times the elastic one ({most.law}, e = {most.e_in:g})",
             "simulated, table",
         )

@@ -192,8 +192,8 @@ def _impact_chart(impacts: list[Impact]) -> Chart:
         "One impact: K d^n, the number of K kept",
         (
             Panel("Hysteresis loops", depth, force, loops),
-            Panel("Hysteresis loops, each by its largest values", Axis("penetration/largest"), Axis("force/largest"), scaled),
-            Panel("Largest penetration", Axis("exponent n"), Axis("penetration", "µm", log=True), (
+            Panel("Hysteresis loops, each scaled by its peak values", Axis("penetration/peak"), Axis("force/peak"), scaled),
+            Panel("Peak penetration", Axis("exponent n"), Axis("penetration", "µm", log=True), (
                 Curve("closed form", fine, np.array([closed_depth(x) for x in fine]) * 1e6, look="reference"),
                 Curve("simulated", n, np.array([i.depth for i in impacts]) * 1e6, look="dots"),
             )),
@@ -228,7 +228,7 @@ def _crank_chart(rows: list[tuple[float, Measurement, int]], drawn: Mapping[floa
         "Slider-crank, 5000 rpm, clearance 0.5 mm: K d^n, the number of K kept",
         (
             Panel("Largest contact force", exponent, Axis("peak force", "kN", log=True), (over_n("peak_force", 1e3),)),
-            Panel("Largest penetration", exponent, Axis("penetration/clearance", log=True), (
+            Panel("Peak penetration", exponent, Axis("penetration/clearance", log=True), (
                 over_n(PENETRATION, CLEARANCE),
                 Curve(f"unnoticed below {UNNOTICED:g}", ends[::-1], np.full(2, UNNOTICED), look="dashed"),
                 Curve(f"sunk above {SUNK:g}", ends, np.full(2, SUNK), look="dashed"),
@@ -263,7 +263,7 @@ def _impact_verdicts(impacts: list[Impact]) -> tuple[Verdict, ...]:
             "{:.3g} to {:.3g} times".format(*extremes),
             "numbers alone, no symbols", exact == [1.5],
         ),
-        compare(f"largest penetration at n = {worst.unit.exponent:g} [m]", worst.depth, worst.closed_depth, AGREEMENT, RELATION),
+        compare(f"peak penetration at n = {worst.unit.exponent:g} [m]", worst.depth, worst.closed_depth, AGREEMENT, RELATION),
         Verdict(
             f"restitution does not see the exponent: it differs by {spread:.0e} over all n, while the force falls from "
             f"{first.force * 1e-3:.3g} to {last.force * 1e-3:.3g} kN and the impact lasts {last.duration / first.duration:.0f} times as long",

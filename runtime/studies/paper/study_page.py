@@ -114,7 +114,7 @@ class Table:
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(self.columns)
-        writer.writerows([format(c, ".17g") if isinstance(c, float) else c for c in row] for row in self.rows)
+        writer.writerows(self.rows)
         return text.getvalue()
 
 

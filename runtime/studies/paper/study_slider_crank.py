@@ -36,7 +36,7 @@ FRICTION = f"{PIN}_friction"
 OUTPUTS = {  # of a row: name, unit, SI of the unit
     f"{PIN}.impact_rate": ("impacts", "1/s", 1.0),
     f"{PIN}.mean_peak_force": ("mean peak force", "N", 1.0),
-    f"{PIN}.mean_largest_force": ("largest force of a turn", "N", 1.0),
+    f"{PIN}.mean_largest_force": ("peak force of a turn", "N", 1.0),
     f"{PIN}.mean_force": ("mean force", "N", 1.0),
     f"{PIN}.dissipated_power": ("power lost in contact", "W", 1.0),
 }
@@ -176,7 +176,7 @@ def _cases(plan: Plan, sweeps: Sweeps, progress: Progress) -> Iterator[Case]:
 def _trajectory_table(trajectories: Sequence[Trajectory]) -> Table:
     columns = (
         *(("law", ""), ("friction", ""), ("outcome", ""), ("horizon", "ms"), ("largest error", ""), ("error growth", "1/s")),
-        *(("impacts", ""), ("largest force", "kN"), ("position off ideal", "mm"), ("steps", "")),
+        *(("impacts", ""), ("peak force", "kN"), ("position off ideal", "mm"), ("steps", "")),
     )  # fmt: skip
     title = f"Trajectories: {DRAWN_TURNS} revolutions, {DRAWN_SPEED:g} rpm, {DRAWN_CLEARANCE:g} mm; error in parts of the clearance"
     return Table("trajectories", title, columns, tuple(tuple(_trajectory_cells(x)) for x in trajectories))
@@ -321,7 +321,7 @@ def _impact_chart(name: str, cases: Sequence[Case], plan: Plan) -> Chart:
             Panel(
                 f"Severity, {said}",
                 axis,
-                Axis("largest force of a turn, mean", "kN", log=True),
+                Axis("peak force of a turn, mean", "kN", log=True),
                 curves(SEVERITY, friction),
             )
         )
@@ -354,7 +354,7 @@ def _trajectory_verdicts(trajectories: Sequence[Trajectory]) -> Iterator[Verdict
     peaks = {x.label: max(i.peak_force for i in x.run.impacts) for x in trajectories}
     weak, strong = (f(peaks, key=lambda law: peaks[law]) for f in (min, max))
     yield Verdict(
-        f"largest force: {peaks[weak] * 1e-3:.3g} kN ({weak}) to {peaks[strong] * 1e-3:.3g} kN ({strong})",
+        f"peak force: {peaks[weak] * 1e-3:.3g} kN ({weak}) to {peaks[strong] * 1e-3:.3g} kN ({strong})",
         "the same trajectories",
     )
 
@@ -381,7 +381,7 @@ def _case_verdicts(cases: Sequence[Case], plan: Plan) -> Iterator[Verdict]:
             apart = speeds - np.mean(speeds)
             slope = float(apart @ forces / (apart @ apart))
             yield Verdict(
-                f"{law}: the largest force of a revolution grows as speed^{slope:.2g} at {max(plan.clearances):g} mm, with friction",
+                f"{law}: the peak force of a revolution grows as speed^{slope:.2g} at {max(plan.clearances):g} mm, with friction",
                 "fit to the averages",
             )
 
@@ -399,7 +399,7 @@ def _apart(cases: Sequence[Case], subject: str, group: Callable[[Case], tuple[ob
     ratios = [high[0] / low[0] for low, high in pairs if high[0] - low[0] > high[1] + low[1]]
     most = f", by up to {max(ratios):.3g} times" if ratios else ""
     yield Verdict(
-        f"largest force of a revolution: {subject} differ by more than their intervals in {len(ratios)} of {len(pairs)} comparisons{most}",
+        f"peak force of a revolution: {subject} differ by more than their intervals in {len(ratios)} of {len(pairs)} comparisons{most}",
         "averages, table",
     )
 

@@ -220,8 +220,8 @@ def _law_table(laws: Sequence[Law]) -> Table:
             ("at 10 µm", "N"),
         ),
         *(
-            ("over Johnson's", ""),
-            ("in mm over in SI", ""),
+            ("force/Johnson's", ""),
+            ("force in mm/in SI", ""),
             ("dlnF/dlnd", ""),
             ("reach at 0.5 mm", "mm"),
             ("reach at 5 µm", "mm"),
@@ -285,7 +285,7 @@ def _crank_charts(rides: Sequence[Ride], drawn: Mapping[str, EngineSolution]) ->
     panels = []
     for output, axis, factor in (
         ("peak_force", Axis("peak force", "kN", log=True), 1e3),
-        (PENETRATION, Axis("largest penetration", "µm", log=True), 1e-6),
+        (PENETRATION, Axis("peak penetration", "µm", log=True), 1e-6),
     ):
         curves = []
         for title, wanted in (("units hold", True), ("units do not hold", False)):

@@ -145,6 +145,12 @@ def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
         [float(x) for x in stored if x != "nan"], rel=1e-4
     )
     assert {"Picture", "Rows", "Ranges", "Definition", "Origin"} <= set(outline.texts["h2"])
+    settings = dict(row for row in outline.tables["Definition"][0][1:])
+    assert (
+        settings["over"] == "drop_height = 0.2, 0.5 m; mass = 1.0, -1.0 kg"
+        and settings["outputs"] == "floor.peak_force"
+    )
+    assert {"digest of the module", "digest of the histories beside it"} <= settings.keys()
     assert any("Outputs of soft_ball" in text for text in outline.texts["figcaption"])
     assert "hertzwerk sweep --resume rows" in outline.texts["pre"]
     assert [list(pair) for pair in zip(outline.texts["dt"][1:], outline.texts["dd"][1:], strict=True)] == [

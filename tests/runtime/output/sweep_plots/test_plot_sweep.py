@@ -167,6 +167,6 @@ def test_of_many_rows_a_curve_shows_the_extremes_and_says_how_many(monkeypatch):
     assert (x[y.argmin()], y.min()) == (speeds[202], -90)
     assert np.abs(y[::15]).max() < 90
     said = " ".join(text.get_text() for text in page.texts)
-    assert "300 rows, of which the least and the largest at 20 places are drawn" in " ".join(said.split())
+    assert "300 rows, of which the minimum and the maximum at 20 places are drawn" in " ".join(said.split())
     assert "1 of 300 rows failed" in " ".join(said.split())
     assert curve(page.axes[0], 1)[0].tolist() == [speeds[77]]

@@ -175,7 +175,7 @@ def test_a_netcdf_file_opens_with_xarray(name, request, tmp_path):
         flat = found.stack(row=("drop_height", "mass")) if name == "grid" else found
         assert all(same(flat[column].values, table[column]) for column in table.names)
         assert found["final.vertical.speed"].attrs == {"units": "m/s", "long_name": "vertical.speed at the end"}
-        assert found["floor.peak_force"].attrs["long_name"] == "largest contact force, of floor"
+        assert found["floor.peak_force"].attrs["long_name"] == "peak normal force of the contacts, of floor"
         assert found.attrs == table.to_xarray().attrs
 
 
