@@ -8,7 +8,7 @@ class WithTests(sdist):
 
     def make_distribution(self) -> None:
         """Add folders and texts, less what tools leave in them, and make the archive."""
-        for folder in ("tests", ".ci", ".readme"):
+        for folder in ("tests", ".ci", ".github", ".readme"):
             self.filelist.graft(folder)
         for text in (
             "derive/README.md",

@@ -1,5 +1,6 @@
 """The archives, built from a clean export: the wheel holds the packages and nothing else, the source distribution the whole tree."""
 
+import re
 import shutil
 import subprocess
 import sys
@@ -30,7 +31,7 @@ def exported() -> list[str]:
     """Files that a clean export of the tree has and the archives are built from; no caches, no build folders."""
     sources = (
         path
-        for folder in (*PACKAGES, "tests", ".ci", ".readme")
+        for folder in (*PACKAGES, "tests", ".ci", ".github", ".readme")
         for path in (ROOT / folder).rglob("*")
         if path.is_file()
     )
@@ -111,6 +112,17 @@ def test_the_installed_package_is_found_where_a_plain_folder_of_its_name_lies_be
 
 def project() -> dict:
     return tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def test_supported_pythons_are_stated_alike_and_tried_by_forks():
+    """In requires-python, the classifiers and the matrix of the workflow; extras of `dev` are all there are."""
+    prefix = "Programming Language :: Python :: "
+    stated = [each.removeprefix(prefix) for each in project()["classifiers"] if each.startswith(f"{prefix}3.")]
+    workflow = (ROOT / ".github" / "workflows" / "ci.yml").read_text(encoding="utf-8")
+    assert re.findall(r'"(3\.\d+)"', re.search(r"python: \[(.*)\]", workflow)[1]) == stated
+    assert project()["requires-python"] == f">={stated[0]}"
+    (extras,) = (each for each in project()["optional-dependencies"]["dev"] if each.startswith("hertzwerk["))
+    assert set(re.findall(r"\w+", extras)[1:]) == {*project()["optional-dependencies"]} - {"dev"}
 
 
 def test_every_folder_with_modules_is_a_listed_package():
