@@ -6,7 +6,7 @@ import contextlib
 import shutil
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self, TypeVar
@@ -17,6 +17,7 @@ from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.cli import line_wrapping
 
 Written = TypeVar("Written")
+Item = TypeVar("Item")
 
 GOOD, OTHER_OUTCOME, BAD_INPUT = 0, 1, 2
 COLOURS = {
@@ -159,12 +160,13 @@ def _coloured(cell: str) -> str:
 class Progress:
     """Progress line on standard error, on a terminal only; called with the fraction done."""
 
-    def __init__(self, title: str, *, shown: bool) -> None:
-        self._title, self._shown = title, shown
+    def __init__(self, title: str, *, shown: bool = True) -> None:
+        self._title, self._shown = title, shown and sys.stderr.isatty()
         self._stage, self._width, self._from = "", 0, 0.0
         self._start = self._shown_at = time.perf_counter()
 
     def __enter__(self) -> Self:
+        self._show(self._title)
         return self
 
     def __exit__(
@@ -180,12 +182,24 @@ class Progress:
         self._stage, self._start, self._from = name, time.perf_counter(), done
         self._show(f"{self._title}: {name}")
 
+    def over(self, items: Sequence[Item], name: Callable[[Item], str] = str) -> Iterator[Item]:
+        """Yield items, each a stage; the time left is estimated from those before."""
+        begun = time.perf_counter()
+        for number, item in enumerate(items):
+            self.stage(name(item))
+            self._start = begun
+            if number:
+                self._bar(number / len(items))
+            yield item
+
     def __call__(self, fraction: float) -> None:
         """Show the fraction done and the estimated time left."""
         now = time.perf_counter()
-        if now - self._shown_at < BETWEEN or now - self._start < BAR_AFTER:
-            return
-        seconds = (now - self._start) * (1 - fraction) / max(fraction - self._from, 1e-9)
+        if now - self._shown_at >= BETWEEN and now - self._start >= BAR_AFTER:
+            self._bar(fraction)
+
+    def _bar(self, fraction: float) -> None:
+        seconds = (time.perf_counter() - self._start) * (1 - fraction) / max(fraction - self._from, 1e-9)
         rest = f"{seconds // 60:.0f}:{seconds % 60:02.0f} to go" if seconds < LONGEST else ""
         bar = "#" * round(BAR * min(fraction, 1))
         stage = f"{self._title}: {self._stage}" if self._stage else self._title

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -55,12 +54,13 @@ def animate(
     grow. With --grid, up to 100000 steps are still kept for the film. Ctrl-C ends the film with the frames so far
     (exit code 1).
     """
-    from hertzwerk.runtime.output.films.film import animate as film_of
-    from hertzwerk.runtime.output.films.film import path_faults
     from hertzwerk.runtime.system.interrupt import raise_interrupts
 
     path = out or Path(f"{Path(target).stem}.gif")
-    with raise_interrupts(), Progress(target, shown=sys.stderr.isatty()) as progress:
+    with raise_interrupts(), Progress(target) as progress:
+        from hertzwerk.runtime.output.films.film import animate as film_of
+        from hertzwerk.runtime.output.films.film import path_faults
+
         progress.stage("running")
         run = _run(Variation.taken(target, options), path_faults(path, overwrite=overwrite), progress, **options)
         progress.stage("drawing")

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, Progress, line, reports_bad_input
 
 
 @click.command(epilog="Example: hertzwerk report runs/slider_crank-001")
@@ -35,5 +35,8 @@ def report(target: str, out: Path | None, scene: str | None, overwrite: bool) ->
     path = out or (place / "report.html" if place.is_dir() else Path(f"{place.stem}.html"))
     if faults := new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite):
         raise InputError("report", faults)
-    line("written", str(write(path, page_of(place, target, scene).encode(), overwrite=overwrite)))
+    with Progress(f"report of {target}") as progress:
+        progress.stage("making the page")
+        page = page_of(place, target, scene).encode()
+    line("written", str(write(path, page, overwrite=overwrite)))
     return GOOD

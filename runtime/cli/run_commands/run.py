@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -121,7 +121,7 @@ def run(
     wanted = out is not None or not as_json
     faults = [*unwritable_faults(out, wanted=wanted), *table_faults(file)]
     with (
-        Progress(target or str(folder), shown=not as_json and sys.stderr.isatty()) as progress,
+        Progress(target or str(folder), shown=not as_json) as progress,
         Stopping(progress) as stopping,
     ):
         if folder is not None:
@@ -182,14 +182,16 @@ def validate(targets: tuple[str, ...]) -> int:
     from hertzwerk.runtime.analysis.validation.validate import validate as verdicts_of
 
     checks = passed = unfinished = 0
-    for scenario in [load_scenario(target) for target in targets or scenarios.names()]:
-        solution = run_scenario(scenario)
-        line(scenario.scene, str(solution))
-        verdicts = verdicts_of(scenario, solution)
-        for verdict in verdicts:
-            line("passed" if verdict.passed else "failed", str(verdict))
-        checks, passed = checks + len(verdicts), passed + sum(verdict.passed for verdict in verdicts)
-        unfinished += solution.outcome.name != scenario.outcome
+    loaded = [load_scenario(target) for target in targets or scenarios.names()]
+    with Progress("validate") as progress:
+        for scenario in progress.over(loaded, lambda scenario: scenario.scene):
+            solution = run_scenario(scenario)
+            progress.aside(partial(line, scenario.scene, str(solution)))
+            verdicts = verdicts_of(scenario, solution)
+            for verdict in verdicts:
+                line("passed" if verdict.passed else "failed", str(verdict))
+            checks, passed = checks + len(verdicts), passed + sum(verdict.passed for verdict in verdicts)
+            unfinished += solution.outcome.name != scenario.outcome
     good = passed == checks and not unfinished
     runs = f"; {unfinished} run{'s' if unfinished > 1 else ''} with another outcome" if unfinished else ""
     line("passed" if good else "failed", f"{passed} of {checks} checks hold{runs}")

@@ -13,7 +13,7 @@ import click
 
 from hertzwerk.derive.common.faults import InputError, refuse
 from hertzwerk.runtime.cli.target_options import JSON, VARIATION, Variation, assignments, together
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -83,9 +83,9 @@ def modes(out: Path | None, as_json: bool, **options: Any) -> int:
 
     Drives are held. It prints frequencies, damping ratios and shapes. Exit code 1: there is no position of rest.
     """
+    rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
     from hertzwerk.runtime.analysis.statics.vibrations import modes as modes_of
 
-    rest = _read(Variation.taken(options.pop("target"), options), out=out, **options)
     vibrations = modes_of(rest) if rest.converged else None
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
@@ -142,19 +142,23 @@ def _read(
     out: Path | None,
 ) -> Equilibrium:
     """Return the equilibrium of a target's variation; raises InputError with every fault."""
-    from hertzwerk.runtime.analysis.statics.equilibrium import equilibrium
-    from hertzwerk.runtime.engine.start.start_values import split_values
     from hertzwerk.runtime.system.result_folder import new_file_faults
 
     faults = [] if out is None else new_file_faults("--out", out)
     values = varied.values(faults)
-    model = varied.model(faults)
-    parameters, initial = split_values(model, values)
-    try:
-        inputs = assignments("--input", varied.inputs, faults)
-        rest = equilibrium(model, parameters=parameters, initial=initial, inputs=inputs, at=at, nearest=nearest)
-    except InputError as error:
-        raise InputError(error.subject, [*faults, *error.faults]) from error
+    with Progress(varied.target) as progress:
+        from hertzwerk.runtime.analysis.statics.equilibrium import equilibrium
+        from hertzwerk.runtime.engine.start.start_values import split_values
+
+        progress.stage("building")
+        model = varied.model(faults)
+        parameters, initial = split_values(model, values)
+        progress.stage("finding the position of rest")
+        try:
+            inputs = assignments("--input", varied.inputs, faults)
+            rest = equilibrium(model, parameters=parameters, initial=initial, inputs=inputs, at=at, nearest=nearest)
+        except InputError as error:
+            raise InputError(error.subject, [*faults, *error.faults]) from error
     refuse(model.name, faults)
     return rest
 

@@ -10,7 +10,7 @@ import click
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.annotations import FORMATS, faults_as_remarks, remarks
-from hertzwerk.runtime.cli.terminal import BAD_INPUT, GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import BAD_INPUT, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
@@ -62,7 +62,8 @@ def audit(
     from hertzwerk.runtime.engine.model.build import audit_targets
 
     try:
-        audited = audit_targets(targets)
+        with Progress("audit", shown=form is None and not as_json) as progress:
+            audited = audit_targets(progress.over(targets))
     except InputError as error:
         if form is None:
             raise
@@ -110,7 +111,9 @@ def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], ex
 def _audit_laws(as_json: bool) -> int:
     from hertzwerk.runtime.engine.model.build import audit_catalogue
 
-    findings, differing = audit_catalogue()
+    with Progress("audit", shown=not as_json) as progress:
+        progress.stage("laws of the catalogue")
+        findings, differing = audit_catalogue()
     if as_json:
         _print_json([finding.record() for finding in findings])
         return OTHER_OUTCOME if differing else GOOD

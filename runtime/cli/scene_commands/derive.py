@@ -11,7 +11,7 @@ import click
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse
 from hertzwerk.runtime.cli.target_options import COORDINATES, LAW, WITHOUT, Variation
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 
 @click.command("list", epilog="Example: hertzwerk list slider_crank")
@@ -94,7 +94,9 @@ def derive(
     folders = dict.fromkeys([out] if out is not None else map(regenerate.folder_of, targets))
     hindrances = [hindrance for folder in folders if (hindrance := unwritable(folder)) is not None]
     refuse("derive", [Fault("--out", each, "a folder that can be written to") for each in hindrances])
-    for path in regenerate.write(regenerate.derived(targets, coordinates), out):
+    with Progress("derive") as progress:
+        modules = regenerate.derived(progress.over(targets), coordinates)
+    for path in regenerate.write(modules, out):
         line("written", str(path))
     return GOOD
 
@@ -110,7 +112,8 @@ def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> 
     """Print the equations of all targets or of none."""
     from hertzwerk.runtime.engine.model import regenerate
 
-    shown = regenerate.shown(targets, coordinates)
+    with Progress("derive", shown=not as_json) as progress:
+        shown = regenerate.shown(progress.over(targets), coordinates)
     if as_json:
         click.echo(json.dumps({"equations": [each.record() for each in shown]}, indent=2, ensure_ascii=False))
     else:
@@ -122,7 +125,8 @@ def _compare(targets: Sequence[str], coordinates: str | None, folder: Path | Non
     """Report for each module whether the one in place equals the one derived from its scene."""
     from hertzwerk.runtime.engine.model import regenerate
 
-    modules = regenerate.compared(targets, coordinates, folder)
+    with Progress("derive") as progress:
+        modules = regenerate.compared(progress.over(targets), coordinates, folder)
     for name, difference in modules:
         if difference is None:
             line("consistent", f"{name}: the module in place equals the one derived from its scene")

@@ -11,7 +11,7 @@ import click
 
 from hertzwerk.derive.common.faults import Fault, refuse
 from hertzwerk.runtime.cli.target_options import SET, assignments
-from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, Progress, line, reports_bad_input
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.output.drawings.places import Places
@@ -48,9 +48,6 @@ def draw(
     Clearances are enlarged. Several targets are drawn on one sheet (default: all built-in scenes).
     """
     from hertzwerk.runtime.engine.model.build import built_in_scenes
-    from hertzwerk.runtime.engine.solution.solution import write
-    from hertzwerk.runtime.output.drawings import picture
-    from hertzwerk.runtime.output.drawings.gallery import sheet
     from hertzwerk.runtime.system.result_folder import new_file_faults
 
     faults: list[Fault] = []
@@ -63,10 +60,16 @@ def draw(
     path = out or Path(f"{Path(names[0]).stem}.png" if len(names) == 1 else "mechanisms.png")
     faults += new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite)
     refuse("draw", faults)
-    views = [_places(name, values, duration, start) for name in names]
     content = io.BytesIO()
-    page = picture.figure(*views[0]) if len(names) == 1 else sheet([places for places, *_ in views])
-    page.savefig(content, format="png", dpi="figure", metadata={"Description": " ".join(map(str, names))})
+    with Progress("draw") as progress:
+        from hertzwerk.runtime.engine.solution.solution import write
+        from hertzwerk.runtime.output.drawings import picture
+        from hertzwerk.runtime.output.drawings.gallery import sheet
+
+        views = [_places(name, values, duration, start) for name in progress.over(names)]
+        progress.stage("the picture")
+        page = picture.figure(*views[0]) if len(names) == 1 else sheet([places for places, *_ in views])
+        page.savefig(content, format="png", dpi="figure", metadata={"Description": " ".join(map(str, names))})
     line("written", str(write(path, content.getvalue(), overwrite=overwrite)))
     return GOOD
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,7 @@ from hertzwerk.runtime.cli.target_options import (
     together,
     with_inputs,
 )
-from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, Progress, line, reports_bad_input
 from hertzwerk.runtime.export.formats import FORMATS, Format
 
 
@@ -79,7 +80,8 @@ def export(
     model = with_zero_inputs(with_inputs(model, varied.inputs, settings.duration, parameters, faults))
     check(model, settings, parameters, initial, faults)
     request = ExportRequest(model, parameters, initial, settings, tuple(outputs), int(fmi))
-    for each, place in wanted:
-        report = each.write(request, place if isinstance(place, Path) else Path())
-        line("written", report) if each.place else click.echo(report)
+    with Progress(f"export of {target}") as progress:
+        for each, place in progress.over(wanted, lambda format: format[0].option):
+            report = each.write(request, place if isinstance(place, Path) else Path())
+            progress.aside(partial(line, "written", report) if each.place else partial(click.echo, report))
     return GOOD

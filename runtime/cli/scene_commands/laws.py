@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -250,7 +249,7 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
     )
     faults += unwritable_faults(out, wanted=wanted)
     refuse("laws", faults)
-    with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
+    with Progress("restitution", shown=not as_json) as progress:
         result = study(progress)
     code = conclude(
         lambda missing: _write(result, out, missing, plots=plots),

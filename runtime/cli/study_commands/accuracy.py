@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -55,7 +54,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     problem = _problem(Variation.taken(target, options), out, wanted=wanted, **options)
     name = problem.model.name
     try:
-        with Progress(f"{name}: accuracy", shown=not as_json and sys.stderr.isatty()) as progress:
+        with Progress(f"{name}: accuracy", shown=not as_json) as progress:
             result = study(problem, progress=progress, arrived=_shown(problem, progress, quiet=as_json))
     except NoReferenceError as error:
         return _without_reference(problem, error, as_json=as_json)

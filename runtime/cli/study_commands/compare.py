@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -118,7 +117,7 @@ def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     faults = unwritable_faults(out, wanted=wanted)
     options["measured"] = Reading(options["measured"], **reading_of(options, faults))
     with (
-        Progress(f"comparison of {target}", shown=not as_json and sys.stderr.isatty()) as progress,
+        Progress(f"comparison of {target}", shown=not as_json) as progress,
         Stopping(progress) as stopping,
     ):
         comparison = _compared(Variation.taken(target, options), faults, stopping, **options)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -104,7 +103,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
         if not isinstance(tolerance, float):
             faults.append(Fault("--tolerance", repr(tolerance), "a number"))
     refuse("effects", faults)
-    with Progress(f"effects of {target}", shown=not quiet and sys.stderr.isatty()) as progress:
+    with Progress(f"effects of {target}", shown=not quiet) as progress:
         return study_effects(
             target,
             duration=options["duration"] or numbers.get("duration"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -153,7 +152,7 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
     estimates: Fitted | FittedMoments
     ranking: Ranking | None
     result: Fitted | FittedMoments | Ranking
-    with Progress(f"fit of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
+    with Progress(f"fit of {target}", shown=not as_json) as progress:
         if moments or not options["measured"]:
             estimates, ranking = _of_moments(varied, moments, faults, progress, **options), None
         else:

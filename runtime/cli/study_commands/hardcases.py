@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Sequence
 from functools import partial
@@ -41,16 +40,18 @@ def hardcases(names: tuple[str, ...], methods: tuple[str, ...], everything: bool
     C. A cell shows the measured value, with its limit before it or after the slash. Exit code 1: a failure that is
     not a known one.
     """
-    from hertzwerk.runtime.analysis.hard_cases import runner
+    with Progress("hard cases"):
+        from hertzwerk.runtime.analysis.hard_cases import runner
 
-    cases = _chosen(names, methods, everything=everything)
+        cases = _chosen(names, methods, everything=everything)
     if listing:
         return _list(cases, as_json=as_json)
     jobs = [(case, [m for m in case.methods if not methods or m in methods]) for case in cases]
     began, total = time.perf_counter(), sum(len(of) for _, of in jobs)
     by_case: dict[str, dict[str, Result]] = {case.name: {} for case in cases}
     printed = done = 0
-    with Progress("hard cases", shown=sys.stderr.isatty()) as progress:
+    with Progress("hard cases") as progress:
+        progress.stage(f"{total} runs")
         for result in runner.results(jobs):
             by_case[result.case][result.method] = result
             done += 1

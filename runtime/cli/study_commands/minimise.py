@@ -21,7 +21,7 @@ from hertzwerk.runtime.cli.target_options import (
     assignments,
     unwritable_faults,
 )
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, print_prose, report_missing, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, print_prose, report_missing, reports_bad_input
 
 
 @click.command(
@@ -95,9 +95,11 @@ def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> i
             **{name: options[name] for name in ("starts", "seed", "max_runs") if options[name] is not None},
         }
 
-    minimum = minimisation.minimise(
-        **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration"))
-    )
+    with Progress(f"minimum of {target}", shown=not as_json) as progress:
+        progress.stage("searching")
+        minimum = minimisation.minimise(
+            **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration"))
+        )
     missing = [] if into is None else keep(minimum, into, "minimum")
     if as_json:
         click.echo(json.dumps(minimum.record(), indent=2, ensure_ascii=False))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -100,7 +99,7 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
         }
 
     refuse("propagate", [] if file is None else new_file_faults("--csv", file))
-    with Progress(f"uncertainty of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
+    with Progress(f"uncertainty of {target}", shown=not as_json) as progress:
         arguments = definition(target, options, own, propagation.propagate, ("target", "uncertain", "duration"))
         propagated = propagation.propagate(**arguments, into=into, progress=progress)
     if file is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -93,7 +92,7 @@ def study(
     folder = page_folder.StudyFolder(chosen.name, resume or out, request, begun=resume is not None)
     sweeps = Sweeps(folder.rows if wanted else None)
     try:
-        with Progress(f"study {chosen.name}", shown=not as_json and sys.stderr.isatty()) as progress:
+        with Progress(f"study {chosen.name}", shown=not as_json) as progress:
             page = chosen.run(quick, progress, sweeps)
     except SweepStoppedError as stopped:
         report_damage(*sweeps.damage)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from contextlib import AbstractContextManager, ExitStack
 from pathlib import Path
@@ -163,7 +162,7 @@ def sweep(
         if folder is None and not as_json:
             folder = made_folder(f"{Path(arguments['target']).stem}-sweep", None)
             stack.callback(remove_if_empty, folder)  # where the definition is refused
-        progress = stack.enter_context(Progress(str(arguments["target"]), shown=not as_json and sys.stderr.isatty()))
+        progress = stack.enter_context(Progress(str(arguments["target"]), shown=not as_json))
         client = stack.enter_context(_connected(cluster)) if cluster is not None else None
         progress.stage("building")
         begun: list[float] = []

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import re
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
 from importlib import metadata, resources
 from pathlib import Path
@@ -257,7 +257,7 @@ def sympy_file(scene: Scene, values: Mapping[str, tuple[float, str]]) -> str:
     return python_file(to_sympy(scene), scene.name, values)
 
 
-def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
+def audit_targets(targets: Iterable[str]) -> dict[str, tuple[Finding, ...]]:
     """Return findings on built-in scenes, files and folders, by target or file.
 
     Raises InputError where one is unsound.

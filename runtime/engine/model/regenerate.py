@@ -7,7 +7,7 @@ import importlib
 import pkgutil
 import shlex
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -53,7 +53,7 @@ class Difference:
 
 
 def derived(
-    targets: Sequence[str],
+    targets: Iterable[str],
     coordinates: str | None = None,
     in_place: Callable[[str, str], Path] | None = None,
 ) -> tuple[Derived, ...]:
@@ -77,7 +77,7 @@ def derived(
     return _all_or_none(targets, one)
 
 
-def shown(targets: Sequence[str], coordinates: str | None = None) -> tuple[Readable, ...]:
+def shown(targets: Iterable[str], coordinates: str | None = None) -> tuple[Readable, ...]:
     """Return the equations of all targets or of none, for people; InputError holds the faults of all.
 
     In the scenes' coordinates or others.
@@ -88,7 +88,7 @@ def shown(targets: Sequence[str], coordinates: str | None = None) -> tuple[Reada
 _T = TypeVar("_T")
 
 
-def _all_or_none(targets: Sequence[str], make: Callable[[str], _T]) -> tuple[_T, ...]:
+def _all_or_none(targets: Iterable[str], make: Callable[[str], _T]) -> tuple[_T, ...]:
     made: list[_T] = []
     errors: list[InputError] = []
     for target in targets:
@@ -152,7 +152,7 @@ def _place(target: str, name: str, folder: Path) -> Path:
 
 
 def compared(
-    targets: Sequence[str], coordinates: str | None, folder: Path | None
+    targets: Iterable[str], coordinates: str | None, folder: Path | None
 ) -> tuple[tuple[str, Difference | None], ...]:
     """Return the name of each scene, and the difference of its module in place to the derived one, if any.
 

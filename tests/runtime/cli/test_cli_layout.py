@@ -1,5 +1,6 @@
 """What is printed on a narrow terminal: no word broken, nothing beyond the last column, the words of a pipe; colours where they are wanted."""
 
+import io
 import os
 import pty
 import re
@@ -117,3 +118,49 @@ def test_a_line_with_a_long_label_fits_a_terminal_too(monkeypatch, capsys):
 def test_colours_are_for_terminals_that_want_them():
     assert "\x1b[32mconsistent\x1b[0m" in on_terminal("laws")
     assert "\x1b" not in on_terminal("laws", NO_COLOR="1")
+
+
+def test_long_work_is_shown_from_its_beginning_with_the_share_done_and_the_time_left(monkeypatch):
+    """On a terminal alone; what a command prints meanwhile stands on lines of its own."""
+    shown, now = io.StringIO(), [0.0]
+    monkeypatch.setattr(shown, "isatty", lambda: True, raising=False)
+    monkeypatch.setattr(sys, "stderr", shown)
+    monkeypatch.setattr(terminal.time, "perf_counter", lambda: now[0])
+    with terminal.Progress("work") as progress:
+        assert shown.getvalue().endswith("\rwork")
+        for item in progress.over(["one", "two", "three", "four"]):
+            assert f"work: {item}" in shown.getvalue()
+            now[0] += 10
+        assert "work: four  [######################--------]  75%  0:10 to go" in shown.getvalue()
+        progress.aside(lambda: shown.write("printed"))
+    assert re.search(r"\r *\rprinted$", shown.getvalue())
+    before = shown.getvalue()
+    with terminal.Progress("work", shown=False) as progress:
+        assert list(progress.over("ab")) == ["a", "b"]
+    assert shown.getvalue() == before
+
+
+SHOWN_FIRST = """
+import sys
+from click.testing import CliRunner
+from hertzwerk.runtime.cli import main, terminal
+
+class Shown(Exception):
+    pass
+
+def enter(progress):
+    raise Shown
+
+terminal.Progress.__enter__ = enter
+for line in sys.argv[1:]:
+    shown = CliRunner().invoke(main, line.split())
+    print(line, isinstance(shown.exception, Shown), sorted({"sympy", "matplotlib"} & sys.modules.keys()))
+"""
+
+
+def test_commands_show_themselves_before_they_import_what_takes_long():
+    """SymPy and Matplotlib take a second of processor time each."""
+    lines = ["draw pendulum", "derive pendulum --check", "audit pendulum", "audit --laws", "statics pendulum", "modes pendulum", "report pendulum",
+             "validate pendulum", "export pendulum --c c", "animate pendulum", "hardcases", "run pendulum", "effects pendulum"]  # fmt: skip
+    done = subprocess.run([sys.executable, "-c", SHOWN_FIRST, *lines], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines() == [f"{line} True []" for line in lines]
