@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import io
+import os
 import re
 import shutil
 import struct
+import subprocess
+import sys
 import zlib
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from hertzwerk.runtime.handbook.page_code import run_page
-
+_RUNNER = "hertzwerk.runtime.handbook.page_code"
 SOURCE = Path(__file__).parent
 _PICTURE = re.compile(r"!\[[^\]]*\]\(([\w.-]+\.(?:png|svg|gif))\)")
 
@@ -41,7 +42,7 @@ def build(out: Path, *, pictures: bool = True) -> str:
             shutil.copyfile(page, copy)
         drawn = {page: names for page in stage.rglob("*.md") if (names := pictures_of(page.read_text("utf-8")))}
         if pictures:
-            with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
+            with ThreadPoolExecutor(os.cpu_count()) as pool:
                 list(pool.map(_draw, drawn, drawn.values()))
         else:
             for page, names in drawn.items():
@@ -51,9 +52,10 @@ def build(out: Path, *, pictures: bool = True) -> str:
 
 
 def _draw(page: Path, names: list[str]) -> None:
-    """Run a page and put its pictures beside it."""
+    """Run a page in a process of its own and put its pictures beside it; raises CalledProcessError."""
     with TemporaryDirectory() as folder:
-        run_page(page, Path(folder))
+        code = f"from {_RUNNER} import run_page; from pathlib import Path; run_page(Path({str(page)!r}), Path())"
+        subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, stdin=subprocess.DEVNULL)
         for name in names:
             shutil.copyfile(Path(folder, name), page.parent / name)
 
