@@ -23,7 +23,7 @@ SIDES = ("derive", "runtime")
 # files. Folders that are not here order their files alone: those may not import each other in a ring.
 FLOORS = {
     "derive": "common expressions program laws declare audit equations exchange scenes",
-    "runtime": "system engine output loading simulation analysis studies export cli handbook",
+    "runtime": "system engine output loading simulation analysis studies export handbook cli",
 }
 ROOMS = {
     "derive/expressions": "algebra dimension .",

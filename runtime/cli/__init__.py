@@ -17,6 +17,7 @@ GROUPS = {  # commands by what they are for, each with its file
         "draw": "scene_commands.draw",
         "animate": "run_commands.animate",
         "report": "run_commands.report",
+        "handbook": "run_commands.handbook",
     },
     "Vary": {
         "sweep": "study_commands.sweep",

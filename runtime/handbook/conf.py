@@ -5,11 +5,16 @@ from hertzwerk.version import __version__
 project = "hertzwerk"
 version = release = __version__
 author = "the authors of hertzwerk"
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+add_module_names = False
 extensions = ["myst_parser", "sphinx_design", "sphinx.ext.autodoc", "hertzwerk.runtime.handbook.sphinx_extension"]
 myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
 myst_heading_anchors = 3
 source_suffix = {".md": "markdown"}
 html_theme = "pydata_sphinx_theme"
+html_static_path = ["_static"]
+html_css_files = ["handbook.css"]
 html_math_renderer = "mathml"
 html_title = "hertzwerk"
 html_copy_source = False
@@ -24,4 +29,3 @@ html_theme_options = {
     "show_prev_next": True,
     "search_as_you_type": True,
 }
-pygments_style = "a11y-high-contrast-light"

@@ -46,10 +46,12 @@ def is_long(page: str) -> bool:
     return re.match(r"---\n(?:.*\n)*?long: true\n(?:.*\n)*?---\n", page) is not None
 
 
-def run_page(page: Path, folder: Path) -> None:
+def run_page(page: Path, folder: Path, command: Any) -> None:
     """Run the code of a page in a folder, in which its files appear; raises PageError.
 
     Exceptions of the code itself are raised too.
+
+    command    the command line, `hertzwerk.runtime.cli.main`
     """
     names: dict[str, Any] = {"__name__": "__main__"}
     printed = ""
@@ -60,30 +62,24 @@ def run_page(page: Path, folder: Path) -> None:
             if block.language in RUN:
                 stream = io.StringIO()
                 with contextlib.redirect_stdout(stream):
-                    _run(block, page, names)
+                    _run(block, page, names, command)
                 printed = stream.getvalue()
             elif block.language == "output" and (different := difference(block.text, printed)):
                 raise PageError(f"{page}:{block.line}: the page shows {different}\nAll of it:\n{printed}")
 
 
-def _run(block: Block, page: Path, names: dict[str, Any]) -> None:
+def _run(block: Block, page: Path, names: dict[str, Any], command: Any) -> None:
     if block.language == "python":
         exec(compile("\n" * (block.line - 1) + block.text, str(page), "exec"), names)
         return
     for number, line in enumerate(block.text.splitlines(), block.line):
         if line and not line.startswith("#"):
             expected = int(code[1]) if (code := _EXIT.search(line)) else 0
-            if (actual := _command(shlex.split(line, comments=True))) != expected:
+            words = shlex.split(line, comments=True)
+            if words[:1] != ["hertzwerk"]:
+                raise PageError(f"{page}:{number}: `{line}` is no command of hertzwerk (blocks `console` do not run)")
+            if (actual := int(command.main(words[1:], "hertzwerk", standalone_mode=False) or 0)) != expected:
                 raise PageError(f"{page}:{number}: `{line}` ended with exit code {actual}")
-
-
-def _command(words: list[str]) -> int:
-    """Run a command line of hertzwerk in this process; return its exit code."""
-    from hertzwerk.runtime.cli import main
-
-    if words[:1] != ["hertzwerk"]:
-        raise PageError(f"found `{' '.join(words)}`, expected a command of hertzwerk (blocks `console` do not run)")
-    return int(main.main(words[1:], "hertzwerk", standalone_mode=False) or 0)
 
 
 def difference(shown: str, printed: str) -> str:

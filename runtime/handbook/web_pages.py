@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
 import re
 import shutil
 import struct
@@ -13,8 +12,18 @@ import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
-_RUNNER = "hertzwerk.runtime.handbook.page_code"
+from hertzwerk.runtime.handbook.reference_pages import write_reference
+from hertzwerk.runtime.system.forked_tasks import cores
+
+_RUN = """
+import sys
+from pathlib import Path
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.handbook.page_code import run_page
+run_page(Path(sys.argv[1]), Path(), main)
+"""
 SOURCE = Path(__file__).parent
 _PICTURE = re.compile(r"!\[[^\]]*\]\(([\w.-]+\.(?:png|svg|gif))\)")
 
@@ -29,10 +38,11 @@ def pictures_of(page: str) -> list[str]:
     return _PICTURE.findall(page)
 
 
-def build(out: Path, *, pictures: bool = True) -> str:
+def build(out: Path, command: Any, *, pictures: bool = True) -> str:
     """Build the web pages into a folder; return the warnings of Sphinx, "" for none.
 
-    With `pictures=False` empty pictures stand in place of those that the code of pages draws.
+    command    the command line, `hertzwerk.runtime.cli.main`, for its pages of reference
+    pictures   False: empty ones stand in place of those that code draws
     """
     with TemporaryDirectory() as folder:
         stage = Path(folder)
@@ -40,22 +50,27 @@ def build(out: Path, *, pictures: bool = True) -> str:
             copy = stage / page.relative_to(SOURCE)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(page, copy)
-        drawn = {page: names for page in stage.rglob("*.md") if (names := pictures_of(page.read_text("utf-8")))}
-        if pictures:
-            with ThreadPoolExecutor(os.cpu_count()) as pool:
-                list(pool.map(_draw, drawn, drawn.values()))
-        else:
-            for page, names in drawn.items():
-                for name in names:
-                    (page.parent / name).write_bytes(_BLANK)
+        write_reference(stage / "reference", command)
+        _draw_all(stage, pictures=pictures)
         return _sphinx(stage, out)
+
+
+def _draw_all(stage: Path, *, pictures: bool) -> None:
+    """Run the pages that show pictures, in processes beside each other, or write empty pictures."""
+    shown = {page: names for page in stage.rglob("*.md") if (names := pictures_of(page.read_text("utf-8")))}
+    if pictures:
+        with ThreadPoolExecutor(cores()) as pool:
+            list(pool.map(_draw, shown, shown.values()))
+        return
+    for page, names in shown.items():
+        for name in names:
+            (page.parent / name).write_bytes(_BLANK)
 
 
 def _draw(page: Path, names: list[str]) -> None:
     """Run a page in a process of its own and put its pictures beside it; raises CalledProcessError."""
     with TemporaryDirectory() as folder:
-        code = f"from {_RUNNER} import run_page; from pathlib import Path; run_page(Path({str(page)!r}), Path())"
-        subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, stdin=subprocess.DEVNULL)
+        subprocess.run([sys.executable, "-c", _RUN, str(page)], cwd=folder, check=True, stdin=subprocess.DEVNULL)
         for name in names:
             shutil.copyfile(Path(folder, name), page.parent / name)
 

@@ -238,6 +238,11 @@ class _Film(LawTable):
 _KINDS: dict[str, type[LawTable]] = {"stiffness": _Stiffness, "damping": _Damping, "friction": _Friction, "film": _Film}
 
 
+def schemas() -> dict[str, dict[str, Any]]:
+    """JSON schema of the table of a law, by its kind."""
+    return {kind: model.model_json_schema() for kind, model in _KINDS.items()}
+
+
 def validated(where: str, table: Mapping[str, Any]) -> tuple[LawTable | None, list[Fault]]:
     """Validated table of one law, or None and all its faults."""
     kind = table.get("kind")

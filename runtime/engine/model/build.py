@@ -330,6 +330,13 @@ def law_listing(*, stub: bool) -> str:
     return listing.stub() if stub else listing.markdown()
 
 
+def law_file_schemas() -> dict[str, dict[str, Any]]:
+    """Return the JSON schema of a law's table in a file, by the kind of law."""
+    from hertzwerk.derive.exchange.user_files import law_table
+
+    return law_table.schemas()
+
+
 def law_sheets(names: Sequence[str]) -> tuple[Sheet, ...]:
     """Return the sheets of the named laws; raises InputError with every unknown name."""
     from hertzwerk.derive.exchange.law_sheets.law_sheet import laws_named, sheet

@@ -4,13 +4,14 @@ import re
 
 import pytest
 
+from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.handbook.web_pages import build
 
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
     folder = tmp_path_factory.mktemp("pages")
-    return folder, build(folder, pictures=False)
+    return folder, build(folder, main, pictures=False)
 
 
 @pytest.mark.slow

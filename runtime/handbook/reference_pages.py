@@ -1,0 +1,137 @@
+"""Pages of reference that are generated: Python names, commands, laws, scenes, formats of files."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import json
+import pkgutil
+import re
+from collections.abc import Iterator
+from importlib import resources
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+from hertzwerk.runtime.analysis.validation.scenario import Scenario
+from hertzwerk.runtime.engine.model import build
+from hertzwerk.runtime.studies.sweeps.sweep_file import SweepFile
+
+HEADINGS = {  # of public names, by the module that defines them; the first that fits
+    "derive": {
+        "declare.mechanism.joints": "Joints",
+        "equations.contact": "Pairs",
+        "declare.mechanism": "Bodies, curves, mechanism",
+        "declare.effects": "Effects and expressions",
+        "declare.scene": "Scenes",
+        "laws": "Laws and materials",
+        "expressions": "Parameters and functions",
+        "": "Audit, derivation, other formats",
+    },
+    "runtime": {
+        "loading": "Load and run",
+        "simulation": "Load and run",
+        "engine.solution": "Results",
+        "engine.inputs": "Inputs and measured data",
+        "studies.sweeps": "Sweeps",
+        "studies.fitting": "Fits",
+        "studies.comparison": "Comparison with data",
+        "studies.uncertainty": "Uncertainty",
+        "studies": "Best parameters",
+        "analysis": "Statics, vibrations, effects",
+    },
+}
+TITLES = {"derive": "Python: declare and derive", "runtime": "Python: run and analyse"}
+LINES = 12  # of a scene's source in the gallery
+
+
+def write_reference(folder: Path, command: Any) -> None:
+    """Write the generated pages into a folder."""
+    texts = {f"python-{side}": python_page(side) for side in HEADINGS}
+    texts |= {"commands": commands_page(command), "laws": laws_page(), "scenes": scenes_page()}
+    texts |= {"file-schemas": schemas_page()}
+    for name, text in texts.items():
+        (folder / f"{name}.md").write_text(text, encoding="utf-8")
+
+
+def public_names(side: str) -> Iterator[tuple[str, str]]:
+    """Yield the public names of `derive` or `runtime` with the modules that define them, without importing these."""
+    source = resources.files(f"hertzwerk.{side}").joinpath("__init__.py").read_text(encoding="utf-8")
+    block = next(node for node in ast.parse(source).body if isinstance(node, ast.If))
+    for node in block.body:
+        if isinstance(node, ast.ImportFrom):
+            home = str(node.module).removeprefix("hertzwerk.")
+            if home.startswith(side):  # the others are on the page of their own side
+                yield from ((alias.name, home.removeprefix(side).lstrip(".")) for alias in node.names)
+
+
+def python_page(side: str) -> str:
+    """Return the page of one side's public names, for autodoc."""
+    groups: dict[str, list[str]] = {heading: [] for heading in HEADINGS[side].values()}
+    for name, home in public_names(side):
+        prefix = next(prefix for prefix in HEADINGS[side] if home.startswith(prefix))
+        groups[HEADINGS[side][prefix]].append(name)
+    parts = [f"# {TITLES[side]}\n\nEverything here comes from `hertzwerk.{side}`.\n"]
+    for heading, names in groups.items():
+        parts.append(f"## {heading}\n\n```{{eval-rst}}")
+        parts += [_directive(f"hertzwerk.{side}", name) for name in sorted(names)]
+        parts.append("```\n")
+    return "\n".join(parts)
+
+
+def _directive(front: str, name: str) -> str:
+    member = pkgutil.resolve_name(f"{front}:{name}")
+    if inspect.isclass(member):
+        members = "\n   :members:\n   :inherited-members: tuple, Exception" if front.endswith("runtime") else ""
+        return f".. autoclass:: {front}.{name}{members}\n"
+    if inspect.isroutine(member):
+        return f".. autofunction:: {front}.{name}\n"
+    text = "Module of the built-in laws." if inspect.ismodule(member) else f"A ``{type(member).__name__}``."
+    return f".. py:data:: {front}.{name}\n\n   {text}\n"
+
+
+def commands_page(command: Any) -> str:
+    """Return the page of all commands, from their help."""
+    parts = ["# Commands\n\n`hertzwerk COMMAND --help` prints the same.\n"]
+    for name in command.list_commands(None):
+        one = command.get_command(SimpleNamespace(), name)
+        context = one.make_context(f"hertzwerk {name}", [], resilient_parsing=True, max_content_width=80)
+        parts.append(f"## {name}\n\n```text\n{one.get_help(context)}\n```\n")
+    return "\n".join(parts)
+
+
+def laws_page() -> str:
+    """Return the catalogue of contact laws."""
+    text = build.law_listing(stub=False)
+    text = re.sub(r"^Written by .*?date\. ", "", text, flags=re.MULTILINE | re.DOTALL)
+    text = text.replace(
+        "| law | what it is | for | grade | source |\n|---|---|---|---|---|",
+        "| law | what it is | source |\n|---|---|---|",
+    )
+    return re.sub(r"^(\| `.*) \| (.*) \| ([ABCR]) \| (.*) \|$", r"\1; \2; grade \3 | \4 |", text, flags=re.MULTILINE)
+
+
+def scenes_page() -> str:
+    """Return the gallery of built-in scenes: a picture, the command, and the last lines of the source of each."""
+    parts = ["---\nlong: true\n---\n\n# Built-in scenes\n", "```python\nfrom hertzwerk import load\n```\n"]
+    for name in build.built_in_scenes():
+        source = resources.files("hertzwerk.derive.scenes").joinpath(f"{name}.py").read_text(encoding="utf-8")
+        summary, *_ = str(ast.get_docstring(ast.parse(source))).split("\n")
+        lines = source.rstrip().replace("  # fmt: skip", "").splitlines()
+        shown = "\n".join(lines[next(i for i, line in enumerate(lines) if line.startswith("scene = ")) :][:LINES])
+        parts.append(
+            f"## {name}\n\n{summary}\n\n```console\n$ hertzwerk run {name}\n```\n\n"
+            f'```python\nload("{name}").draw().savefig("{name}.png")\n```\n\n![Mechanism of {name}]({name}.png)\n\n'
+            f":::{{dropdown}} Source: derive/scenes/{name}.py, from `scene` on\n```text\n{shown}\n```\n:::\n"
+        )
+    return "\n".join(parts)
+
+
+def schemas_page() -> str:
+    """Return the JSON schemas of the files that users write."""
+    kinds = {"Scenario": Scenario.model_json_schema(), "Sweep": SweepFile.model_json_schema()}
+    kinds |= {f"Law: {kind}": schema for kind, schema in build.law_file_schemas().items()}
+    parts = ["# JSON schemas\n\nThese schemas describe the TOML files that hertzwerk reads.\n"]
+    for kind, schema in kinds.items():
+        parts.append(f"## {kind}\n\n```json\n{json.dumps(schema, indent=1, ensure_ascii=False)}\n```\n")
+    return "\n".join(parts)
