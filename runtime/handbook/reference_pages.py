@@ -55,7 +55,7 @@ def write_reference(folder: Path, command: Any) -> None:
 
 
 def public_names(side: str) -> Iterator[tuple[str, str]]:
-    """Yield the public names of `derive` or `runtime` with the modules that define them, without importing these."""
+    """Yield the public names of `derive` or `runtime`, and the modules that define them, not imported."""
     source = resources.files(f"hertzwerk.{side}").joinpath("__init__.py").read_text(encoding="utf-8")
     block = next(node for node in ast.parse(source).body if isinstance(node, ast.If))
     for node in block.body:
@@ -112,7 +112,7 @@ def laws_page() -> str:
 
 
 def scenes_page() -> str:
-    """Return the gallery of built-in scenes: a picture, the command, and the last lines of the source of each."""
+    """Return the gallery of built-in scenes: picture, command and source of each."""
     parts = ["---\nlong: true\n---\n\n# Built-in scenes\n", "```python\nfrom hertzwerk import load\n```\n"]
     for name in build.built_in_scenes():
         source = resources.files("hertzwerk.derive.scenes").joinpath(f"{name}.py").read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Extension of Sphinx: formulas as MathML, which need no script and no network; docstrings as they are."""
+"""Extension of Sphinx: formulas as MathML, without a script or a network; docstrings."""
 
 from __future__ import annotations
 

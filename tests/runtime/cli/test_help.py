@@ -15,6 +15,7 @@ UNSTATED = {  # options of one value without a default: nothing is done without 
     "audit": "--expr",
     "effects": "--within",
     "export": "--c --fmu --tolerance",
+    "handbook": "--build --notebooks",
     "laws": "--form --picture",
     "minimise": "--objective --tolerance",
     "modes": "--out",
