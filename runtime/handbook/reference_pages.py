@@ -7,7 +7,7 @@ import inspect
 import json
 import pkgutil
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib import resources
 from pathlib import Path
 from types import SimpleNamespace
@@ -43,15 +43,6 @@ HEADINGS = {  # of public names, by the module that defines them; the first that
 }
 TITLES = {"derive": "Python: declare and derive", "runtime": "Python: run and analyse"}
 LINES = 12  # of a scene's source in the gallery
-
-
-def write_reference(folder: Path, command: Any) -> None:
-    """Write the generated pages into a folder."""
-    texts = {f"python-{side}": python_page(side) for side in HEADINGS}
-    texts |= {"commands": commands_page(command), "laws": laws_page(), "scenes": scenes_page()}
-    texts |= {"file-schemas": schemas_page()}
-    for name, text in texts.items():
-        (folder / f"{name}.md").write_text(text, encoding="utf-8")
 
 
 def public_names(side: str) -> Iterator[tuple[str, str]]:
@@ -135,3 +126,19 @@ def schemas_page() -> str:
     for kind, schema in kinds.items():
         parts.append(f"## {kind}\n\n```json\n{json.dumps(schema, indent=1, ensure_ascii=False)}\n```\n")
     return "\n".join(parts)
+
+
+GENERATED: dict[str, Callable[[Any], str]] = {  # pages by their names, from the command line
+    "python-runtime": lambda _: python_page("runtime"),
+    "python-derive": lambda _: python_page("derive"),
+    "commands": commands_page,
+    "laws": lambda _: laws_page(),
+    "scenes": lambda _: scenes_page(),
+    "file-schemas": lambda _: schemas_page(),
+}
+
+
+def write_reference(folder: Path, command: Any) -> None:
+    """Write the generated pages into a folder."""
+    for name, page in GENERATED.items():
+        (folder / f"{name}.md").write_text(page(command), encoding="utf-8")
