@@ -65,8 +65,10 @@ def restructured(lines: list[str]) -> list[str]:
             result.append(f"    {_escaped(line.strip())}")
         elif line.startswith(" "):
             result += [*(["::", ""] if state != "literal" else []), line]
-        else:
+        elif line:
             result += [*[""] * (state in ("entry", "literal")), _escaped(line)]
+        else:
+            result.append("")
         if line:
             state = (
                 "entry" if entry or (state == "entry" and line.startswith(" ")) else "literal" * line.startswith(" ")
