@@ -183,8 +183,8 @@ def load(
 
     A target is the name of a built-in scene, a Python file that defines `scene` or is a generated module, "FILE.py:NAME"
     where a file has several scenes, "package.module:NAME", or the object. A built-in scene without variation, and a
-    generated module, never import SymPy. `without` names effects to leave out, `laws` gives an effect another law by
-    name, `coordinates` are "tree", "absolute" or "auto" in place of the scene's own. Raises InputError.
+    generated module, never import SymPy. `without` names effects to omit. `laws` replaces the law of an effect, by
+    name. `coordinates`, "tree", "absolute" or "auto", replace the scene's own. Raises InputError.
     """
     return Model(engine_model(target, without=without, laws=laws, coordinates=coordinates))
 

@@ -100,29 +100,29 @@ def simulate(
     """Run a scene from its start for a duration (seconds, or text such as "24 ms", "2 rev").
 
     target      a built-in scene's name, a Python file, a Scene, or a Model; `load` varies it
-    accuracy    largest error of the whole run, in the scene's scales, 1e-12..1e-1, by default 1e-6, or "1e-6 at the end" of its end alone: runs at
-                falling tolerance are made until the error of one, by comparison with a tighter one, is known to be so small. `Solution.error`
-                has it; where it exceeds the request, the outcome is "accuracy_unreachable" or "beyond_horizon", where it is not known,
-                "accuracy_unknown"
-    tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
-    method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
-                "cvodes", "idas": SUNDIALS, slow, as an independent reference
-    parameters  values in place of the scene's, each with its unit: {"clearance": "0.2 mm", "guide.travel": "0.17 m"}, initial states too
+    accuracy    largest error of the whole run, in the scene's scales, 1e-12..1e-1, by default 1e-6; "1e-6 at the end" limits the error at the end
+                alone. Runs at decreasing tolerance are made until the error of one is below the request, by comparison with a tighter one.
+                `Solution.error` is the estimate. The outcome is "accuracy_unreachable" or "beyond_horizon" where it exceeds the request,
+                "accuracy_unknown" where it is unknown
+    tolerance   local tolerance, 1e-13..1e-1, of one run without an error estimate, in place of an accuracy
+    method      "auto": dop853, and esdirk where stability limits the step; explicit "dop853", "dopri5"; for stiff equations "esdirk", "rodas";
+                "cvodes", "idas": SUNDIALS, slow, an independent reference
+    parameters  values that replace the scene's, with units: {"clearance": "0.2 mm", "guide.travel": "0.17 m"}; initial states are allowed too
     initial     initial states, such as an equilibrium
     inputs      values of the scene's inputs: {"torque": "0.5 N m"}, two arrays (times, values) in s and the input's unit, `Samples` (held, linear or
-                cubic, with units), "FILE.csv:column", a `Table`, or a function of the time, which is sampled to 1e-10. A step ends where a
-                sample is, and the motion is that of the values between them, exactly
-    grid        what is kept: None, every accepted step; or the states at a number of points, start and end included (1000), at a
-                spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
-    compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
-    max_steps (accepted; as many may be rejected), max_events (contacts begun) of each run, wall_time [s] of the call, compiling included: where to
-                stop, with an outcome that says so. Without a max_steps a run ends as "stalled" where its steps get hardly any time ahead
+                cubic, with units), "FILE.csv:column", a `Table`, or a function of the time, which is sampled to 1e-10. A step ends at every
+                sample, and the values between samples are met exactly
+    grid        states to keep: None, every accepted step; a number of points, start and end included (1000); a spacing ("0.1 ms"); or times [s].
+                Dense output of the method's order evaluates them, and memory does not grow with the run
+    compiled    run the same functions as C, with bitwise the same result; "auto" compiles where the remaining time exceeds the compilation
+    max_steps (accepted; as many may be rejected), max_events (contacts begun) of each run, wall_time [s] of the call, compilation included: limits,
+                each with an outcome of its own. Without max_steps a run ends as "stalled" where its steps make hardly any progress
     sensitivities    parameters and initial states: `run.sensitivity("slider_pin.normal_force", "restitution")` is then a history, and
-                `run.derivatives` has those of impacts; they are found after the run, from its steps
-    progress    called now and then with the fraction done
+                `run.derivatives` has the derivatives of impacts; both are computed after the run, from its steps
+    progress    a function that is called now and then with the fraction done
 
-    Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`. What raises anything, memory
-    that runs out or `progress`, ends it with the outcome "exception" once a step was accepted; before, it is raised.
+    Invalid input raises InputError with every fault. Nothing else raises: `Solution.outcome` states how the run ended. An exception during the run,
+    such as exhausted memory or one of `progress`, ends it with the outcome "exception" once a step was accepted; before that it is raised.
     """
     settings = Settings(
         duration,

@@ -245,19 +245,18 @@ def equilibrium(
     at: str | float = 0.0,
     nearest: bool = False,
 ) -> Equilibrium:
-    """Find a position of rest of a scene, its drives held where they are at a time.
+    """Find a position of rest of a scene, with its drives held at a time.
 
     target     a scene or a Model, as `simulate` takes it
-    parameters, initial    values in place of the scene's, each with its unit; the search begins at that start
+    parameters, initial    values that replace the scene's, with units; the search begins at that start
     inputs     values of the scene's inputs, as `simulate` takes them
     at         time [s] or text such as "2 ms": of drives, inputs, and loads that depend on time
-    nearest    the equilibrium that Newton's method finds from the start, stable or not; else where a strongly damped
-               motion from the start comes to rest: contacts close on the way, and what slides down comes to rest below
+    nearest    take the equilibrium that Newton's method finds from the start, stable or not. By default a strongly damped
+               motion from the start is followed until it rests: contacts close on the way, and unstable positions are left
 
-    Loads and springs act, and closed contacts by their elastic force; dampers, smoothed friction and drives of given
-    force of the speed alone do nothing at rest. Set-valued friction and bristles hold up to their limit. The result is
-    an `initial` of `simulate`. Raises InputError for bad input and for nothing else: whether there is an equilibrium
-    is `Equilibrium.outcome`.
+    Loads, springs and the elastic forces of closed contacts act. Dampers, smoothed friction and drives whose force depends on
+    the speed alone hold nothing at rest. Set-valued friction and bristles hold up to their limit. The result is
+    an `initial` of `simulate`. Invalid input alone raises InputError; `Equilibrium.outcome` states whether there is an equilibrium.
     """
     model: EngineModel = engine_model(target)
     if model.rubbing:

@@ -323,17 +323,16 @@ def modes(
     initial: Mapping[str, Value] | None = None,
     inputs: Mapping[str, Input] | None = None,
 ) -> Modes:
-    """Return the small vibrations of a scene about its equilibrium, or along a run.
+    """Compute the small vibrations of a scene about its equilibrium, or along a run.
 
     target   a scene or a Model, whose equilibrium is found with `parameters`, from `initial`, at the time `at`, as
-             `equilibrium` does; or an equilibrium; or a run, at the time `at` in which the equations are frozen as they are
+             `equilibrium` does; or an equilibrium; or a run, whose equations are frozen at the time `at`
     at       time [s] or text such as "2 ms"
     inputs   values of the inputs, as `equilibrium` takes them; a run has its own
 
-    Loops and sticking contacts are reduced; damping in proportion to an approach speed has none at rest. Frozen
-    equations of a run whose constraints turn, as those of closed loops and absolute coordinates do, have frequencies
-    that depend on the coordinates: a note names them. Raises InputError for bad input, and where there is no
-    equilibrium.
+    The equations are reduced to the motions that loops and sticking contacts leave free. Damping that is proportional to an
+    approach speed vanishes at rest. Constraints of closed loops and absolute coordinates turn along a run; the frequencies then
+    depend on the coordinates, which a note names. Raises InputError for invalid input, and where there is no equilibrium.
     """
     if isinstance(target, EngineSolution):
         if any(argument is not None for argument in (parameters, initial, inputs)):

@@ -71,22 +71,22 @@ def fit(
 
     target      a scene or a Model, as `simulate` takes it
     data        a table over time, or with a column `impact [1]`, as `read_measurement` reads it; a `Measurement`, `MeasuredImpacts`;
-                an `Experiment`, which says what its run was made at; or several of them, fitted at once
-    free        ranges by name, {"restitution": (0.3, 1), "stiffness": "1e7..1e9 N/m log", "clearance": "log"}; names alone take their laws' range.
-                A quantity is searched by ratios where its range says log, or spans two decades
+                an `Experiment`, which states the values of its run; or several of them, fitted together
+    free        ranges by name, {"restitution": (0.3, 1), "stiffness": "1e7..1e9 N/m log", "clearance": "log"}; a name alone takes the range of its
+                law. A quantity is searched by ratios where its range states log, or spans two decades
     map         histories by measured column, {"height": "vertical.travel"}; of impacts "impacts.t", "impacts.speed", "floor.impacts.peak_force", or
                 "impacts.rebound.vertical.travel", the largest value until the next impact. By default equal names
-    noise       standard deviations by column, {"height": "0.1 mm"}: what residuals are judged by; else it is taken from the residuals
-    parameters, initial, inputs    that are known, as `simulate` takes them
-    duration    of the runs; needed where impacts have no times
+    noise       standard deviations by column, {"height": "0.1 mm"}, which judge the residuals; by default estimated from the residuals
+    parameters, initial, inputs    known values, as `simulate` takes them
+    duration    of the runs; required where impacts have no times
     offset      run time less measured time, for each run: a value, or a range in which it is fitted, "-2..2 ms"
     gain        ranges of a sensor's gain by column, {"height": "0.95..1.05"}: measured = gain times run
-    tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are left out, and that is said
-    starts, seed    Latin hypercube of starts beside the model's own values; the best are followed over windows that lengthen
-    profile     intervals by profile likelihood: "auto" of what is badly identified, True of all, False of none
+    tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are omitted, with a warning
+    starts, seed    Latin hypercube of starts beside the model's values; the best are followed over windows that lengthen
+    profile     intervals by profile likelihood: "auto" of badly identified quantities, True of all, False of none
 
-    Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
-    combination of quantities that the data do not identify is listed in `unidentified`.
+    Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured.
+    `unidentified` lists combinations of quantities that the data do not identify.
     """
     model, faults = engine_model(target), progress_faults(progress)
     own, states = stated_values(model, parameters, initial, faults)

@@ -66,20 +66,20 @@ def minimise(
     starts: int = 0,
     seed: int = 0,
 ) -> Minimum:
-    """Return the parameters, within ranges, for which a number of a run is least.
+    """Minimise an output of a run over ranges of parameters; return the best values.
 
     target       a scene or a Model, as `simulate` takes it
     objective    an output as of `sweep`, or a formula of outputs and parameters, whose unit is proven:
                  "main_bearing.reaction_x.rms**2 + main_bearing.reaction_y.rms**2"
     over         ranges of parameters and initial states: {"counterweight": "0..0.5 kg", "stiffness": "1e6..1e9 N/m log"}
     constraints  bounds of outputs or formulas: {"slider_pin.peak_force": "<= 5 kN", "final.guide.travel": "= 0.1 m"}
-    start        values to begin with, by default the model's where they are within the range, else its middle
-    starts, seed    further points of a Latin hypercube to begin from: the best is returned, and how many ended there
-    precision    of the objective's and the constraints' sizes, at which it ends; max_runs    where to stop, from each start
+    start        start values, by default the model's where they are within the range, else its middle
+    starts, seed    further starts, points of a Latin hypercube: the best result is returned, with the number of starts that ended there
+    precision    stopping tolerance, relative to the objective and the constraints; max_runs    limit of runs from each start
 
-    Gradients are exact where every output has derivatives, else differences of runs. The largest value of a history switches
-    from one peak to another: `.norm8` and `.norm32` are smooth stand-ins for it. The minimum is that of
-    its starts: another, local one may be lower where none began. The other arguments are those of `simulate`. Raises InputError with every fault.
+    Gradients are exact where every output has derivatives, else differences of runs. The largest value of a history may switch
+    from one peak to another; `.norm8` and `.norm32` are smooth substitutes. The result is the best local minimum of its starts;
+    a lower one may exist. The other arguments are those of `simulate`. Raises InputError with every fault.
     """
     model = engine_model(target)
     settings: dict[str, Any] = {

@@ -229,20 +229,19 @@ def simulate_many(
     Each run is bitwise the one that `simulate` makes.
 
     target    a scene or a Model, as `simulate` takes it
-    parameter_sets    values in place of the scene's, parameters, initial states and inputs alike: [{"clearance": "0.2 mm"}, ...];
-                      an input's as `simulate` takes it, or a factor on it: {"torque": "bench.csv:load"}, {"torque.scale": 0.5}
-    parameters, initial, inputs    values, as `simulate` takes them, where a set has none of its own
+    parameter_sets    values that replace the scene's: parameters, initial states and inputs, [{"clearance": "0.2 mm"}, ...];
+                      an input as `simulate` takes it, or a factor on it: {"torque": "bench.csv:load"}, {"torque.scale": 0.5}
+    parameters, initial, inputs    values for all runs, as `simulate` takes them; those of a set take precedence
     compiled    "auto" compiles once for all where that saves time
-    workers    processes, by default as many as there are cores (threads where processes cannot be forked: correct, slower)
-    client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
-    grid    what functions see of each run, as of `simulate`
+    workers    number of processes, by default one per core (threads where processes cannot be forked: correct, slower)
+    client    a Dask cluster in their place, by a connected `distributed.Client`
+    grid    states that functions see of each run, as of `simulate`
     functions    further columns, each a function of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
-    progress    called now and then with the fraction of runs done
+    progress    a function that is called now and then with the fraction of runs done
 
-    The other arguments are those of `simulate`.
-    Bad input of a set, a run that does not finish or fails, an output that raises or exits give rows with that
-    outcome. Raises InputError for input that is bad for every run; an output that is not a number is found in the
-    first row. Ctrl-C returns the rows that are done, and so does a cluster that is gone.
+    The other arguments are those of `simulate`. A row states in its outcome that its input is invalid, that its run does not
+    finish or fails, or that an output raises or exits. Raises InputError for input that is invalid for every run. An output that is not a
+    number is found in the first row. Ctrl-C returns the finished rows, and so does a cluster that has stopped.
     """
     began = time.perf_counter()
     model, sets, wrong = engine_model(target), _sets(parameter_sets), progress_faults(progress)

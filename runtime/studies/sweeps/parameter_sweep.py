@@ -192,36 +192,34 @@ def sweep(
     """Run a model at every point of a design, on all cores; return the table of its outputs.
 
     target    a scene or a Model, as `simulate` takes it; without, laws, coordinates    a variation, as `load` takes it
-    over    what is varied, parameters and initial states alike: "0.05..0.5 mm:10" (ten values), "1e6..1e9 N/m:7 log",
-            "0.1, 0.2, 0.4 mm", or a list of values; all combinations, the last name fastest. Of an input constants likewise, or
-            what `simulate` takes: "calm.csv:load, gusty.csv:load", a list, or a dictionary by labels; `torque.scale` is a factor on it
-    zip    the first value of each name together, then the second of each, and so on
-    sample    number of points instead, spread by a "latin" hypercube or a "sobol" sequence (sampler) with a seed over
+    over    parameters and initial states to vary: "0.05..0.5 mm:10" (ten values), "1e6..1e9 N/m:7 log",
+            "0.1, 0.2, 0.4 mm", or a list of values. All combinations are run, and the last name varies fastest. Inputs take constants in the same
+            way, files "calm.csv:load, gusty.csv:load", a list, or a dictionary by labels; `torque.scale` is a factor
+    zip    combine the first values of all names, then the second, and so on
+    sample    number of points in place of combinations, spread by a "latin" hypercube or a "sobol" sequence (sampler) with a seed over
               ranges "0.05..0.5 mm", "1e6..1e9 N/m log", and lists
-    parameters, initial    values in place of the scene's, as `simulate` takes them, the same for all points
-    inputs    values of the scene's inputs that are not varied, as `simulate` takes them
+    parameters, initial    values that replace the scene's, as `simulate` takes them, the same for all points
+    inputs    values of the inputs that do not vary, as `simulate` takes them
     outputs    names such as "final.guide.travel", "slider_pin.peak_force", "slider_pin.impact_rate" (with half the
-               width of its 95 % interval as a column more), "guide.travel.max"; by default every final state; derivatives are
-               "d(slider_pin.peak_force)/d(restitution)", of outputs by parameters and initial states
-    section    where each row keeps points: "main_bearing.angle = 0" (at every return of the drive), "phase = 90 deg" (of the
-            period of what depends on time), "floor.gap = 0 m falling" (a history crosses a value; rising, falling or both)
-    grid    at how many points, or at what spacing ("0.1 ms"), each row keeps histories
-    after    transient that both leave out, such as "100 rev"; histories: names that both keep, by default coordinates
+               width of its 95 % interval in a further column), "guide.travel.max"; by default every final state. Derivatives of outputs by
+               parameters and initial states are "d(slider_pin.peak_force)/d(restitution)"
+    section    condition at which each row keeps points: "main_bearing.angle = 0" (every return of the drive), "phase = 90 deg" (of the
+            period of everything that depends on time), "floor.gap = 0 m falling" (a history crosses a value; rising, falling or both)
+    grid    number of points, or spacing ("0.1 ms"), of the histories that each row keeps
+    after    transient that both omit, such as "100 rev"; histories: names that both keep, by default coordinates
             and speeds. `table.section["guide.travel"]` and `table.histories[...]` have an array for each row
     continued    "up" or "down": each value of the first parameter in `over` starts from the final state of the one before,
-            for a duration of whole periods; one after another, and for every other value, or start, that is varied
+            for a duration of whole periods; branches of other varied values or starts are independent
     functions    further outputs, functions of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
-    workers    processes, by default as many as there are cores
-    client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
-    into    folder in which every row is stored once it is done; where it holds rows of the same sweep, those that are
-            missing are computed; needed beyond 100,000 rows. A folder of another definition is refused, unless it is to be taken in its place
-            (widen): rows that are the same stay, the others are computed
-    progress    called now and then with the fraction of rows done
+    workers    number of processes, by default one per core
+    client    a Dask cluster in their place, by a connected `distributed.Client`
+    into    folder in which every finished row is stored; missing rows of the same sweep are computed. Required beyond 100,000 rows. A folder of
+            another definition is refused; with `widen` equal rows are kept, and the others are computed
+    progress    a function that is called now and then with the fraction of rows done
 
-    The other arguments are those of `simulate`. A row that cannot run, does not finish, or whose output raises has
-    that as its outcome. Ctrl-C and a cluster that is gone return the rows that are done, a full disk
-    those that are stored. Raises InputError
-    with every fault of what is bad for every row.
+    The other arguments are those of `simulate`. The outcome of a row states that it cannot run, does not finish, or that an output raises.
+    Ctrl-C and a cluster that has stopped return the finished rows, a full disk the stored ones. Raises InputError
+    with every fault that concerns all rows.
     """
     began = time.perf_counter()
     # 1. model

@@ -77,14 +77,14 @@ def propagate(
                 {"clearance": Normal("0.5 mm", "0.02 mm"), "restitution": TruncatedNormal(0.9, 0.05, 0, 1)}, or as text
                 "Normal(0.5 mm, 0.02 mm)"
     outputs     names as of `sweep`: "slider_pin.peak_force", "final.guide.travel", "main_bearing.reaction_x.rms"
-    correlation    of those that are not independent of each other, by their normal scores: {"clearance, restitution": -0.8}
+    correlation    correlations of normal scores: {"clearance, restitution": -0.8}; others are independent
     sample      number N of samples, a power of two; N (d + 2) runs with indices, of d uncertain names, else N
-    indices     Sobol indices of first order and total, by SciPy's estimators, with intervals by resampling; by default where all
-                are independent: the variance of what correlated quantities cause is no sum of their parts
+    indices     Sobol indices of first order and total, by SciPy's estimators, with intervals by resampling. The default is True where all
+                are independent: the variance due to correlated quantities is no sum of parts
     functions   further outputs, which have no derivatives
 
-    The other arguments are those of `sweep`; with `into` every run is stored, and the same call goes on. Spreads that
-    differ by more than their errors are warned of. Raises InputError with every fault.
+    The other arguments are those of `sweep`. With `into` every run is stored, and the same call resumes. A warning names outputs whose two
+    spreads differ by more than their errors. Raises InputError with every fault.
     """
     model = engine_model(target)
     known = quantities(model)
