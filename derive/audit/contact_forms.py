@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.declare.mechanism.pair import Pair
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import FORMS, Law
@@ -44,10 +45,11 @@ def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> Iterator[
 
 def advice(scene: Scene) -> tuple[str, ...]:
     """One sentence for each law used at pairs of another form of contact than its own."""
-    places: dict[tuple[str, str, bool], list[str]] = {}
-    for effect, law, pair in _laws_at_pairs(scene):
-        if form_of(pair) not in law.forms:
-            places.setdefault((law.name, pair.kind, "L" in scene.geometry(pair.name)), []).append(effect)
+    places = grouped(
+        ((law.name, pair.kind, "L" in scene.geometry(pair.name)), effect)
+        for effect, law, pair in _laws_at_pairs(scene)
+        if form_of(pair) not in law.forms
+    )
     return tuple(_sentence(scene, *key, effects) for key, effects in places.items())
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.declare.mechanism.bodies import Body, Frame
 from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.declare.mechanism.pair import Pair
@@ -43,10 +44,11 @@ class Mechanism:
     @cached_property
     def parts(self) -> dict[str, tuple[str, ...]]:
         """Names of the pairs that are parts of one, by its name."""
-        members: dict[str, list[str]] = {}
-        for pair in self.pairs if isinstance(self.pairs, tuple) else ():
-            if isinstance(pair, Pair) and pair.part_of:
-                members.setdefault(pair.part_of, []).append(pair.name)
+        members = grouped(
+            (pair.part_of, pair.name)
+            for pair in (self.pairs if isinstance(self.pairs, tuple) else ())
+            if isinstance(pair, Pair) and pair.part_of
+        )
         return {name: tuple(parts) for name, parts in members.items()}
 
     @cached_property

@@ -13,6 +13,7 @@ from typing import Any, Literal, TypeVar
 import sympy as sp
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, unknown
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.identifiers import repeated
 from hertzwerk.derive.common.units import parse_unit
 from hertzwerk.derive.declare.effects.contacts import Contact, Friction
@@ -328,10 +329,7 @@ class Scene:
 
     @cached_property
     def _resistances(self) -> dict[str, list[PairResistance]]:
-        resistances: dict[str, list[PairResistance]] = {}
-        for effect in self.all(PairResistance):
-            resistances.setdefault(effect.pair, []).append(effect)
-        return resistances
+        return grouped((effect.pair, effect) for effect in self.all(PairResistance))
 
     def geometry(self, pair_name: str) -> dict[str, Any]:
         """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""

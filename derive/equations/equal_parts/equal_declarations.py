@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any, Generic, TypeVar
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.declare.effects.contacts import Contact, Friction
 from hertzwerk.derive.declare.effects.effect import PairEffect
 from hertzwerk.derive.declare.effects.energy_ledger import EnergyLedger
@@ -198,10 +199,7 @@ def _plain_value(value: Any) -> Any:
 
 
 def _grouped(members: list[T], keys: Iterable[Any]) -> list[list[T]]:
-    groups: dict[Any, list[T]] = {}
-    for member, key in zip(members, keys, strict=True):
-        groups.setdefault(key, []).append(member)
-    return list(groups.values())
+    return list(grouped(zip(keys, members, strict=True)).values())
 
 
 def _name(names: list[str], taken: set[str]) -> str:

@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.equations.motion.articulated_bodies import Articulated
 from hertzwerk.derive.equations.motion.loop_closure import Constraint
 from hertzwerk.derive.expressions.dimension.dimension import ONE
@@ -49,9 +50,7 @@ class Loops:
                     matrix[name, other] = matrix[other, name] = value
         self._sizes: dict[str, Any] = {}
         order = minimum_degree_order(self._names, matrix)
-        groups: dict[str, list[Any]] = {}
-        for constraint, name in each:
-            groups.setdefault(constraint.group, []).append(matrix.get((name, name), sp.S.Zero))
+        groups = grouped((constraint.group, matrix.get((name, name), sp.S.Zero)) for constraint, name in each)
         for constraint, name in each:  # a single one may vanish in a singular position, its group does not
             size = tape.let(sp.Add(*groups[constraint.group]), f"{constraint.group.replace('.', '_')}_size")
             softness = tape.input(f"{name}_softness", CONSTANT, ONE)

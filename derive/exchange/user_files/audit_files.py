@@ -12,6 +12,7 @@ from hertzwerk.derive.audit.audit import Finding, Findings, audit_law, verdict
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by, sympy_remedy
 from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.module_format import refuse_generated
 from hertzwerk.derive.common.toml_file import MAX_BYTES
 from hertzwerk.derive.declare.scene.scene import Scene
@@ -32,9 +33,7 @@ def audit_catalogue() -> Findings:
 
 def differing_verdicts(findings: Iterable[Finding]) -> tuple[str, ...]:
     """Names of built-in laws whose verdict in `findings` differs from the catalogue's."""
-    by_law: dict[str, list[Finding]] = {}
-    for finding in findings:
-        by_law.setdefault(finding.law, []).append(finding)
+    by_law = grouped((finding.law, finding) for finding in findings)
     return tuple(name for name, own in by_law.items() if verdict(own) != LAWS[name].verdict)
 
 

@@ -14,6 +14,7 @@ from typing import Any
 from mpmath import diag, matrix, mp  # SymPy brings it
 
 from hertzwerk.derive.common.faults import Fault
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Frame, Triple
 from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
 from hertzwerk.derive.declare.mechanism.solids import Shape
@@ -90,10 +91,7 @@ def repaired(
         numbers.update({name: numbers[name].rounded for name in zeros})
         made = mechanism, bodies = make(numbers)
         repairs.append(f"inertias impossible by rounding alone, zero where they are rounding: {', '.join(zeros)}")
-    wholes: dict[Frame, list[str]] = {}
-    for name in wrong:
-        if name not in zeros:
-            wholes.setdefault(rigid_root(mechanism, bodies[name]), []).append(name)
+    wholes = grouped((rigid_root(mechanism, bodies[name]), name) for name in wrong if name not in zeros)
     for root, names in wholes.items():
         first, counted = _counted(mechanism, bodies, numbers, root, names)
         numbers.update(counted)

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.expressions.dimension.dimension import ONE, Dimension, canonical, quantity
 from hertzwerk.derive.expressions.dimension.rules import Walk
 from hertzwerk.derive.expressions.dimension.tree import Node
@@ -56,9 +57,7 @@ def _power(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension) -
 
     What is offered is substituted, and has the expected dimension.
     """
-    powers: dict[Any, list[_Factor]] = {}
-    for factor in _factors(culprit):
-        powers.setdefault(factor.name, []).append(factor)
+    powers = grouped((factor.name, factor) for factor in _factors(culprit))
     everywhere = [node.name for node in culprit.walk() if node.op == "name"]
     offers = []
     for place, (name, parts) in enumerate(powers.items()):

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from hertzwerk.derive.common.faults import visible
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.common.module_format import FORMAT, command, sealed
 from hertzwerk.derive.program.emit.cost import operations
 from hertzwerk.derive.program.emit.equal_parts_text import kind_tables, loops, table
@@ -128,9 +129,7 @@ def _header(program: Program, source: str, coordinates: str | None, counts: dict
         if unchecked
         else f"{assignments} assignments and {outputs} outputs checked, all consistent"
     )
-    effects: dict[str, list[str]] = {}
-    for effect in scene.effects:
-        effects.setdefault(effect.text, []).append(effect.name)
+    effects = grouped((effect.text, effect.name) for effect in scene.effects)
     about = f": {prose(scene.summary)}" if scene.summary else ""
     contact = f"; in contact also {contacts}" if contacts else ""
     return "\n".join(

@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.analysis.work_precision.reference_run import Reference
 from hertzwerk.runtime.analysis.work_precision.timed_runs import LATE
 from hertzwerk.runtime.analysis.work_precision.work_precision_study import NOT_TRIED, Row, Study
@@ -173,10 +174,7 @@ def _cost(study: Study) -> str:
         if cost is None
         else f"Ten times more accuracy costs {plain(cost)} x the time here"
     )
-    others: dict[str, list[float]] = {}
-    for level, method in study.cheapest.items():
-        if method != best:
-            others.setdefault(method, []).append(level)
+    others = grouped((method, level) for level, method in study.cheapest.items() if method != best)
     count = len(study.cheapest)
     places = [f"{m} at {_listed(f'{x:.0e}' for x in at)}" for m, at in others.items()]
     exceptions = f" (but {_listed(places)})" if places else ""

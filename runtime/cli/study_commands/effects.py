@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from hertzwerk.derive.common.faults import Fault, refuse
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.analysis.effect_study.effect_study import Change, Row, Study, percent
 from hertzwerk.runtime.cli.target_options import (
     BY_METHOD,
@@ -195,10 +196,7 @@ def _cell(change: Change | None) -> str:
 
 def _notes(row: Row) -> list[str]:
     along = [f"left out together with {', '.join(row.along_with)}"] if row.along_with else []
-    details: dict[str, list[str]] = {}
-    for name, change in row.changes.items():
-        if change.detail:
-            details.setdefault(change.detail, []).append(name)
+    details = grouped((change.detail, name) for name, change in row.changes.items() if change.detail)
     of_outputs = [f"{', '.join(names)}: {detail}" for detail, names in details.items()]
     return [*along, *([row.fault] if row.fault else []), *row.notes, *of_outputs]
 

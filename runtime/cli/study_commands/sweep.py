@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.cli.continue_run import limits_of
 from hertzwerk.runtime.cli.target_options import (
     ACCURACY,
@@ -361,10 +362,7 @@ def _report_undetermined(result: Sweep, outputs: Sequence[str]) -> None:
 
     if not result.summary.ran:
         return
-    reasons: dict[str, list[str]] = {}
-    for name in outputs:
-        if not result.summary.spreads[name].count:
-            reasons.setdefault(reason_of_none(name), []).append(name)
+    reasons = grouped((reason_of_none(name), name) for name in outputs if not result.summary.spreads[name].count)
     for reason, names in reasons.items():
         line("output", f"{', '.join(names)} not determined{reason and f': {reason}'}")
 

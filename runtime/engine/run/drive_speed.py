@@ -7,6 +7,7 @@ import math
 import casadi as ca
 import numpy as np
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -91,10 +92,9 @@ def _speeds(model: EngineModel) -> Callers:
     if model.has_function("placed"):
         joints = model.joints
         _, u = model.function("placed")(t, _still(joints), np.zeros(joints.nu), c)
-        bodies: dict[str, list[int]] = {}
-        for i, name in enumerate(model.speeds):
-            if model.units[name] == "rad/s":
-                bodies.setdefault(name.partition(".")[0], []).append(i)
+        bodies = grouped(
+            (name.partition(".")[0], i) for i, name in enumerate(model.speeds) if model.units[name] == "rad/s"
+        )
         speeds = [ca.sumsqr(u[rows]) for rows in bodies.values()]
     else:
         _, rotations = model.function("poses")(t, _still(model), c)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.engine.model.caller import Rowwise
 from hertzwerk.runtime.engine.model.per_model import per_model
 
@@ -43,9 +44,7 @@ def values_by_kind(
                 [x[None] if name == "contact" else x[of][:, None] for x in results],
             )
         return
-    kinds: dict[str, list[int]] = {}
-    for pair in pairs:
-        kinds.setdefault(members[pair][0], []).append(pair)
+    kinds = grouped((members[pair][0], pair) for pair in pairs)
     for kind, of in kinds.items():
         rows = [np.array([members[pair][i] for pair in of]) for i in range(1, 5)]
         places = dict(zip("quzma", [*rows, rows[1]], strict=True))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -164,10 +165,7 @@ class Places:
 
     def parts(self) -> dict[tuple[str, str], list[Landmark]]:
         """Return the landmarks by part and kind."""
-        parts: dict[tuple[str, str], list[Landmark]] = {}
-        for mark in self.landmarks:
-            parts.setdefault((mark.part, mark.kind), []).append(mark)
-        return parts
+        return grouped(((mark.part, mark.kind), mark) for mark in self.landmarks)
 
     def of_body(self, body: str) -> list[Landmark]:
         """Return the landmarks fixed in a body."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.analysis.effect_study.output_errors import Measurement
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
@@ -273,9 +274,7 @@ def _impact_verdicts(impacts: list[Impact]) -> tuple[Verdict, ...]:
 
 
 def _crank_verdicts(rows: list[tuple[float, Measurement, int]]) -> tuple[Verdict, ...]:
-    called: dict[str, list[str]] = {}
-    for n, measurement, _ in rows:
-        called.setdefault(_called(_share(measurement)), []).append(f"{n:g}")
+    called = grouped((_called(_share(measurement)), f"{n:g}") for n, measurement, _ in rows)
     forces = {n: measurement.numbers["peak_force"] for n, measurement, _ in rows if "peak_force" in measurement.numbers}
     steps = {n: count for n, _, count in rows}
     least, most = min(steps, key=lambda n: steps[n]), max(steps, key=lambda n: steps[n])

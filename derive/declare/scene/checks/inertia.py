@@ -10,6 +10,7 @@ import sympy as sp
 from mpmath import mp  # SymPy brings it
 
 from hertzwerk.derive.common.faults import Fault
+from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Frame, steiner
 from hertzwerk.derive.declare.mechanism.mechanism import Mechanism
 from hertzwerk.derive.declare.scene.checks.topology import connection_faults, rigid_root
@@ -39,9 +40,10 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
     """
     if not mechanism.tree or any(connection_faults(mechanism)):  # where motion is given no joint turns a body
         return
-    wholes: dict[Frame, list[Body]] = {}
-    for body in (joint.child.body for joint in mechanism.tree if isinstance(joint.child.body, Body)):
-        wholes.setdefault(rigid_root(mechanism, body), []).append(body)
+    wholes = grouped(
+        (rigid_root(mechanism, body), body)
+        for body in (joint.child.body for joint in mechanism.tree if isinstance(joint.child.body, Body))
+    )
     carriers = {rigid_root(mechanism, joint.parent.body) for joint in mechanism.joints if joint.freedoms}
     tied = {rigid_root(mechanism, place.body) for joint in mechanism.closures for place in (joint.parent, joint.child)}
     for root, bodies in wholes.items():
