@@ -240,6 +240,7 @@ MANY_AT_ONCE = {  # bodies of the generator: times at which their states are ask
     355: [],  # rest in space, which steps jumped over to and fro
     21: times(body_of(21), 7, 3),  # slip that begins without speed, and slows down by rounding: no step was left
     647: np.linspace(0, 0.48855, 6)[1:].tolist(),  # a contact that begins at rest and without force
+    694: [0.2971167710801966],  # what sticks lets go as its normal force runs out: the contact ends, else its law pulls
 }
 
 
