@@ -1,6 +1,6 @@
 """Scenes of the hard cases that are no built-in scenes; derived when run, never committed.
 
-Free impacts (see `impact.impact_scene`), grazing contact, a ball on a vibrating table, rows of spheres, bodies of very
+Free impacts (see `impact.impact_scene`), grazing contact, a tugged ball, a ball on a vibrating table, rows of spheres, bodies of very
 different mass, a block on an incline, a falling chain, a rocking block, a relay that chatters, a track of arcs and
 lines, boxes corner over corner, a table on four feet, a ball that rolls over another, a sleigh at rest; and those of the files beside.
 """
@@ -22,7 +22,7 @@ from hertzwerk.derive.declare.effects.forces import JointForce
 from hertzwerk.derive.declare.effects.gravity import Gravity
 from hertzwerk.derive.declare.effects.nonholonomic import KnifeEdge, RollingWithoutSlip
 from hertzwerk.derive.declare.effects.springs import JointDamper
-from hertzwerk.derive.declare.effects.state_expression import speed_of
+from hertzwerk.derive.declare.effects.state_expression import T, speed_of
 from hertzwerk.derive.declare.effects.tribology.joint_friction import JointFriction
 from hertzwerk.derive.declare.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
 from hertzwerk.derive.declare.mechanism.joints.axial import Prismatic, Revolute
@@ -49,6 +49,7 @@ from hertzwerk.derive.laws import (
     kelvin_voigt,
     lugre,
     power,
+    power_damping,
     ristow,
     smooth_coulomb,
 )
@@ -96,6 +97,33 @@ def grazing_ball() -> Scene:
         start=Start(position={"ball": _SPEED**2 / (2 * pull)}, speed={"ball": -_SPEED}),
         scales=Scales(length=depth, speed=_SPEED),
         summary="a ball that comes near the floor",
+    )
+
+
+def tugged_ball() -> Scene:
+    """A ball pressed in, which a force pulls out faster than its law follows, for a moment.
+
+    While it touches, the force moves it to -0.1 + 0.02 t^2 - 0.04/3 t^3 [m], at up to 0.01 m/s.
+    """
+    unit, second = Parameter("unit", "m", 1), Parameter("second", "s", 1)
+    stiffness, fastest = (
+        Parameter("stiffness", "N/m", 0.01),
+        Parameter("fastest", "m/s", 0.009991, "from which on it pulls"),
+    )
+    time, body = T / second, Body("ball", mass=_MASS)
+    place = unit * (-0.1 + 0.02 * time**2 - 0.04 / 3 * time**3)
+    speed, acceleration = unit / second * 0.04 * (time - time**2), unit / second**2 * 0.04 * (1 - 2 * time)
+    floor = SphereOnPlane("floor", body.at(0, 0, 0), unit, plane=GROUND.at(0, 0, 0), normal=Y)
+    return Scene(
+        Mechanism("tugged_ball", joints=(Prismatic("ball", GROUND, body, axis=Y),), pairs=(floor,)),
+        effects=(
+            Contact("floor", power(stiffness, 1), power_damping(stiffness / fastest, 1)),
+            JointForce("tug", "ball", _MASS * acceleration + stiffness * place * (1 - speed / fastest)),
+            EnergyLedger(),
+        ),
+        start=Start(position={"ball": 0.9 * unit}),
+        scales=Scales(length=0.1 * unit, speed=10 * fastest),
+        summary="a ball that is pulled out of the ground for a moment",
     )
 
 
@@ -513,6 +541,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
         for law in (flores, exact, kelvin_voigt, FORCE_RELEASED, ristow)
     },
     "grazing_ball": grazing_ball,
+    "tugged_ball": tugged_ball,
     "shaken_ball": shaken_ball,
     "chattering_relay": chattering_relay,
     "jamming_guide": jamming_guide,

@@ -71,6 +71,7 @@ TRIES: dict[str, dict[str, int]] = {
     "start_deep": {"dopri5": 62, "dop853": 30, "rodas": 70, "esdirk": 60, "auto": 30},
     "start_separating": {"dopri5": 55, "dop853": 29, "rodas": 64, "esdirk": 56, "auto": 29},
     "start_released": {"dopri5": 9, "dop853": 9, "rodas": 9, "esdirk": 9, "auto": 9},
+    "force_ends_for_a_moment": {"dopri5": 14, "dop853": 14, "rodas": 15, "esdirk": 15, "auto": 14},
     "bench_of_many_lines": {"dopri5": 15, "dop853": 15, "rodas": 15, "esdirk": 15, "auto": 15},
     "graze_above": {"dopri5": 9, "dop853": 10, "rodas": 9, "esdirk": 9, "auto": 10},
     "graze_below": {"dopri5": 11, "dop853": 11, "rodas": 11, "esdirk": 11, "auto": 11},

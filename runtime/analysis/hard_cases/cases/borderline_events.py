@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from hertzwerk.runtime.analysis.hard_cases.case import METHODS, HardCase, Source, at, contacts, final, impact, on_grid
 
 if TYPE_CHECKING:
@@ -13,6 +15,17 @@ BALL, GRAZING = Source("bouncing_ball"), Source("grazing_ball", hard=True)
 # meets the floor at 0.5 s with 4 m/s, in numbers without rounding
 FALLING: dict[str, Value] = {"gravity": "8 m/s^2", "restitution": 1.0}
 PARABOLA = "free motion"
+FASTEST, LET_GO = 0.009991, 0.485  # m/s; s: when 0.04 (t - t^2) is that
+
+
+def _speed_let_go(t: float) -> float:
+    """Return the speed [m/s] of the tugged ball without contact from LET_GO on: its path's, less what the contact would push by."""
+    depth, share = (
+        np.polynomial.Polynomial([0.1, 0, -0.02, 0.04 / 3]),
+        np.polynomial.Polynomial([1, -0.04 / FASTEST, 0.04 / FASTEST]),
+    )
+    pushed = (0.01 * depth * share).integ(lbnd=LET_GO)
+    return float(0.04 * (t - t * t) - pushed(t))
 
 
 def _graze(name: str, gap: float, hard: str, count: int) -> HardCase:
@@ -33,6 +46,18 @@ def _graze(name: str, gap: float, hard: str, count: int) -> HardCase:
 
 
 CASES = (
+    HardCase(
+        name="force_ends_for_a_moment",
+        theme="events",
+        hard="a force falls through zero and returns, while the surfaces overlap, within 30 ms: less than a step",
+        source=Source("tugged_ball", hard=True),
+        duration=0.85,
+        tolerance=1e-9,
+        known=(
+            impact(0, "duration", LET_GO, 1e-8, "the path's speed is that at which the force runs out"),
+            final("ball.speed", _speed_let_go(0.85), 1e-10, "the force that the path takes, without the contact's"),
+        ),
+    ),
     HardCase(
         name="bench_of_many_lines",
         theme="events",
