@@ -19,7 +19,7 @@ FASTEST, LET_GO = 0.009991, 0.485  # m/s; s: when 0.04 (t - t^2) is that
 
 
 def _speed_let_go(t: float) -> float:
-    """Return the speed [m/s] of the tugged ball without contact from LET_GO on: its path's, less what the contact would push by."""
+    """Return the speed [m/s] of the tugged ball, whose contact pushes no more from LET_GO on."""
     depth, share = (
         np.polynomial.Polynomial([0.1, 0, -0.02, 0.04 / 3]),
         np.polynomial.Polynomial([1, -0.04 / FASTEST, 0.04 / FASTEST]),

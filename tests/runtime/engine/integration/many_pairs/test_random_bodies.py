@@ -55,7 +55,7 @@ def test_slip_begins_when_the_holding_force_is_exceeded():
     found = run(body_of(807), tolerance=1e-12)
     rows = np.arange(0, len(found.t), 20)
     (truth,) = motions([body_of(807)], at=found.t[rows].tolist())
-    assert distance(*truth_of(truth, found, rows), found.scales.pace).max() < 3e-9
+    assert distance(*truth_of(truth, found, rows), found.engine.scales.pace).max() < 3e-9
 
 
 def test_rounding_does_not_turn_a_slip_that_begins():
@@ -92,7 +92,7 @@ class Bent:
     def __getitem__(self, name):
         values = self.found[name].copy()
         if name == "flight.y":
-            values[len(values) // 2] += self.off * self.found.scales.state[1]
+            values[len(values) // 2] += self.off * self.found.engine.scales.state[1]
         return values
 
 
