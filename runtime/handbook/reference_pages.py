@@ -93,13 +93,11 @@ def commands_page(command: Any) -> str:
 
 def laws_page() -> str:
     """Return the catalogue of contact laws."""
-    text = build.law_listing(stub=False)
-    text = re.sub(r"^Written by .*?date\. ", "", text, flags=re.MULTILINE | re.DOTALL)
-    text = text.replace(
-        "| law | what it is | for | grade | source |\n|---|---|---|---|---|",
-        "| law | what it is | source |\n|---|---|---|",
+    text = re.sub(r"^`hertzwerk laws --markdown` .*? date\.\s", "", build.law_listing(stub=False), flags=re.M | re.S)
+    text = re.sub(
+        r"^\| law \| .*\n\|[-|]+$", "| law | title, contact, grade | source |\n|---|---|---|", text, flags=re.M
     )
-    return re.sub(r"^(\| `.*) \| (.*) \| ([ABCR]) \| (.*) \|$", r"\1; \2; grade \3 | \4 |", text, flags=re.MULTILINE)
+    return re.sub(r"^(\| `.*) \| (.*) \| ([ABCR]) \| (.*) \|$", r"\1; \2; grade \3 | \4 |", text, flags=re.M)
 
 
 def scenes_page() -> str:

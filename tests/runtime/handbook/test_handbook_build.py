@@ -5,6 +5,7 @@ import re
 import pytest
 
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.handbook.reference_pages import laws_page
 from hertzwerk.runtime.handbook.web_pages import build
 
 
@@ -25,6 +26,21 @@ def test_pages_request_nothing_from_a_network(built):
     pages = list(built[0].rglob("*.html"))
     assert len(pages) > 5
     assert [(page.name, url) for page in pages for url in requested(page.read_text(encoding="utf-8"))] == []
+
+
+def test_every_law_is_in_a_table_of_three_columns():
+    """Rows with more cells than the heading would lose what is behind them."""
+    rows = [line for line in laws_page().splitlines() if line.startswith(("| `", "| law "))]
+    assert len(rows) > 50
+    assert {row.count(" | ") for row in rows} == {2}
+
+
+@pytest.mark.exhaustive
+def test_pictures_are_drawn_and_shown(tmp_path):
+    assert build(tmp_path / "pages", main) == ""
+    shown = {path.name: path.stat().st_size for path in (tmp_path / "pages" / "_images").iterdir()}
+    assert {"bouncing_ball.png", "damping.png", "slider_pin.png"} <= set(shown)
+    assert min(shown.values()) > 5000
 
 
 def requested(page):
