@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
@@ -103,16 +103,16 @@ class Model:
         "begin", "step", "attempt" of a method in the graph: first state, trial of a step, next state
         others are the module's, which documents their arguments; "contact_<pair>" is a pair's
         """
-        if name in OF_FLOW:
+        if among(name, *OF_FLOW):
             return getattr(flow(self.engine), name)
-        if name not in OF_LOOP:
+        if not among(name, *OF_LOOP):
             try:
                 return self.engine.function(name)
             except InputError as error:
                 (fault,) = error.faults
                 more = ", ".join((*OF_FLOW, *OF_LOOP))
                 raise InputError(self.name, [replace(fault, expected=f"{fault.expected}, {more}")]) from None
-        if method not in IN_GRAPH:
+        if not among(method, *IN_GRAPH):
             raise InputError(self.name, [unknown("method", method, IN_GRAPH)])
         made = integrator(self.engine, tuple(table() for table in IN_GRAPH[method]))
         return made.step() if name == "step" else getattr(made, name)

@@ -58,7 +58,7 @@ def sympy_remedy(names: Mapping[str, Any]) -> str:
     methods = ("KanesMethod", "LagrangesMethod", "System")
     model = next((name for name, value in names.items() if type(value).__name__ in methods), "method")
     return (
-        f"A model of SymPy becomes one: scene = from_sympy({model}, units={{...}}, values={{...}}, origin=...)"
+        f"A model of SymPy becomes one: scene = from_sympy({model}, units={{...}}, parameters={{...}}, origin=...)"
         ".scene(scales=Scales(...)), after `from hertzwerk.derive import Scales, from_sympy`."
     )
 

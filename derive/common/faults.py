@@ -5,7 +5,7 @@ Imports nothing from the package, so that derivation and runtime report in the s
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Hashable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,6 +40,11 @@ class Fault:
     def __str__(self) -> str:
         text = f"{self.where}: found {self.found}; expected {self.expected}"
         return visible(f"{text}\n    {self.remedy}" if self.remedy else text)
+
+
+def among(value: object, *options: object) -> bool:
+    """Return whether a value is one of some options; an array, which NumPy compares by element, is none."""
+    return isinstance(value, Hashable) and value in options
 
 
 def unknown(kind: str, name: object, known: Iterable[str], otherwise: str = "") -> Fault:

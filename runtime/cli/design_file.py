@@ -21,7 +21,7 @@ from hertzwerk.runtime.engine.inputs.input_values import located
 from hertzwerk.runtime.engine.model.build import located_target
 
 OF_SCENE = ("without", "laws", "coordinates")
-NOT_IN_FILES = ("functions", "compiled", "workers", "client", "into", "widen", "progress")
+NOT_IN_FILES = ("functions", "compiled", "workers", "client", "out", "widen", "progress")
 
 
 def read_definition(path: Path, function: Callable[..., Any], required: tuple[str, ...]) -> dict[str, Any]:

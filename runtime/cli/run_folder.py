@@ -143,7 +143,6 @@ def write(
     out: Path | None,
     *,
     plots: bool,
-    csv: bool = False,
     averages: bool = False,
     stopping: Stopping | None = None,
     request: Mapping[str, Any] | None = None,
@@ -151,8 +150,8 @@ def write(
     """Write a run to `out`, or to the next free runs/<scene>-NNN: data first, then derived files.
 
     `request` is recorded with it. The data, states.npz and run.json, appear at once. Averages, states.csv and
-    pictures follow independently: a failed or stopped one is reported in run.json and leaves no part of a file. `csv`
-    writes states.csv however large it is. Raises OSError where no data can be written.
+    pictures follow independently: a failed or stopped one is reported in run.json and leaves no part of a file.
+    Raises OSError where no data can be written.
     """
     stop = stopping or _Never()
     lost = list(solution.engine.findings.compute_all())
@@ -162,7 +161,7 @@ def write(
     extras = _Extras(solution, written, stop)
     if averages:
         extras.make("averages", lambda _: setattr(written, "averages", solution.averages()))
-    extras.make_csv(force=csv)
+    extras.make_csv()
     if _derivatives(solution) is not None:
         extras.make("sensitivities.csv", lambda at: _write_derivatives(solution, at / "sensitivities.csv"))
     if plots:
@@ -232,17 +231,17 @@ class _Extras:
         except Exception as error:  # whatever it is: the data are there, and so is what else can be made from them
             self.written.missing.append(f"{name} could not be made: {type(error).__name__}: {error}")
 
-    def make_csv(self, *, force: bool) -> None:
-        """Write states.csv, unless it would be large and was not requested."""
+    def make_csv(self) -> None:
+        """Write states.csv, unless it would be large."""
         from hertzwerk.runtime.engine.solution.solution import csv_size
 
         size = csv_size(self.solution)
-        if size <= CSV_LIMIT or force:
+        if size <= CSV_LIMIT:
             self.make("states.csv", lambda at: self.solution.to_csv(at / "states.csv"))
             return
         self.written.left_out.append(
-            f"states.csv would have {size / 1e6:.0f} MB and is not written: states.npz has the same; --csv writes it, --grid 10000 keeps less, "
-            f'and Solution.load("states.npz").to_csv("states.csv") makes it later'
+            f"states.csv would have {size / 1e6:.0f} MB and is not written: states.npz has the same; --table FILE.csv writes it, "
+            f'--grid 10000 keeps less, and Solution.load("states.npz").to_csv("states.csv") makes it later'
         )
 
     def make_pictures(self) -> None:

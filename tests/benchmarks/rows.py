@@ -40,7 +40,7 @@ def progress(fraction):
 def swept(client=None):
     global begin
     begin = time.time() if client else begin
-    sweep("bouncing_ball", {over}, into=sys.argv[1], progress=progress, client=client, **{how})
+    sweep("bouncing_ball", {over}, out=sys.argv[1], progress=progress, client=client, **{how})
 
 if __name__ == "__main__":
     if sys.argv[3] == "dask":
@@ -120,7 +120,7 @@ def fill(folder: Path, missing: int = MISSING) -> None:
         if fraction:
             raise KeyboardInterrupt
 
-    first = sweep("bouncing_ball", OVER, into=folder, progress=stop, workers=1, **HOW).rows[0]
+    first = sweep("bouncing_ball", OVER, out=folder, progress=stop, workers=1, **HOW).rows[0]
     definition = read_definition(folder)
     assert definition is not None
     with opened(folder) as store:

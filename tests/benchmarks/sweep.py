@@ -74,7 +74,7 @@ def rows(
 
     def run() -> None:
         with tempfile.TemporaryDirectory() as folder:
-            table = sweep_over(model, over, outputs=outputs, into=Path(folder) / "sweep", **settings)
+            table = sweep_over(model, over, outputs=outputs, out=Path(folder) / "sweep", **settings)
             if not all(row.outcome == "finished" for row in table):
                 raise ArithmeticError("a row did not finish")
 

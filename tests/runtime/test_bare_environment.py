@@ -34,7 +34,7 @@ from hertzwerk.runtime import sweep
 run = simulate("ball.py", duration="0.5 s", tolerance=1e-6, compiled=False)
 assert len(run.impacts) == 1, run
 run.save("run.npz")
-table = sweep("ball.py", over={"restitution": [0.5, 0.7]}, outputs=["impacts"], duration="0.5 s", tolerance=1e-6, into="rows")
+table = sweep("ball.py", over={"restitution": [0.5, 0.7]}, outputs=["impacts"], duration="0.5 s", tolerance=1e-6, out="rows")
 assert table.counts() == {"finished": 2}, table
 for missing in ("sympy", "matplotlib", "pydantic", "click"):
     try:

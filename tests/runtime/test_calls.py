@@ -127,6 +127,10 @@ sweep(ball, {"mass": "1, 2 kg"}, **HOW, outputs="final.vertical.travel")  ->  ou
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, outputs=3)  ->  outputs
 sweep(ball, {"mass": "1..2 kg"}, **HOW, sample=0)  ->  sample
 sweep(ball, {"mass": "1..2 kg"}, **HOW, sample=4, sampler="monte")  ->  monte
+sweep(ball, {"mass": "1, 2 kg"}, **HOW, zip=T)  ->  zip: found array
+sweep(ball, {"mass": "1, 2 kg"}, **HOW, after=T)  ->  after: found array
+sweep(ball, {"mass": "1, 2 kg"}, **HOW, histories=T)  ->  histories: found array
+sweep(ball, {"mass": "1, 2 kg"}, **HOW, continued=T)  ->  continued: found array
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, zip="no")  ->  zip
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, section="floor")  ->  section
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, section=3)  ->  section
@@ -134,13 +138,14 @@ sweep(ball, {"mass": "1, 2 kg"}, **HOW, grid="steps")  ->  grid: found 'steps'
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, continued="left")  ->  continued
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, functions={"mass": len})  ->  the name of another column
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, workers=1.5)  ->  workers: found 1.5
-sweep(ball, {"mass": "1, 2 kg"}, **HOW, into=5)  ->  into: found 5
+sweep(ball, {"mass": "1, 2 kg"}, **HOW, out=5)  ->  out: found 5
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, without=["gravety"])  ->  gravety
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, progress=3)  ->  progress: found 3
 propagate(ball, {"mass": "1 kg"}, **HOW)  ->  mass
 propagate(ball, {"mass": "Normal(1 kg)"}, **HOW)  ->  mass
 propagate(ball, {"mass": Normal("1 kg", "1 m")}, **HOW)  ->  mass
 propagate(ball, {"mas": Normal("1 kg", "1 g")}, **HOW)  ->  did you mean mass
+propagate(ball, {"mass": Uniform("1 kg", "2 kg")}, **HOW, workers=T)  ->  workers: found array
 propagate(ball, "mass", **HOW)  ->  uncertain
 propagate(ball, {}, **HOW)  ->  uncertain
 propagate(ball, {"mass": Uniform("2 kg", "1 kg")}, **HOW)  ->  mass
@@ -163,6 +168,8 @@ minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, {"final.vertical.tr
 minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, **HOW, start={"mass": "9 kg"})  ->  a value within its range
 minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, **HOW, max_runs=float("inf"))  ->  max_runs: found inf
 minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, **HOW, precision="high")  ->  precision: found 'high'
+minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, **HOW, start=T)  ->  start: found array
+minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, **HOW, progress=3)  ->  progress: found 3
 minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, **HOW, starts=-1)  ->  starts: found -1
 minimise(ball, "final.vertical.travel", {"mass": "1..2 kg"}, **HOW, parameters={"mass": "1 kg"})  ->  among parameters and over
 fit(ball, wave, free="drop_height")  ->  free
@@ -184,6 +191,9 @@ fit(ball, wave, free=FREE, gain=2)  ->  gain: found 2
 fit(ball, wave, free=FREE, gain={"vertical.travel": "2..1"})  ->  gain of vertical.travel
 fit(ball, wave, free=FREE, offset="1 m")  ->  offset: found '1 m'
 fit(ball, wave, free=FREE, tolerance=None)  ->  tolerance: found none
+fit(ball, wave, free=FREE, compiled="yes")  ->  compiled: found 'yes'
+fit(ball, wave, free=FREE, profile=T)  ->  profile: found array
+fit(ball, wave, free={"drop_height": T})  ->  drop_height
 fit(ball, wave, free=FREE, starts="many")  ->  starts: found 'many'
 fit(ball, wave, free=FREE, profile="some")  ->  profile: found 'some'
 fit(ball, wave, free=FREE, progress=1)  ->  progress: found 1
@@ -196,6 +206,7 @@ fit_laws(ball, wave, {"floor": 1}, free=FREE)  ->  laws: found
 fit_laws(ball, wave, {"floor": ["flores"]}, free=FREE)  ->  two or more
 fit_laws(ball, wave, {"floor": ["flores", "florez"]}, free=FREE)  ->  florez
 fit_laws(ball, wave, LAWS, free=FREE, noise=3)  ->  noise: found 3
+fit_laws(ball, wave, LAWS, free=FREE, compiled=2)  ->  compiled: found 2
 fit_laws(ball, wave, LAWS, free=3)  ->  free
 fit_moments(ball, {}, free=FREE, duration="1 s")  ->  moments
 fit_moments(ball, "floor.impact_rate", free=FREE, duration="1 s")  ->  moments
@@ -203,12 +214,14 @@ fit_moments(ball, {"floor.rate": "1 +- 0.1 1/s"}, free=FREE, duration="1 s")  ->
 fit_moments(ball, {"floor.impact_rate": "1 1/s"}, free=FREE, duration="1 s")  ->  standard deviation
 fit_moments(ball, {"x.rms": None}, free=FREE, duration="1 s")  ->  no measured series
 fit_moments(ball, {"x.rms": None}, free=FREE, series="long.csv")  ->  series: found 'long.csv'
+fit_moments(ball, {"vertical.travel.rms": None}, free=FREE, series=MeasuredSeries(wave, skip=T))  ->  skip: found array
 fit_moments(ball, {"x.rms": None}, free=FREE, series=MeasuredSeries(wave, noise=3))  ->  noise: found 3
 fit_moments(ball, {"x.rms": None}, free=FREE, series=MeasuredSeries(wave, map=3))  ->  map: found 3
 fit_moments(ball, {"final.vertical.travel": "1 +- 0.1 m"}, free=FREE, duration="1 s", seed=1.5)  ->  seed: found 1.5
 equilibrium(3)  ->  target: found 3
 equilibrium("bouncing_bal")  ->  did you mean bouncing_ball
 equilibrium(ball, at="soon")  ->  at: found 'soon'
+equilibrium(ball, at=T)  ->  at: found array
 equilibrium(ball, at=-1)  ->  at: found -1
 equilibrium(ball, parameters={"mass": 1})  ->  a number without a unit
 equilibrium(ball, initial={"x": 1})  ->  x
@@ -217,6 +230,7 @@ equilibrium(ball, inputs={"push": 1})  ->  push
 equilibrium(ball, nearest="yes")  ->  nearest: found 'yes'
 modes(3)  ->  target: found 3
 modes(ball, at="soon")  ->  at: found 'soon'
+modes(ball, at=T)  ->  at: found array
 modes(run, at="1 s")  ->  at: found '1 s'
 modes(run, parameters={"mass": "1 kg"})  ->  values beside a run
 modes(equilibrium(ball), at=1)  ->  values beside an equilibrium
@@ -231,6 +245,8 @@ compare(run, wave, bandwidth="5 rad/s")  ->  bandwidth: found '5 rad/s'
 compare(run, wave, noise="1 mm")  ->  noise: found '1 mm'
 compare(run, wave, offset="2..1 ms")  ->  the lower end first
 compare(run, wave, drift=[1])  ->  drift: found
+compare(run, wave, compiled=True)  ->  values beside a run
+compare(ball, wave, progress=3)  ->  progress: found 3
 compare(run, wave, duration="1 s")  ->  values beside a run
 compare("bouncing_bal", wave)  ->  did you mean bouncing_ball
 study_effects(3, **HOW)  ->  target: found 3
@@ -242,8 +258,11 @@ study_effects(ball, **HOW, outputs=[3])  ->  outputs: found [3]
 study_effects(ball, duration="1 s", tolerance="x")  ->  tolerance: found 'x'
 study_effects(ball, **HOW, compiled="yes")  ->  compiled: found 'yes'
 study_effects(ball, **HOW, parameters={"mas": 1})  ->  did you mean mass
+study_effects(ball, **HOW, progress=T)  ->  progress: found array
 study_effects(ball, **HOW, progress=3)  ->  progress: found 3
 read_measurement(3)  ->  data: found 3
+read_measurement({"t [s]": T}, units=T)  ->  units: found array
+read_measurement({"t [s]": T}, decimal=T)  ->  decimal: found array
 read_measurement("no_such.csv")  ->  no_such.csv
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, columns=5)  ->  columns: found 5
 read_measurement({"t [s]": [0, 1], "x [m]": [0, 1]}, units="m")  ->  units: found 'm'
@@ -264,6 +283,7 @@ run.extremes("height")  ->  no history 'height'
 run.plot(3)  ->  no history 3
 run.plot(["vertical.travel", "height"])  ->  no history 'height'
 run.averages(skip="1 kg")  ->  skip
+run.averages(skip=T)  ->  skip: found array
 run.averages(interval=-1)  ->  interval
 run.continued("5 ms")  ->  more than the 0.01 s
 run.continued("soon")  ->  duration: found 'soon'
@@ -288,6 +308,8 @@ run.animate("film.gif", fps=0)  ->  fps
 Solution.load("no_such.npz")  ->  no_such.npz
 Solution.load(3)  ->  path: found 3
 ball.function("gap")  ->  did you mean gaps
+ball.function(T)  ->  a function named by ndarray
+ball.function("step", method=T)  ->  a method named by ndarray
 ball.function(3)  ->  function
 ball.function("step", method="rk4")  ->  rk4
 ball.draw(parameters={"mas": 1})  ->  did you mean mass
@@ -322,15 +344,15 @@ sweep(ball, {"drop_height": [900 * mm, "1 m"]}, **HOW, workers=1, outputs=["fina
 sweep(ball, {"mass": "1..2 kg"}, **HOW, workers=1, sample=2)
 sweep(ball, {"mass": "1, 2 kg"}, **HOW, workers=1, parameters={"restitution": 1}, initial={"vertical.speed": "1 m/s"})
 propagate("bouncing_ball", {"mass": "Uniform(1 kg, 2 kg)"}, ["final.vertical.travel"], **HOW, sample=8, workers=1)
-minimise("bouncing_ball", "final.vertical.travel", {"drop_height": "1..2 m"}, **HOW, max_runs=8)
-fit("bouncing_ball", wave, free=FREE, starts=0)
+minimise("bouncing_ball", "final.vertical.travel", {"drop_height": "1..2 m"}, **HOW, max_runs=8, progress=lambda part: None)
+fit("bouncing_ball", wave, free=FREE, starts=0, compiled=False)
 fit(ball, {"t [s]": T, "vertical.travel [m]": 1.1 - 4.905 * T**2}, free={"drop_height": None}, starts=0)
 equilibrium("bouncing_ball")
 equilibrium(ball, nearest=True)
 modes("bouncing_ball")
 modes(equilibrium(ball))
 modes(run, at="5 ms")
-compare("bouncing_ball", wave, tolerance=1e-6)
+compare("bouncing_ball", wave, tolerance=1e-6, compiled=False, progress=lambda part: None)
 compare(ball, wave, tolerance=1e-6, parameters={"mass": "2 kg"}, noise={"vertical.travel": "1 mm"})
 read_measurement({"t [s]": T, "x [m]": T})
 read_impacts({"impact [1]": [1, 2], "t [s]": [0.1, 0.2]})

@@ -186,7 +186,7 @@ def test_a_sweep_of_a_module_goes_on_and_not_with_another(project):
     for target in ("light_ball.py", "plant.scenes:heavy"):
         into = f"sweep of {target[0]}"
         table = sweep(
-            target, over={"restitution": [0.5, 0.7]}, outputs=["impacts"], duration="60 ms", tolerance=1e-6, into=into
+            target, over={"restitution": [0.5, 0.7]}, outputs=["impacts"], duration="60 ms", tolerance=1e-6, out=into
         )
         assert [row.outcome for row in table] == ["finished"] * 2
         told("sweep", "--resume", into)

@@ -1,6 +1,6 @@
 """Models of SymPy's mechanics as scenes.
 
-    model = from_sympy(kane, units={m: "kg", l: "m", q: "rad"}, values={m: 1, l: 0.3}, origin=O)
+    model = from_sympy(kane, units={m: "kg", l: "m", q: "rad"}, parameters={m: 1, l: 0.3}, origin=O)
     scene = model.scene(pairs=(SphereOnPlane("wall", sphere=model.at(P), ...),), effects=(Contact("wall", ...),), scales=...)
 
 Equations are taken as SymPy built them, as a straight-line program of what they share. Nothing is simplified, no
@@ -54,7 +54,7 @@ STILL: Linear = ({}, sp.S.Zero)
 
 
 def from_sympy(
-    method: Any, *, units: Mapping[Any, str], values: Mapping[Any, float], name: str = "model", origin: Any = None,
+    method: Any, *, units: Mapping[Any, str], parameters: Mapping[Any, float], name: str = "model", origin: Any = None,
     specified: Mapping[Any, Any] | None = None, kinematics: str = "audited",
 ) -> Model:  # fmt: skip
     """Model of a KanesMethod, a LagrangesMethod or a System whose equations are formed.
@@ -63,7 +63,7 @@ def from_sympy(
     velocities that were set and do not follow from positions and axes.
 
     units      unit of every symbol, coordinate and function of time, and of speeds that are no derivatives, by symbol or name
-    values     value of every constant symbol in its unit; a run may set it anew
+    parameters    value of every constant symbol in its unit; a run may set it anew
     origin     fixed point from which positions are known; without one nothing has a place, and no pair may touch
     specified  functions of time that are neither coordinates nor speeds: expressions of `T`, or an `Input`; of loads
                also of coordinates, speeds and states
@@ -73,7 +73,7 @@ def from_sympy(
     if kinematics not in ("audited", "as given"):
         raise InputError(f"from_sympy, {name}", [Fault("kinematics", shown(kinematics), '"audited" or "as given"')])
     reading = reading_of(method, origin)
-    naming = Naming(reading, _expressions(reading), units, values, specified or {})
+    naming = Naming(reading, _expressions(reading), units, parameters, specified or {})
     return Model(reading, name, naming, as_given=kinematics == "as given")
 
 

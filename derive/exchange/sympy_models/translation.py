@@ -190,7 +190,7 @@ class Naming:
                     f"symbol {name}",
                     "no value",
                     "the value of every symbol that is constant",
-                    f"values={{{name}: ...}}",
+                    f"parameters={{{name}: ...}}",
                 )
             )
         elif isinstance(value, bool) or not isinstance(value, int | float):

@@ -137,7 +137,10 @@ def study_effects(
     whole, faults = engine_model(target, without=without, laws=laws), progress_faults(progress)
     whole.declared_for("effects")
     own, states = stated_values(whole, parameters, initial, faults)
-    bench, report = Bench(duration, tolerance, method, {**own, **states}), progress or (lambda _: None)
+    bench, report = (
+        Bench(duration, tolerance, method, {**own, **states}),
+        progress if callable(progress) else lambda _: None,
+    )
     whole, wrong = with_input_values(whole, inputs, duration, bench.parameters(whole))
     wanted, first = _outputs(whole, bench, outputs, [*faults, *wrong], compiled)
     study = Study(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
+from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown
 from hertzwerk.derive.common.markup import joined, tag
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.analysis.statics.balance import (
@@ -296,7 +296,7 @@ def inputs_at(model: EngineModel, inputs: Mapping[str, Input] | None, t: float) 
 
 
 def _time(model: EngineModel, at: str | float) -> float:
-    if at == 0 or at == "0":
+    if among(at, 0, "0"):
         return 0.0
     faults: list[Fault] = []
     t = read_duration(model, {}, at, faults)

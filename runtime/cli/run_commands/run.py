@@ -95,7 +95,6 @@ STOPPED = (
     type=click.Path(path_type=Path),
     help="Continue the run of this folder from its end, up to --duration, which counts from the start of the whole.",
 )
-@click.option("--csv", is_flag=True, help="Write states.csv at any size (default: up to 50 MB).")
 @TABLE
 @click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
 @JSON
@@ -104,7 +103,6 @@ def run(
     target: str | None,
     folder: Path | None,
     out: Path | None,
-    csv: bool,
     file: Path | None,
     no_plots: bool,
     as_json: bool,
@@ -137,7 +135,7 @@ def run(
         missing: list[str] = []
         written = written_or_none(
             lambda: run_folder.write(
-                solution, out, plots=not no_plots, csv=csv, averages=averages, stopping=stopping, request=request
+                solution, out, plots=not no_plots, averages=averages, stopping=stopping, request=request
             ),
             missing,
             wanted=wanted,

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault
 from hertzwerk.runtime.cli.target_options import (
     BY_METHOD,
     DURATION,
@@ -131,12 +130,12 @@ OF_SERIES = "bandwidth", "order", "zero_phase", "skip"  # options of statistics 
     help="Quantities whose intervals come from the profile likelihood; auto: those that the data determine badly.",
 )
 @click.option(
-    "--into", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-fit-NNN)."
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-fit-NNN)."
 )
 @click.option("--no-plots", is_flag=True, help="Write the data without pictures.")
 @JSON
 @reports_bad_input
-def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
+def fit(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
     """Fit parameters of TARGET to measured data.
 
     The search takes exact derivatives, through impacts too. It reports values with intervals and how each was
@@ -144,9 +143,8 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
     and they are ranked by AICc and by measured runs held out. Exit code 1: the model is rejected at 5 %, a
     combination is not determined, or the data do not discriminate between the laws.
     """
-    wanted = into is not None or not as_json
-    faults = [replace(fault, where="--into", remedy="name another: --into FOLDER") if fault.where == "--out" else fault
-              for fault in unwritable_faults(into, wanted=wanted)]  # fmt: skip
+    wanted = out is not None or not as_json
+    faults = unwritable_faults(out, wanted=wanted)
     moments, varied = options.pop("moments"), Variation.taken(target, options)
     options["reading"] = reading_of(options, faults)
     estimates: Fitted | FittedMoments
@@ -161,7 +159,7 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
             estimates, ranking = _fitted(varied, faults, progress, **options)
     result = estimates if ranking is None else ranking
     code = conclude(
-        lambda missing: _write(estimates, ranking, into, missing, plots=not no_plots),
+        lambda missing: _write(estimates, ranking, out, missing, plots=not no_plots),
         result.record,
         lambda: _report(result),
         wanted=wanted,
@@ -352,6 +350,7 @@ def _arguments(
         "gain": assignments("--gain", gain, faults),
         "tolerance": TOLERANCE if tolerance is None else number(tolerance),
         "method": method or METHOD,
+        "compiled": "auto",
         "starts": STARTS if starts is None else starts,
         "seed": seed or 0,
         "profile": {"auto": "auto", "all": True, "none": False}[profile],
@@ -359,7 +358,7 @@ def _arguments(
 
 
 def _write(
-    estimates: Fitted | FittedMoments, ranking: Ranking | None, into: Path | None, missing: list[str], *, plots: bool
+    estimates: Fitted | FittedMoments, ranking: Ranking | None, out: Path | None, missing: list[str], *, plots: bool
 ) -> tuple[Path, list[str]]:
     from hertzwerk.runtime.cli.run_folder import record_text
     from hertzwerk.runtime.cli.target_options import command_line
@@ -395,10 +394,7 @@ def _write(
         missing.extend(failures)
         return [*texts, *([] if failures else ["fit.png"])]
 
-    try:
-        return new_folder(f"{estimates.scene}-fit", into, fill)
-    except InputError as error:
-        raise InputError("fit", [replace(fault, where="--into") for fault in error.faults]) from error
+    return new_folder(f"{estimates.scene}-fit", out, fill)
 
 
 def _report(result: Fitted | FittedMoments | Ranking) -> None:

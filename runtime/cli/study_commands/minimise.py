@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -63,14 +62,14 @@ from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, print_
 @TOLERANCE
 @BY_METHOD
 @click.option(
-    "--into",
+    "--out",
     metavar="DIR",
     type=click.Path(path_type=Path),
     help="New folder of a record and a picture of all runs (default: none).",
 )
 @JSON
 @reports_bad_input
-def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> int:
+def minimise(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
     """Minimise an output of TARGET over its parameters.
 
     The search takes exact derivatives. A TOML file with the keys of `minimise` may take the place of TARGET and
@@ -78,13 +77,7 @@ def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> i
     """
     from hertzwerk.runtime.studies.minimisation import minimisation
 
-    refuse(
-        "minimise",
-        [
-            replace(fault, where="--into", remedy="name another")
-            for fault in unwritable_faults(into, wanted=into is not None)
-        ],
-    )
+    refuse("minimise", unwritable_faults(out, wanted=out is not None))
 
     def own(faults: list[Fault]) -> dict[str, Any]:
         return {
@@ -98,9 +91,10 @@ def minimise(target: str, into: Path | None, as_json: bool, **options: Any) -> i
     with Progress(f"minimum of {target}", shown=not as_json) as progress:
         progress.stage("searching")
         minimum = minimisation.minimise(
-            **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration"))
+            **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration")),
+            progress=progress,
         )
-    missing = [] if into is None else keep(minimum, into, "minimum")
+    missing = [] if out is None else keep(minimum, out, "minimum")
     if as_json:
         click.echo(json.dumps(minimum.record(), indent=2, ensure_ascii=False))
     else:

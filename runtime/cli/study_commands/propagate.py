@@ -68,17 +68,17 @@ from hertzwerk.runtime.cli.terminal import (
 @TOLERANCE
 @BY_METHOD
 @click.option(
-    "--into",
+    "--out",
     metavar="DIR",
     type=click.Path(path_type=Path),
     help="Folder of the runs, a record and a picture, new or of the same command, which it continues (default: none).",
 )
 @click.option(
-    "--csv", "file", metavar="FILE", type=click.Path(path_type=Path), help="Write one line per output to a new file."
+    "--table", "file", metavar="FILE", type=click.Path(path_type=Path), help="Write one line per output to a new file."
 )
 @JSON
 @reports_bad_input
-def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, **options: Any) -> int:
+def propagate(target: str, out: Path | None, file: Path | None, as_json: bool, **options: Any) -> int:
     """Propagate uncertain parameters through TARGET.
 
     By derivatives and by samples, with Sobol indices. A TOML file with the keys of `propagate` may take the place of
@@ -98,13 +98,13 @@ def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, 
             **({"indices": False} if options["no_indices"] else {}),
         }
 
-    refuse("propagate", [] if file is None else new_file_faults("--csv", file))
+    refuse("propagate", [] if file is None else new_file_faults("--table", file))
     with Progress(f"uncertainty of {target}", shown=not as_json) as progress:
         arguments = definition(target, options, own, propagation.propagate, ("target", "uncertain", "duration"))
-        propagated = propagation.propagate(**arguments, into=into, progress=progress)
+        propagated = propagation.propagate(**arguments, out=out, progress=progress)
     if file is not None:
         propagated.to_csv(file)
-    missing = [] if into is None else keep(propagated, into, "propagation")
+    missing = [] if out is None else keep(propagated, out, "propagation")
     if as_json:
         click.echo(json.dumps(propagated.record(), indent=2, ensure_ascii=False))
     else:

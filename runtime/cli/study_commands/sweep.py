@@ -110,7 +110,7 @@ _OPTIONS = {
     "--wall-time", metavar="TIME", help='Stop a row after this time by the clock, such as "10 min" (default: none).'
 )
 @click.option(
-    "--into",
+    "--out",
     metavar="DIR",
     type=click.Path(path_type=Path),
     help="Folder of the rows, new or of the same sweep (default: the next runs/SCENE-sweep-NNN).",
@@ -133,7 +133,7 @@ _OPTIONS = {
 def sweep(
     target: str | None,
     resume: Path | None,
-    into: Path | None,
+    out: Path | None,
     widen: bool,
     workers: str | None,
     cluster: str | None,
@@ -155,10 +155,10 @@ def sweep(
 
     faults = table_faults(file)
     processes = _whole("--workers", workers, faults)
-    if plot and as_json and into is None and resume is None:
-        faults.append(Fault("--plot", "without a folder, as --json writes none", "--into DIR beside it"))
-    arguments = _arguments(target, resume, into, options, faults)
-    folder = resume or into
+    if plot and as_json and out is None and resume is None:
+        faults.append(Fault("--plot", "without a folder, as --json writes none", "--out DIR beside it"))
+    arguments = _arguments(target, resume, out, options, faults)
+    folder = resume or out
     with ExitStack() as stack:
         if folder is None and not as_json:
             folder = made_folder(f"{Path(arguments['target']).stem}-sweep", None)
@@ -175,7 +175,7 @@ def sweep(
                 stack.enter_context(raise_interrupts())  # from here on there is something to tell when it is stopped
             progress(fraction)
 
-        result = swept(**arguments, into=folder, widen=widen, workers=processes, client=client, progress=rows)
+        result = swept(**arguments, out=folder, widen=widen, workers=processes, client=client, progress=rows)
     missing: list[str] = []
     if file is not None:
         written_or_none(lambda: result.to_file(file), missing, wanted=True)
@@ -185,7 +185,7 @@ def sweep(
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
 
-        click.echo(json_text({**_record(result), "into": folder and str(folder)}))
+        click.echo(json_text({**_record(result), "out": folder and str(folder)}))
     else:
         _report(result, folder, None if missing else file)
     code = report_missing(missing)
@@ -203,7 +203,7 @@ def _connected(address: str) -> AbstractContextManager[Client]:
 
 
 def _arguments(
-    target: str | None, resume: Path | None, into: Path | None, options: dict[str, Any], faults: list[Fault]
+    target: str | None, resume: Path | None, out: Path | None, options: dict[str, Any], faults: list[Fault]
 ) -> dict[str, Any]:
     """Return the arguments of the sweep, of a folder, a file or the command line; raises InputError."""
     file = target is not None and target.endswith(".toml")
@@ -211,7 +211,7 @@ def _arguments(
         where = "--resume" if resume is not None else str(target)
         stated = [_OPTIONS.get(name, f"--{name}") for name, value in options.items() if value not in (None, (), False)]
         stated += ["TARGET"] if resume is not None and target is not None else []
-        stated += ["--into"] if resume is not None and into is not None else []
+        stated += ["--out"] if resume is not None and out is not None else []
         if stated:
             actual, expected = (
                 f"{', '.join(stated)} beside it",

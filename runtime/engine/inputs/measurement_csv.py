@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of, with_header
 
@@ -102,7 +102,7 @@ class Measurement(Columns):
         times = self.times
         if times.ndim != 1 or times.size < 2 or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
             faults.append(Fault("times", shown(self.times), "two or more finite times, increasing"))
-        refuse(self.source or "measurement", faults)
+        refuse(str(self.source) or "measurement", faults)
 
 
 @dataclass(frozen=True)
@@ -180,7 +180,7 @@ def read_measurement(
     (1,234), times that are missing or fall. Two lines of one time are a jump, as where a run writes an event: the later is
     taken; three are refused.
     """
-    reading = Reading(data, None, units or {}, skip, decimal, missing).of(columns)
+    reading = Reading(data, None, {} if units is None else units, skip, decimal, missing).of(columns)
     times, series, read, jumps, source = _read(reading, TIMES)
     return Measurement(times, series, read, source, jumps)
 
@@ -198,7 +198,7 @@ def read_impacts(
 
     As `read_measurement` otherwise: `impact [1], t [ms], speed [m/s]`. Raises InputError with every fault and its line.
     """
-    reading = Reading(data, None, units or {}, skip, decimal, missing).of(columns)
+    reading = Reading(data, None, {} if units is None else units, skip, decimal, missing).of(columns)
     numbers, series, read, _, source = _read(reading, NUMBERS)
     return MeasuredImpacts(numbers, series, read, source)
 
@@ -275,7 +275,7 @@ def _of_arrays(reading: Reading, keys: tuple[str, ...], faults: list[Fault]) -> 
 
 def _option_faults(reading: Reading) -> list[Fault]:
     columns, units, skip, decimal, missing = list(vars(reading).values())[1:]
-    faults = [] if decimal in (None, ".", ",") else [Fault("decimal", shown(decimal), '"." or ","')]
+    faults = [] if among(decimal, None, ".", ",") else [Fault("decimal", shown(decimal), '"." or ","')]
     if columns is not None and not (
         isinstance(columns, list | tuple | Mapping) and all(isinstance(name, str) for name in columns)
     ):

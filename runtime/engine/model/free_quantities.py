@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from hertzwerk.derive.common.faults import Fault, shown, unknown
+from hertzwerk.derive.common.faults import Fault, among, shown, unknown
 from hertzwerk.derive.common.units import UnitError
 from hertzwerk.runtime.engine.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -83,7 +83,7 @@ def read_free(
 def _one(model: EngineModel, name: str, entry: object, where: str, unit: str, faults: list[Fault]) -> Free | None:
     port = model.parameters.get(name)
     value = si_of(model, name, (port.default, port.unit)) if port is not None else math.nan
-    asked_log = entry == "log"
+    asked_log = among(entry, "log")
     if entry is None or asked_log:
         low, high = _ranges_of_law(model, name)
         bounded = math.isfinite(low) and math.isfinite(high)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, refuse
+from hertzwerk.derive.common.faults import Fault, among, refuse
 from hertzwerk.runtime.engine.model.binding import read_time
 
 if TYPE_CHECKING:
@@ -157,7 +157,7 @@ def averages_by_name(
     """
     faults: list[Fault] = []
     length, skipped = (seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
-    if skip == 0:
+    if among(skip, 0):
         skipped = 0.0
     span = run.end - run.start
     if not faults and length is not None and length > span:
@@ -174,7 +174,7 @@ def averages_by_name(
 def seconds(name: str, value: str | float | None, faults: list[Fault]) -> float | None:
     """Return a requested time [s]; None where there is none, or it is bad, and appended to `faults`."""
     expected = 'a positive time, such as "12 ms" or a number of seconds'
-    if value is None or (name == "skip" and value == 0):
+    if value is None or (name == "skip" and among(value, 0)):
         return None
     if isinstance(value, str):
         return read_time(name, value, expected, faults)

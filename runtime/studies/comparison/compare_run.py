@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredTable, Measurement
 from hertzwerk.runtime.engine.model.binding import Value
-from hertzwerk.runtime.engine.run.run_request import Accuracy
+from hertzwerk.runtime.engine.run.run_request import Accuracy, Compiled
 from hertzwerk.runtime.engine.solution.history import units_of
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.loading import Target, engine_model
@@ -50,11 +50,13 @@ def compare(
     accuracy: Accuracy | None = None,
     tolerance: float | None = None,
     method: str | None = None,
+    compiled: Compiled | None = None,
+    progress: Callable[[float], object] | None = None,
 ) -> Comparison:
     """Compare a run with measured data: a `Measurement`, or a table as `read_measurement` reads it.
 
     target      a run; or a scene or a Model, which is run as long as the data last, or for a `duration`, as `simulate` does with
-                `parameters`, `initial`, `inputs`, `accuracy`, `tolerance`, `method`
+                `parameters`, `initial`, `inputs`, `accuracy`, `tolerance`, `method`, `compiled`, `progress`
     map         histories of the run by measured column, {"acceleration": "guide.acceleration"}; by default equal names
     bandwidth   cut-off frequency of the instrument, "5 kHz" or [Hz]: the run goes through a Butterworth low-pass of this `order`, causal
                 (3 dB down there), or with zero_phase forwards and backwards (6 dB); None: the run is compared as it is
@@ -67,7 +69,7 @@ def compare(
     """
     of_run = {
         **{"parameters": parameters, "initial": initial, "inputs": inputs, "duration": duration},
-        **{"accuracy": accuracy, "tolerance": tolerance, "method": method},
+        **{"accuracy": accuracy, "tolerance": tolerance, "method": method, "compiled": compiled, "progress": progress},
     }
     settings: dict[str, Any] = {name: value for name, value in of_run.items() if value is not None}
     run = target if isinstance(target, EngineSolution) else None

@@ -17,12 +17,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
 from hertzwerk.runtime.engine.model.binding import Value, named_values, whole_faults
 from hertzwerk.runtime.engine.model.free_quantities import Free, read_free
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.si_values import unit_at
-from hertzwerk.runtime.engine.run.run_request import Settings
+from hertzwerk.runtime.engine.run.run_request import Compiled, Settings
 from hertzwerk.runtime.studies.comparison.comparison_request import Between, read_between
 from hertzwerk.runtime.studies.comparison.residuals import residual_of
 from hertzwerk.runtime.studies.fitting.experiment import Observed, read_experiments
@@ -50,6 +50,7 @@ class FitRequest:
     observed: tuple[Observed, ...]
     tolerance: float
     method: str
+    compiled: Compiled
     starts: int
     seed: int
     profile: bool | str
@@ -64,6 +65,7 @@ class FitRequest:
             self.gains,
             tolerance=self.tolerance,
             method=self.method,
+            compiled=self.compiled,
         )
 
 
@@ -82,6 +84,7 @@ def read_fit(
     gain: Mapping[str, Between] | None,
     tolerance: float,
     method: str,
+    compiled: Compiled,
     starts: object,
     seed: object,
     profile: object,
@@ -105,7 +108,7 @@ def read_fit(
         faults=faults,
     )
     faults += whole_faults(starts=starts, seed=seed)
-    if profile not in ("auto", True, False):
+    if not among(profile, "auto", True, False):
         faults.append(Fault("profile", shown(profile), '"auto", True or False'))
     nuisance: list[Free] = []
     offsets: list[int | float] = [low] * len(observed)
@@ -127,7 +130,7 @@ def read_fit(
             faults.append(Fault(f"gain of {column}", shown(between), 'a range of positive numbers, such as "0.9..1.1"'))
             continue
         nuisance.append(Free(*ends, "1", False, f"gain of {column}", min(max(1.0, ends[0]), ends[1])))
-    faults += Settings(1.0, None, tolerance, method).faults()
+    faults += Settings(1.0, None, tolerance, method, compiled).faults()
     if tolerance is None:
         faults.append(Fault("tolerance", "none", "the local tolerance of the runs"))
     count = sum(len(each.at) for each in observed)
@@ -144,6 +147,7 @@ def read_fit(
         observed,
         tolerance,
         method,
+        compiled,
         int(starts),  # type: ignore[call-overload]
         int(seed),  # type: ignore[call-overload]
         profile,  # type: ignore[arg-type]

@@ -62,6 +62,7 @@ def fit(
     gain: Mapping[str, Between] | None = None,
     tolerance: float = TOLERANCE,
     method: str = METHOD,
+    compiled: Compiled = "auto",
     starts: int = STARTS,
     seed: int = 0,
     profile: bool | str = "auto",
@@ -81,7 +82,7 @@ def fit(
     duration    of the runs; required where impacts have no times
     offset      run time less measured time, for each run: a value, or a range in which it is fitted, "-2..2 ms"
     gain        ranges of a sensor's gain by column, {"height": "0.95..1.05"}: measured = gain times run
-    tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are omitted, with a warning
+    tolerance, method, compiled    of the runs. Data beyond the time at which their error exceeds a tenth of the noise are omitted, with a warning
     starts, seed    Latin hypercube of starts beside the model's values; the best are followed over windows that lengthen
     profile     intervals by profile likelihood: "auto" of badly identified quantities, True of all, False of none
 
@@ -105,6 +106,7 @@ def fit(
         gain=gain,
         tolerance=tolerance,
         method=method,
+        compiled=compiled,
         starts=starts,
         seed=seed,
         profile=profile,
@@ -128,6 +130,7 @@ def fit_laws(
     gain: Mapping[str, Between] | None = None,
     tolerance: float = TOLERANCE,
     method: str = METHOD,
+    compiled: Compiled = "auto",
     starts: int = STARTS,
     seed: int = 0,
     profile: bool | str = "auto",
@@ -145,7 +148,7 @@ def fit_laws(
     variants, faults = law_variants(model, laws)
     how = {
         **{"map": map, "noise": noise, "parameters": own, "initial": states, "inputs": inputs, "duration": duration},
-        **{"offset": offset, "gain": gain, "tolerance": tolerance, "method": method},
+        **{"offset": offset, "gain": gain, "tolerance": tolerance, "method": method, "compiled": compiled},
         **{"starts": starts, "seed": seed, "profile": profile},
     }
     return ranked(read_laws(variants, data, free, how, [*wrong, *faults]), progress)

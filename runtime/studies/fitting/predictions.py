@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime.engine.model.free_quantities import Free
+from hertzwerk.runtime.engine.run.run_request import Compiled
 from hertzwerk.runtime.engine.start.start_values import split_values
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.fitting.experiment import Observed
@@ -48,9 +49,10 @@ class Forward:
         *,
         tolerance: float,
         method: str,
+        compiled: Compiled,
     ) -> None:
         self.observed, self.free, self.nuisance = tuple(observed), tuple(free), tuple(nuisance)
-        self.tolerance, self._method = tolerance, method
+        self.tolerance, self._method, self._compiled = tolerance, method, compiled
         self._offsets, self._gains = tuple(offsets), gains
         self.measured = np.concatenate([each.measured for each in observed])
         self.place = np.concatenate([each.place for each in observed])
@@ -118,6 +120,7 @@ class Forward:
                 duration=each.duration,
                 tolerance=tolerance,
                 method=self._method,
+                compiled=self._compiled,
                 parameters={**each.parameters, **parameters},
                 initial={**each.initial, **initial},
                 max_events=each.max_events,

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from hertzwerk.runtime.engine.model.free_quantities import Free, Freed, read_fre
 from hertzwerk.runtime.engine.model.ranges import starts_in
 from hertzwerk.runtime.engine.model.si_values import si_of, si_units, unit_at
 from hertzwerk.runtime.engine.run.continuation import with_steps
-from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows
+from hertzwerk.runtime.engine.run.run_request import METHOD, Accuracy, Compiled, duration_follows, progress_faults
 from hertzwerk.runtime.engine.sensitivity.output_derivatives import NoDerivativeError, OutputDerivatives
 from hertzwerk.runtime.engine.solution.outcome import REACHED_END, Outcome
 from hertzwerk.runtime.loading import Target, engine_model
@@ -65,6 +66,7 @@ def minimise(
     max_runs: int = 200,
     starts: int = 0,
     seed: int = 0,
+    progress: Callable[[float], object] | None = None,
 ) -> Minimum:
     """Minimise an output of a run over ranges of parameters; return the best values.
 
@@ -76,6 +78,7 @@ def minimise(
     start        start values, by default the model's where they are within the range, else its middle
     starts, seed    further starts, points of a Latin hypercube: the best result is returned, with the number of starts that ended there
     precision    stopping tolerance, relative to the objective and the constraints; max_runs    limit of runs from each start
+    progress    a function that is called now and then with the fraction of the most runs that are done
 
     Gradients are exact where every output has derivatives, else differences of runs. The largest value of a history may switch
     from one peak to another; `.norm8` and `.norm32` are smooth substitutes. The result is the best local minimum of its starts;
@@ -87,7 +90,7 @@ def minimise(
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
     }
     values = {"parameters": parameters, "initial": initial, "inputs": inputs}
-    faults = refused_by_sweep(model, {**values, **settings}, None)
+    faults = refused_by_sweep(model, {**values, **settings}, None) + progress_faults(progress)
     ranges = _ranges(model, over, start, faults)
     texts = [objective, *(constraints if isinstance(constraints, Mapping) else ())]
     names = list(dict.fromkeys(name for text in texts for name in names_in(text)))
@@ -108,14 +111,22 @@ def minimise(
     begins = starts_in(ranges, [one.value for one in ranges], starts, seed)
     minima: list[Minimum] = []
     failed: list[InputError] = []
-    for begin in begins:
+    for i, begin in enumerate(begins):
+        report = partial(_report, progress, i, len(begins))
         try:
-            minima.append(_Search(problem, begin, int(max_runs)).minimum(float(precision)))
+            minima.append(_Search(problem, begin, int(max_runs), report).minimum(float(precision)))
         except InputError as error:
             failed.append(error)
+        report(1.0)
     if not minima:
         raise failed[0]
     return best_of(minima, ranges, len(failed))
+
+
+def _report(progress: Callable[[float], object] | None, start: int, starts: int, part: float) -> None:
+    """Report the part of a search from one of several starts that is done."""
+    if progress is not None:
+        progress((start + part) / starts)
 
 
 @dataclass(frozen=True)
@@ -142,7 +153,7 @@ def _ranges(
 ) -> tuple[Free, ...]:
     """Return the ranges, with values to begin with; bad input is appended to `faults`."""
     ranges = read_free(model, over, faults, argument="over", decades=math.inf)
-    begins = named_values("start", start or {}, faults)
+    begins = named_values("start", {} if start is None else start, faults)
     varied = over if isinstance(over, Mapping | list | tuple) else ()
     freed = []
     faults += [
@@ -268,6 +279,7 @@ class _Search:
     problem: _Problem
     begin: np.ndarray
     max_runs: int
+    report: Callable[[float], object]
     exact: bool = True
     why: str = ""
     runs: int = 0
@@ -286,6 +298,7 @@ class _Search:
         """Return the run at a point, with the values of objective and constraints."""
         if self.runs >= self.max_runs:
             raise _StoppedError("too_many_runs", f"stopped after {self.runs} runs", "allow more: max_runs=500")
+        self.report(self.runs / self.max_runs)
         self.runs += 1
         problem = self.problem
         run = problem.run(x)

@@ -37,9 +37,9 @@ class Sweeps:
 
         Raises InputError, and SweepStoppedError where Ctrl-C, a full disk or a lost cluster ended it.
         """
-        into = None if self.folder is None else self.folder / name
+        out = None if self.folder is None else self.folder / name
         with raise_interrupts():
-            table = sweep(target, over, into=into, **arguments)
+            table = sweep(target, over, out=out, **arguments)
         if table.damage:
             self.damage.append(f"{name}: {table.damage}")
         if not table.outcome.finished:

@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, shown
+from hertzwerk.derive.common.faults import Fault, among, shown
 from hertzwerk.runtime.engine.inputs.inputs_by_row import numbers_of
 from hertzwerk.runtime.engine.model.binding import Value
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -156,7 +156,7 @@ def read_chains(
     """Return the chains along the first parameter that is varied; bad input is appended to `faults`."""
     if continued is None:
         return None
-    if continued not in DIRECTIONS:
+    if not among(continued, *DIRECTIONS):
         faults.append(Fault("continued", shown(continued), "up or down"))
     if model.joints is not model:
         actual = "a model in absolute coordinates: it ends in states of bodies, a start has those of joints, which cannot be converted"

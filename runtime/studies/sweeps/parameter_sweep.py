@@ -185,7 +185,7 @@ def sweep(
     wall_time: float | None = None,
     workers: int | None = None,
     client: Client | None = None,
-    into: str | Path | None = None,
+    out: str | Path | None = None,
     widen: bool = False,
     progress: Callable[[float], object] | None = None,
 ) -> Sweep:
@@ -213,7 +213,7 @@ def sweep(
     functions    further outputs, functions of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     workers    number of processes, by default one per core
     client    a Dask cluster in their place, by a connected `distributed.Client`
-    into    folder in which every finished row is stored; missing rows of the same sweep are computed. Required beyond 100,000 rows. A folder of
+    out    folder in which every finished row is stored; missing rows of the same sweep are computed. Required beyond 100,000 rows. A folder of
             another definition is refused; with `widen` equal rows are kept, and the others are computed
     progress    a function that is called now and then with the fraction of rows done
 
@@ -235,7 +235,7 @@ def sweep(
     if isinstance(over, Mapping):
         over, choices = read_choices(model, over, read_duration(model, {}, duration, []), faults)
     design = read_design(over, **spread, faults=faults)
-    faults += memory_faults(len(design)) if into is None else []
+    faults += memory_faults(len(design)) if out is None else []
     own, states = stated_values(model, parameters, initial, faults)
     fixed = {name: number_and_unit(value) for name, value in {**own, **states}.items()}
     model, wrong = with_input_values(model, inputs, duration, {})
@@ -263,13 +263,13 @@ def sweep(
     later = 0 if chains is None else len(design) - len(chains.rows)
     batch = Batch(model, design, settings, wanted, compiled, engine_of(workers, client), row_arrays, later, choices)
     table = plan.table("" if row_arrays is None else place_of(row_arrays.section, grid, after), batch.workers)
-    if into is None:
+    if out is None:
         table = _in_memory(plan, batch, table, progress)
     else:
         array_options["continued"] = continued
         spread["inputs"] = {name: input_text(value) for name, value in (inputs or {}).items()}
         definition, keys = _definition(plan, target, spread, array_options, functions or {})
-        with opened(as_path("into", into)) as store:
+        with opened(as_path("out", out)) as store:
             store.define(definition, text_of(model.module), widen=widen)
             table = _stored(table, plan, store, lambda: _filled(plan, batch, store, keys, progress))
     return replace(table, compiled=batch.compiled, wall_s=time.perf_counter() - began)
@@ -293,7 +293,7 @@ def _definition(
     """Return what is computed as plain data, and the keys of its rows; raises InputError."""
     model, row_arrays, text = plan.model, plan.row_arrays, text_of(plan.model.module)
     if not text:
-        fault = Fault("into", "a model whose generated text is not known", "a model that `load` returned")
+        fault = Fault("out", "a model whose generated text is not known", "a model that `load` returned")
         raise InputError(model.name, [fault])
     same = {
         "outputs": [output.name for output in plan.outputs if output.name not in functions],

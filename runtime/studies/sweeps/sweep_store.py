@@ -254,7 +254,7 @@ def _fault(folder: Path) -> Fault | None:
             reason = f"{folder}, which has other content ({others[0]})" if others else unwritable(folder)
     except (OSError, ValueError) as error:
         reason = f"{folder}: {error}"
-    return None if reason is None else Fault("into", reason, expected)
+    return None if reason is None else Fault("out", reason, expected)
 
 
 def _write_definition(folder: Path, definition: Mapping[str, Any], text: str) -> None:

@@ -323,7 +323,7 @@ def memory_faults(count: int) -> list[Fault]:
     """Return the fault of a table of too many rows to be in memory."""
     if count <= IN_MEMORY:
         return []
-    way_out = "into=FOLDER, or --into, stores each row as it is done; .csv and .parquet are written as rows are read"
+    way_out = "out=FOLDER, or --out, stores each row as it is done; .csv and .parquet are written as rows are read"
     return [Fault("rows", f"{count:,} in memory", f"at most {IN_MEMORY:,}", way_out)]
 
 

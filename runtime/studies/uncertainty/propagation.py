@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
+from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown
 from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.model import model as plain
 from hertzwerk.runtime.engine.model.binding import Value, whole_faults
@@ -66,7 +66,7 @@ def propagate(
     wall_time: float | None = None,
     workers: int | None = None,
     client: Client | None = None,
-    into: str | Path | None = None,
+    out: str | Path | None = None,
     widen: bool = False,
     progress: Callable[[float], object] | None = None,
 ) -> Propagated:
@@ -83,7 +83,7 @@ def propagate(
                 are independent: the variance due to correlated quantities is no sum of parts
     functions   further outputs, which have no derivatives
 
-    The other arguments are those of `sweep`. With `into` every run is stored, and the same call resumes. A warning names outputs whose two
+    The other arguments are those of `sweep`. With `out` every run is stored, and the same call resumes. A warning names outputs whose two
     spreads differ by more than their errors. Raises InputError with every fault.
     """
     model = engine_model(target)
@@ -110,7 +110,7 @@ def propagate(
     }
     values: dict[str, Any] = {"parameters": parameters, "initial": initial, "inputs": inputs}
     arguments = {**values, "outputs": outputs, "functions": functions, **settings}
-    arguments |= {"into": into, "widen": widen, "client": client, "progress": progress}
+    arguments |= {"out": out, "widen": widen, "client": client, "progress": progress}
     faults += refused_by_sweep(model, arguments, workers)
     refuse(f"propagation of {model.name}", faults)
     # 2. one run
@@ -175,7 +175,7 @@ def refused_by_sweep(model: plain.EngineModel, arguments: Mapping[str, Any], wor
     try:
         sweep(model, {}, workers=nobody, **arguments)
     except InputError as error:
-        ours = {"over", "workers"} if nobody == 0 else {"over"}
+        ours = {"over", "workers"} if among(nobody, 0) else {"over"}
         return [fault for fault in error.faults if fault.where not in ours]
     raise AssertionError("a sweep over nothing was computed")
 

@@ -47,7 +47,7 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     options = ("--uncertain", "gravity=Normal(9.81 m/s^2, 0.2 m/s^2)", "--output", "final.vertical.speed", "--sample", "8",
                "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
     kept = tmp_path / "kept"
-    told = run("propagate", "bouncing_ball", *options, "--csv", str(tmp_path / "found.csv"), "--into", str(kept))
+    told = run("propagate", "bouncing_ball", *options, "--table", str(tmp_path / "found.csv"), "--out", str(kept))
     assert told.exit_code == 0
     assert "standard deviation by derivatives 0.08 m/s" in told.output
     assert (tmp_path / "found.csv").exists()
@@ -61,10 +61,10 @@ def test_propagate_by_options_and_by_file(file, tmp_path):
     with closing(sqlite3.connect(kept / "rows.sqlite")) as rows, rows:  # a digit of one number
         here = "key = (SELECT key FROM points WHERE number = 2)"
         rows.execute(f"UPDATE rows SET outputs = replace(outputs, '9', '8') WHERE {here}")
-    told = run("propagate", "bouncing_ball", *options, "--into", str(kept))
+    told = run("propagate", "bouncing_ball", *options, "--out", str(kept))
     assert "rows of it are whole; row 2 damaged" in " ".join(told.output.split())
     assert "row 2 damaged" in json.loads((kept / "propagation.json").read_text())["damage"]
-    assert "damage" not in run("propagate", "bouncing_ball", *options, "--into", str(kept)).output
+    assert "damage" not in run("propagate", "bouncing_ball", *options, "--out", str(kept)).output
     one, other = (
         json.loads(run("propagate", *of, "--json").output) for of in (("bouncing_ball", *options), (file(FILE),))
     )
@@ -85,8 +85,8 @@ def test_minimise_by_options_and_by_file(file, tmp_path):
     assert "infeasible" in bounded.output
     kept = tmp_path / "kept"
     lightly = (*options, "--constraint", "gravity >= 0.5 m/s^2")
-    assert run("minimise", "bouncing_ball", *lightly, "--into", str(kept)).exit_code == 0
-    assert run("minimise", "bouncing_ball", *options, "--into", str(kept)).exit_code == 2
+    assert run("minimise", "bouncing_ball", *lightly, "--out", str(kept)).exit_code == 0
+    assert run("minimise", "bouncing_ball", *options, "--out", str(kept)).exit_code == 2
     assert run("report", str(kept)).exit_code == 0
     outline = Outline((kept / "report.html").read_text("utf-8"))
     assert outline.tables["Values"][0][1][0] == "gravity"

@@ -64,7 +64,7 @@ def test_options_say_how_files_are_read(hertzwerk, data):
 
 def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     both = ("--measured", "one.csv", "--measured", "two.csv", "--at", "two.csv:drop_height=0.6 m")
-    done = hertzwerk(*both, *HOW, "--free", "restitution=0.3..1", "--into", "fitted")
+    done = hertzwerk(*both, *HOW, "--free", "restitution=0.3..1", "--out", "fitted")
     assert done.exit_code == 0, done.output
     for expected in (
         "restitution   0.",
@@ -86,8 +86,8 @@ def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
     (tmp_path / "fitted" / "fit.json").write_text(json.dumps(sealed({"explained": True, "unidentified": []})))
     broken = CliRunner().invoke(main, ("report", "fitted", "--overwrite"), catch_exceptions=False)
     assert broken.exit_code == 2 and "a record that `hertzwerk fit` wrote" in " ".join(broken.output.split())
-    again = hertzwerk(*both, *HOW, "--free", "restitution", "--into", "fitted")
-    assert again.exit_code == 2 and "--into: found fitted, which has other content" in again.output
+    again = hertzwerk(*both, *HOW, "--free", "restitution", "--out", "fitted")
+    assert again.exit_code == 2 and "--out: found fitted, which has other content" in again.output
 
 
 def test_json_alone_writes_nothing_and_an_undetermined_fit_is_another_outcome(hertzwerk, data, tmp_path):
@@ -144,7 +144,7 @@ def test_laws_and_statistics(hertzwerk, data, tmp_path):
         and "a value in N s" in beside.output
     )
     moment = ("--moment", "floor.impulse=8.859 +- 0.05 N s", "--duration", "0.7 s", "--set", "restitution=1")
-    done = hertzwerk(*moment, "--free", "drop_height=0.7..1.5 m", "--into", "fitted")
+    done = hertzwerk(*moment, "--free", "drop_height=0.7..1.5 m", "--out", "fitted")
     assert done.exit_code == 0, done.output
     value = json.loads((tmp_path / "fitted" / "fit.json").read_text())["values"]["drop_height"]
     assert abs(value["value"] - 1) < 0.003 and "simulated moments" in (tmp_path / "fitted" / "fit.md").read_text()

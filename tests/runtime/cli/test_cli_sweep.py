@@ -56,7 +56,7 @@ def test_options_a_file_and_python_make_the_same_table(tmp_path):
     assert "finished      6 rows" in done.stdout
     first = tmp_path / "runs" / "bouncing_ball-sweep-001"
     assert str(first.relative_to(tmp_path)) in done.stdout
-    assert run("study.toml", "--into", "filed", "--workers", "1").exit_code == 0
+    assert run("study.toml", "--out", "filed", "--workers", "1").exit_code == 0
     table = (first / "table.csv").read_bytes()
     assert (tmp_path / "filed" / "table.csv").read_bytes() == table
     over = {"drop_height": ["0.5 m", "0.75 m", "1 m"], "restitution": (0.5, 0.7)}
@@ -75,7 +75,7 @@ def test_json_is_one_object_and_writes_no_file(tmp_path):
     done = run("bouncing_ball", *OPTIONS, "--json")
     assert done.exit_code == 0
     told = json.loads(done.stdout)
-    assert (told["rows"], told["outcomes"], told["into"]) == (6, {"finished": 6}, None)
+    assert (told["rows"], told["outcomes"], told["out"]) == (6, {"finished": 6}, None)
     assert told["units"]["floor.impact_rate.half_width"] == "1/s"
     assert told["table"]["restitution"] == [0.5, 0.7] * 3
     assert list(tmp_path.iterdir()) == []
@@ -83,7 +83,7 @@ def test_json_is_one_object_and_writes_no_file(tmp_path):
 
 @pytest.mark.parametrize("ending", ["csv", "parquet", "nc"])
 def test_a_table_is_written_by_the_ending_of_its_file(tmp_path, ending):
-    assert run("bouncing_ball", *OPTIONS, "--into", "a", "--workers", 1).exit_code == 0
+    assert run("bouncing_ball", *OPTIONS, "--out", "a", "--workers", 1).exit_code == 0
     done = run("--resume", "a", "--table", f"new/t.{ending}")
     assert (done.exit_code, done.stderr) == (0, "")
     assert f"written       new/t.{ending}" in done.stdout
@@ -106,14 +106,14 @@ def test_a_table_that_cannot_be_written_is_reported_before_a_row_is_computed(tmp
 
 def test_a_table_that_fails_later_is_reported_and_the_rest_is_there(tmp_path, monkeypatch):
     monkeypatch.setattr(Sweep, "to_file", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
-    done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--into", "a", "--workers", 1)
+    done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--out", "a", "--workers", 1)
     assert (done.exit_code, "disk full" in done.stderr) == (1, True)
     assert "written       t.nc" not in done.stdout
     assert len(Sweep.load("a")) == 6
 
 
 def test_rows_that_fail_are_reported_and_are_another_outcome():
-    done = run("bouncing_ball", "--over", "mass=-1,1 kg", "--duration", "0.1 s", "--tolerance", "1e-5", "--into", "a")
+    done = run("bouncing_ball", "--over", "mass=-1,1 kg", "--duration", "0.1 s", "--tolerance", "1e-5", "--out", "a")
     assert done.exit_code == 1
     assert re.search(r"bad_input +1 row: mass: found -1 kg", done.stdout)
 
@@ -121,7 +121,7 @@ def test_rows_that_fail_are_reported_and_are_another_outcome():
 def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
     places = ("--section", "floor.gap = 0 falling", "--after", "0.4 s", "--grid", "5", "--history", "vertical.speed")
     arguments = ("bouncing_ball", "--over", "drop_height=0.5,1 m", "--duration", "1 s", "--tolerance", "1e-6", *places)
-    assert run(*arguments, "--into", "a", "--plot").exit_code == 0
+    assert run(*arguments, "--out", "a", "--plot").exit_code == 0
     assert (tmp_path / "a" / "sweep.png").read_bytes().startswith(b"\x89PNG")
     table = sweep(
         *("bouncing_ball", {"drop_height": "0.5,1 m"}), section="floor.gap = 0 falling", after="0.4 s", grid=5,
@@ -139,27 +139,27 @@ def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
 def test_values_are_followed_on_the_command_line_as_in_python(tmp_path):
     how = ("slider_crank", "--over", "crank_speed=3000..5000 rpm:3", "--duration", "1 rev", "--tolerance", "1e-5")
     for way in ("up", "down"):
-        done = run(*how, "--continue", way, "--into", way)
+        done = run(*how, "--continue", way, "--out", way)
         assert done.exit_code == 0, done.output
         over = {"crank_speed": "3000..5000 rpm:3"}
         expected = sweep("slider_crank", over, duration="1 rev", tolerance=1e-5, continued=way)
         found = Sweep.load(way)
         assert list(found["final.guide.travel"]) == list(expected["final.guide.travel"])
     assert found["final.guide.travel"][1] != Sweep.load("up")["final.guide.travel"][1]
-    assert "continued: found 'up'" in run(*how, "--continue", "up", "--into", "down").stderr
-    assert "up" in run(*how, "--continue", "sideways", "--into", "c").stderr
+    assert "continued: found 'up'" in run(*how, "--continue", "up", "--out", "down").stderr
+    assert "up" in run(*how, "--continue", "sideways", "--out", "c").stderr
 
 
 def test_a_folder_goes_on_with_its_own_definition_and_with_no_other(tmp_path):
-    assert run("bouncing_ball", *OPTIONS, "--into", "a").exit_code == 0
+    assert run("bouncing_ball", *OPTIONS, "--out", "a").exit_code == 0
     table = (tmp_path / "a" / "table.csv").read_bytes()
     assert run("--resume", "a").exit_code == 0
     assert (tmp_path / "a" / "table.csv").read_bytes() == table
     wider = [option.replace("1 m:3", "1 m:5") for option in OPTIONS]
-    refused = run("bouncing_ball", *wider, "--into", "a")
+    refused = run("bouncing_ball", *wider, "--out", "a")
     assert refused.exit_code == 2
     assert "over.drop_height: found '0.5..1 m:5'" in refused.stderr
-    assert run("bouncing_ball", *wider, "--into", "a", "--widen").exit_code == 0
+    assert run("bouncing_ball", *wider, "--out", "a", "--widen").exit_code == 0
     assert len(Sweep.load("a")) == 10
 
 
@@ -167,7 +167,7 @@ def test_laws_of_a_file_are_found_from_another_folder_and_a_changed_file_is_refu
     foam = '[[law]]\nname = "foam"\nkind = "stiffness"\ntitle = "Foam"\nsource = "measured"\nform = "any"\nforce = "K*d**1.5"\n'
     (tmp_path / "foam.toml").write_text(foam + 'symbols.K = { unit = "N/m^1.5" }\n')
     by_law = ("--law", "floor=foam.toml:foam(K=2e8 N/m^1.5)", "--duration", "0.1 s")
-    made = run("bouncing_ball", "--over", "mass=1 kg", *by_law, "--tolerance", "1e-4", "--into", "a", "--workers", "1")
+    made = run("bouncing_ball", "--over", "mass=1 kg", *by_law, "--tolerance", "1e-4", "--out", "a", "--workers", "1")
     assert made.exit_code == 0, made.output
     (tmp_path / "a.toml").write_text(
         'target = "bouncing_ball"\nduration = 0.1\nlaws = {floor = "foam.toml"}\nover = {mass = "1 kg"}\n'
@@ -258,7 +258,7 @@ def test_a_file_has_the_keys_of_sweep():
 
     keys = set(inspect.signature(sweep).parameters)
     assert keys - set(SweepFile.model_fields) == {
-        "into",
+        "out",
         "widen",
         "workers",
         "client",
@@ -286,7 +286,7 @@ def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
     environment = {**os.environ, "COLUMNS": "80", "TERM": "xterm", "NO_COLOR": "1"}
     mine, its = pty.openpty()
     process = subprocess.Popen(
-        [sys.executable, "-c", code, *arguments, "--into", "a"],
+        [sys.executable, "-c", code, *arguments, "--out", "a"],
         stdin=its, stdout=its, stderr=its, env=environment, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )  # fmt: skip
     os.close(its)

@@ -19,7 +19,7 @@ UNSTATED = {  # options of one value without a default: nothing is done without 
     "laws": "--form --picture",
     "minimise": "--objective --tolerance",
     "modes": "--out",
-    "propagate": "--csv --fitted --tolerance",
+    "propagate": "--fitted --table --tolerance",
     "report": "--scene",
     "run": "--continue --table",
     "statics": "--out",

@@ -251,12 +251,12 @@ def test_a_large_csv_is_written_on_request_only(run, monkeypatch):
     assert code == 0
     (folder,) = Path("runs").iterdir()
     assert {path.name for path in folder.iterdir()} == {"states.npz", "run.json"}
-    for way in ("--csv", "--grid", "to_csv"):
+    for way in ("--table", "--grid", "to_csv"):
         assert way in said
         assert any(way in text for text in told["warnings"])
-    done = CliRunner().invoke(main, ["run", "two_spheres", "--no-plots", "--csv", "--out", "forced"])
+    done = CliRunner().invoke(main, ["run", "two_spheres", "--no-plots", "--table", "forced.csv", "--out", "forced"])
     assert done.exit_code == 0
-    size = Path("forced/states.csv").stat().st_size
+    size = Path("forced.csv").stat().st_size
     assert abs(csv_size(Solution.load("forced/states.npz")) / size - 1) < 0.1
 
 

@@ -12,7 +12,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.common.faults import Fault, InputError, among, shown, unknown
 from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredImpacts, MeasuredTable, Measurement
 from hertzwerk.runtime.engine.model.binding import Value, named_values
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -213,7 +213,7 @@ def read_series(
     wrong = len(faults)
     sights = [_sight(model, one, faults) for one in series]
     parameters = [named_values("parameters", one.parameters, faults) for one in series]
-    skips = [0.0 if one.skip == 0 else seconds("skip", one.skip, faults) for one in series]
+    skips = [0.0 if among(one.skip, 0) else seconds("skip", one.skip, faults) for one in series]
     if len(faults) > wrong or not names:
         return ()
     read = [sight for sight in sights if sight is not None]
@@ -227,10 +227,10 @@ def read_series(
     ):
         source = one.data if isinstance(one.data, str | Path) else getattr(one.data, "source", "")
         of = f" of {Path(source).stem or f'series {number}'}"
-        among = [name for name in names if column[name] in own_columns]
-        labels = [name + of * (sum(column[name] in other for other in own) > 1) for name in among]
+        measured = [name for name in names if column[name] in own_columns]
+        labels = [name + of * (sum(column[name] in other for other in own) > 1) for name in measured]
         made_at = {**(values if isinstance(values, Mapping) else {}), **its}
-        made = _moments(model, among, labels, sight, skip, made_at, faults) if among else None
+        made = _moments(model, measured, labels, sight, skip, made_at, faults) if measured else None
         if made is not None:
             moments.append(made)
     return tuple(moments) if len(faults) == wrong else ()

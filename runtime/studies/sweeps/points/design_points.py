@@ -151,7 +151,7 @@ def read_design(
     if zip is True and len(set(counts.values())) > 1:
         actual = ", ".join(f"{count} of {name}" for name, count in counts.items())
         faults.append(Fault("zip", actual, "equally many values of each"))
-    if not zip and sample is None and math.prod(counts.values()) > MOST:
+    if zip is False and sample is None and math.prod(counts.values()) > MOST:
         faults.append(Fault("over", f"{math.prod(counts.values()):,} points", f"at most {MOST:,}", "sample them"))
     if faults:
         return Design({})

@@ -226,7 +226,7 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
     Raises InputError for one of Python, and where the file of its scene is another now: nobody has named that.
     """
     faults = []
-    way_out = f"go on in Python, by the same call: sweep(..., into={str(folder)!r})"
+    way_out = f"go on in Python, by the same call: sweep(..., out={str(folder)!r})"
     if definition["functions"]:
         actual = f"functions of its own: {', '.join(definition['functions'])}"
         faults.append(Fault(str(folder), actual, "outputs by name", way_out))
@@ -241,7 +241,7 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
         faults.append(Fault(str(folder), "a scene made in Python", "the name of a scene, or its file", way_out))
     elif _file_digest(definition["target"]) != definition["target_file"]:
         expected = "the file as the sweep executed it"
-        changed = f"hertzwerk sweep {shlex.quote(definition['target'])} ... --into {shlex.quote(str(folder))} --widen"
+        changed = f"hertzwerk sweep {shlex.quote(definition['target'])} ... --out {shlex.quote(str(folder))} --widen"
         way_out = f"restore it, or accept it: {changed}, with the whole definition, executes it and keeps the rows that are the same"
         faults.append(Fault(definition["target"], "changed or missing content: it is not executed", expected, way_out))
     refuse("sweep", faults)
@@ -258,7 +258,7 @@ def read_definition(folder: Path) -> dict[str, Any] | None:
     """
     file = folder / DEFINITION
     way_out = (
-        f"the call that began it, with its whole definition and widen=True (hertzwerk sweep TARGET ... --into {shlex.quote(str(folder))} --widen), "
+        f"the call that began it, with its whole definition and widen=True (hertzwerk sweep TARGET ... --out {shlex.quote(str(folder))} --widen), "
         "writes it anew and keeps the rows"
     )
     try:

@@ -155,7 +155,7 @@ def read_row_arrays(
     """Read what each row keeps; bad input is appended to `faults`. None where nothing is requested."""
     if section is None and grid is None:
         for name, value in (("histories", histories), ("after", after)):
-            if value not in (None, (), []):
+            if value is not None and not (isinstance(value, list | tuple) and not value):
                 faults.append(
                     Fault(name, shown(value), "none without a section or a grid", "state a section or a grid")
                 )

@@ -59,7 +59,7 @@ def struck(sphere, l):
 
 def test_a_pendulum_strikes_a_wall_as_the_native_one_does():
     method, at, units, values = models.pendulum()
-    model = from_sympy(method, units=units, values=values, origin=at["O"], name="imported_pendulum")
+    model = from_sympy(method, units=units, parameters=values, origin=at["O"], name="imported_pendulum")
     pair, effects, scales, start = struck(model.at("P"), model.parameters["l"])
     run = simulate(
         load(model.scene(pairs=(pair,), effects=effects, scales=scales, start=start)), duration="2 s", accuracy=1e-8
@@ -84,7 +84,7 @@ def test_a_pendulum_strikes_a_wall_as_the_native_one_does():
 def test_a_disc_that_rolls_upright_wobbles_at_the_frequency_of_theory():
     # thin disc, spin W, small lean x: 5/4 x'' = g/r x - 3/2 W y', 1/4 y'' = 1/2 W x' for the yaw y (Neimark, Fufaev 1972, chapter 4)
     method, units, values = models.rolling_disc()
-    model = from_sympy(method, units=units, values=values, name="disc")
+    model = from_sympy(method, units=units, parameters=values, name="disc")
     r = model.parameters["r"]
     scene = model.scene(
         effects=(EnergyLedger(),), scales=Scales(length=r, speed=Parameter("pace", "m/s", 1), arm=r),
@@ -107,7 +107,7 @@ def test_a_disc_that_rolls_upright_wobbles_at_the_frequency_of_theory():
 def test_a_length_that_is_forgotten_is_named_in_the_users_own_expression(arm, where, found):
     method, at, units, values = models.pendulum(arm)
     with pytest.raises(InputError) as caught:
-        from_sympy(method, units=units, values=values, origin=at["O"])
+        from_sympy(method, units=units, parameters=values, origin=at["O"])
     fault = caught.value.faults[0]
     assert fault.where == where
     assert fault.found.startswith(found)
@@ -127,10 +127,10 @@ def test_frames_without_an_orientation_are_named():
     spinning.kanes_equations([RigidBody("wheel", P, B, m, (inertia(B, J, J, J), P))], [])
     units = {m: "kg", J: "kg m^2", q: "m", u: "m/s", r: "rad", w: "rad/s"}
     with pytest.raises(InputError, match=r"frame B: found no orientation in N(.|\n)*B\.orient_axis\(N, N\.z, q\)"):
-        from_sympy(spinning, units=units, values={m: 1, J: 1}, origin=O)
+        from_sympy(spinning, units=units, parameters={m: 1, J: 1}, origin=O)
     sliding = KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
     sliding.kanes_equations([Particle("slider", P, m)], [])
-    model = from_sympy(sliding, units={m: "kg", q: "m", u: "m/s"}, values={m: 1}, origin=O)
+    model = from_sympy(sliding, units={m: "kg", q: "m", u: "m/s"}, parameters={m: 1}, origin=O)
     assert model.at(P).body.name == "slider"
     with pytest.raises(InputError, match="frame C: found no orientation in N"):
         model.at(Q)
@@ -164,7 +164,7 @@ def test_every_symbol_without_a_unit_or_a_value_is_reported_at_once():
     wind, k = dynamicsymbols("wind"), sp.Symbol("k")
     method, at, units, values = models.pendulum(extra=wind + k)
     with pytest.raises(InputError) as caught:
-        from_sympy(method, units=units, values={**values, "m": True, sp.Symbol("drag"): 1}, origin=at["O"])
+        from_sympy(method, units=units, parameters={**values, "m": True, sp.Symbol("drag"): 1}, origin=at["O"])
     told = {fault.where: fault.found for fault in caught.value.faults}
     assert told == {
         "symbol m": "value True", "symbol k": "no value", "symbol wind": "no unit", "values, drag": "no such symbol in the model",
@@ -176,7 +176,7 @@ def test_every_symbol_without_a_unit_or_a_value_is_reported_at_once():
 def test_effects_act_on_coordinates_and_speeds_that_are_no_rates():
     # energy put in and dissipated by effects on q and u of a disc, whose q' = K u
     method, units, values = models.rolling_disc()
-    model = from_sympy(method, units=units, values=values, name="helped_disc")
+    model = from_sympy(method, units=units, parameters=values, name="helped_disc")
     r = model.parameters["r"]
     help_ = (
         JointDamper("damper", "u2", Parameter("c", "N m s", 0.5)), JointSpring("spring", "q2", Parameter("k", "N m", 10)),
@@ -211,7 +211,7 @@ def test_a_pivot_that_a_function_of_time_shakes_holds_a_pendulum_upright():
     method.kanes_equations([Particle("bob", P, m)], [(P, -m * g * N.y)])
     units, values = {m: "kg", length: "m", g: "m/s^2", q: "rad", y: "m"}, {m: 1, length: 0.5, g: 9.81}
     lift = Parameter("lift", "m", 0.02) * sp.cos(Parameter("w", "rad/s", 100) * T)
-    model = from_sympy(method, units=units, values=values, origin=O, specified={y: lift}, name="shaken")
+    model = from_sympy(method, units=units, parameters=values, origin=O, specified={y: lift}, name="shaken")
     l = model.parameters["l"]
     scales = Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l)
     scene = model.scene(scales=scales, start=Start(position={"q": Parameter("q0", "rad", 3)}))
@@ -225,12 +225,12 @@ def test_a_pivot_that_a_function_of_time_shakes_holds_a_pendulum_upright():
     with pytest.raises(InputError, match="follows time"):
         model.scene(scales=scales, effects=(EnergyLedger(),))
     with pytest.raises(InputError, match="derivatives of coordinates"):
-        from_sympy(method, units=units, values=values, origin=O, specified={y: Input("y_measured", "m")})
+        from_sympy(method, units=units, parameters=values, origin=O, specified={y: Input("y_measured", "m")})
 
 
 def test_equations_not_yet_formed_and_other_objects_are_refused():
     with pytest.raises(InputError, match="KanesMethod, a LagrangesMethod or a System"):
-        from_sympy("KanesMethod", units={}, values={})
+        from_sympy("KanesMethod", units={}, parameters={})
 
 
 def test_pendulums_on_a_cart_have_the_accelerations_of_the_textbook():
@@ -238,7 +238,7 @@ def test_pendulums_on_a_cart_have_the_accelerations_of_the_textbook():
     n = 3
     method, O, units, values = models.cart(n)
     model = from_sympy(
-        method, units=units, values=values, origin=O, specified={"push": 3 * Parameter("F", "N", 1)}, name="cart"
+        method, units=units, parameters=values, origin=O, specified={"push": 3 * Parameter("F", "N", 1)}, name="cart"
     )
     scales = Scales(length=model.parameters["l1"], speed=Parameter("pace", "m/s", 1), arm=model.parameters["l1"])
     derived = Derived(model.scene(scales=scales))
@@ -262,7 +262,7 @@ def test_pendulums_on_a_cart_have_the_accelerations_of_the_textbook():
 
 def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
     method, units, values = models.rattleback()
-    model = from_sympy(method, units=units, values=values, name="rattleback")
+    model = from_sympy(method, units=units, parameters=values, name="rattleback")
     a = model.parameters["a"]
     half = Parameter("half", "deg", 0.5)
     scene = model.scene(
@@ -302,7 +302,7 @@ def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
 def test_constraints_of_lagranges_equations_hold_a_skate_and_a_bob():
     # the skate's cycloid: Neimark, Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 1; the bob against energy and the native pendulum
     method, units, values = models.skate()
-    model = from_sympy(method, units=units, values=values, name="skate")
+    model = from_sympy(method, units=units, parameters=values, name="skate")
     l = model.parameters["l"]
     nothing = Parameter("nothing", "m", 0)
     scene = model.scene(
@@ -323,7 +323,7 @@ def test_constraints_of_lagranges_equations_hold_a_skate_and_a_bob():
 def test_whipples_bicycle_has_its_published_eigenvalues():
     # Meijaard, Papadopoulos, Ruina, Schwab, Proc. R. Soc. A 463 (2007) 1955, table 2, at 5 m/s
     system, units, values = models.bicycle()
-    model = from_sympy(system, units=units, values=values, name="whipple")
+    model = from_sympy(system, units=units, parameters=values, name="whipple")
     radius, upright, speed = model.parameters["rr"], Parameter("upright", "rad", 0), Parameter("speed", "m/s", 5)
     scene = model.scene(
         effects=(EnergyLedger(),), scales=Scales(length=radius, speed=speed, arm=radius),
@@ -351,7 +351,7 @@ def test_weight_with_a_stored_potential_does_no_other_work():
     model = from_sympy(
         method,
         units=units | {sp.Symbol("push"): "N"},
-        values=values | {sp.Symbol("push"): 2},
+        parameters=values | {sp.Symbol("push"): 2},
         origin=at["O"],
         name="bob",
     )
@@ -370,7 +370,7 @@ def test_a_gap_beside_a_driven_coordinate_accelerates_with_its_drive():
     """A bob below a cart that a law of time moves: the derivative of the gap's rate along the motion, by CasADi."""
     method, O, units, values = models.cart(1)
     model = from_sympy(
-        method, units=units, values=values, origin=O, specified={"push": 0 * Parameter("F", "N", 1)}, name="cart"
+        method, units=units, parameters=values, origin=O, specified={"push": 0 * Parameter("F", "N", 1)}, name="cart"
     )
     size, rate = Parameter("size", "m", 0.2), Parameter("rate", "rad/s", 3)
     radius = Parameter("radius", "mm", 20)
@@ -395,7 +395,7 @@ def test_a_gap_beside_a_driven_coordinate_accelerates_with_its_drive():
 def test_a_force_beside_the_origin_of_an_imported_body_has_its_arm():
     """A push along X at (x, y) of a string's frame, its origin the bob: F dX/dq with X = x cos q + (l - y) sin q."""
     method, at, units, values = models.pendulum()
-    model = from_sympy(method, units=units, values=values, origin=at["O"], name="pushed")
+    model = from_sympy(method, units=units, parameters=values, origin=at["O"], name="pushed")
     l, x, y = model.parameters["l"], Parameter("x", "m", 0.2), Parameter("y", "m", 0.1)
     place = model.at("P", "A").body.at(x, y, 0)
     push = PointForce("push", place, (Parameter("F", "N", 3), 0, 0))

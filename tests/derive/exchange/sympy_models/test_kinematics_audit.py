@@ -29,7 +29,7 @@ m, l, r, J, g, k = map(sp.Symbol, VALUES)
 def taken(kane, origin, units, names="m l g", **given):
     """A model with values for the constants of these names."""
     values = {name: VALUES[name] for name in names.split()}
-    return from_sympy(kane, units=UNITS | units, values=values, origin=origin, **given)
+    return from_sympy(kane, units=UNITS | units, parameters=values, origin=origin, **given)
 
 
 def refused(*given, **named):
@@ -88,7 +88,7 @@ def test_a_contradiction_that_is_taken_as_given_is_named_wherever_the_model_goes
     method, at, units, values = models.pendulum()
     A, N = at["A"], method._inertial
     A.set_ang_vel(N, -A.ang_vel_in(N))
-    model = from_sympy(method, units=units, values=values, origin=at["O"], kinematics="as given")
+    model = from_sympy(method, units=units, parameters=values, origin=at["O"], kinematics="as given")
     length = model.parameters["l"]
     scales = Scales(length=length, speed=Parameter("pace", "m/s", 1), arm=length)
     loaded = engine_model(model.scene(scales=scales, start=Start(position={"q": Parameter("q0", "rad", 0.5)})))
@@ -98,10 +98,10 @@ def test_a_contradiction_that_is_taken_as_given_is_named_wherever_the_model_goes
     assert "AGAINST ITS OWN POSITIONS: angular velocity of A in N" in loaded.module.__doc__
     assert any(where in warning and "as given" in warning for warning in simulate(loaded, duration=0.01).warnings)
     sound, at, units, values = models.pendulum()
-    model = from_sympy(sound, units=units, values=values, origin=at["O"], kinematics="as given")
+    model = from_sympy(sound, units=units, parameters=values, origin=at["O"], kinematics="as given")
     assert engine_model(model.scene(scales=scales)).module.CONTRADICTIONS == ()
     with pytest.raises(InputError, match="as given"):
-        from_sympy(sound, units=units, values=values, kinematics="unchecked")
+        from_sympy(sound, units=units, parameters=values, kinematics="unchecked")
 
 
 FILE = """
@@ -118,7 +118,7 @@ P = O.locatenew("P", -l * A.y)
 P.set_vel(N, -l * u * A.x)
 kane = me.KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
 kane.kanes_equations([me.Particle("bob", P, m)])
-model = from_sympy(kane, units={m: "kg", l: "m", q: "rad"}, values={m: 1, l: 0.5}, origin=O, KINEMATICS)
+model = from_sympy(kane, units={m: "kg", l: "m", q: "rad"}, parameters={m: 1, l: 0.5}, origin=O, KINEMATICS)
 scene = model.scene(scales=Scales(length=model.parameters["l"], speed=Parameter("pace", "m/s", 1), arm=model.parameters["l"]))
 """
 

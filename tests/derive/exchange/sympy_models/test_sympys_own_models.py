@@ -46,7 +46,7 @@ def attempt(method, origin):
                     (specified, sp.sin(T)) if isinstance(atom, AppliedUndef) else (values, source.uniform(0.5, 1.5))
                 )
                 of[name_of(atom)] = value
-        from_sympy(method, units=units, values=values, specified=specified, origin=origin)
+        from_sympy(method, units=units, parameters=values, specified=specified, origin=origin)
     except Exception as error:  # which SymPy's test may swallow
         if not isinstance(error, InputError):
             return [f"{type(error).__name__}: {error}"], []

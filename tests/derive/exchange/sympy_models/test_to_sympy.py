@@ -35,7 +35,7 @@ def imported(scene):
 def test_accelerations_come_back(scene):
     module = imported(scene)
     still = dict.fromkeys(module.specified, sp.S.Zero)
-    model = from_sympy(module, units=module.units, values=module.values, specified=still, name="back")
+    model = from_sympy(module, units=module.units, parameters=module.values, specified=still, name="back")
     back, here, rng = Derived(model.scene(scales=SCALES)), Derived(scene), np.random.default_rng(2)
     for _ in range(3):
         q, u = rng.uniform(-0.4, 0.4, here.nq), rng.uniform(-1, 1, here.nu)
@@ -64,7 +64,7 @@ def test_a_normal_force_has_the_generalised_force_of_the_contact():
 def test_a_run_of_what_came_back_is_the_scenes_own():
     scene = double_pendulum.scene
     module = imported(scene)
-    model = from_sympy(module, units=module.units, values=module.values, name="pendulum_back")
+    model = from_sympy(module, units=module.units, parameters=module.values, name="pendulum_back")
     q, u = (
         simulate(engine_model("double_pendulum"), duration="1 s", accuracy=1e-9)[f"{j}.{w}"]
         for j, w in (("elbow", "angle"), ("elbow", "speed"))
@@ -99,7 +99,9 @@ def test_redundant_loops_come_back_also_where_a_constraint_vanishes(speed):
     module, found = imported(scene), to_sympy(scene)
     still = dict.fromkeys(module.specified, sp.S.Zero)
     model = engine_model(
-        from_sympy(module, units=module.units, values=module.values, specified=still, name="back").scene(scales=SCALES)
+        from_sympy(module, units=module.units, parameters=module.values, specified=still, name="back").scene(
+            scales=SCALES
+        )
     )
     run = simulate(native, duration="0.1 s", accuracy=1e-8, initial={"spindle.speed": speed})
     names = {name: f"{found.names[name].func}.{name.split('.')[1]}" for name in native.coordinates}

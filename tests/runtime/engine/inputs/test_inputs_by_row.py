@@ -71,24 +71,24 @@ def test_constants_and_factors_are_numbers_like_any_parameter():
 
 def test_rows_of_a_store_are_keyed_by_the_values_they_choose(folder):
     over, into = {"push": {"first": "calm.csv:push", "second": "gusty.csv:push:held"}}, folder / "rows"
-    made = sweep("pushed.py", over, into=into, **HOW)
+    made = sweep("pushed.py", over, out=into, **HOW)
     assert Sweep.load(into)["push"].tolist() == ["first", "second"] == made["push"].tolist()
     definition = json.loads((into / "definition.json").read_text())
     assert definition["over"]["push"]["first"] == str(folder / "calm.csv:push")
     assert CliRunner().invoke(main, ["sweep", "--resume", str(into)]).exit_code == 0
     renamed = {"push": {"first": "calm.csv:push", "other": "gusty.csv:push:held"}}
-    again = sweep("pushed.py", renamed, into=into, widen=True, **HOW)
+    again = sweep("pushed.py", renamed, out=into, widen=True, **HOW)
     assert [row.wall_s for row in again] == [row.wall_s for row in made]  # not computed again
     (folder / "gusty.csv").write_text(
         (folder / "gusty.csv").read_text().replace("4.0", "40.0").replace("-3.0", "-30.0")
     )
     with pytest.raises(InputError, match=r"choices\.push\.other"):
-        sweep("pushed.py", renamed, into=into, **HOW)
+        sweep("pushed.py", renamed, out=into, **HOW)
     refused = CliRunner().invoke(main, ["sweep", "--resume", str(into)])
     assert refused.exit_code == 2 and "choices.push.other" in refused.stderr
-    other = sweep("pushed.py", renamed, into=into, widen=True, **HOW)
+    other = sweep("pushed.py", renamed, out=into, widen=True, **HOW)
     assert other[TRAVEL][0] == made[TRAVEL][0] and other[TRAVEL][1] != made[TRAVEL][1]
-    sweep("pushed.py", {"push": [(TIMES, LOADS["calm"])]}, into=folder / "python", **HOW)
+    sweep("pushed.py", {"push": [(TIMES, LOADS["calm"])]}, out=folder / "python", **HOW)
     done = CliRunner().invoke(main, ["sweep", "--resume", str(folder / "python")])
     assert done.exit_code == 2 and "inputs made in Python: push" in done.stderr
 

@@ -82,7 +82,7 @@ def test_a_scenario_has_inputs_by_files_beside_it(folder):
 
 def test_a_sweep_has_the_same_inputs_in_all_rows_and_keys_them_by_their_values(folder):
     design = {"stiffness": "40..60 N/m:3"}
-    asked = {"duration": "1 s", "tolerance": 1e-9, "workers": 1, "into": folder / "rows"}
+    asked = {"duration": "1 s", "tolerance": 1e-9, "workers": 1, "out": folder / "rows"}
     file = folder / "push.toml"
     file.write_text(
         'target = "pushed.py"\nduration = "1 s"\n[inputs]\npush = "bench.csv:load"\n[over]\nstiffness = "40..60 N/m:3"\n'

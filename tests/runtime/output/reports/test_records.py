@@ -95,7 +95,7 @@ def test_more_columns_than_fit_are_tables_side_by_side(alike, keys):
 def test_warnings_that_rows_share_are_stated_once_and_values_in_their_units(report, tmp_path):
     """Three clearances given in mm: one warning of speeds in all rows, one of a restitution in those that have it."""
     over = ("--over", "clearance=0.1..0.5 mm:3", "--over", "restitution=0.5,0.9")
-    how = ("--duration", "1 rev", "--tolerance", "1e-4", "--output", "slider_pin.impact_rate", "--into", "rows")
+    how = ("--duration", "1 rev", "--tolerance", "1e-4", "--output", "slider_pin.impact_rate", "--out", "rows")
     done = report("sweep", "slider_crank", *over, *how, "--workers", "1")
     text = " ".join(done.output.split())
     assert "6 rows have warnings (column `warnings`)" in text
@@ -129,7 +129,7 @@ def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
         "1e-5",
         "--output",
         "floor.peak_force",
-        "--into",
+        "--out",
         "rows",
     )
     assert report("report", "rows", "--out", "rows.html").exit_code == 0, done.output

@@ -108,7 +108,7 @@ def test_no_grid_has_rows_with_coordinates(kind, pairs, ball):
 
 def test_a_stored_sweep_has_the_same_dimensions(ball, tmp_path):
     over = {"drop_height": "0.5, 1 m", "mass": "100, 200 g"}
-    made = sweep(ball, over, outputs=["impacts"], into=tmp_path / "a", **QUICK)
+    made = sweep(ball, over, outputs=["impacts"], out=tmp_path / "a", **QUICK)
     assert Sweep.load(tmp_path / "a").to_xarray().identical(made.to_xarray())
     assert made.to_xarray().sizes == {"drop_height": 2, "mass": 2}
 

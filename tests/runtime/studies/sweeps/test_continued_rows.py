@@ -57,7 +57,7 @@ def test_each_value_starts_from_the_end_of_the_one_before_bitwise(crank, continu
 
 def test_up_and_down_differ_and_so_do_their_keys(crank, tmp_path):
     up, down, plain = (
-        sweep(crank, OVER, into=tmp_path / str(way), continued=way, **CRANK) for way in ("up", "down", None)
+        sweep(crank, OVER, out=tmp_path / str(way), continued=way, **CRANK) for way in ("up", "down", None)
     )
     assert np.all(up["final.guide.travel"][1:3] != down["final.guide.travel"][1:3])
     assert up["final.guide.travel"][0] == plain["final.guide.travel"][0]
@@ -65,7 +65,7 @@ def test_up_and_down_differ_and_so_do_their_keys(crank, tmp_path):
     keys = [keys_in(tmp_path / str(way)) for way in ("up", "down", None)]
     assert len({key for some in keys for key in some}) == 12
     wider = {"crank_speed": "2500, 3000, 3666.6666666666665, 4333.333333333333, 5000 rpm"}
-    sweep(crank, wider, into=tmp_path / "up", continued="up", widen=True, **CRANK)
+    sweep(crank, wider, out=tmp_path / "up", continued="up", widen=True, **CRANK)
     assert not set(keys[0]) & set(keys_in(tmp_path / "up"))  # another start of the first: another of every one
 
 
@@ -76,13 +76,13 @@ def keys_in(folder):
 
 @pytest.mark.parametrize("lost", [(1,), (0, 2), (3,), (1, 2, 3)])
 def test_rows_that_are_missing_are_followed_from_those_that_are_there(crank, tmp_path, lost):
-    whole = sweep(crank, OVER, into=tmp_path / "a", continued="up", **CRANK)
+    whole = sweep(crank, OVER, out=tmp_path / "a", continued="up", **CRANK)
     texts = {name: (tmp_path / "a" / name).read_bytes() for name in ("table.csv", "section.csv")}
     keys = keys_in(tmp_path / "a")
     with sqlite3.connect(tmp_path / "a" / sweep_store.ROWS) as rows:
         for i in lost:
             rows.execute("DELETE FROM rows WHERE key = ?", (keys[i],))
-    again = sweep(crank, OVER, into=tmp_path / "a", continued="up", **CRANK)
+    again = sweep(crank, OVER, out=tmp_path / "a", continued="up", **CRANK)
     assert {name: (tmp_path / "a" / name).read_bytes() for name in texts} == texts
     assert [row.arrays for row in again] == [row.arrays for row in whole]
 
@@ -91,7 +91,7 @@ FOLLOWED = """
 import os, sys
 from hertzwerk.runtime import sweep
 sweep("bouncing_ball", {"restitution": "0.5..0.9:40"}, duration="3 s", tolerance=1e-10, compiled=False, workers=1,
-      continued="up", into=sys.argv[1], progress=lambda fraction: os.write(1, b"row\\n"))
+      continued="up", out=sys.argv[1], progress=lambda fraction: os.write(1, b"row\\n"))
 """
 
 

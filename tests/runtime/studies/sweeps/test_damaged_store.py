@@ -37,7 +37,7 @@ def ball():
 def whole(ball, tmp_path_factory):
     """A folder whose process was killed when half of its rows were in the log, and its table."""
     folder = tmp_path_factory.mktemp("whole") / "a"
-    table = sweep("bouncing_ball", into=folder, **HOW)
+    table = sweep("bouncing_ball", out=folder, **HOW)
     with (
         closing(sqlite3.connect(folder / sweep_store.ROWS)) as one,
         closing(sqlite3.connect(folder / sweep_store.ROWS)) as other,
@@ -253,7 +253,7 @@ def test_a_process_killed_between_the_two_files_loses_nothing(whole, folder):
 
 def test_points_of_an_earlier_definition_are_none_of_this_one(ball, tmp_path):
     """They are in pages that SQLite uses no more, with digests that fit: a row must not move to their places."""
-    how = {**HOW, "grid": None, "into": tmp_path / "a"}
+    how = {**HOW, "grid": None, "out": tmp_path / "a"}
     first = sweep(ball, **how)
     del how["over"]
     other = sweep(ball, {"drop_height": f"0.6..1.6 m:{ROWS}"}, widen=True, **how)
@@ -309,7 +309,7 @@ def test_resume_executes_no_file_but_that_of_the_sweep(tmp_path):
         "--workers",
         "1",
     )
-    assert command(*call, "--into", into).exit_code == 0
+    assert command(*call, "--out", into).exit_code == 0
     assert command("sweep", "--resume", into, "--workers", "1").exit_code == 0
     executed = log.read_text()
     target.write_text(SCENE.format(log=str(log)) + "# changed")
@@ -318,7 +318,7 @@ def test_resume_executes_no_file_but_that_of_the_sweep(tmp_path):
     assert str(target) in ended.output.replace("\n", "")
     assert log.read_text() == executed
     assert (
-        command(*call, "--into", into).exit_code == 0
+        command(*call, "--out", into).exit_code == 0
     )  # who names it executes it: the same scene, whose digest is kept
     assert (
         json.loads((into / sweep_store.DEFINITION).read_text())["target_file"]

@@ -66,7 +66,7 @@ def stopped_after(most):
 def begin(ball, folder, made, over=MILLION):
     """Begin a sweep twice, each for three rows; few points are made, and it goes on where it ended."""
     for known in (0, 3):
-        found = sweep(ball, over, into=folder, workers=1, progress=stopped_after(3), **BALL)
+        found = sweep(ball, over, out=folder, workers=1, progress=stopped_after(3), **BALL)
         assert found.outcome.name == "interrupted"
         assert [row.index for row in found] == list(range(known + 3))
         assert max(made.values()) < 3 * parameter_sweep.BATCH
@@ -79,12 +79,12 @@ def test_a_million_rows_begin_at_once_and_go_on(ball, tmp_path, made, how):
         begin(ball, tmp_path / "a", made)
     elif how == "zip":
         over = {"drop_height": "0.5..1.5 m:1000000", "restitution": "0.5..0.9:1000000 log"}
-        found = sweep(ball, over, zip=True, into=tmp_path / "a", workers=1, progress=stopped_after(2), **BALL)
+        found = sweep(ball, over, zip=True, out=tmp_path / "a", workers=1, progress=stopped_after(2), **BALL)
         assert len(found) == 2 and max(made.values()) < 3 * parameter_sweep.BATCH
     else:
         over = {"restitution": "0.5..0.9:1000", "drop_height": "0.5..1.5 m:1000"}
         how = {"continued": "down", "workers": 1, "progress": stopped_after(1), **BALL}
-        (row, *_) = sweep(ball, over, into=tmp_path / "a", **how)
+        (row, *_) = sweep(ball, over, out=tmp_path / "a", **how)
         assert row.stated["restitution"] == (0.9, "1")
         assert max(made.values()) < 3 * 1000 + 3
     told = json.loads((tmp_path / "a" / "definition.json").read_text())
@@ -128,7 +128,7 @@ FEW = 20  # rows that a table holds in these tests
 def filled(ball, folder, count=300, warned=()):
     """A store with rows that the store itself wrote: the run of the first, with numbers of their own."""
     over = {"drop_height": f"0.5..1.5 m:{count}"}
-    first = sweep(ball, over, into=folder, workers=1, progress=stopped_after(1), **BALL).rows[0]
+    first = sweep(ball, over, out=folder, workers=1, progress=stopped_after(1), **BALL).rows[0]
     plan = read_definition(folder)["digest"]
     with sweep_store.opened(folder) as opened:
         opened.plan = plan
@@ -174,7 +174,7 @@ def test_rows_beyond_those_that_are_held_are_read_one_by_one(ball, tmp_path, few
 
 def test_a_file_of_rows_that_are_read_is_that_of_rows_that_are_held(ball, tmp_path, few, monkeypatch):
     over = filled(ball, tmp_path / "a")
-    again = sweep(ball, over, into=tmp_path / "a", workers=1, **BALL)
+    again = sweep(ball, over, out=tmp_path / "a", workers=1, **BALL)
     text = (tmp_path / "a" / sweep_store.TABLE).read_bytes()
     monkeypatch.undo()
     held = Sweep.load(tmp_path / "a")
@@ -189,7 +189,7 @@ def test_a_damaged_row_among_many_is_computed_again_and_reported(ball, tmp_path,
     with sweep_store.opened(tmp_path / "a") as opened:
         opened._rows.execute("UPDATE rows SET outputs = replace(outputs, '7', '8') WHERE key = ?", (f"{77:032x}",))
     assert len(Sweep.load(tmp_path / "a")) == 299
-    again = sweep(ball, over, into=tmp_path / "a", workers=1, **BALL)
+    again = sweep(ball, over, out=tmp_path / "a", workers=1, **BALL)
     assert "299 rows of it are whole; row 77 damaged" in again.damage
     assert (len(again), again.outcome.finished) == (300, True)
     assert again.rows[77].outputs != again.rows[76].outputs
@@ -202,7 +202,7 @@ def test_more_rows_than_memory_holds_are_refused_without_a_folder_and_as_one_obj
     over, folder = {"drop_height": "0.5..1.5 m:3"}, tmp_path / "a"
     with pytest.raises(InputError, match="3 in memory"):
         sweep(ball, over, workers=1, **BALL)
-    table = sweep("bouncing_ball", over, into=folder, workers=1, **BALL)
+    table = sweep("bouncing_ball", over, out=folder, workers=1, **BALL)
     for make in (table.to_pandas, table.to_xarray, lambda: table.to_file(tmp_path / "a.nc")):
         with pytest.raises(InputError, match="3 in memory"):
             make()

@@ -76,11 +76,11 @@ def test_stored_rows_equal_those_returned_and_are_not_computed_again(ball, tmp_p
     }
     plain = sweep(ball, OVER, **how)
     assert computed() == 5
-    kept = sweep(ball, OVER, into=tmp_path / "a", **how)
+    kept = sweep(ball, OVER, out=tmp_path / "a", **how)
     assert computed() == 5
     same(plain, kept)
     same(kept, Sweep.load(tmp_path / "a"))
-    again = sweep(ball, OVER, into=tmp_path / "a", **how)
+    again = sweep(ball, OVER, out=tmp_path / "a", **how)
     assert computed() == 0
     same(kept, again)
     assert again.outcome.finished
@@ -90,15 +90,15 @@ def test_stored_rows_equal_those_returned_and_are_not_computed_again(ball, tmp_p
 def test_a_wider_sweep_computes_what_is_new_alone_once_it_is_allowed_to(ball, tmp_path, counted):
     height, computed = counted
     how = {**BALL, "functions": {"n": height}}
-    sweep(ball, OVER, into=tmp_path / "a", **how)
+    sweep(ball, OVER, out=tmp_path / "a", **how)
     wider = {"drop_height": "0.5..1.5 m:9"}
     with pytest.raises(InputError) as refused:
-        sweep(ball, wider, into=tmp_path / "a", **how)
+        sweep(ball, wider, out=tmp_path / "a", **how)
     (fault,) = refused.value.faults
     assert (fault.where, fault.found) == ("over.drop_height", "'0.5..1.5 m:9'")
     assert fault.expected.startswith("'0.5..1.5 m:5'")
     computed()
-    widened = sweep(ball, wider, into=tmp_path / "a", widen=True, **how)
+    widened = sweep(ball, wider, out=tmp_path / "a", widen=True, **how)
     assert computed() == 4
     same(widened, sweep(ball, wider, **how))
 
@@ -107,7 +107,7 @@ def test_rows_whose_numbers_would_change_are_computed_anew(ball, tmp_path, count
     """Laws, settings, values, outputs, own functions; and the same numbers in other units are the same."""
     height, computed = counted
     over = {"drop_height": "0.5, 1 m"}
-    how = {**BALL, "functions": {"n": height}, "into": tmp_path / "a"}
+    how = {**BALL, "functions": {"n": height}, "out": tmp_path / "a"}
     sweep("bouncing_ball", over, **how)
     computed()
     for change in (
@@ -130,32 +130,30 @@ def test_readings_that_are_derived_otherwise_are_computed_anew(tmp_path, monkeyp
     """Their formulas are no part of the model's text: a row of theirs is that of the formulas that it was computed by."""
     over, how = {"length": "1, 2 m"}, {"duration": "0.1 s", "workers": 1, "compiled": False}
     before, other = (
-        sweep(engine_model(pendulum.scene), over, outputs=[name], into=tmp_path / name, **how)
+        sweep(engine_model(pendulum.scene), over, outputs=[name], out=tmp_path / name, **how)
         for name in ("bob.speed.max", "hinge.angle.max")
     )
     monkeypatch.setattr(derived_histories, "dot", lambda a, b: 4 * dot(a, b))
     with pytest.raises(InputError, match="readings"):
-        sweep(engine_model(pendulum.scene), over, outputs=["bob.speed.max"], into=tmp_path / "bob.speed.max", **how)
+        sweep(engine_model(pendulum.scene), over, outputs=["bob.speed.max"], out=tmp_path / "bob.speed.max", **how)
     now = sweep(
         engine_model(pendulum.scene),
         over,
         outputs=["bob.speed.max"],
-        into=tmp_path / "bob.speed.max",
+        out=tmp_path / "bob.speed.max",
         widen=True,
         **how,
     )
     np.testing.assert_allclose(now["bob.speed.max"], 2 * before["bob.speed.max"], rtol=1e-12)
     same(
         other,
-        sweep(
-            engine_model(pendulum.scene), over, outputs=["hinge.angle.max"], into=tmp_path / "hinge.angle.max", **how
-        ),
+        sweep(engine_model(pendulum.scene), over, outputs=["hinge.angle.max"], out=tmp_path / "hinge.angle.max", **how),
     )
 
 
 def test_equal_points_share_a_row(ball, tmp_path, counted):
     height, computed = counted
-    found = sweep(ball, {"drop_height": "1, 1 m"}, functions={"n": height}, into=tmp_path / "a", **BALL)
+    found = sweep(ball, {"drop_height": "1, 1 m"}, functions={"n": height}, out=tmp_path / "a", **BALL)
     assert (len(found), computed()) == (2, 1)
     assert found.rows[0].outputs == found.rows[1].outputs
 
@@ -163,17 +161,17 @@ def test_equal_points_share_a_row(ball, tmp_path, counted):
 def test_a_folder_of_something_else_is_left_alone(ball, tmp_path):
     (tmp_path / "mine.txt").write_text("mine")
     with pytest.raises(InputError, match=r"other content \(mine\.txt\)"):
-        sweep(ball, OVER, into=tmp_path, **BALL)
+        sweep(ball, OVER, out=tmp_path, **BALL)
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
     with pytest.raises(InputError, match="which is a file"):
-        sweep(ball, OVER, into=tmp_path / "mine.txt", **BALL)
+        sweep(ball, OVER, out=tmp_path / "mine.txt", **BALL)
     with pytest.raises(InputError, match="no sweep"):
         Sweep.load(tmp_path)
     folder = tmp_path / "a"
-    sweep(ball, OVER, into=folder, **BALL)
+    sweep(ball, OVER, out=folder, **BALL)
     (folder / sweep_store.DEFINITION).write_text("{")
     with pytest.raises(InputError, match="a definition as a sweep wrote it"):
-        sweep(ball, OVER, into=folder, **BALL)
+        sweep(ball, OVER, out=folder, **BALL)
 
 
 def test_a_second_process_is_refused_and_readers_are_not(tmp_path):
@@ -186,16 +184,16 @@ with opened(Path(sys.argv[1])) as store:
     sys.stdin.readline()
 """
     folder = tmp_path / "a"
-    sweep("bouncing_ball", OVER, into=folder, **BALL)
+    sweep("bouncing_ball", OVER, out=folder, **BALL)
     with subprocess.Popen(
         [sys.executable, "-c", code, str(folder)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as other:
         other.stdout.readline()
         with pytest.raises(InputError, match="one in use"):
-            sweep("bouncing_ball", OVER, into=folder, **BALL)
+            sweep("bouncing_ball", OVER, out=folder, **BALL)
         assert len(Sweep.load(folder)) == 5
         other.kill()
-    assert len(sweep("bouncing_ball", OVER, into=folder, **BALL)) == 5
+    assert len(sweep("bouncing_ball", OVER, out=folder, **BALL)) == 5
     with sweep_store.opened(folder), pytest.raises(InputError, match="one in use"), sweep_store.opened(folder):
         pass
 
@@ -246,7 +244,7 @@ def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(b
                 os._exit(3)
         return run.t_end
 
-    how = {**BALL, "compiled": compiled, "workers": 2, "functions": {"end": end}, "into": tmp_path / "a"}
+    how = {**BALL, "compiled": compiled, "workers": 2, "functions": {"end": end}, "out": tmp_path / "a"}
     first = sweep(ball, OVER, **how)
     assert list(first["outcome"]) == ["finished"] * 4 + ["lost"]
     assert "the next call tries it again" in first.rows[-1].message
@@ -256,7 +254,7 @@ def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(b
     assert list(sweep(ball, OVER, **how)["outcome"])[-1] == "lost"
     assert Path(tries).stat().st_size == 4
     assert list(sweep(ball, OVER, **how)["outcome"]) == ["finished"] * 5
-    same(sweep(ball, OVER, **how), sweep(ball, OVER, **{**how, "into": None, "workers": 1}))
+    same(sweep(ball, OVER, **how), sweep(ball, OVER, **{**how, "out": None, "workers": 1}))
 
 
 def test_a_row_that_is_there_cannot_be_stored_again(tmp_path):
@@ -300,7 +298,7 @@ def test_a_full_disk_ends_with_an_outcome_and_goes_on_with_space(ball, tmp_path,
         if os.getuid() or shutil.which("mount") is None or subprocess.run(mount, capture_output=True).returncode:
             pytest.skip("no right to mount a small disk")
     try:
-        ended = sweep(ball, over, into=folder, **long)
+        ended = sweep(ball, over, out=folder, **long)
         assert ended.outcome.name == "not_stored"
         assert "disk is full" in ended.outcome.message
         assert 0 < len(ended) < 120
@@ -309,7 +307,7 @@ def test_a_full_disk_ends_with_an_outcome_and_goes_on_with_space(ball, tmp_path,
             subprocess.run(["mount", "-o", "remount,size=8m", str(folder.parent)], check=True)
         before = computed()
         assert before <= len(ended) + 1
-        whole = sweep(ball, over, into=folder, **long)
+        whole = sweep(ball, over, out=folder, **long)
         assert whole.outcome.finished
         assert computed() == 120 - len(ended)
         same(whole, sweep(ball, over, **long))
@@ -348,7 +346,7 @@ add = sweep_store.Store.add
 if sys.argv[5] == "late":
     sweep_store.Store.add = late
 sweep("bouncing_ball", {"drop_height": f"0.5..1.5 m:{sys.argv[4]}"}, duration="3 s", tolerance=1e-10, compiled=False,
-      outputs=["floor.peak_force", "floor.impact_rate"], functions={"note": note}, workers=2, into=sys.argv[1],
+      outputs=["floor.peak_force", "floor.impact_rate"], functions={"note": note}, workers=2, out=sys.argv[1],
       progress=told)
 """
 
@@ -429,7 +427,7 @@ def test_definitions_are_plain_and_say_where_they_come_from(ball, tmp_path):
     sweep(
         engine_model("bouncing_ball", laws={"floor": "hunt_crossley"}),
         {"mass": "0.1..0.2 kg:2"},
-        into=tmp_path / "a",
+        out=tmp_path / "a",
         **BALL,
     )
     told = json.loads((tmp_path / "a" / sweep_store.DEFINITION).read_text())

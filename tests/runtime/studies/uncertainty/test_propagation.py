@@ -123,7 +123,7 @@ def test_runs_that_fail_are_reported(ball):
 
 
 def test_the_same_seed_gives_the_same_and_a_folder_is_gone_on_with(ball, tmp_path):
-    how = {"sample": 8, "duration": "0.1 s", "into": tmp_path / "rows", **SHORT}
+    how = {"sample": 8, "duration": "0.1 s", "out": tmp_path / "rows", **SHORT}
     uncertain = {"mass": Triangular("0.5 kg", "1 kg", "2 kg")}
     first, again = (propagate(ball, uncertain, ["final.vertical.speed"], **how) for _ in range(2))
     assert [row.outputs for row in first.samples] == [row.outputs for row in again.samples]

@@ -161,7 +161,7 @@ def test_a_store_keeps_arrays_with_their_rows_bitwise(ball, tmp_path):
     over = {"drop_height": "0.5..1 m:4"}
     how = {"section": "floor.gap = 0 falling", "grid": 11, "outputs": ["impacts"], **BALL}
     plain = sweep(ball, over, **how)
-    kept = sweep(ball, over, into=tmp_path / "a", **how)
+    kept = sweep(ball, over, out=tmp_path / "a", **how)
     assert (
         [row.arrays for row in kept]
         == [row.arrays for row in plain]
@@ -173,12 +173,12 @@ def test_a_store_keeps_arrays_with_their_rows_bitwise(ball, tmp_path):
         rows.execute("DELETE FROM rows WHERE key = ?", (key,))
     for name in texts:
         (tmp_path / "a" / name).unlink()
-    sweep(ball, over, into=tmp_path / "a", **how)
+    sweep(ball, over, out=tmp_path / "a", **how)
     assert {name: (tmp_path / "a" / name).read_bytes() for name in texts} == texts
     for change in ({"section": "floor.gap = 0 rising"}, {"after": "0.1 s"}, {"grid": 12}, {"histories": ["floor.gap"]}):
         with pytest.raises(InputError, match="as of the sweep there"):
-            sweep(ball, over, into=tmp_path / "a", **{**how, **change})
-    sweep(ball, over, into=tmp_path / "a", widen=True, **{**how, "after": "0.1 s"})
+            sweep(ball, over, out=tmp_path / "a", **{**how, **change})
+    sweep(ball, over, out=tmp_path / "a", widen=True, **{**how, "after": "0.1 s"})
     with sqlite3.connect(tmp_path / "a" / sweep_store.ROWS) as rows:
         assert rows.execute("SELECT count(*) FROM rows").fetchone() == (8,)
 

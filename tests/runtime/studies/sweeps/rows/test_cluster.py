@@ -117,7 +117,7 @@ def test_rows_are_those_of_one_machine_to_the_bit(client, compiled, tmp_path):
     functions = {"highest": highest, "scaled": lambda run: scale * run.t_end}
     kept = {"section": "floor.gap = 0 m falling", "histories": ["vertical.speed"]}
     alone, together = (
-        sweep("bouncing_ball", **ASKED, **kept, functions=functions, compiled=compiled, into=tmp_path / name, **who)
+        sweep("bouncing_ball", **ASKED, **kept, functions=functions, compiled=compiled, out=tmp_path / name, **who)
         for name, who in {"alone": {"workers": 2}, "together": {"client": client}}.items()
     )
     assert together.counts() == {"finished": 12}
@@ -200,7 +200,7 @@ def test_without_dask_the_extra_is_named(monkeypatch):
 @pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nowhere", "tcp://127.0.0.1:x", "foo://x:1"])
 def test_a_scheduler_that_is_not_there_is_one_clear_error(address, monkeypatch, tmp_path):
     monkeypatch.setattr(cluster, "PATIENCE", 0.3)
-    options = ["--over", "drop_height=0.3..0.5 m:3", "--duration", "0.5 s", "--into", str(tmp_path / "rows")]
+    options = ["--over", "drop_height=0.3..0.5 m:3", "--duration", "0.5 s", "--out", str(tmp_path / "rows")]
     done = CliRunner().invoke(main, ["sweep", "bouncing_ball", *options, "--cluster", address])
     assert done.exit_code == 2
     assert "no scheduler" in done.stderr
@@ -226,7 +226,7 @@ def test_a_worker_killed_in_a_row_costs_that_row_alone(tmp_path):
     with running(tmp_path, 2) as (made, client):
         killer = threading.Thread(target=kill)
         killer.start()
-        found = sweep("bouncing_ball", **asked, client=client, into=tmp_path / "rows")
+        found = sweep("bouncing_ball", **asked, client=client, out=tmp_path / "rows")
         killer.join()
         assert [process.poll() for process in made.processes].count(-signal.SIGKILL) == 1
         assert len(client.nthreads()) == 1
@@ -262,7 +262,7 @@ LONG = [
 def begun(client, folder, tmp_path):
     """A process that has stored two rows, and has two that take minutes on the workers."""
     command = [str(Path(sys.executable).with_name("hertzwerk")), "sweep", "slider_crank", *LONG]
-    address = ["--into", str(folder), "--cluster", client.scheduler.address]
+    address = ["--out", str(folder), "--cluster", client.scheduler.address]
     with (
         (tmp_path / "said").open("w") as said,
         subprocess.Popen([*command, *address], stdout=said, stderr=said) as parent,
@@ -299,7 +299,7 @@ def test_a_scheduler_that_dies_ends_it_and_the_rest_is_computed_elsewhere(tmp_pa
         time.sleep(0.1)
         return run.t_end
 
-    asked = {**ASKED, "functions": {"end": slowly}, "compiled": False, "into": tmp_path / "rows"}
+    asked = {**ASKED, "functions": {"end": slowly}, "compiled": False, "out": tmp_path / "rows"}
     with running(tmp_path, 1) as (made, client):
         found = sweep("bouncing_ball", **asked, client=client, progress=end)
     assert found.outcome.name == "cluster_lost"
@@ -308,7 +308,7 @@ def test_a_scheduler_that_dies_ends_it_and_the_rest_is_computed_elsewhere(tmp_pa
     assert 4 <= len(found) < 12
     rest = sweep("bouncing_ball", **asked, workers=1)
     assert rest.counts() == {"finished": 12}
-    assert same(rest, sweep("bouncing_ball", **{**asked, "into": None}))
+    assert same(rest, sweep("bouncing_ball", **{**asked, "out": None}))
 
 
 @pytest.mark.exhaustive

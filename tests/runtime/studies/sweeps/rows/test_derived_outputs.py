@@ -23,7 +23,7 @@ def crank():
 
 def test_a_derivative_is_a_column_with_its_unit_and_is_kept(crank, tmp_path):
     names = [PEAK, BY, "d(final.guide.travel)/d(guide.travel)"]
-    table = sweep(crank, {"clearance": "0.2, 0.4 mm"}, outputs=names, into=tmp_path / "rows", **HOW)
+    table = sweep(crank, {"clearance": "0.2, 0.4 mm"}, outputs=names, out=tmp_path / "rows", **HOW)
     assert (table.unit(BY), table.unit(names[2])) == ("N", "m/m")
     now = crank.bind()["restitution"]
     sides = [
@@ -31,7 +31,7 @@ def test_a_derivative_is_a_column_with_its_unit_and_is_kept(crank, tmp_path):
         for d in (1e-4, -1e-4)
     ]
     np.testing.assert_allclose(table[BY], (sides[0] - sides[1]) / 2e-4, rtol=1e-5)
-    again = sweep(crank, {"clearance": "0.2, 0.4 mm"}, outputs=names, into=tmp_path / "rows", **HOW)
+    again = sweep(crank, {"clearance": "0.2, 0.4 mm"}, outputs=names, out=tmp_path / "rows", **HOW)
     assert again[BY].tolist() == table[BY].tolist()
     assert Sweep.load(tmp_path / "rows")[BY].tolist() == table[BY].tolist()
 
