@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -38,9 +38,13 @@ def _table(size: tuple[int, int]) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Callers:
-    """Pool of callers of one function: threads never share one, and memory is reused between runs."""
+    """Pool of callers of one function: threads never share one, and memory is reused between runs.
+
+    make: makes a caller of the function
+    """
 
     function: Any
+    make: Callable[[Any], Caller] = Caller
     _free: list[Caller] = field(default_factory=list)
 
     def __call__(self, *arguments: float | np.ndarray) -> list[np.ndarray]:
@@ -60,7 +64,7 @@ class Callers:
         try:
             return self._free.pop()
         except IndexError:
-            return Caller(self.function)
+            return self.make(self.function)
 
     def give_back(self, caller: Caller) -> None:
         """Return a caller to the pool."""

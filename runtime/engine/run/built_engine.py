@@ -9,9 +9,15 @@ from functools import partial
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator, integrator
-from hertzwerk.runtime.engine.integration.loop.automatic_compilation import Code, compiled_together, use_compiled
-from hertzwerk.runtime.engine.integration.loop.chunk import Ending, chunk, march
+from hertzwerk.runtime.engine.integration.loop.automatic_compilation import (
+    AutomaticCallers,
+    Code,
+    compiled_together,
+    use_compiled,
+)
+from hertzwerk.runtime.engine.integration.loop.chunk import Ending, march
 from hertzwerk.runtime.engine.integration.loop.near_list import listing
+from hertzwerk.runtime.engine.integration.loop.reduced_runs import ReducingCallers, code_of, reduction
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -30,6 +36,7 @@ class Engine:
     counters    rows of the state
     code        of the chunk
     march       ([gear, integrator where there is code,] state, controls, keep, *, deadline, progress)
+    reduced     pairs -> code of the reduced model that has them; None for a model that is not reduced
     """
 
     integrator: Integrator
@@ -37,6 +44,7 @@ class Engine:
     counters: Mapping[str, int]
     code: Code | None
     march: Callable[..., Ending]
+    reduced: Callable[[tuple[int, ...]], Code] | None = None
 
 
 def engine_for(
@@ -48,10 +56,10 @@ def engine_for(
     """
     engine = _engine(model, method)
     if compiled is True and engine.code is not None:
-        from hertzwerk.runtime.engine.integration.loop.c_compilation import NoCompilerError
+        from hertzwerk.runtime.engine.integration.loop.c_compilation import NoCompilerError, require_compiler
 
         try:
-            engine.code.compile(poll)
+            require_compiler() if engine.reduced else engine.code.compile(poll)
         except NoCompilerError as error:
             way_out = "compiled=False runs the same functions, slower"
             raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
@@ -70,10 +78,15 @@ def _engine(model: EngineModel, method: str) -> Engine:
 
         reference = sundials.reference(model, made.layouts, method)
         return Engine(made, Callers(made.begin), counters, None, partial(sundials.march, reference))
-    with_choice = made.with_choice
-    name = f"chunk_{method}"  # of which a program may have several
-    chosen = None if with_choice is None else (lambda: Code(chunk(with_choice(), called=f"{name}_choosing")))
-    return Engine(made, Callers(made.begin), counters, Code(chunk(made, called=name), chosen), march)
+    return Engine(made, Callers(made.begin), counters, code_of(made, method), march, reduction(model, method))
+
+
+def provider_of(engine: Engine, model: EngineModel, compiled: Compiled) -> AutomaticCallers | None:
+    """Return the callers of an engine's chunks; None where it has a loop of its own."""
+    options = {"compiled": compiled is True, "changes": compiled == "auto"}
+    if engine.code is None or engine.reduced is None:
+        return None if engine.code is None else AutomaticCallers(engine.code, **options)
+    return ReducingCallers(model, engine.code, engine.reduced, **options)
 
 
 def compile_together(models: Iterable[tuple[EngineModel, str]]) -> None:
@@ -82,9 +95,11 @@ def compile_together(models: Iterable[tuple[EngineModel, str]]) -> None:
     A model is without redundant constraints, as the one of `History.engine`. What fails to compile stays as it is.
     """
     engines = (_engine(model, method) for model, method in models)
-    codes = [code for engine in engines if engine.code is not None for code in engine.code.built]
+    codes = [
+        code for engine in engines if engine.code is not None and engine.reduced is None for code in engine.code.built
+    ]
     for code, native in zip(codes, compiled_together([code.function for code in codes]), strict=False):
-        code.native = Callers(native)
+        code.native = code.callers(native)
 
 
 def prepare(model: EngineModel, method: str, compiled: Compiled, ahead: float = 0.0, needs: Needs = Needs.ENDS) -> bool:
@@ -98,7 +113,11 @@ def prepare(model: EngineModel, method: str, compiled: Compiled, ahead: float = 
     typical = model if bound is None else model.without_redundancy(dependent(model, bound, q))
     engine = engine_for(typical, method, compiled)
     code = engine.code
-    if code is None or not (code.compiled_if_faster(math.inf, ahead) if compiled == "auto" else compiled):
+    if (
+        code is None
+        or engine.reduced is not None
+        or not (code.compiled_if_faster(math.inf, ahead) if compiled == "auto" else compiled)
+    ):
         return False
     use_compiled(finders(model, engine.integrator, needs))
     return True

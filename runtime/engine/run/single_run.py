@@ -20,7 +20,7 @@ from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of
 from hertzwerk.runtime.engine.model.model import EngineModel
-from hertzwerk.runtime.engine.run.built_engine import Engine, engine_for
+from hertzwerk.runtime.engine.run.built_engine import Engine, engine_for, provider_of
 from hertzwerk.runtime.engine.run.recorder import BLOCK, ENDS, Grid, Recorder, Sampled, Steps
 from hertzwerk.runtime.engine.run.run_request import Limits, RunRequest, Settings
 from hertzwerk.runtime.engine.solution import error_scales as scaling
@@ -280,8 +280,7 @@ def set_up(
     except TimeOverError:
         compiled = False
         engine = engine_for(independent, settings.method, compiled)
-    code = engine.code
-    provider = AutomaticCallers(code, compiled=compiled is True, changes=compiled == "auto") if code else None
+    provider = provider_of(engine, independent, compiled)
     return SingleRun(model, settings.method, engine, request, settings.limits, provider, start, needs, deadline)
 
 

@@ -294,7 +294,7 @@ def along(maps: np.ndarray, before: np.ndarray) -> np.ndarray:
 @per_model
 def code(model: EngineModel, integrator: Integrator, methods: tuple[int, ...], columns: Columns) -> Code:
     """Return the chain's function, to be called as it is or compiled."""
-    return Code(_chain(link(model, integrator, methods, columns)), bitwise=False)
+    return Code(lambda: _chain(link(model, integrator, methods, columns)), bitwise=False)
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from hertzwerk.derive.common.faults import Fault, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.loop.near_list import Departures
 from hertzwerk.runtime.engine.integration.loop.near_rows import NearRows, places
-from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
+from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART, NearModel
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, turns
@@ -236,10 +236,10 @@ class History(Histories):
 
     def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
         mode = self.of_pair("mode", j)
-        if part == "gap":
-            return self._gap(pair, self._event_function(j)[0] if self.near else self.of_pair("gap", j))
-        if part == "gap_rate" and self.near:
-            return self._event_function(j)[1]
+        if part in ("gap", "gap_rate"):
+            passed_over = self.near or np.any(self.of_pair("gap", j) == APART)
+            values = self._event_function(j)[part == "gap_rate"] if passed_over else self.of_pair(part, j)
+            return self._gap(pair, values) if part == "gap" else values
         if part == "penetration":
             return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
         if part == "sliding_velocity":

@@ -8,10 +8,13 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from hertzwerk.runtime.engine.model.caller import Callers, Rowwise
+from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.integration.loop.c_compilation import Program
@@ -25,13 +28,14 @@ GAIN = 0.8  # part of the time left that C saves
 class Code:
     """Chunk function of one model and method, in CasADi's virtual machine and, on demand, as C.
 
-    with_choice: builds the code that chooses between methods; bitwise: whether C gives the machine's results to the bit.
+    build: builds the function; with_choice: the code that chooses between methods; bitwise: whether C gives the machine's results to
+    the bit; callers: of a function
     """
 
-    function: Any
+    build: Callable[[], Any]
     with_choice: Callable[[], Code] | None = None
     bitwise: bool = True
-    machine: Callers = field(init=False)
+    callers: Callable[[Any], Callers] = Callers
     native: Callers | None = None
     _chosen: Code | None = None
     _program: Program | None = None
@@ -39,8 +43,15 @@ class Code:
     compiler_failure: str = ""
     """Reason why a compiler that was found could not be used."""
 
-    def __post_init__(self) -> None:
-        self.machine = Callers(self.function)
+    @cached_property
+    def function(self) -> Any:
+        """The function, built on first use."""
+        return self.build()
+
+    @cached_property
+    def machine(self) -> Callers:
+        """Callers in CasADi's virtual machine."""
+        return self.callers(self.function)
 
     def choosing(self) -> Code | None:
         """Return the code that chooses between methods, built on first use; None where there is none."""
@@ -59,7 +70,7 @@ class Code:
         poll: called meanwhile. Raises NoCompilerError, and what `poll` raises.
         """
         if self.native is None:
-            self.native = Callers(*self._made().load(poll))
+            self.native = self.callers(*self._made().load(poll))
         return self.native
 
     def compiled_if_faster(
@@ -108,24 +119,37 @@ class AutomaticCallers:
         """Start a run: `callers` are those of its first steps."""
         self._use(self._first)
 
+    def _take(self, code: Code, poll: Callable[[], object]) -> None:
+        """Change `callers` to those of a code, compiled if all are."""
+        if self._compiled:
+            began = time.perf_counter()
+            try:
+                code.compile(poll)
+            finally:
+                self.compile_s += time.perf_counter() - began
+        self._use(code)
+
     def use_choice(self, poll: Callable[[], object]) -> None:
         """Change `callers` to those that choose between methods."""
         began = time.perf_counter()
         code = self._first.choosing()
         self.build_s += time.perf_counter() - began
         if code is not None:
-            if self._compiled:
-                began = time.perf_counter()
-                try:
-                    code.compile(poll)
-                finally:
-                    self.compile_s += time.perf_counter() - began
-            self._use(code)
+            self._take(code, poll)
 
     def _use(self, code: Code) -> None:
         self._code = code
         either = self._compiled or self._changes
         self.callers = code.native if code.native is not None and either else code.machine
+
+    @property
+    def watches(self) -> bool:
+        """Return whether `enter` may change callers after each chunk."""
+        return False
+
+    def enter(self, state: np.ndarray, controls: np.ndarray, poll: Callable[[], object], *, first: bool) -> np.ndarray:
+        """Return the state to go on with; see `CallerProvider`."""
+        return state
 
     @property
     def compiled(self) -> bool:

@@ -106,10 +106,15 @@ def compile_seconds(files: Sequence[CFile]) -> float:
     return max([*times, sum(times) / cores()])
 
 
+def require_compiler() -> None:
+    """Raise NoCompilerError where there is no C compiler."""
+    _compiler()
+
+
 def available() -> bool:
     """Return whether there is a C compiler."""
     try:
-        _compiler()
+        require_compiler()
     except NoCompilerError:
         return False
     return True

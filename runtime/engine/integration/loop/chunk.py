@@ -19,7 +19,7 @@ from hertzwerk.runtime.engine.integration.loop.tally import tally
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import CALM, FINISHED, RUNNING, STALE, SUSPECT, TOO_MANY_STEPS
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
-from hertzwerk.runtime.engine.model.caller import Callers
+from hertzwerk.runtime.engine.model.caller import Caller, Callers
 from hertzwerk.runtime.engine.model.signal import Schedule
 from hertzwerk.runtime.system.interrupt import defer_interrupts, polled
 
@@ -119,6 +119,13 @@ class CallerProvider(Protocol):
     def begin(self) -> None:
         """Start a run: `callers` are those of its first steps."""
 
+    @property
+    def watches(self) -> bool:
+        """Return whether `enter` may have other callers after each chunk, not after one that ends STALE alone."""
+
+    def enter(self, state: np.ndarray, controls: np.ndarray, poll: Callable[[], object], *, first: bool) -> np.ndarray:
+        """Return the state to go on with; `callers` may change, and what states have to keep to, among the controls."""
+
     def use_choice(self, poll: Callable[[], object]) -> None:
         """Change `callers` to those that choose between methods."""
 
@@ -173,10 +180,10 @@ def march(
 
     try:
         with defer_interrupts() as interrupts:
-            keep(run.first())
+            keep(run.first(poll))
             run.change_method(with_choice, poll)
             while run.status == RUNNING:
-                states, with_choice = run.attempts()
+                states, with_choice = run.attempts(poll)
                 run.note_resume(states, with_choice)
                 keep(states)
                 run.stop_at_limits()
@@ -226,20 +233,23 @@ class _March:
         # s of the processor on attempts alone, and on the clock: neither what else it does nor what is built tells the pace
         self._spent = self._clocked = 0.0
         provider.begin()
-        self._take_callers()
+        self._callers: Callers | None = None
+        self._call: Caller
 
     @property
     def done(self) -> float:
         """Fraction of the run that is done."""
         return float((self._state[self._at["t"]] - self._t_start) / (self._t_end - self._t_start))
 
-    def first(self) -> np.ndarray:
+    def first(self, poll: Callable[[], object]) -> np.ndarray:
         """Return the first state as one that was accepted, shape (1, ns)."""
+        self._state = self._provider.enter(self._state, self._controls, poll, first=True)
+        self._change_callers()
         first = self._state[None].copy()
         first[0, self._at["accepted"]] = 1.0
         return first
 
-    def attempts(self) -> tuple[np.ndarray, bool]:
+    def attempts(self, poll: Callable[[], object]) -> tuple[np.ndarray, bool]:
         """Make attempts; return the states up to the end of the run, and whether to choose methods then.
 
         Where a piece of an input ends they end as well, with the state that goes on with the next one.
@@ -273,6 +283,9 @@ class _March:
         self._state, self._tally = states[-1].copy(), tallied.copy()
         if stale and self._near is not None:
             self._state = renewed(self._near, self._state, self._controls, self._departures)
+        elif stale or (self._provider.watches and self.status == RUNNING):
+            self._state = self._provider.enter(self._state, self._controls, poll, first=False)
+            self._change_callers()
         return states, chooses
 
     def _fails(self, states: np.ndarray) -> bool:
@@ -340,7 +353,7 @@ class _March:
 
     def end(self, error: Exception | None) -> Ending:
         """Return how the run ended."""
-        self._callers.give_back(self._call)
+        self._give_back()
         wall_s = time.perf_counter() - self._began
         return Ending(self._state, self._tally, self.status, wall_s, self._resume, error)
 
@@ -353,12 +366,13 @@ class _March:
         """Return the number of attempts that were not accepted."""
         return float(state[self._at["rejected"]] + state[self._at["retaken"]])
 
-    def _take_callers(self) -> None:
+    def _change_callers(self) -> None:
         """Call the provider's function from now on, with the controls of the run set."""
+        self._give_back()
         self._callers = self._provider.callers
         self._call = self._callers.take()
         self._call.inputs[1][:] = self._controls
 
-    def _change_callers(self) -> None:
-        self._callers.give_back(self._call)
-        self._take_callers()
+    def _give_back(self) -> None:
+        if self._callers is not None:
+            self._callers.give_back(self._call)

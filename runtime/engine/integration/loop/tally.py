@@ -19,6 +19,8 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import EngineModel
 
+APPROACHES = "open", "begun", "over", "fastest"  # of each pair, where approach speeds are limited
+
 
 @dataclass(frozen=True)
 class Tally:
@@ -40,7 +42,7 @@ class Tally:
 @per_model
 def tally(model: EngineModel) -> Tally:
     """Build the tally of a model."""
-    vectors, balance, pairs = layouts(model), ("moved", "error", "size"), ("open", "begun", "over", "fastest")
+    vectors, balance, pairs = layouts(model), ("moved", "error", "size"), APPROACHES
     sizes = {"start": 4} | dict.fromkeys(balance, 1) if model.has_ledger else {}
     layout = Layout(sizes | dict.fromkeys(pairs, len(model.speed_limited) and model.k))
     known, (state, controls) = (

@@ -56,6 +56,8 @@ class NearModel(EngineModel):
     The numbers of the pairs in its places are among its constants.
     """
 
+    watched = True
+
     def __init__(self, whole: EngineModel, families: Sequence[Family]) -> None:
         self.whole, self.families = whole, families
         places = [family for family in families for _ in range(family.count)]

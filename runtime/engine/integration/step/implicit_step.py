@@ -22,7 +22,7 @@ from hertzwerk.runtime.engine.integration.step.contact_classes import (
     contact_classes,
     masked,
 )
-from hertzwerk.runtime.engine.integration.step.explicit_step import ARGUMENTS, MEAN_OF, Flow, flow
+from hertzwerk.runtime.engine.integration.step.explicit_step import ARGUMENTS, MEAN_OF, Flow, calls_parts, flow
 from hertzwerk.runtime.engine.integration.step.fed_friction import booked, solved
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT
 from hertzwerk.runtime.engine.integration.step.linear_systems import Elimination, solver, solver_of_calls
@@ -59,6 +59,8 @@ LARGE = 2000  # instructions of the right-hand sides of all classes beyond which
 @per_model
 def uses_calls(model: EngineModel) -> bool:
     """Return whether steps call functions instead of inlining them; pays off for large models."""
+    if calls_parts(model):
+        return True
     return bool(sum(flow(model, contacts).rates.n_instructions() for contacts in contact_classes(model)) > LARGE)
 
 
