@@ -15,8 +15,7 @@ from hertzwerk.runtime.engine.integration.loop.method_choice import Choosing
 from hertzwerk.runtime.engine.integration.loop.near_list import keeps_to_list
 from hertzwerk.runtime.engine.integration.loop.plain_attempt import advance, lean, no_event_of_any_pair
 from hertzwerk.runtime.engine.integration.loop.turning_slip import implicit_near_rest, passes_by_implicit_steps
-from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
-from hertzwerk.runtime.engine.integration.many_pairs.reduced_model import ReducedModel
+from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, contact_classes
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import REJECTED, RUNNING, Layouts, layouts
@@ -96,11 +95,11 @@ def _integrator(
     tries = [advance(model, vectors, table, contacts, choosing) for table in taken for contacts in classes]
     advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
     taking = state[vectors.state["class"]]
-    if len(tables) > 1 or model.watched:  # others are to go on from a SUSPECT, CALM or STALE state
+    if len(tables) > 1 or isinstance(model, WatchedModel):  # others are to go on from a SUSPECT, CALM or STALE state
         taking *= state[vectors.state["status"]] >= RUNNING
     end, verdict = advanced(_case(taking, method, len(classes)), state, controls)
     done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
-    if isinstance(model, NearModel | ReducedModel):
+    if isinstance(model, WatchedModel):
         done = keeps_to_list(model, vectors)(done, controls)
     if passes_by_implicit_steps(model, tables):
         done = implicit_near_rest(model, tables, taken, alone=choosing is Choosing.NONE)(done, controls)

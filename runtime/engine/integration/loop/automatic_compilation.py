@@ -110,6 +110,9 @@ class AutomaticCallers:
     compile_s, build_s: time taken to compile, and to build the code that chooses between methods [s].
     """
 
+    watches = False
+    """Whether `enter` may change callers after each chunk."""
+
     def __init__(self, code: Code, *, compiled: bool, changes: bool) -> None:
         self._first, self._compiled, self._changes = code, compiled, changes
         self.compile_s = self.build_s = 0.0
@@ -141,11 +144,6 @@ class AutomaticCallers:
         self._code = code
         either = self._compiled or self._changes
         self.callers = code.native if code.native is not None and either else code.machine
-
-    @property
-    def watches(self) -> bool:
-        """Return whether `enter` may change callers after each chunk."""
-        return False
 
     def enter(self, state: np.ndarray, controls: np.ndarray, poll: Callable[[], object], *, first: bool) -> np.ndarray:
         """Return the state to go on with; see `CallerProvider`."""

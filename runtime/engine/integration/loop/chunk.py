@@ -114,14 +114,11 @@ class CallerProvider(Protocol):
     """
 
     callers: Callers
+    watches: bool  # whether `enter` may change callers after each chunk, not after one that ends STALE alone
     build_s: float  # s that it took to build what chooses between methods
 
     def begin(self) -> None:
         """Start a run: `callers` are those of its first steps."""
-
-    @property
-    def watches(self) -> bool:
-        """Return whether `enter` may have other callers after each chunk, not after one that ends STALE alone."""
 
     def enter(self, state: np.ndarray, controls: np.ndarray, poll: Callable[[], object], *, first: bool) -> np.ndarray:
         """Return the state to go on with; `callers` may change, and what states have to keep to, among the controls."""
@@ -183,7 +180,7 @@ def march(
             keep(run.first(poll))
             run.change_method(with_choice, poll)
             while run.status == RUNNING:
-                states, with_choice = run.attempts(poll)
+                states, with_choice = run.attempts()
                 run.note_resume(states, with_choice)
                 keep(states)
                 run.stop_at_limits()
@@ -243,13 +240,14 @@ class _March:
 
     def first(self, poll: Callable[[], object]) -> np.ndarray:
         """Return the first state as one that was accepted, shape (1, ns)."""
+        self._poll = poll
         self._state = self._provider.enter(self._state, self._controls, poll, first=True)
         self._change_callers()
         first = self._state[None].copy()
         first[0, self._at["accepted"]] = 1.0
         return first
 
-    def attempts(self, poll: Callable[[], object]) -> tuple[np.ndarray, bool]:
+    def attempts(self) -> tuple[np.ndarray, bool]:
         """Make attempts; return the states up to the end of the run, and whether to choose methods then.
 
         Where a piece of an input ends they end as well, with the state that goes on with the next one.
@@ -284,7 +282,7 @@ class _March:
         if stale and self._near is not None:
             self._state = renewed(self._near, self._state, self._controls, self._departures)
         elif stale or (self._provider.watches and self.status == RUNNING):
-            self._state = self._provider.enter(self._state, self._controls, poll, first=False)
+            self._state = self._provider.enter(self._state, self._controls, self._poll, first=False)
             self._change_callers()
         return states, chooses
 

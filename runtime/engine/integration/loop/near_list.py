@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART, NONE, NearModel, distances, near_model
-from hertzwerk.runtime.engine.integration.many_pairs.reduced_model import ReducedModel
+from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import FLIGHT, RUNNING, STALE, Layouts, layouts
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import RungeKutta
@@ -29,7 +29,7 @@ def listing(model: EngineModel, tables: tuple[Table, ...]) -> NearModel | None:
     return near_model(model) if isinstance(tables[0], RungeKutta) else None
 
 
-def keeps_to_list(model: NearModel | ReducedModel, vectors: Layouts) -> Any:
+def keeps_to_list(model: WatchedModel, vectors: Layouts) -> Any:
     """Build the function (state, controls) -> state whose next step keeps to the list, or to the box, or that is STALE.
 
     A list that was just made, and is too short for the step, cuts it.

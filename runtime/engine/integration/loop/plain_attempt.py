@@ -13,8 +13,7 @@ from hertzwerk.runtime.engine.integration.events.effect_events import none_possi
 from hertzwerk.runtime.engine.integration.events.event_location import far_apart, no_event_possible, unresolved
 from hertzwerk.runtime.engine.integration.events.mode_changes import all_of, is_finite
 from hertzwerk.runtime.engine.integration.loop.method_choice import Choosing, choice, suspicion
-from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
-from hertzwerk.runtime.engine.integration.many_pairs.reduced_model import ReducedModel
+from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.integration.step.contact_classes import BY_MODE, Contacts, modes
 from hertzwerk.runtime.engine.integration.step.implicit_step import linearised, uses_calls
 from hertzwerk.runtime.engine.integration.step.layout import (
@@ -146,7 +145,7 @@ def _judged(
     error, in_range = end.pop("error"), end.pop("in_range")
     if model.k:
         unseen = unresolved(run, mode, old, end)
-        if isinstance(model, NearModel | ReducedModel):
+        if isinstance(model, WatchedModel):
             used = model.used(run, old, end)
             unseen = ca.fmax(unseen, ca.if_else(used > 1, used, 0))  # no error that a shorter step has less of
         error = ca.if_else(unseen > error, unseen, error)  # one that is not finite stays

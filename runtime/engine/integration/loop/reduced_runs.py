@@ -45,7 +45,7 @@ def reduction(model: EngineModel, method: str) -> Reduced | None:
     others = model.ns, model.ne, model.loads, model.inputs, model.lists, model.module.FAMILIES
     if method in SUNDIALS or model.k <= MANY or any(map(bool, others)):
         return None
-    return partial(_reduced_code, model, method)
+    return lambda pairs: _reduced_code(model, method, pairs)
 
 
 def code_of(made: Integrator, method: str, callers: Callable[[Any], Callers] = Callers) -> Code:
@@ -80,7 +80,9 @@ class _Columns:
     """Places of the entries of a vector of a reduced model in that of the whole, as slices of both."""
 
     def __init__(self, own: Layout, whole: Layout, entries: dict[str, list[int]]) -> None:
-        places = [whole.places[name] + i for name, size in own.sizes.items() for i in entries.get(name, range(size))]
+        places = [
+            whole.places[name] + i for name, size in own.sizes.items() for i in [*entries.get(name, range(size))][:size]
+        ]
         self.size, self.others = whole.size, np.setdiff1d(np.arange(whole.size), places)
         breaks = [0, *(np.flatnonzero(np.diff(places) != 1) + 1).tolist(), len(places)]
         self._slices = [
@@ -151,17 +153,16 @@ class ReducingCallers(AutomaticCallers):
         self._choosing = True
         super().use_choice(poll)
 
-    @property
-    def watches(self) -> bool:
-        """Return whether the whole model runs, which a reduced one may replace."""
-        return self._pairs is None
-
     def enter(self, state: np.ndarray, controls: np.ndarray, poll: Callable[[], object], *, first: bool) -> np.ndarray:
         """Return the state to go on with, by the pairs that are near then; the controls have a new box."""
         if first:
             self._pairs, self._used, self._entered = None, set(), True
         before, self._pairs = self._pairs, self._chosen(state, controls)
-        state = self._of_whole(state, controls, before) if self._pairs is None else self._of_pairs(state, self._pairs)
+        self.watches = self._pairs is None  # the whole model runs, which a reduced one may replace
+        if self._pairs != before:
+            state = self._of_whole(state, controls)
+        if self._pairs is not None:
+            state = self._of_pairs(state, controls, self._pairs)
         if first or self._pairs != before:
             self._first = self._whole if self._pairs is None else self._reduced(self._pairs)
             self._used |= {self._pairs or ()}
@@ -177,7 +178,7 @@ class ReducingCallers(AutomaticCallers):
         )
         q, u, z = np.split(at["y"], [model.nq, model.nq + model.nu])
         (length, speed), rates = run["scales"][:2], np.abs(at["dy"][: model.nq])
-        room = 2 * np.maximum(AHEAD * length / speed, 2 * at["h"]) * rates + run["scale"][: model.nq]
+        room = AHEAD * length / speed * rates + run["scale"][: model.nq]
         others = u, run["c"]
 
         def apart(low: np.ndarray, high: np.ndarray) -> np.ndarray:
@@ -195,20 +196,23 @@ class ReducingCallers(AutomaticCallers):
                 return pairs
         return None
 
-    def _of_pairs(self, state: np.ndarray, pairs: tuple[int, ...]) -> np.ndarray:
-        """Return a state in which all other pairs are apart, of the reduced model's class."""
-        layout, far = layouts(self._model).state, np.setdiff1d(np.arange(self._model.k), pairs)
-        state = state.copy()
+    def _of_pairs(self, state: np.ndarray, controls: np.ndarray, pairs: tuple[int, ...]) -> np.ndarray:
+        """Return a state in which all other pairs are apart, of the reduced model's class, with a step that keeps to the box."""
+        vectors, far = layouts(self._model), np.setdiff1d(np.arange(self._model.k), pairs)
+        layout, own, state = vectors.state, reduced_model(self._model, pairs), state.copy()
         for name in PAIR_PARTS:
             state[layout.places[name] + far] = APART if name == "gap" else 0.0
-        mode = ca.DM(state[layout["mode"]][[*pairs]])
-        state[layout["class"]] = float(class_of(reduced_model(self._model, pairs), mode))
+        state[layout["class"]] = float(class_of(own, ca.DM(state[layout["mode"]][[*pairs]])))
+        at = {name: ca.DM(state[layout[name]]) for name in ("h", "y", "dy")}
+        state[layout["h"]] = min(
+            float(at["h"]), float(own.longest({"box": ca.DM(controls[vectors.controls["box"]])}, at))
+        )
         return state
 
-    def _of_whole(self, state: np.ndarray, controls: np.ndarray, before: tuple[int, ...] | None) -> np.ndarray:
+    def _of_whole(self, state: np.ndarray, controls: np.ndarray) -> np.ndarray:
         """Return a state with all pairs, where it was one of a reduced model."""
-        gaps = state[layouts(self._model).state["gap"]]
-        return _evaluated(self._model)(state, controls)[0] if before is not None or np.any(gaps == APART) else state
+        apart = np.any(state[layouts(self._model).state["gap"]] == APART)
+        return _evaluated(self._model)(state, controls)[0] if apart else state
 
 
 def _widened(q: np.ndarray, room: np.ndarray, apart: Callable[[np.ndarray, np.ndarray], bool]) -> np.ndarray:

@@ -15,6 +15,7 @@ from typing import Any
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.many_pairs.vectorised import Alike, Kind
+from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.model.generated_text import with_tables
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
@@ -50,13 +51,11 @@ class Family:
         return range(self.number, self.number + len(self.rows))
 
 
-class NearModel(EngineModel):
+class NearModel(WatchedModel):
     """Model whose pairs are places for the near ones of a whole model.
 
     The numbers of the pairs in its places are among its constants.
     """
-
-    watched = True
 
     def __init__(self, whole: EngineModel, families: Sequence[Family]) -> None:
         self.whole, self.families = whole, families

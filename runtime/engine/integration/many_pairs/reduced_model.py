@@ -13,20 +13,21 @@ from typing import Any
 import casadi as ca
 
 from hertzwerk.runtime.engine.integration.many_pairs.interval_arithmetic import interval_extension
+from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 
 BEYOND = 0.5  # of a step times a rate at its ends: a cubic goes less far beyond both
+FAR = 1e30  # s, of a step that nothing limits, times one metre
+STEPS = 2.0  # at the present rates, for which there has to be room
 
 
-class ReducedModel(EngineModel):
+class ReducedModel(WatchedModel):
     """Model of some pairs of a whole one, in a box of coordinates among the controls of its runs.
 
     numbers, rows, own_latches    of its pairs, their memory and latches in the whole
     """
-
-    watched = True
 
     def __init__(self, whole: EngineModel, pairs: tuple[int, ...]) -> None:
         module, far = whole.module, {*range(whole.k)} - {*pairs}
@@ -78,8 +79,13 @@ class ReducedModel(EngineModel):
         return 2 * (1 - inside[0] * inside[1])
 
     def time_left(self, run: Mapping[str, Any], at: Mapping[str, Any]) -> tuple[Any, Any]:
-        """Return the longest step [s] that keeps to the box, and 1: a new one may be wider."""
-        return ca.if_else(ca.mmin(self._room(run, at, 2 * at["h"])) > 0, at["h"], 0), 1
+        """Return the longest step [s] that keeps to the box, and 1: there may be a wider one."""
+        return self.longest(run, at), 1
+
+    def longest(self, run: Mapping[str, Any], at: Mapping[str, Any]) -> Any:
+        """Return the longest step [s] for a multiple of which, at the present rates, coordinates stay in the box."""
+        ways = STEPS * ca.fabs(at["dy"][: self.nq]) + 1 / FAR
+        return ca.mmin(self._room(run, at, 0) / ca.repmat(ways, 2, 1))
 
     def _room(self, run: Mapping[str, Any], at: Mapping[str, Any], h: Any) -> Any:
         """Return how far the ways in a time h (2 nq) are from the ends of the box."""
