@@ -121,7 +121,10 @@ class CallerProvider(Protocol):
         """Start a run: `callers` are those of its first steps."""
 
     def enter(self, state: np.ndarray, controls: np.ndarray, poll: Callable[[], object], *, first: bool) -> np.ndarray:
-        """Return the state to go on with; `callers` may change, and what states have to keep to, among the controls."""
+        """Return the state to go on with.
+
+        `callers` may change, and what states have to keep to, among the controls.
+        """
 
     def use_choice(self, poll: Callable[[], object]) -> None:
         """Change `callers` to those that choose between methods."""

@@ -30,7 +30,7 @@ def listing(model: EngineModel, tables: tuple[Table, ...]) -> NearModel | None:
 
 
 def keeps_to_list(model: WatchedModel, vectors: Layouts) -> Any:
-    """Build the function (state, controls) -> state whose next step keeps to the list, or to the box, or that is STALE.
+    """Build the function (state, controls) -> state that keeps to list or box, or is STALE.
 
     A list that was just made, and is too short for the step, cuts it.
     """

@@ -38,7 +38,7 @@ Reduced = Callable[[tuple[int, ...]], Code]
 
 
 def reduction(model: EngineModel, method: str) -> Reduced | None:
-    """Return the function (pairs) -> code of the reduced model that has them; None for a model that is not reduced.
+    """Return the function (pairs) -> code of their reduced model; None where there is none.
 
     A reduced model has few of many pairs, and the others nothing that depends on all.
     """
@@ -120,11 +120,11 @@ class _ReducedCaller(Caller):
         for columns, own, whole in zip(self._columns, own_inputs, self.inputs, strict=True):
             columns.gather(whole, own)
         self._evaluate()
-        for columns, own, whole, given in zip(
+        for columns, own, whole, start in zip(
             self._columns[::2], own_results, self.results, self.inputs[::2], strict=True
         ):
-            if not np.array_equal(whole[0, columns.others], given[0, columns.others]):
-                whole[:] = given
+            if not np.array_equal(whole[0, columns.others], start[0, columns.others]):
+                whole[:] = start
             columns.scatter(own, whole)
         return self.results
 
@@ -183,8 +183,8 @@ class ReducingCallers(AutomaticCallers):
 
         def apart(low: np.ndarray, high: np.ndarray) -> np.ndarray:
             gaps = lowest_gaps(model)(at["t"], low, *others, run["t_end"], high, *others)[0]
-            found: np.ndarray = gaps > 0
-            return found
+            are_apart: np.ndarray = gaps > 0
+            return are_apart
 
         near = {*np.flatnonzero(~apart(q - room, q + room) | (at["mode"] != FLIGHT)).tolist()}
         for pairs in (tuple(sorted(near.union(self._pairs or ()))), tuple(sorted(near))):
@@ -197,7 +197,10 @@ class ReducingCallers(AutomaticCallers):
         return None
 
     def _of_pairs(self, state: np.ndarray, controls: np.ndarray, pairs: tuple[int, ...]) -> np.ndarray:
-        """Return a state in which all other pairs are apart, of the reduced model's class, with a step that keeps to the box."""
+        """Return a state in which all other pairs are apart.
+
+        It has the reduced model's class, and a step that keeps to the box.
+        """
         vectors, far = layouts(self._model), np.setdiff1d(np.arange(self._model.k), pairs)
         layout, own, state = vectors.state, reduced_model(self._model, pairs), state.copy()
         for name in PAIR_PARTS:

@@ -16,9 +16,12 @@ Interval: TypeAlias = tuple[Any, Any]  # lower and upper bound (SX)
 
 
 def interval_extension(function: Any, results: int = 1) -> Any:
-    """Return the function (lower bounds of all arguments, upper bounds) -> lower bounds of the first results of an SX function."""
+    """Return the function (lower bounds of all arguments, upper bounds) -> lower bounds of results.
+
+    results    how many of the SX function, the first ones
+    """
     lower, upper = ([ca.SX.sym(f"x{i}", function.size1_in(i)) for i in range(function.n_in())] for _ in range(2))
-    found = [ca.SX.zeros(function.size1_out(i)) for i in range(results)]
+    lowest = [ca.SX.zeros(function.size1_out(i)) for i in range(results)]
     work: dict[int, Interval] = {}
     for k in range(function.n_instructions()):
         operation, places = function.instruction_id(k), function.instruction_input(k)
@@ -32,18 +35,18 @@ def interval_extension(function: Any, results: int = 1) -> Any:
         elif operation != ca.OP_OUTPUT:
             work[target[0]] = _bounds(operation, [work[place] for place in places])
         elif target[0] < results:
-            found[target[0]].nz[target[1]] = work[places[0]][0]
-    return ca.Function("lowest", [*lower, *upper], ca.cse(found))
+            lowest[target[0]].nz[target[1]] = work[places[0]][0]
+    return ca.Function("lowest", [*lower, *upper], ca.cse(lowest))
 
 
-def _bounds(operation: int, given: list[Interval]) -> Interval:
+def _bounds(operation: int, arguments: list[Interval]) -> Interval:
     """Return the bounds of the result of an operation."""
-    (low, high), *others = given
-    (low1, high1) = others[0] if others else given[0]
+    (low, high), *others = arguments
+    (low1, high1) = others[0] if others else arguments[0]
     if operation == ca.OP_SQRT:
         low, high = ca.fmax(low, 0), ca.fmax(high, 0)
     if operation in RISING:
-        lows, highs = [low, low1][: len(given)], [high, high1][: len(given)]
+        lows, highs = [low, low1][: len(arguments)], [high, high1][: len(arguments)]
         return _value(operation, lows), _value(operation, highs)
     if operation == ca.OP_SUB:
         return low - high1, high - low1
@@ -62,7 +65,7 @@ def _bounds(operation: int, given: list[Interval]) -> Interval:
         least, most = _extremes([x / y for x in numerator for y in (low1, high1)])
         bounded = low1 * high1 > 0
     else:
-        least = most = _value(operation, [low, low1][: len(given)])
+        least = most = _value(operation, [low, low1][: len(arguments)])
         bounded = ca.logic_and(low == high, low1 == high1)
     return ca.if_else(bounded, least, -LARGEST), ca.if_else(bounded, most, LARGEST)
 

@@ -40,7 +40,7 @@ class ReducedModel(WatchedModel):
         place = {row: i for i, row in enumerate(self.rows)}
 
         def of_pairs(function: str) -> Any:
-            return lambda *given: tuple(ca.SX(x)[[*pairs]] for x in _several(getattr(module, function)(*given)))
+            return lambda *arguments: tuple(ca.SX(x)[[*pairs]] for x in _several(getattr(module, function)(*arguments)))
 
         def contact(function: str) -> Any:
             def reduced(t: Any, q: Any, u: Any, z: Any, m: Any, c: Any) -> Any:
@@ -51,8 +51,8 @@ class ReducedModel(WatchedModel):
 
             return reduced
 
-        def energy(*given: Any) -> Any:
-            kinetic, potential, stored = module.energy(*given)
+        def energy(*arguments: Any) -> Any:
+            kinetic, potential, stored = module.energy(*arguments)
             return kinetic, potential, ca.SX(stored)[[*pairs]]
 
         content = {name: x for name, x in vars(module).items() if not name.startswith("__")}
@@ -65,12 +65,12 @@ class ReducedModel(WatchedModel):
             "SPEED_LIMITED": tuple(pair for pair in module.SPEED_LIMITED if whole.pairs.index(pair) in number),
             "FAMILIES": (),
             "gaps": of_pairs("gaps"),
-            "gap_accelerations": lambda *given: of_pairs("gap_accelerations")(*given)[0],
+            "gap_accelerations": lambda *arguments: of_pairs("gap_accelerations")(*arguments)[0],
             **{f"contact_{whole.pairs[pair]}": contact(f"contact_{whole.pairs[pair]}") for pair in pairs},
         }
         if whole.has_ledger:
             content["energy"] = energy
-            content["ledger"] = lambda *given: ca.SX(module.ledger(*given))[self.rows]
+            content["ledger"] = lambda *arguments: ca.SX(module.ledger(*arguments))[self.rows]
         super().__init__(SimpleNamespace(**content), dependent=whole.dependent)
 
     def used(self, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
@@ -83,7 +83,7 @@ class ReducedModel(WatchedModel):
         return self.longest(run, at), 1
 
     def longest(self, run: Mapping[str, Any], at: Mapping[str, Any]) -> Any:
-        """Return the longest step [s] for a multiple of which, at the present rates, coordinates stay in the box."""
+        """Return the longest step [s]: at the present rates STEPS of them stay in the box."""
         ways = STEPS * ca.fabs(at["dy"][: self.nq]) + 1 / FAR
         return ca.mmin(self._room(run, at, 0) / ca.repmat(ways, 2, 1))
 
@@ -97,8 +97,8 @@ class ReducedModel(WatchedModel):
 @per_model
 def memory_of_pairs(model: EngineModel) -> list[list[int]]:
     """Return the rows of memory that each pair changes."""
-    given = model.symbols("t q u z m c")
-    return [ca.sparsify(model.expressions(f"contact_{pair}", *given)[1]).sparsity().row() for pair in model.pairs]
+    arguments = model.symbols("t q u z m c")
+    return [ca.sparsify(model.expressions(f"contact_{pair}", *arguments)[1]).sparsity().row() for pair in model.pairs]
 
 
 @per_model
@@ -109,7 +109,7 @@ def reduced_model(model: EngineModel, pairs: tuple[int, ...]) -> ReducedModel:
 
 @per_model
 def lowest_gaps(model: EngineModel) -> Callers:
-    """Return the function (t, q, u, c at their lower bounds, at their upper) -> lower bounds of the gaps (k)."""
+    """Return the function (t, q, u, c at lower bounds, at upper) -> lower bounds of the gaps (k)."""
     return Callers(interval_extension(model.function("gaps")))
 
 

@@ -1,4 +1,4 @@
-"""Models whose steps have to keep to what was evaluated before them: a list of near pairs, or a box of coordinates."""
+"""Models whose steps have to keep to a list of near pairs, or to a box of coordinates."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from hertzwerk.runtime.engine.model.model import EngineModel
 
 
 class WatchedModel(EngineModel):
-    """Model whose steps leave some pairs of a whole model out, and are watched for where these may come near."""
+    """Model without some pairs of a whole one; its steps are watched where these may come near."""
 
     watched = True
     whole: EngineModel
 
     @abstractmethod
     def used(self, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
-        """Return which part of the room that is left is used up by a step at most; above 1 a pair left out might touch."""
+        """Return which part of the room a step uses up; above 1 a pair left out might touch."""
 
     @abstractmethod
     def time_left(self, run: Mapping[str, Any], at: Mapping[str, Any]) -> tuple[Any, Any]:
