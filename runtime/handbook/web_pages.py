@@ -13,6 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
+from warnings import catch_warnings, simplefilter
 
 from hertzwerk.runtime.handbook.reference_pages import write_reference
 from hertzwerk.runtime.system.forked_tasks import cores
@@ -79,8 +80,10 @@ def _sphinx(stage: Path, out: Path) -> str:
     from sphinx.application import Sphinx
 
     warnings = io.StringIO()
-    app = Sphinx(stage, SOURCE, out, out / ".doctrees", "html", status=None, warning=warnings)
-    app.build()
+    with catch_warnings():
+        simplefilter("ignore")  # deprecations within Sphinx and its extensions; what it finds in pages is in the stream
+        app = Sphinx(stage, SOURCE, out, out / ".doctrees", "html", status=None, warning=warnings)
+        app.build()
     return re.sub(r"\x1b\[[\d;]*m", "", warnings.getvalue()).replace(f"{stage}/", "").strip()
 
 
