@@ -225,7 +225,7 @@ def test_a_floor_that_was_not_tried_is_said_to_be_expected():
         "no tolerance of dopri5 is expected to give"
         in unreachable(1e-9, 1e-8, "dopri5", when=1.0, foreseen=True).message
     )
-    assert "the most at t = 0.25 s" in unreachable(1e-9, 1e-8, "dop853", when=0.25).message
+    assert "most at t = 0.25 s" in unreachable(1e-9, 1e-8, "dop853", when=0.25).message
     assert "proportional to the tolerance" in unreachable(1e-9, 1e-8, "dop853", when=0.25, foreseen=True).message
 
 
@@ -435,9 +435,9 @@ def test_a_run_longer_than_its_horizon_says_so():
     assert run.error.growth > 100
     assert "averages()" in run.outcome.message
     alone = horizon(run.error.times, run.error.values, 1e-6)  # up to which this run is so accurate
-    far = float(re.search(r"simulate (\S+) s, up to which a smaller tolerance", run.outcome.remedy)[1])
+    far = float(re.search(r"simulate (\S+) s, for which a smaller tolerance", run.outcome.remedy)[1])
     assert 1.1 * alone < far < run.error.horizon
-    assert all("the law" in text for text in run.warnings)  # its limit of v0, and contacts that left it
+    assert all("law" in text for text in run.warnings)  # its limit of v0, and contacts that left it
     shorter = simulate(run.engine.model, duration=far, accuracy=1e-6, grid=2)  # the remedy helps
     assert shorter.outcome.finished
     assert not simulate(run.engine.model, duration=2 * far, accuracy=1e-6, grid=2).outcome.finished

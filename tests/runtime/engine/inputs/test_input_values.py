@@ -79,7 +79,7 @@ def test_a_function_that_cannot_be_resolved_is_refused(monkeypatch):
     rng = np.random.default_rng(0)
     assert "do not resolve" in refused(lambda t: rng.random())
     monkeypatch.setattr("hertzwerk.runtime.engine.inputs.sampled_functions.MOST", 1000)
-    assert "is given as samples" in refused(lambda t: math.sin(1e9 * t))
+    assert "as samples" in refused(lambda t: math.sin(1e9 * t))
     assert "ZeroDivisionError at t = 0 s" in refused(lambda t: 1 / t)
     assert "nan at t" in refused(lambda t: math.nan)
 

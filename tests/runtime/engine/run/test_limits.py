@@ -196,7 +196,7 @@ def test_the_remedy_of_a_stall_names_a_method_once_and_not_its_own(monkeypatch):
         assert remedy("dopri5").count("esdirk") == remedy("dopri5").count("rodas") == 1
         assert remedy("dopri5").endswith("with a stated max_steps the run continues")
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.outcome._method_for_steps", lambda *_: "")
-    assert remedy("esdirk").startswith("take rodas; else take another tolerance")
+    assert remedy("esdirk").startswith("take rodas; else change the tolerance")
 
 
 # ---- where explicit steps fail -----------------------------------------------------------------------------------------
