@@ -87,7 +87,7 @@ def test_the_estimate_is_the_error_and_the_request_is_met(judged):
 @pytest.mark.parametrize(
     "wrong",
     [
-        lambda run: run.tolerance,
+        lambda run: run.settings.tolerance,
         lambda run: run.error.values[len(run.error.values) // 5],
         lambda run: run.energy_residual,
     ],
