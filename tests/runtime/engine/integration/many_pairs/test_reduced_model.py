@@ -142,4 +142,4 @@ def test_a_run_goes_on_from_its_end(ball_among_walls, every_wall):
 @pytest.mark.exhaustive
 def test_compiled_runs_are_the_same_to_the_bit(ball_among_walls):
     runs = [simulate(ball_among_walls, **OPTIONS | {"compiled": compiled}) for compiled in (False, True)]
-    assert np.array_equal(*(run.history.part("y") for run in runs))
+    assert np.array_equal(*(run.engine.history.part("y") for run in runs))
