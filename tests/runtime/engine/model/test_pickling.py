@@ -40,7 +40,7 @@ def test_a_run_is_what_it_was(name, again):
     assert (str(twin), twin.impacts, twin.warnings) == (str(run), run.impacts, run.warnings)
     for history in ("t", *run):
         assert np.array_equal(twin[history].view(np.uint64), run[history].view(np.uint64)), history
-    assert (twin.energy_residual, twin.choices) == (run.energy_residual, run.engine.choices)
+    assert (twin.energy_residual, twin.engine.choices) == (run.energy_residual, run.engine.choices)
     times = np.linspace(0, run.t_end, 17) if run.engine.history.steps else run.t[:5]
     rows = [each.engine.history.at(times).rows for each in (twin, run)]
     assert np.array_equal(*rows)
