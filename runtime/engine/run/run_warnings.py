@@ -112,8 +112,8 @@ def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> I
     of = f" of {', '.join(pairs)}"
     which = f"{len(lasting)} contacts{of}, the worst" if len(lasting) > 1 else f"a contact{of},"
     yield (
-        f"{which} since t = {worst.since:.4g} s, exceeded its damping law{share}: gap rates up to {worst.ratio:.2g} times the approach speed v0; "
-        "take a law without v0 (`hertzwerk laws`), or raise approach_floor, the lowest v0"
+        f"{which} since t = {worst.since:.4g} s, exceeded the range of its damping law{share}: gap rates up to "
+        f"{worst.ratio:.2g} times the approach speed v0; take a law without v0 (`hertzwerk laws`), or raise approach_floor, the lowest v0"
     )
 
 
