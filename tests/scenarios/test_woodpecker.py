@@ -47,7 +47,7 @@ def test_the_default_method_runs_the_woodpecker(toy):
 def test_a_suitable_method_is_recommended_in_place_of_an_explicit_one(toy, method):
     run = simulate(toy, duration="0.5 s", tolerance=1e-6, method=method, max_steps=5_000)
     assert run.outcome.name == "too_many_steps"
-    assert f"stability, not accuracy, limits the steps of {method} down" in run.outcome.remedy
+    assert f"stability, not accuracy, limits the steps of {method}" in run.outcome.remedy
     assert 'method="auto"' in run.outcome.remedy
 
 

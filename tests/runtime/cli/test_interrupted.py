@@ -155,7 +155,7 @@ def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments,
     if outcome is not None:
         (run,) = (tmp_path / "runs").iterdir()
         assert not (run / "slider_pin.png").exists()
-        assert any("slider_pin.png is not there" in warning for warning in told["warnings"])
+        assert any("slider_pin.png is missing" in warning for warning in told["warnings"])
         assert "slider_pin.png is not there" in ended.said.replace("\r\n", " ")
 
 

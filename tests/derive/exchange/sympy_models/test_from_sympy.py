@@ -192,7 +192,7 @@ def test_effects_act_on_coordinates_and_speeds_that_are_no_rates():
     assert "Energy" in load(scene).equations().markdown()
     with pytest.raises(InputError, match="without joints"):
         load(scene.with_coordinates("absolute"))
-    with pytest.raises(InputError, match="no rates"):
+    with pytest.raises(InputError, match="whose rate is not a speed"):
         model.scene(effects=(ConstantSpeed("turn", "q1", Parameter("w", "rad/s", 3)),), scales=scales)
 
 

@@ -86,7 +86,7 @@ def test_only_times_up_to_the_horizon_count_where_there_are_enough():
     values[late, 0] = pulses(t[late] - 0.005)
     found = [align(Known(pulses), t, values, (-0.02, 0.02), (0.0, 0.0), horizon=h) for h in (0.3, np.inf)]
     assert found[0].offset == pytest.approx(0, abs=1e-6) and abs(found[1].offset) > 4e-3
-    assert "past the horizon" in align(Known(pulses), t, values, (-0.02, 0.02), (0.0, 0.0), horizon=0.01).doubts[0]
+    assert "beyond the horizon" in align(Known(pulses), t, values, (-0.02, 0.02), (0.0, 0.0), horizon=0.01).doubts[0]
 
 
 def test_ranges_that_leave_too_few_samples_or_are_too_wide_are_refused():

@@ -96,7 +96,7 @@ def test_the_trajectory_is_compared_within_the_horizon_and_statistics_beyond(run
     assert early.differs is False and all(signal.residual.end <= 0.0035 for signal in early.signals)
     lost = compare(replace(run, error=replace(run.error, horizon=0.0)), data, map=MAP, **HOW)
     assert all(signal.residual is None for signal in lost.signals) and lost.differs is None
-    assert "nothing could be judged" in str(lost) and any("past the horizon" in text for text in lost.warnings)
+    assert "nothing could be judged" in str(lost) and any("beyond the horizon" in text for text in lost.warnings)
 
 
 def test_a_file_is_compared_and_the_record_is_json(run, tmp_path):
