@@ -156,7 +156,7 @@ def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments,
         (run,) = (tmp_path / "runs").iterdir()
         assert not (run / "slider_pin.png").exists()
         assert any("slider_pin.png is missing" in warning for warning in told["warnings"])
-        assert "slider_pin.png is not there" in ended.said.replace("\r\n", " ")
+        assert "slider_pin.png is missing" in ended.said.replace("\r\n", " ")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")

@@ -112,7 +112,7 @@ def test_derivatives_are_those_of_the_predictions(ball):
         ball, [Experiment(heights(runs[0]), {"drop_height": "0.8 m"}), Experiment(impacts, {"drop_height": "1 m"}, duration="1.6 s")],
         {"restitution": (0.3, 1), "gravity": "9..11 m/s^2"}, map={"height": TRAVEL, **names}, noise=None, parameters=None,
         initial=None, inputs=None, duration=None, offset="-10..10 ms", gain={"height": "0.9..1.1"}, tolerance=1e-12,
-        method="dop853", starts=1, seed=0, compiled=None, profile=False,
+        method="dop853", starts=1, seed=0, compiled=False, profile=False,
     )  # fmt: skip
     forward = asked.forward()
     x = np.array([free.inner(v) for free, v in zip(forward.searched, (0.88, 9.7, 3.1e-3, -2.3e-3, 1.04), strict=True)])

@@ -64,7 +64,7 @@ def test_weights_are_akaikes(ball):
     data = Measurement(t, {"height": y}, {"height": "m"})
     given = {
         "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
-        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": None, "profile": False,
+        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False,
     }  # fmt: skip
     start = {"vertical.travel": "1..1.2 m"}
     found = ranked({
@@ -92,7 +92,7 @@ def test_runs_held_out_are_judged_by_the_fit_of_the_others(ball):
     falls = [1.1 - 9.81 * t**2 / 2 + sigma * np.sin(factor * np.arange(30)) for factor in (37, 11)]
     given = {
         "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
-        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": None, "profile": False, "parameters": None,
+        "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False, "parameters": None,
     }  # fmt: skip
     data = [Measurement(t, {"height": fall}, {"height": "m"}) for fall in falls]
     found = ranked({"one": read_fit(ball, data, {"vertical.travel": "1..1.2 m"}, **given)}).best.held_out
