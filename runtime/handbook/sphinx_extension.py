@@ -24,7 +24,7 @@ def _inline(translator: HTML5Translator, node: math) -> None:
 
 
 def _block(translator: HTML5Translator, node: math_block) -> None:
-    translator.body.append(f'<div style="overflow-x: auto">{_mathml(node.astext(), "block")}</div>\n')
+    translator.body.append(f'<div class="formula">{_mathml(node.astext(), "block")}</div>\n')
     _skip()
 
 
