@@ -13,7 +13,7 @@ __all__ = ["LAWS", *sorted(LAWS)]  # the names of laws are text
 def __getattr__(name: str) -> Law:
     """Return a law by name."""
     if name not in LAWS:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}; `hertzwerk laws` lists the laws")
     return LAWS[name]
 
 

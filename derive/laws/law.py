@@ -162,8 +162,10 @@ class Law:
         } | named
         missing = [name for name in names[len(arguments) :] if name not in named]
         if len(arguments) > len(names) or unknown or missing:
-            surplus = [*unknown, *arguments[len(names) :]]
-            raise TypeError(f"law {self.name} takes ({', '.join(names)}): missing {missing}, not expected {surplus}")
+            wrong = [f"missing {', '.join(missing)}"] if missing else []
+            wrong += [f"not expected {', '.join(unknown)}"] if unknown else []
+            wrong += [f"{len(arguments)} values for {len(names)}"] if len(arguments) > len(names) else []
+            raise TypeError(f"law {self.name} takes ({', '.join(names)}): {'; '.join(wrong)}")
         arguments += [named[name] for name in names[len(arguments) :]]
         materials = tuple(value for value in values if isinstance(value, Material))
         return BoundLaw(self, tuple(_exact(value) for value in arguments), materials)

@@ -5,7 +5,7 @@ import re
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import Contact, InputError, Parameter, generate, laws_from
+from hertzwerk.derive import Contact, InputError, Parameter, generate, laws, laws_from
 from hertzwerk.derive.laws import power, power_damping
 from hertzwerk.derive.laws.law import d, v
 from hertzwerk.derive.laws.law_call import split_call
@@ -172,3 +172,16 @@ def test_friction_with_modes_and_memory_by_the_text_of_a_law():
             engine_model("slider_crank", laws={"slider_pin_friction": law}), duration="1.5 ms", tolerance=1e-6
         )
         assert run.outcome.finished and run["slider_pin_friction.dissipated"][-1] > 0
+
+
+@pytest.mark.parametrize(
+    ("call", "fault"),
+    [
+        (lambda: laws.lankarani_nikravesh(1, 2), r"lankarani_nikravesh takes \(e\): 2 values for 1$"),
+        (lambda: laws.kelvin_voigt(K=1), r"kelvin_voigt takes \(e\): missing e; not expected K$"),
+        (lambda: laws.power(1, 2, n=3), r"power takes \(K, n\): not expected n$"),
+    ],
+)
+def test_a_call_that_does_not_fit_names_what_is_wrong(call, fault):
+    with pytest.raises(TypeError, match=fault):
+        call()
