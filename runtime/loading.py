@@ -179,7 +179,7 @@ def load(
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
 ) -> Model:
-    """Return the model of a scene, of a generated module, or a Model itself.
+    """Return the model of a scene, of a generated module, or of another Model.
 
     A target is the name of a built-in scene, a Python file that defines `scene` or is a generated module, "FILE.py:NAME"
     where a file has several scenes, "package.module:NAME", or the object. A built-in scene without variation, and a

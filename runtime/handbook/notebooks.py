@@ -7,10 +7,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-from hertzwerk.runtime.handbook.page_code import Block, blocks
+from hertzwerk.runtime.handbook.page_code import Block, between_blocks, blocks
 from hertzwerk.runtime.handbook.web_pages import SOURCE
 
-_FENCE = re.compile(r"^```(\w+)\n.*?^```\n", re.MULTILINE | re.DOTALL)
 _LINK = re.compile(r"\]\(([\w/.-]+)\.md\)")
 
 
@@ -26,8 +25,7 @@ def write_notebooks(folder: Path) -> list[str]:
 def notebook(page: str) -> dict[str, Any]:
     """Return a page as a notebook (nbformat 4.5): text and code, without outputs, which running it makes."""
     cells = []
-    texts = _FENCE.split(page)[::2]
-    for text, block in zip(texts, [*blocks(page), None], strict=True):
+    for text, block in zip(between_blocks(page), [*blocks(page), None], strict=True):
         if text.strip():
             cells.append(_cell("markdown", _LINK.sub(r"](\1.ipynb)", text).strip()))
         if block is not None and block.language != "output":
@@ -42,8 +40,7 @@ def notebook(page: str) -> dict[str, Any]:
 def code_of(block: Block) -> str:
     """Return the Python code of a cell: a block that begins with the name of a file writes it too."""
     text = block.text.rstrip()
-    file = re.match(r"# (\w+\.\w+)\n", text)
-    write = f"from pathlib import Path\n\nPath({file[1]!r}).write_text({text!r})\n" if file else ""
+    write = f"from pathlib import Path\n\nPath({block.file!r}).write_text({text!r})\n" if block.file else ""
     if block.language == "sh":
         return "\n".join(f"!{line}" for line in text.splitlines())
     return write + text * (block.language == "python")

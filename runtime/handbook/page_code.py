@@ -31,6 +31,11 @@ class Block:
     text: str
     line: int
 
+    @property
+    def file(self) -> str | None:
+        """Name of the file that the text is, as its first line states it; None where it is no file."""
+        return match[1] if (match := _FILE.match(self.text)) else None
+
 
 class PageError(Exception):
     """A block of a page that does not do what the page states."""
@@ -39,6 +44,11 @@ class PageError(Exception):
 def blocks(page: str) -> list[Block]:
     """Return the fenced blocks of a page, in order."""
     return [Block(match[1], match[2], page[: match.start(2)].count("\n") + 1) for match in _BLOCK.finditer(page)]
+
+
+def between_blocks(page: str) -> list[str]:
+    """Return the text before, between and after the blocks of a page: one more than these."""
+    return _BLOCK.split(page)[:: _BLOCK.groups + 1]
 
 
 def is_long(page: str) -> bool:
@@ -57,8 +67,8 @@ def run_page(page: Path, folder: Path, command: Any) -> None:
     printed = ""
     with contextlib.chdir(folder):
         for block in blocks(page.read_text(encoding="utf-8")):
-            if file := _FILE.match(block.text):
-                Path(file[1]).write_text(block.text, encoding="utf-8")
+            if block.file:
+                Path(block.file).write_text(block.text, encoding="utf-8")
             if block.language in RUN:
                 stream = io.StringIO()
                 with contextlib.redirect_stdout(stream):

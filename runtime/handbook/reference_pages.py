@@ -104,9 +104,9 @@ def scenes_page() -> str:
     """Return the gallery of built-in scenes: picture, command and source of each."""
     parts = ["---\nlong: true\n---\n\n# Built-in scenes\n", "```python\nfrom hertzwerk import load\n```\n"]
     for name in build.built_in_scenes():
-        source = resources.files("hertzwerk.derive.scenes").joinpath(f"{name}.py").read_text(encoding="utf-8")
+        source = build.scene_text(name)
         summary, *_ = str(ast.get_docstring(ast.parse(source))).split("\n")
-        lines = source.rstrip().replace("  # fmt: skip", "").splitlines()
+        lines = source.rstrip().splitlines()
         shown = "\n".join(lines[next(i for i, line in enumerate(lines) if line.startswith("scene = ")) :][:LINES])
         parts.append(
             f"## {name}\n\n{summary}\n\n```console\n$ hertzwerk run {name}\n```\n\n"

@@ -5,10 +5,8 @@ from __future__ import annotations
 import io
 import re
 import shutil
-import struct
 import subprocess
 import sys
-import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -63,9 +61,12 @@ def _draw_all(stage: Path, *, pictures: bool) -> None:
         with ThreadPoolExecutor(cores()) as pool:
             list(pool.map(_draw, shown, shown.values()))
         return
+    from PIL import Image
+
+    blank = Image.new("L", (1, 1), "white")
     for page, names in shown.items():
         for name in names:
-            (page.parent / name).write_bytes(_BLANK)
+            blank.save(page.parent / name, "png")
 
 
 def _draw(page: Path, names: list[str]) -> None:
@@ -85,15 +86,3 @@ def _sphinx(stage: Path, out: Path) -> str:
         app = Sphinx(stage, SOURCE, out, out / ".doctrees", "html", status=None, warning=warnings)
         app.build()
     return re.sub(r"\x1b\[[\d;]*m", "", warnings.getvalue()).replace(f"{stage}/", "").strip()
-
-
-def _chunk(kind: bytes, content: bytes) -> bytes:
-    return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-
-
-_BLANK = (
-    b"\x89PNG\r\n\x1a\n"
-    + _chunk(b"IHDR", struct.pack(">2I5B", 1, 1, 8, 0, 0, 0, 0))
-    + _chunk(b"IDAT", zlib.compress(b"\0\xff"))
-    + _chunk(b"IEND", b"")
-)

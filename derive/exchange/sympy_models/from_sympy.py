@@ -112,8 +112,7 @@ class Model:
                 self._must_have_place(where)
                 return Point(body)
         self._must_have_place(where)
-        if faults := [*self._orientation_faults(where, axes)]:
-            raise InputError(f"model {self.name}", faults)
+        refuse(f"model {self.name}", [*self._orientation_faults(where, axes)])
         name = where.name if axes is None else f"{where.name}_{axes.name}"
         if name not in self._bodies:
             self._bodies[name] = Body(name, mass=0), self._placed(where, axes)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.common.faults import refuse
 from hertzwerk.runtime.cli.target_options import unwritable_faults
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input
 
@@ -27,8 +27,7 @@ def handbook(pages: Path | None, notebooks: Path | None) -> int:
     """
     from hertzwerk.runtime.handbook.web_pages import SOURCE
 
-    if faults := unwritable_faults(pages, wanted=False) + unwritable_faults(notebooks, wanted=False):
-        raise InputError("handbook", faults)
+    refuse("handbook", [*unwritable_faults(pages, wanted=False), *unwritable_faults(notebooks, wanted=False)])
     if notebooks is not None:
         _write_notebooks(notebooks)
     if pages is not None:

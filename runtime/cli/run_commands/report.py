@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from hertzwerk.derive.common.faults import InputError
+from hertzwerk.derive.common.faults import refuse
 from hertzwerk.runtime.cli.terminal import GOOD, Progress, line, reports_bad_input
 
 
@@ -33,8 +33,7 @@ def report(target: str, out: Path | None, scene: str | None, overwrite: bool) ->
 
     place = Path(target)
     path = out or (place / "report.html" if place.is_dir() else Path(f"{place.stem}.html"))
-    if faults := new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite):
-        raise InputError("report", faults)
+    refuse("report", new_file_faults("--out", path, "name another, or add --overwrite", overwrite=overwrite))
     with Progress(f"report of {target}") as progress:
         progress.stage("making the page")
         page = page_of(place, target, scene).encode()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shlex
-from importlib import resources
 from pathlib import Path
 
 import click
@@ -53,6 +52,7 @@ def new(file: Path, template: str) -> int:
 
 def _text(scene: str, name: str, command: str) -> str:
     """Return the text of a built-in scene under another name, and how to run it ahead of its source."""
-    text = resources.files("hertzwerk.derive.scenes").joinpath(f"{scene}.py").read_text(encoding="utf-8")
+    from hertzwerk.runtime.engine.model.build import scene_text
+
     about = f"{name}: a copy of the built-in scene {scene}, to begin with.\n\nRun it by `{command}`.\n\n"
-    return text.replace('"""', f'"""{about}', 1).replace(f'"{scene}"', f'"{name}"').replace("  # fmt: skip", "")
+    return scene_text(scene).replace('"""', f'"""{about}', 1).replace(f'"{scene}"', f'"{name}"')

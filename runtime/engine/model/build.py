@@ -133,6 +133,12 @@ def source_of(target: str | Path) -> str:
     return str(target) if in_python(target) else f"derive/scenes/{target}.py"
 
 
+def scene_text(name: str) -> str:
+    """Return the source of a built-in scene, without the marks of its formatter."""
+    source = resources.files("hertzwerk.derive.scenes").joinpath(f"{name}.py").read_text(encoding="utf-8")
+    return source.replace("  # fmt: skip", "")
+
+
 def vary(
     scene: Scene,
     without: Sequence[str] = (),

@@ -85,8 +85,6 @@ class EngineModel:
     `declaration` is its origin; a saved run, or a generated module by itself, has none.
     """
 
-    watched = False
-    """Whether steps have to keep to a list of near pairs, or to a box: see `NearModel`, `ReducedModel`."""
     lists: tuple[int, ...] = ()
     """Sizes of the parts of a list of near pairs, which is among the constants as pieces of inputs are; empty without one."""
 

@@ -277,8 +277,7 @@ class Sweep:
                 return
 
     def _labelled(self) -> LabelledTable:
-        if faults := memory_faults(len(self)):
-            raise InputError(f"table of {self.scene}", faults)
+        refuse(f"table of {self.scene}", memory_faults(len(self)))
         index = Column(np.array([row.index for row in self.rows], dtype=int), "", "place in the design")
         columns = {
             name: Column(

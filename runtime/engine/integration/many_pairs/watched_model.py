@@ -12,7 +12,6 @@ from hertzwerk.runtime.engine.model.model import EngineModel
 class WatchedModel(EngineModel):
     """Model without some pairs of a whole one; its steps are watched where these may come near."""
 
-    watched = True
     whole: EngineModel
 
     @abstractmethod

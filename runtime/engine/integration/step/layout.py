@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.engine.integration.many_pairs.watched_model import WatchedModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -168,7 +169,7 @@ def layouts(model: EngineModel) -> Layouts:
         controls=Layout(
             {"c": model.nc, "scale": ny, "scales": 4, "speed_limits": len(model.speed_limited) and k}
             | dict.fromkeys(limits, 1)
-            | {"box": 2 * model.nq if k > MANY or model.watched else 0}
+            | {"box": 2 * model.nq if k > MANY or isinstance(model, WatchedModel) else 0}
         ),
         trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": model.nr, "error": 1}),
         verdict=Layout({"kind": 1, "error": 1, "in_range": model.nr}),
