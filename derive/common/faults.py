@@ -59,13 +59,20 @@ def unknown(kind: str, name: object, known: Iterable[str], otherwise: str = "") 
         return Fault(where, f"a {kind} named by {type(name).__name__}", f"text{more}")
     if not names:
         return Fault(where, f"no {kind} of this name", f"none, as there is no {kind}{more}")
-    from difflib import get_close_matches
-
-    near = get_close_matches(name, names, n=3)
-    remedy = f"did you mean {' or '.join(near)}?" if near else ""
-    listed = len(names) <= (FEW if near else MANY)
+    remedy = similar(name, names)
+    listed = len(names) <= (FEW if remedy else MANY)
     expected = f"one of {', '.join(names)}" if listed else f"the name of a {kind}"
     return Fault(where, f"no {kind} of this name", f"{expected}{more}", remedy)
+
+
+def similar(name: str, names: Collection[str]) -> str:
+    """Phrase of the names that resemble one, and of the quantities of its owner, `<owner>.<quantity>`."""
+    from difflib import get_close_matches
+
+    near, owner = get_close_matches(name, names, n=3), name.rpartition(".")[0]
+    own = [quantity for whose, _, quantity in (other.rpartition(".") for other in names) if owner and whose == owner]
+    phrases = [f"did you mean {' or '.join(near)}?"] if near else []
+    return " ".join([*phrases, *([f"{owner} has {', '.join(own)}"] if own else [])])
 
 
 def unreadable(path: object, error: Exception, expected: str) -> Fault:

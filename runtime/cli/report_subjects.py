@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.common.faults import Fault, InputError
+from hertzwerk.derive.common.faults import Fault, InputError, unknown
 from hertzwerk.runtime.cli.target_options import assignments
 from hertzwerk.runtime.system.digests import read_sealed
 
@@ -39,8 +39,15 @@ def page_of(place: Path, target: str, scene: str | None) -> str:
         raise InputError("report", [Fault("RUN", f"{place}, a folder without {', '.join(kinds)}", expected)])
     if place.suffix == ".npz":
         return _of_run(place, {}, scene)
+    from hertzwerk.runtime.engine.model.build import built_in_scenes
     from hertzwerk.runtime.loading import engine_model
     from hertzwerk.runtime.output.reports.model_report import model_page
+
+    scenes = built_in_scenes()
+    if not (
+        place.exists() or place.suffix or ":" in target or target in scenes
+    ):  # files and modules have errors of their own
+        raise InputError("report", [unknown("folder or scene", target, scenes, "a saved run or a Python file")])
 
     if scene is not None:
         raise InputError("report", [Fault("--scene", scene, "none: TARGET is a scene itself")])

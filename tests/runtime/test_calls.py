@@ -277,6 +277,7 @@ Measurement([0, 1], {"x": [1, 2]}, {"x": "parsec per fortnight"})  ->  x
 MeasuredImpacts([2, 1], {"t": [1, 2]}, {"t": "s"})  ->  increasing
 run[0]  ->  there are t, vertical.travel
 run["vertical.travle"]  ->  did you mean vertical.travel
+run["floor.Fx"]  ->  normal_force
 run["vertical.travel", "kg"]  ->  which is kg
 run.at("1 kg")  ->  which is kg
 run.extremes("height")  ->  no history 'height'

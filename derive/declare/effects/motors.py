@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import sympy as sp
@@ -46,7 +46,9 @@ class DCMotor(JointEffect):
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the current, with the size of that which the back EMF at the scene's speed would drive."""
-        speed, size = scene.scales.by_unit.get(self.freedom(scene).units[1]), None
+        scales, size = scene.scales, None
+        scales = scales if is_number(scales.arm) else replace(scales, arm=scales.length)  # which is a fault of its own
+        speed = scales.by_unit.get(self.freedom(scene).units[1])
         if speed is not None and is_number(self.constant) and is_number(self.resistance):  # else faults of the scene
             size = sp.Abs(sp.sympify(self.constant)) * speed / self.resistance
         yield State("current", "A", self.start_current, size)

@@ -50,7 +50,7 @@ def audit(
     """Check the units of scenes, files, laws or one expression.
 
     Exit code 0: consistent, 1: inconsistent, 2: bad input. SCENE is a built-in scene, FILE a Python or TOML file of
-    scenes or laws, FOLDER a folder of them.
+    scenes or laws, FOLDER a folder of them. The start is not checked here; `hertzwerk draw` assembles it.
     """
     _must_name_one(
         targets, laws, expr, stray=bool(units or values or expect), alone=bool(form and (as_json or not targets))

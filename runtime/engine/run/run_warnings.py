@@ -15,6 +15,7 @@ from hertzwerk.runtime.engine.solution.contact_watch import Lasting
 from hertzwerk.runtime.engine.solution.history import History, constraint_force
 
 SMALL = 0.01  # share of a dissipation below which a number says no more
+START = 1e-9  # share of a run within which a contact began at its start
 
 
 def unchecked(model: EngineModel) -> tuple[str, ...]:
@@ -110,9 +111,10 @@ def left_law(model: EngineModel, lasting: Sequence[Lasting], ends: History) -> I
         if spent > 0:
             share = f" ({f'{part:.0%}' if part >= SMALL else f'less than {SMALL:.0%}'} of its dissipation)"
     of = f" of {', '.join(pairs)}"
+    since = worst.since if worst.since > START * ends.t[-1] else 0.0
     which = f"{len(lasting)} contacts{of}, the worst" if len(lasting) > 1 else f"a contact{of},"
     yield (
-        f"{which} since t = {worst.since:.4g} s, exceeded the range of its damping law{share}: gap rates up to "
+        f"{which} since t = {since:.4g} s, exceeded the range of its damping law{share}: gap rates up to "
         f"{worst.ratio:.2g} times the approach speed v0; take a law without v0 (`hertzwerk laws`), or raise approach_floor, the lowest v0"
     )
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from difflib import get_close_matches
 from types import MappingProxyType
 
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.common.faults import Fault, unknown
+from hertzwerk.derive.common.faults import Fault, similar, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.loop.near_list import Departures
 from hertzwerk.runtime.engine.integration.loop.near_rows import NearRows, places
@@ -118,8 +117,7 @@ class History(Histories):
             return converted
         if not isinstance(name, str) or name not in self.units:
             known = self.units.everything
-            near = get_close_matches(name, known, n=3) if isinstance(name, str) else []
-            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
+            hint = (similar(name, known) if isinstance(name, str) else "") or f"there are {', '.join(known)}"
             raise KeyError(f"no history {name!r}; {hint}{self.units.missing}")
         if name not in self._values:
             self._values |= self._evaluate(name)

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 PANEL = (6.6, 4.7)  # largest size of the mechanism, inches
 DPI = 160
+LETTERS = 14.0  # on an inch of the lines below
 
 
 def of_run(run: EngineSolution) -> Figure:
@@ -55,8 +56,9 @@ def figure(places: Places, warnings: Sequence[str], differs: str = "", caption: 
     (width, height), left, below = drawing.size, 0.75 if plane else 0.15, 0.52 if plane else 0.1
     beside = insets.WIDTH + 0.4 if len(shown) == 1 else 0.2
     across = left + width + beside
-    lines_below = textwrap.wrap(caption or drawing.caption(), int(15.5 * across))
-    cautions = [line for text in warnings for line in textwrap.wrap(text, int(15.5 * across))]
+    letters = int(LETTERS * (across - 0.2))
+    lines_below = textwrap.wrap(caption or drawing.caption(), letters)
+    cautions = [line for text in warnings for line in textwrap.wrap(text, letters)]
     title = title_of(places.model, places.model.module.SUMMARY)
     foot = 0.14 + 0.165 * (len(lines_below) + len(cautions))
     low = foot + below + (insets.HEIGHT if row else 0.0)

@@ -116,6 +116,8 @@ def _overview(curves: Curves) -> Figure:
             panels += [partial(_deviations, unit=unit), partial(_accelerations, unit=unit)]
     if curves.run.engine.model.pairs:
         panels.append(_forces)
+    if _friction_forces(curves):
+        panels.append(_friction)
     if curves.run.energy_residual is not None:
         panels.append(_energy)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM, "axes.titley": 1.0}):  # nothing is above the panels
@@ -232,6 +234,17 @@ def _forces(axis: Axes, curves: Curves) -> None:
     over_time(axis, curves, f"{title} [{scale.unit}]")
 
 
+def _friction_forces(curves: Curves) -> list[str]:
+    """Name the friction forces that every run has, those of set-valued laws."""
+    return [name for name in curves.run.engine.history if name.endswith(".friction_force")]
+
+
+def _friction(axis: Axes, curves: Curves) -> None:
+    forces = {name.removesuffix(".friction_force"): curves[name] for name in _friction_forces(curves)}
+    scale = lines(axis, curves, "N", forces)
+    over_time(axis, curves, f"Friction force{f' of {next(iter(forces))}' if len(forces) == 1 else ''} [{scale.unit}]")
+
+
 def _normal_force(axis: Axes, curves: Curves, name: str) -> None:
     film = films(curves.run.engine.model).get(name)
     values = {"contact": curves[f"{name}.normal_force"]}
@@ -252,9 +265,11 @@ def _energy(axis: Axes, curves: Curves) -> None:
     Their sum is then constant but for the error of the run, which the title states.
     """
     parts = {"mechanical": curves["energy"] - curves["energy"][0]}
+    kinds = {name: kind for name, kind, _ in curves.run.engine.model.module.EFFECTS}
     for name in curves.run.engine.model.memory:
         owner, _, quantity = name.rpartition(".")
-        label = {"dissipated": f"loss, {owner}", "input": "drives' work"}.get(quantity)
+        work = "drives' work" if kinds.get(owner) == "ledger" else f"work, {owner}"
+        label = {"dissipated": f"loss, {owner}", "input": work}.get(quantity)
         if label is not None:
             parts[label] = curves[name]
     residual = curves.run.energy_residual or 0.0

@@ -9,17 +9,13 @@ from hertzwerk.derive.declare.mechanism.joints.joint import Freedom, Joint
 
 
 @dataclass(frozen=True, init=False)
-class Axial(Joint):
-    """Joint with one axis."""
+class Revolute(Joint):
+    """Rotation about `axis` by `angle`."""
 
     axis: Direction
 
     def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, axis: Direction) -> None:
         super().__init__(name, parent, child, axis=axis)
-
-
-class Revolute(Axial):
-    """Rotation about `axis` by `angle`."""
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
@@ -27,8 +23,14 @@ class Revolute(Axial):
         return (self.turn(self.axis, alone=True),)
 
 
-class Prismatic(Axial):
+@dataclass(frozen=True, init=False)
+class Prismatic(Joint):
     """Translation along `axis` by `travel`; the child keeps the parent's orientation."""
+
+    axis: Direction
+
+    def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, axis: Direction) -> None:
+        super().__init__(name, parent, child, axis=axis)
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
@@ -36,8 +38,14 @@ class Prismatic(Axial):
         return (self.slide(self.axis, alone=True),)
 
 
-class Cylindrical(Axial):
+@dataclass(frozen=True, init=False)
+class Cylindrical(Joint):
     """Translation along `axis` by `travel` and rotation about it by `angle`."""
+
+    axis: Direction
+
+    def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, axis: Direction) -> None:
+        super().__init__(name, parent, child, axis=axis)
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:

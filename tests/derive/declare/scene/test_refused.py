@@ -9,6 +9,7 @@ from hertzwerk.derive import (
     ConstantSpeed,
     Contact,
     Cylindrical,
+    DCMotor,
     Direction,
     EnergyLedger,
     Friction,
@@ -170,3 +171,13 @@ def test_each_such_motion_is_a_fault():
 def test_a_mass_in_between_is_no_fault():
     middle = Body("middle", MASS, TRIPLE)
     derive(scene(Revolute("one", GROUND, middle, Z), Revolute("two", middle, BODY, Z), effects=()))
+
+
+def test_a_missing_axis_or_arm_is_one_fault_of_what_the_user_wrote():
+    with pytest.raises(TypeError, match=r"Prismatic\.__init__\(\) missing .* 'axis'"):
+        Prismatic("slide", GROUND, BODY)
+    ohm, henry, volt = (Parameter(name, unit, 1) for name, unit in (("R", "ohm"), ("L_a", "H"), ("V", "V")))
+    motor = DCMotor("motor", "hinge", volt, ohm, henry, Parameter("k_m", "N m/A", 1))
+    with pytest.raises(InputError) as caught:
+        Scene(Mechanism("driven", (Revolute("hinge", GROUND, BODY, Z),)), (motor,), Scales(L, Parameter("v", "m/s", 1)))
+    assert [fault.found for fault in caught.value.faults] == ["no arm"]

@@ -27,6 +27,7 @@ from hertzwerk.derive import (
 from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.caller import Caller
+from hertzwerk.runtime.engine.run.run_warnings import left_law
 from hertzwerk.runtime.engine.solution.contact_watch import LastingContacts
 
 MASS, GRAVITY, DEPTH, POWER = 0.3, 9.81, 1e-4, 1.5  # kg, m/s^2, m of the penetration at rest, 1
@@ -107,6 +108,8 @@ def test_a_ball_pressed_on_a_shaken_plane():
     )
     assert "hertzwerk laws" in warning
     assert "approach_floor" in warning
+    rounded = left_law(run.engine.model, [left._replace(since=2e-18)], run.engine.history)
+    assert list(rounded) == [warning]  # it was "since t = 2e-18 s"
 
 
 def test_nothing_is_computed_beside_the_steps(monkeypatch):

@@ -30,7 +30,7 @@ from hertzwerk.derive import (  # fmt: skip
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.output.drawings import labels
+from hertzwerk.runtime.output.drawings import labels, picture
 from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.drawing_primitives import Paper
 from hertzwerk.runtime.output.drawings.picture import PANEL
@@ -280,3 +280,10 @@ def test_a_mechanism_too_large_to_be_drawn_is_refused(height, drawn):
         return
     with pytest.raises(InputError, match="check the units"):
         load("bouncing_ball").draw(parameters={"drop_height": height})
+
+
+def test_a_warning_on_a_narrow_picture_is_not_cut():
+    warning = "accommodating communication of MWMW, and normal forces that are far above what the law is for; " * 2
+    page = picture.figure(Places.at_start(load("bouncing_ball").engine, None, None), (warning,))
+    renderer = FigureCanvasAgg(page).get_renderer()
+    assert max(text.get_window_extent(renderer).x1 for text in page.texts) < page.bbox.x1

@@ -8,8 +8,21 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Circle
 
-from hertzwerk.derive import Contact
-from hertzwerk.derive.laws import power
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    DCMotor,
+    EnergyLedger,
+    JointFriction,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    X,
+)
+from hertzwerk.derive.laws import coulomb, power
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.build import scene_from
 from hertzwerk.runtime.engine.solution.solution import EngineRun
@@ -146,3 +159,22 @@ def test_units_are_those_a_person_reads(unit, values, shown):
     scale = scale_of(unit, values)
     assert scale.unit == shown
     assert scale(scale.factor) == 1
+
+
+def test_an_overview_shows_friction_in_joints_and_names_whose_work_it_draws():
+    """Work of any effect but a drive was named "drives' work"."""
+    volt, ohm, henry, constant, load, mu, length, speed, mass = (
+        Parameter(name, unit, 1)
+        for name, unit in (
+            *(("V", "V"), ("R", "ohm"), ("L", "H"), ("k", "N/A"), ("load", "N"), ("mu", "1"), ("l", "m")),
+            *(("v", "m/s"), ("mass", "kg")),
+        )
+    )
+    mechanism = Mechanism("linear_motor", (Prismatic("slide", GROUND, Body("block", mass), axis=X),))
+    friction = JointFriction("drag", "slide", coulomb(mu_k=mu / 4, mu_s=mu / 2), normal_force=load)
+    motor = DCMotor("motor", "slide", volt, ohm, henry, constant)
+    scene = Scene(mechanism, (friction, motor, EnergyLedger()), Scales(length, speed))
+    shown = texts(simulate(scene, duration="5 s").plot())
+    assert "Friction force of drag" in shown
+    assert "work, motor" in shown
+    assert "drives" not in shown

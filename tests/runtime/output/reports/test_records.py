@@ -76,6 +76,12 @@ def test_a_folder_that_is_no_study_is_refused(report, tmp_path, broken):
     assert not (tmp_path / "study" / "report.html").exists()
 
 
+def test_a_folder_that_does_not_exist_is_no_file_and_no_scene(report):
+    for name in ("runs/ball-001", "ball-001"):
+        result = report("report", name)
+        assert (result.exit_code, f"{name}: found no folder or scene" in " ".join(result.output.split())) == (2, True)
+
+
 @pytest.mark.parametrize(("alike", "keys"), [(0, ["mass"]), (1, ["same_0", "mass"]), (3, ["row"])])
 def test_more_columns_than_fit_are_tables_side_by_side(alike, keys):
     """Every number once, seven columns at most beside what tells the rows apart: their first ones, or their numbers."""
