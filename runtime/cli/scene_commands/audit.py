@@ -134,14 +134,13 @@ def _audit_laws(as_json: bool) -> int:
 
 def _report(every: Sequence[Finding]) -> None:
     findings = [finding for finding in every if finding.verdict != "advice"]
-    table(
-        ("verdict", "checked", "law", "unit"),
-        [
-            (f.verdict, ", ".join(filter(None, (f.effect, f.quantity))), f.law,
-             f.found if f.found == f.expected else f"{f.found}, not {f.expected}")
-            for f in findings
-        ],
-    )  # fmt: skip
+    rows = [
+        (f.verdict, ", ".join(filter(None, (f.effect, f.quantity))), f.law,
+         f.found if f.found == f.expected else f"{f.found}, not {f.expected}")
+        for f in findings
+    ]  # fmt: skip
+    if rows:
+        table(("verdict", "checked", "law", "unit"), rows)
     faulty = [finding for finding in findings if finding.verdict != "consistent"]
     for finding in faulty:
         click.echo(f"\n{finding}")
@@ -149,8 +148,9 @@ def _report(every: Sequence[Finding]) -> None:
         click.echo()
         line("inconsistent", f"{len(faulty)} of {len(findings)} findings; an inconsistent scene is not derived")
     else:
-        program = ", and every assignment and output of the program" if any(f.effect for f in findings) else ""
-        line("consistent", f"{len(findings)} law expression{'s' if len(findings) != 1 else ''}{program}")
+        laws = f"{len(findings)} law expression{'s' if len(findings) != 1 else ''}"
+        program = any(f.effect for f in findings) or not findings  # a scene without laws has its program alone
+        line("consistent", f"{laws}{', and every assignment and output of the program' if program else ''}")
     _advise(every)
 
 

@@ -56,21 +56,24 @@ def assemble(
         if not unclosed:
             q, faults = centred, ()
         elif not faults and not ideal.inside(q):
-            if any(fault.found.startswith(UNDER) for fault in unclosed):
-                return q, u, unclosed
+            if _under(unclosed):
+                return q, u, (*unclosed, *_under(_speed(ideal, centred, u, fixed)[1]))
             nearest = _nearest(ideal, stated, fixed)
             if nearest is None:
                 return q, u, _with_closing_change(ideal, stated, fixed, unclosed)
             q = nearest
     if faults:
-        return q, u, faults
+        return q, u, (*faults, *(_under(_speed(loops, q, u, fixed)[1]) if _under(faults) else ()))
     if not journals(model):
         return q, *_speed(loops, q, u, fixed)
     moving, unclosed = _speed(ideal, q, u, fixed)
     if unclosed and loops.rows:  # the journals move in their bushes, the loops stay closed
         return q, *_speed(loops, q, u, fixed)
-    under = tuple(fault for fault in unclosed if fault.found.startswith(UNDER))
-    return q, moving, under
+    return q, moving, _under(unclosed)
+
+
+def _under(faults: tuple[Fault, ...]) -> tuple[Fault, ...]:
+    return tuple(fault for fault in faults if fault.found.startswith(UNDER))
 
 
 def assemble_at(

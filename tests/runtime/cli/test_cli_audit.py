@@ -86,6 +86,14 @@ def test_a_law_file_and_its_folder(hertzwerk, tmp_path):
     assert hertzwerk("audit", "good.toml").exit_code == 0
 
 
+def test_a_scene_without_laws_has_its_program_audited(hertzwerk):
+    """The table was empty, and the program was not mentioned in a file of the user's own."""
+    done = hertzwerk("audit", "pendulum")
+    assert done.exit_code == 0
+    expected = "consistent 0 law expressions, and every assignment and output of the program"
+    assert " ".join(done.output.split()) == expected
+
+
 @pytest.mark.parametrize(
     "arguments",
     [(), ("slider_crank", "--laws"), ("slider_crank", "--expect", "N"), ("nowhere.toml",), ("no_such_scene",)],

@@ -9,17 +9,21 @@ from click.testing import CliRunner
 
 from hertzwerk.derive import (
     GROUND,
+    Body,
     Contact,
     Drive,
+    Harmonic,
     InputError,
     Mechanism,
     Parameter,
     PinInBush,
     Planar,
+    Prismatic,
     Revolute,
     Scales,
     Scene,
     Start,
+    X,
     Z,
 )
 from hertzwerk.derive.laws import flores, hertz_point
@@ -212,6 +216,32 @@ def test_too_little_is_named():
     assert "under-determined" in fault.found
     assert "main_bearing.angle" in fault.found
     assert fault.expected == "1 more value among them"
+
+
+def test_too_few_positions_and_speeds_are_one_error():
+    """The speeds were reported after the positions had been stated: a rod that hangs by its pin on a shaken carriage."""
+    length = Parameter("hang", "mm", 100)
+    mass = Parameter("m", "kg", 1)
+    carriage, rod = Body("carriage", mass), Body("rod", mass, mass * length**2)
+    mechanism = Mechanism(
+        "hanging",
+        (Prismatic("guide", GROUND, carriage, axis=X), Planar("plane", GROUND, rod)),
+        (PinInBush("pin", rod.at(0, length, 0), carriage.at(0, 0, 0), Z, BUSH, c),),
+    )
+    drive = Harmonic("shake", "guide", Parameter("amplitude", "mm", 5), frequency=Parameter("rate", "rad/s", 20))
+    model = engine_model(
+        Scene(
+            mechanism,
+            (drive, Contact("pin", hertz_point(steel, steel))),
+            Scales(c, Parameter("pace", "m/s", 1), arm=length),
+        )
+    )
+    faults = faults_of(model, {})
+    assert [fault.where for fault in faults] == ["start, positions", "start, speeds"]
+    assert all("under-determined" in fault.found for fault in faults)
+    assert started(model, {"plane.angle": "0 rad", "plane.angle_speed": "0 rad/s"})["plane.y"] == pytest.approx(
+        -0.1, rel=1e-12
+    )
 
 
 # -- starts are checked ------------------------------------------------------------------------------------------------
