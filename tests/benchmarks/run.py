@@ -5,7 +5,8 @@
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
 in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
 matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 15 in sensitivities, issue 36 in size, rows, minute and bodies,
-issue 38 in measured, issues 4 and 40 in limit, issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
+issue 38 in measured, issue 40 in overpaid, issues 4 and 40 in limit, issue 4 ("Numbers") in the others. Nothing here fails a test,
+for seconds depend on the machine.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ from benchmarks.honesty import honesty
 from benchmarks.limit import limit
 from benchmarks.measured import measured
 from benchmarks.minute import minute
+from benchmarks.overpaid import overpaid
 from benchmarks.pairs import pairs
 from benchmarks.ratios import Ratio, medians, timed
 from benchmarks.rows import rows
@@ -125,6 +127,7 @@ SECTIONS = {
     "pairs": pairs,
     "auto": automatic,
     "honesty": honesty,
+    "overpaid": overpaid,
     "sweep": sweep,
     "sensitivities": sensitivities,
     "size": size,
