@@ -7,7 +7,7 @@ import casadi as ca
 import mpmath
 import numpy as np
 import pytest
-from rows import row
+from balls_in_a_row import row
 
 from hertzwerk.derive.scenes.hard.hard_scenes import row_of_spheres, touching_row
 from hertzwerk.runtime import simulate
