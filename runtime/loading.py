@@ -42,7 +42,7 @@ class Model:
 
     @property
     def engine(self) -> EngineModel:
-        """Model as the engine has it: sizes, rows, and functions by the parts of the state."""
+        """Engine's record of the model: sizes, rows, and functions by the parts of the state."""
         return self._engine
 
     @property

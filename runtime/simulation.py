@@ -277,7 +277,7 @@ def _solution_of(
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Solution(plain_solution.EngineSolution):
-    """Result of a run, as `simulate` returns it, with continuation, derivatives, plots and drawings.
+    """Result of `simulate`: outcome, histories, derivatives, plots and drawings of a run.
 
     derivatives    by the names that `simulate(..., sensitivities=...)` was given, None without
     """
@@ -469,7 +469,7 @@ class Solution(plain_solution.EngineSolution):
         return picture.of_run(self)
 
     def report(self, path: str | Path, *, target: Target | None = None, overwrite: bool = False) -> Path:
-        """Write one HTML page of the run that holds all it shows; raises FileExistsError.
+        """Write the run as one self-contained HTML page; raises FileExistsError.
 
         target    the scene or the Model of a saved run, for its equations: "slider_crank"
         """

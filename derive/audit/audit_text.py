@@ -58,7 +58,7 @@ def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str,
 def audit_expression(
     text: str, units: Mapping[str, str], values: Mapping[str, float] | None = None, expect: str | None = None
 ) -> Finding:
-    """Verdict on one expression given as text.
+    """Audit of the units of one expression given as text.
 
     `units` declares names (name -> unit text), `values` gives numbers for names of unit 1 (or for names that `units`
     lacks), `expect` is the unit the result must have; without it the finding's `found` is the unit it has. Raises

@@ -33,7 +33,7 @@ from hertzwerk.derive.program.program import Program
 
 
 def generate(scene: Scene, source: str = "", coordinates: str | None = None) -> str:
-    """Text of the scene's generated module; raises InputError as `derive` does.
+    """Text of the generated CasADi module of a scene; raises InputError as `derive` does.
 
     source         the file of the scene, as the header states it
     coordinates    those of `scene`, where the file's scene has others
@@ -44,7 +44,7 @@ def generate(scene: Scene, source: str = "", coordinates: str | None = None) -> 
 
 
 def derive(scene: Scene) -> Program:
-    """Program of a scene.
+    """Derived equations of a scene, as a program of assignments with units.
 
     Raises InputError, listing every fault, unless each assignment and output has consistent units and its laws are
     physically admissible (`behaviour`).

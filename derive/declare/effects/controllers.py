@@ -116,7 +116,7 @@ class SpeedController(JointEffect):
             yield Slot(f"{self.where}, limit", self.limit, self.unit, POSITIVE)
 
     def type_faults(self) -> Iterator[Fault]:
-        """Yield faults of a unit that is none, and of limits that are none."""
+        """Yield faults of an invalid unit and of invalid limits."""
         yield from super().type_faults()
         yield from _unit_faults(self.where, self.unit, "the unit of its command, such as N m or V")
         where, limits = f"{self.where}, limit", self.limit if isinstance(self.limit, tuple) else (self.limit,)
@@ -212,7 +212,7 @@ class Relay(Effect):
         return {"signal": self.unit}
 
     def type_faults(self) -> Iterator[Fault]:
-        """Yield faults of a unit that is none, and of a start that is no output."""
+        """Yield faults of an invalid unit, and of a start other than 1 or -1."""
         yield from super().type_faults()
         yield from _unit_faults(self.where, self.unit, "the unit of its signal, such as m/s")
         if self.start not in (1, -1):

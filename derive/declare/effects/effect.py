@@ -440,7 +440,7 @@ class JointEffect(Effect):
 
 
 class PairEffect(Effect):
-    """Effect at a `pair`, one of its kind there."""
+    """Effect at a `pair`, which has at most one of each kind."""
 
     pair: str
 

@@ -188,7 +188,7 @@ class PointDamper(AlongLine):
 
 @dataclass(frozen=True)
 class LineForce(AlongLine):
-    """Spring, damper, rope or stop between two points by any law of its length and their rate.
+    """Spring, damper, rope or stop between two points, by any law of their distance and its rate.
 
     The tension [N], which pulls the points together where it is positive, is an expression of `LENGTH`, `LENGTH_RATE`,
     the time, coordinates, speeds and states: a rope that only pulls is Where(LENGTH > l, k (LENGTH - l), 0). Its power is

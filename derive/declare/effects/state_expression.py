@@ -92,7 +92,7 @@ LENGTH, LENGTH_RATE = StateSymbol("length", REACH, ""), StateSymbol("length_rate
 
 
 class Input(StateSymbol):
-    """Value over time that a run is given, such as a measured torque; a symbol in expressions.
+    """Function of time that each run supplies, such as a measured torque; a symbol in expressions.
 
     `unit` is text, `meaning` what lists and tables say of it. Its history has its name:
     `simulate(model, inputs={"torque": ...})`, `run["torque"]`.

@@ -152,7 +152,7 @@ class Curve(SolidCurve):
 def curve_through(
     name: str, x: Sequence[float], y: Sequence[float], unit: str, closed: bool = True, hole: bool = False
 ) -> Curve:
-    """Smooth curve through points, by quintic splines of the chord's length.
+    """Smooth curve through points, by quintic splines over the length of the chords.
 
     They are periodic, or open with straight ends.
     A closed one does not repeat its first point. `S` runs from 0 to 1.

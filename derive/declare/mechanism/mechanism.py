@@ -23,7 +23,7 @@ from hertzwerk.derive.expressions.parameter import Slot
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Bodies connected by joints, and the pairs that may touch.
+    """Bodies connected by joints, and pairs of surfaces that may touch.
 
     The first joint to reach a body carries it: these joints are the tree, whose coordinates are the mechanism's. Any
     later joint to a body closes a loop, and is a constraint. A pair of several parts stands here as its parts.

@@ -140,7 +140,7 @@ class Scene:
         return replace(self, coordinates=coordinates)  # type: ignore[arg-type]  # which the new scene checks
 
     def with_law(self, effect_name: str, law_name: str, known: Mapping[str, Law] = LAWS) -> Scene:
-        """The scene with laws of an effect replaced by those that `law_name` names, `power(n=1.5) x flores`.
+        """The scene with other laws of an effect, named as in `power(n=1.5) x flores`.
 
         Parameters shared by name keep their values; others are given with the law, as quantities or as names of
         parameters of the scene: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`. `known` has the laws by name. Raises
@@ -202,7 +202,7 @@ class Scene:
         )
 
     def meant(self, name: str) -> list[str]:
-        """Names of the effects that a name stands for: its own, or those of each part of a pair."""
+        """Names of the effects of a name: the effect itself, or the effects at each part of a pair."""
         endings = {part: part.removeprefix(whole) for whole, parts in self.mechanism.parts.items() for part in parts}
         return [
             effect.name

@@ -57,7 +57,7 @@ def from_sympy(
     method: Any, *, units: Mapping[Any, str], parameters: Mapping[Any, float], name: str = "model", origin: Any = None,
     specified: Mapping[Any, Any] | None = None, kinematics: str = "audited",
 ) -> Model:  # fmt: skip
-    """Model of a KanesMethod, a LagrangesMethod or a System whose equations are formed.
+    """Model of SymPy's KanesMethod, LagrangesMethod or System after its equations are formed.
 
     Raises InputError, listing every fault, for symbols without unit or value, for expressions whose units part, and for
     velocities that were set and do not follow from positions and axes.

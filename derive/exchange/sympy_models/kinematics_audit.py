@@ -30,8 +30,8 @@ TOLERANCE = 1e-9  # of the largest velocity: constants of a model may be floatin
 STATES, TRIES, ROUNDS = 2, 12, 60
 LONGEST = 300  # of a velocity in a message, in characters
 REMEDY = (
-    "Look at signs, at the order of rotations, at the frame in which a point is fixed, and at the origin; "
-    'from_sympy(..., kinematics="as given") takes it as it is.'
+    "Check the signs, the order of rotations, the frame in which a point is fixed, and the origin; "
+    'from_sympy(..., kinematics="as given") accepts it unchanged.'
 )
 FUNCTIONS: Mapping[Any, Callable[..., Any]] = {
     sp.Add: lambda *terms: sum(terms), sp.Mul: lambda *factors: mp.fprod(factors), sp.Pow: lambda a, b: a**b,

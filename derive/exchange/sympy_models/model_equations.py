@@ -160,7 +160,7 @@ def _refuse_auxiliary(kind: str, speeds: Any) -> None:
     if speeds:
         actual = f"auxiliary speeds {', '.join(map(str, speeds))}"
         raise InputError("from_sympy", [Fault(kind, actual, "none: forces of constraints are histories here",
-                                              "Leave them out, and the loads that they reveal.")])  # fmt: skip
+                                              "Omit them, and the loads that they are for.")])  # fmt: skip
 
 
 def _not_formed(kind: str, how: str) -> InputError:

@@ -59,8 +59,8 @@ def ledger_faults(effects: tuple[Any, ...], follows_time: bool, alone: bool) -> 
         return
     if alone:
         yield Fault("effects", "an energy ledger beside equations alone", "a model whose loads or potential are known",
-                    "Leave it out; a KanesMethod and a LagrangesMethod have theirs.")  # fmt: skip
+                    "Omit it: loads of a KanesMethod or a LagrangesMethod are known.")  # fmt: skip
     elif follows_time:
         yield Fault("effects", "an energy ledger beside a motion that itself follows time",
                     "a motion with a drive: the equations of SymPy do not contain its force",
-                    "Make what is specified a coordinate and drive it, Drive(..., position=...); or leave the ledger out.")  # fmt: skip
+                    "Make the specified function a coordinate with Drive(..., position=...), or omit the ledger.")  # fmt: skip

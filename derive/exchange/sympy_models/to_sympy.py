@@ -93,7 +93,7 @@ class _Export:
             )
         for name in (*(state.port.name for state in system.kin.drive_states), *self.scene.states):
             yield Fault(f"state {name}", "a state that is no coordinate", "coordinates alone",
-                        "Leave out the effect or the drive that integrates it.")  # fmt: skip
+                        "Omit the effect or the drive that integrates it.")  # fmt: skip
 
     def equations(self) -> SymPyEquations:
         """The record."""

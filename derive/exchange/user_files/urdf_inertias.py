@@ -1,4 +1,4 @@
-"""Masses and inertias of the links of a URDF file, and what is done about inertias that no body has.
+"""Masses and inertias of the links of a URDF file, and repairs of physically impossible inertias.
 
 Only rigid wholes move, so an impossible inertia counts with the link that it is welded to. Where the whole has an
 impossible one, the nearest is the orthogonal projection of its principal values onto those of which none exceeds the
@@ -90,22 +90,22 @@ def repaired(
     if zeros := [name for name in wrong if _possible(mechanism, numbers[name].rounded.body(name))]:
         numbers.update({name: numbers[name].rounded for name in zeros})
         made = mechanism, bodies = make(numbers)
-        repairs.append(f"inertias impossible by rounding alone, zero where they are rounding: {', '.join(zeros)}")
+        repairs.append(f"inertias impossible by rounding, their rounding errors set to zero: {', '.join(zeros)}")
     wholes = grouped((rigid_root(mechanism, bodies[name]), name) for name in wrong if name not in zeros)
     for root, names in wholes.items():
         first, counted = _counted(mechanism, bodies, numbers, root, names)
         numbers.update(counted)
         if counted:
             welded = ", ".join(name for name in counted if name != first)
-            repairs.append(f"inertias that no body has, counted with {first}, which they are welded to: {welded}")
+            repairs.append(f"impossible inertias, added to that of {first}, to which the links are welded: {welded}")
         for name in () if counted else names:
             values = f"principal values {', '.join(f'{value:.4g}' for value in principal(numbers[name].rows))} kg m^2"
             numbers[name], step = numbers[name].nearest
             if take_nearest:
-                repairs.append(f"inertia of {name}, {values}, which no body has: the nearest possible one, {step}")
+                repairs.append(f"impossible inertia of {name}, {values}: replaced by the nearest possible one, {step}")
             else:
                 faults.append(Fault(f"link {name}, inertia", values, "none negative, none larger than the sum of the others",
-                                    "No distribution of mass has these: see the values, and the signs of the products. "
+                                    "No distribution of mass has these: check the values and the signs of the products. "
                                     f'from_urdf(..., inertia="nearest") takes the nearest possible one, {step}.'))  # fmt: skip
     return (make(numbers) if wholes else made), repairs, faults
 

@@ -119,7 +119,7 @@ def study_effects(
     compiled: Compiled = False,
     progress: Callable[[float], object] | None = None,
 ) -> Study:
-    """Leave out each effect of a scene in turn and measure its cost and influence; raises InputError.
+    """Omit each effect of a scene in turn and measure its cost and influence; raises InputError.
 
     tolerance    of the coarsest runs and of those that are timed; finer ones show the error
     target    a scene or a Model, as `simulate` takes it

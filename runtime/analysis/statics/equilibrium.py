@@ -206,7 +206,7 @@ class Equilibrium(Mapping[str, Value]):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Reservations: instability, choice among many, forces that balance alone leaves open."""
+        """Remarks: instability, one equilibrium of several, forces that statics does not determine."""
         remarks = [] if self.stable or not self.converged else ["unstable: some displacement grows"]
         if self.indifferent:
             remarks.append(f"indifferent: {', '.join(self.indifferent)} may have other values; no force holds them")
@@ -245,7 +245,7 @@ def equilibrium(
     at: str | float = 0.0,
     nearest: bool = False,
 ) -> Equilibrium:
-    """Find a position of rest of a scene, with its drives held at a time.
+    """Compute an equilibrium of a scene, with its drives held at a time.
 
     target     a scene or a Model, as `simulate` takes it
     parameters, initial    values that replace the scene's, with units; the search begins at that start

@@ -163,7 +163,7 @@ def _derivatives(model: EngineModel) -> Callers:
 
 @dataclass(frozen=True)
 class Mode:
-    """Vibration, or decay without vibrating: a small deviation exp(eigenvalue t) shape.
+    """Mode of small vibration or decay: a deviation exp(eigenvalue t) shape.
 
     eigenvalue [1/s]; shape: complex deviation of every coordinate, in its unit, its largest in the scene's scales 1.
     """

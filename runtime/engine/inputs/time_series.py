@@ -60,7 +60,7 @@ class Samples:
         return time, value
 
     def faults(self, where: str) -> Iterator[Fault]:
-        """Yield the faults of the samples themselves; whether their unit fits is for their reader to say."""
+        """Yield the faults of the samples; their reader checks the unit."""
         if self.between not in BETWEEN:
             yield Fault(where, f"between {shown(self.between)}", f"one of {', '.join(BETWEEN)}")
         if not isinstance(self.units, tuple | list) or len(self.units) != 2:

@@ -79,7 +79,7 @@ def _alternates(sliding: np.ndarray) -> bool:
 
 @dataclass(frozen=True)
 class Outcome:
-    """`finished`, or the name of the reason for the stop, with a description and a remedy."""
+    """End of a run: `finished`, or the reason for the stop, with a description and a remedy."""
 
     name: str
     message: str

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Comparison(Compared):
-    """Run beside measured data, as `compare` returns it, with its picture."""
+    """Result of `compare`: a run beside measured data, with its picture."""
 
     def plot(self) -> Figure:
         """Draw measured data over the run, the residual, and spectra, for each signal."""

@@ -44,7 +44,7 @@ APART = 1e-4  # of the spacing of samples: to both sides of one, for the rate of
 
 @dataclass(frozen=True)
 class Experiment:
-    """Measured run, with the values that it was made at.
+    """Measurement of one run, with the parameter values of that run.
 
     data       a `Measurement` over time, `MeasuredImpacts`, or a table of either, as `read_measurement` reads it
     parameters, inputs    as `simulate` takes them, initial states among the parameters: {"drop_height": "0.5 m"}

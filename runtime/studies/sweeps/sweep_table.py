@@ -51,7 +51,7 @@ TOGETHER, PART = 1000, 20_000  # lines of a file, rows of a table, that are made
 
 @dataclass(frozen=True)
 class Sweep:
-    """Rows in the order of the design; `sweep["peak_force"]` is a column, in SI, `sweep.names` lists all.
+    """Result of `sweep`: rows in the order of the design; `sweep["peak_force"]` is a column, in SI.
 
     scene    name of the scene
     columns    unit text by name of column, "" where there is none
@@ -79,7 +79,7 @@ class Sweep:
 
     @classmethod
     def load(cls, folder: str | Path) -> Sweep:
-        """Read the rows that a sweep has stored in a folder, also while it goes on; raises InputError."""
+        """Read the stored rows of a sweep from its folder, also during the sweep; raises InputError."""
         from hertzwerk.runtime.studies.sweeps.stored_rows import loaded
 
         return loaded(Path(folder))
@@ -109,7 +109,7 @@ class Sweep:
 
     @property
     def interrupted(self) -> bool:
-        """Whether Ctrl-C ended it: the rows are those that were done."""
+        """Whether Ctrl-C ended the sweep; its rows are those finished before."""
         return self.outcome.name == "interrupted"
 
     @property
@@ -149,7 +149,7 @@ class Sweep:
 
     @property
     def gridded(self) -> bool:
-        """Whether the rows are all combinations of what was varied."""
+        """Whether the rows are all combinations of the varied values."""
         return self.design is not None and bool(self.design.grid)
 
     @cached_property
@@ -162,7 +162,7 @@ class Sweep:
         }
 
     def in_stated_units(self, most: int | None = None) -> tuple[dict[str, str], list[list[float | str]]]:
-        """Return units by column, and the first rows, for people.
+        """Return units by column, and the first rows, in the stated units.
 
         What was varied is in the unit that it was given in, where that is one in all rows.
         """
@@ -175,7 +175,7 @@ class Sweep:
 
     @property
     def stated_units(self) -> dict[str, str]:
-        """Unit that what was varied was given in, where that is one in all rows, and not 1."""
+        """Stated unit of each varied parameter, where all rows share one other than 1."""
         if self.design is not None:
             return {name: unit for name, unit in self.design.units.items() if unit != "1"}
         units = {name: {_stated_value(row.stated.get(name))[1] for row in self.rows} for name in self.varied}
@@ -213,7 +213,7 @@ class Sweep:
         return self.columns[name]
 
     def slope(self, output: str, name: str, at: float | None = None) -> Slope:
-        """Return the derivative of an output by what was varied, by regression over the finished rows.
+        """Return the derivative of an output by a varied parameter, by regression over the finished rows.
 
         For what has none along one run, as averages in chaos. at: where [SI], by default in the middle of the rows. Other
         numbers that are varied count linearly. Raises InputError for names that are no such columns, and too few rows.
@@ -252,7 +252,7 @@ class Sweep:
         return data_frame(self._labelled())
 
     def to_xarray(self) -> Dataset:
-        """Return an xarray dataset over what was varied, with units and outcome.
+        """Return an xarray dataset over the varied parameters, with units and outcome.
 
         Its dimensions are the varied names where the rows are all combinations, else `row`, with them as coordinates.
         Points of a section are `section.guide.travel` over `section.point`, those of shorter rows followed by nan.

@@ -30,7 +30,7 @@ class Correlated:
     correlation: Mapping[str, float] = field(default_factory=dict)
 
     def record(self) -> dict[str, Any]:
-        """Return it as plain data, from which it is made again: Correlated(**record)."""
+        """Return its fields as plain data; `Correlated(**record)` restores it."""
         return {
             "distributions": {name: str(one) for name, one in self.distributions.items()},
             "correlation": dict(self.correlation),

@@ -52,11 +52,11 @@ class Normal(Distribution):
     places = ("mean",)
 
     def fault(self, mean: float, std: float) -> str:  # type: ignore[override]
-        """Return what was expected."""
+        """Return the expected values, or "" if these are sound."""
         return "" if std > 0 else "a standard deviation above zero"
 
     def frozen(self, mean: float, std: float) -> Any:  # type: ignore[override]
-        """Return it in SI."""
+        """Return SciPy's distribution of these values in SI."""
         from scipy import stats
 
         return stats.norm(mean, std)
@@ -73,11 +73,11 @@ class TruncatedNormal(Distribution):
     places = ("mean", "low", "high")
 
     def fault(self, mean: float, std: float, low: float, high: float) -> str:  # type: ignore[override]
-        """Return what was expected."""
+        """Return the expected values, or "" if these are sound."""
         return "" if std > 0 and low < high else "a standard deviation above zero, and the lower limit first"
 
     def frozen(self, mean: float, std: float, low: float, high: float) -> Any:  # type: ignore[override]
-        """Return it in SI."""
+        """Return SciPy's distribution of these values in SI."""
         from scipy import stats
 
         return stats.truncnorm((low - mean) / std, (high - mean) / std, mean, std)
@@ -92,11 +92,11 @@ class Uniform(Distribution):
     places = ("low", "high")
 
     def fault(self, low: float, high: float) -> str:  # type: ignore[override]
-        """Return what was expected."""
+        """Return the expected values, or "" if these are sound."""
         return "" if low < high else "the lower value first"
 
     def frozen(self, low: float, high: float) -> Any:  # type: ignore[override]
-        """Return it in SI."""
+        """Return SciPy's distribution of these values in SI."""
         from scipy import stats
 
         return stats.uniform(low, high - low)
@@ -112,11 +112,11 @@ class Triangular(Distribution):
     places = ("low", "mode", "high")
 
     def fault(self, low: float, mode: float, high: float) -> str:  # type: ignore[override]
-        """Return what was expected."""
+        """Return the expected values, or "" if these are sound."""
         return "" if low <= mode <= high and low < high else "values in the order low, mode, high"
 
     def frozen(self, low: float, mode: float, high: float) -> Any:  # type: ignore[override]
-        """Return it in SI."""
+        """Return SciPy's distribution of these values in SI."""
         from scipy import stats
 
         return stats.triang((mode - low) / (high - low), low, high - low)
@@ -135,11 +135,11 @@ class LogNormal(Distribution):
     factors = ("factor",)
 
     def fault(self, median: float, factor: float) -> str:  # type: ignore[override]
-        """Return what was expected."""
+        """Return the expected values, or "" if these are sound."""
         return "" if median > 0 and factor > 1 else "a median above zero, and a factor above 1"
 
     def frozen(self, median: float, factor: float) -> Any:  # type: ignore[override]
-        """Return it in SI."""
+        """Return SciPy's distribution of these values in SI."""
         from scipy import stats
 
         return stats.lognorm(math.log(factor), scale=median)

@@ -113,7 +113,7 @@ class Propagated:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Differences between derivatives and samples, and what is missing."""
+        """Differences between derivatives and samples, and missing numbers."""
         return (*(text for output in self for text in output.warnings), *self.notes)
 
     def __repr__(self) -> str:

@@ -48,7 +48,7 @@ class BallFriction(Effect):
         yield self.joint
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """Yield faults of another joint, and of a law that is no linear one of normal force and slip."""
+        """Yield faults of another joint, and of a law not linear in normal force and slip."""
         yield from super().faults(scene)
         balls = [joint.name for joint in scene.mechanism.joints if _is_ball(joint)]
         if self.joint not in balls:

@@ -88,7 +88,7 @@ def tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
                     "J_xy is -integral of x y dm. A slender rod lies along an axis of its frame, (0, J, J); a turned point carries it.")  # fmt: skip
     elif least > 0 and most > (least + middle) * (1 + ROUNDING):
         yield Fault(where, actual, "none larger than the sum of the others, as J_z = integral of (x^2 + y^2) dm <= J_x + J_y",
-                    "No distribution of mass has these: see the values, and the signs of the products, J_xy = -integral of x y dm.")  # fmt: skip
+                    "No distribution of mass has these: check the values and the signs of the products, J_xy = -integral of x y dm.")  # fmt: skip
 
 
 def principal(rows: Sequence[Sequence[float]]) -> list[float]:

@@ -48,7 +48,7 @@ RATES = "excursions", "rate"  # kinds whose unit is 1/s
 
 @dataclass(frozen=True)
 class MeasuredSeries:
-    """Measured series, or measured list of impacts, that a fit takes statistics of, and how.
+    """Measured series or impacts, and the statistics that `fit_moments` compares.
 
     data       table over time or with a column `impact [1]`, as `read_measurement` reads it; a `Measurement` or `MeasuredImpacts`
     map        histories by column; of impacts numbers of them, {"t": "floor.impacts.t", "speed": "floor.impacts.speed"}

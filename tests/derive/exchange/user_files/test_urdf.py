@@ -329,14 +329,14 @@ STRUCTURES: dict[str, tuple[str, list[Row], dict, tuple[str, ...]]] = {
     "a point mass on the axis": ("arm", [HIP, KNEE, replace(TIP, xyz=(0, 0.3, 0.4), centre=(0, 0, 0))], {},
                                  ("masses without inertia, taken as point masses: foot",)),
     "a negative inertia on a sound link": ("arm", [HIP, KNEE, replace(TIP, inertia=NEGATIVE)], {},
-                                           ("inertias that no body has, counted with shin, which they are welded to: foot",)),
+                                           ("impossible inertias, added to that of shin, to which the links are welded: foot",)),
     "a lazy base": ("quadruped", [replace(BASE, mass=1e-6, centre=(0, 0, 0), inertia=LAZY), replace(SLED, inertia=SOUND["inertia"]), HIP],
-                    {"base": "floating"}, ("inertias that no body has, counted with trunk, which they are welded to: box",)),
+                    {"base": "floating"}, ("impossible inertias, added to that of trunk, to which the links are welded: box",)),
     "an impossible one fixed to the ground": ("lift", [SLED, HIP], {},
-                                              ("inertias that no body has, counted with ground, which they are welded to: box",)),
+                                              ("impossible inertias, added to that of ground, to which the links are welded: box",)),
     "rounding, and links without inertia": (
         "humanoid", [replace(HIP, inertia=(0,) * 6), replace(KNEE, inertia=THIN), replace(WHEEL, **SOUND)], {},
-        ("masses without inertia, taken as point masses: thigh", "inertias impossible by rounding alone, zero where they are rounding: shin"),
+        ("masses without inertia, taken as point masses: thigh", "inertias impossible by rounding, their rounding errors set to zero: shin"),
     ),
     "a locked joint": ("gripper", [HIP, KNEE, replace(WHEEL, mass=0)], {"locked": {"knee": 0.4, "axle": 0}}, ()),
 }  # fmt: skip
