@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
+    from hertzwerk.runtime.system.arrays import Array
 
-    Array = NDArray[np.float64]
 
 ENERGY_LIMIT = 10.0  # of an energy, in tolerance x (initial energy + work)
 DOUBLINGS = 60

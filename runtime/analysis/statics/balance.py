@@ -12,7 +12,6 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.integration.friction.limit_sets import measured
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import grips_of, groups_of, pair_grips, pairs_of
@@ -20,8 +19,7 @@ from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.model.per_model import per_model
 from hertzwerk.runtime.engine.solution.impacts import distances
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 RANK = 1e-9  # singular value over the largest below which it counts as zero
 STILL = 1e-9  # rate at rest over its terms that counts as zero

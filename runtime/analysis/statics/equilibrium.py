@@ -16,7 +16,6 @@ from hertzwerk.derive.common.markup import joined, tag
 from hertzwerk.derive.common.plain_table import heading, table
 from hertzwerk.runtime.analysis.statics.balance import (
     UNDAMPED,
-    Array,
     along_of,
     drifting,
     grip_names,
@@ -38,6 +37,7 @@ from hertzwerk.runtime.engine.solution.outcome import Outcome
 from hertzwerk.runtime.engine.start.assembly import closed_near, journals
 from hertzwerk.runtime.engine.start.start_values import start_of, stated_values
 from hertzwerk.runtime.loading import Target, engine_model
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.analysis.statics.balance import (
-    Array,
     Balance,
     balance,
     drifting,
@@ -29,6 +28,7 @@ from hertzwerk.runtime.analysis.statics.balance import (
 )
 from hertzwerk.runtime.engine.integration.step.set_valued_friction import groups_of
 from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
+from hertzwerk.runtime.system.arrays import Array
 
 Flags = NDArray[np.bool_]
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown
 from hertzwerk.derive.common.plain_table import heading, table
-from hertzwerk.runtime.analysis.statics.balance import RANK, UNDAMPED, Array, kernel
+from hertzwerk.runtime.analysis.statics.balance import RANK, UNDAMPED, kernel
 from hertzwerk.runtime.analysis.statics.equilibrium import Equilibrium, equilibrium, inputs_at
 from hertzwerk.runtime.engine.inputs.input_values import Input
 from hertzwerk.runtime.engine.integration.step.implicit_step import linearised
@@ -37,6 +37,7 @@ from hertzwerk.runtime.engine.run.run_request import read_duration
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.engine.start import start_values
 from hertzwerk.runtime.loading import Target
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

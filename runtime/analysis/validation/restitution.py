@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.common.units import parse_unit
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.free_impact import Trial
     from hertzwerk.runtime.engine.model.model import EngineModel
 
-Array = NDArray[np.float64]
 
 GRID: Array = np.array([*np.arange(0.05, 0.96, 0.05).round(2), 0.99])
 OWN_GRID: Array = np.array([0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.5, 2, 3])

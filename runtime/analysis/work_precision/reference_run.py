@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.accuracy.horizon import crossing
 from hertzwerk.runtime.engine.integration.tableaux.methods import EXPLICIT, IMPLICIT
@@ -18,9 +17,8 @@ from hertzwerk.runtime.engine.run.single_run import set_up
 from hertzwerk.runtime.engine.solution import error_scales as scaling
 from hertzwerk.runtime.engine.solution.error_scales import Scales
 from hertzwerk.runtime.simulation import Solution, simulate
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
-
-Array = NDArray[np.float64]
 
 _highest, *_others = reversed(EXPLICIT)
 METHODS = (_highest, *IMPLICIT, *_others)  # in order of preference; unlike each other

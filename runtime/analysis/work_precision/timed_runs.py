@@ -15,12 +15,12 @@ from statistics import median
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime.engine.integration.loop.method_choice import IMPLICIT
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS
 from hertzwerk.runtime.engine.run.built_engine import prepare
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.outcome import Outcome
     from hertzwerk.runtime.simulation import Solution
 
-Array = NDArray[np.float64]
 
 MAX_STEPS = 1_000_000
 LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would also take too long

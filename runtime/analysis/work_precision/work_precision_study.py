@@ -10,18 +10,17 @@ from statistics import fmean, median
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.analysis.work_precision.reference_run import Problem, Reference, reference
 from hertzwerk.runtime.analysis.work_precision.timed_runs import RunSpec, TimedRun, make, ready, repeat
 from hertzwerk.runtime.engine.accuracy.horizon import Growth, crossing, growth
 from hertzwerk.runtime.engine.integration.tableaux.methods import EXPLICIT, IN_GRAPH
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.sensitivity.lyapunov import Lyapunov
 
-Array = NDArray[np.float64]
 
 ACCURACIES = tuple(10.0**-k for k in range(3, 10))
 WALL_TIME = 5.0  # s, of a run

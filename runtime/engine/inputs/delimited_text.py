@@ -17,11 +17,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unreadable
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 HEAD = 500  # lines among which the headings stand
 LISTED = 20  # most faults of numbers that are listed

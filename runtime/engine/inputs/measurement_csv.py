@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
 from hertzwerk.derive.common.units import Unit, UnitError, parse_unit
 from hertzwerk.runtime.engine.inputs.delimited_text import Arrays, Numbers, layout_of, text_of, with_header
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 TIMES = ("t", "time", "zeit", "x_value")  # names of a time column, in any case; the last one is LabVIEW's
 NUMBERS = ("impact",)  # names of a column that counts impacts, in any case

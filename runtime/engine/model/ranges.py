@@ -18,12 +18,11 @@ from fractions import Fraction
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, shown
 from hertzwerk.derive.common.units import UnitError, parse_unit
+from hertzwerk.runtime.system.arrays import Array
 
-Array = NDArray[np.float64]
 ValueWithUnit: TypeAlias = tuple[float, str]  # a number and its unit
 
 MOST = 1_000_000  # values

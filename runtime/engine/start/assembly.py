@@ -22,11 +22,9 @@ from hertzwerk.runtime.engine.start.intrusion import intrusions
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from hertzwerk.runtime.engine.model.model import BoundParameters, Dependent, EngineModel
+    from hertzwerk.runtime.system.arrays import Array
 
-    Array = NDArray[np.float64]
 
 CLOSED = 1e-11  # residual that counts as closed, relative to the sizes in a loop
 ITERATIONS, HALVINGS = 60, 30

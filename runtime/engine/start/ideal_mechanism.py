@@ -17,15 +17,13 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.integration.step.explicit_step import unit_quaternions
 from hertzwerk.runtime.engine.integration.tableaux.explicit_tableaux import dop853
 from hertzwerk.runtime.engine.model.caller import Callers
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.start.assembly import journals
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 _CORRECTIONS = 4  # Newton's, in one step in time
 _CONTRACTION = 0.25  # of the second correction over the first (Deuflhard's test): a step that stays on its branch

@@ -22,7 +22,7 @@ from hertzwerk.runtime.engine.start.assembly import RANK, assemble_at, eccentric
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
-    from hertzwerk.runtime.engine.start.assembly import Array
+    from hertzwerk.runtime.system.arrays import Array
 
 REPETITIONS = 100
 SETTLED = 1e-8  # of the clearance: change of a seat that ends the iteration

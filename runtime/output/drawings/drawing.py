@@ -13,10 +13,11 @@ from matplotlib.ticker import MaxNLocator
 from hertzwerk.runtime.output.drawings import force_symbols, labels
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, Paper, shade
 from hertzwerk.runtime.output.drawings.parts import Parts
-from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Array, Landmark, Places
+from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Landmark, Places
 from hertzwerk.runtime.output.drawings.view import view_of
 from hertzwerk.runtime.output.plots.plot_style import GREY, VERMILLION
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:

@@ -16,8 +16,8 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 
-from hertzwerk.runtime.output.drawings.places import Array
 from hertzwerk.runtime.output.plots.plot_style import GREY, VERMILLION
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

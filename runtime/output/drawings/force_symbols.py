@@ -8,8 +8,9 @@ import numpy as np
 
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, Paper
 from hertzwerk.runtime.output.drawings.parts import THIN, Parts, across
-from hertzwerk.runtime.output.drawings.places import Array, Landmark
+from hertzwerk.runtime.output.drawings.places import Landmark
 from hertzwerk.runtime.output.plots.plot_style import GREY, VERMILLION
+from hertzwerk.runtime.system.arrays import Array
 
 REACH = 13.0  # radius of symbols around a joint, points
 ARROW = 30.0  # length, points

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from hertzwerk.runtime.output.drawings.places import GROUND, Array, Places
+from hertzwerk.runtime.output.drawings.places import GROUND, Places
+from hertzwerk.runtime.system.arrays import Array
 
 SAME = 1e-9  # planes whose normals and offsets differ by less are one
 HalfSpace = tuple[Array, float]  # normal and offset [m]: the points x with normal @ x >= offset

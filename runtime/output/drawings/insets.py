@@ -12,8 +12,9 @@ from matplotlib.patches import ConnectionPatch, Polygon
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper
 from hertzwerk.runtime.output.drawings.parts import INSIDE, Parts
-from hertzwerk.runtime.output.drawings.places import Array, Landmark
+from hertzwerk.runtime.output.drawings.places import Landmark
 from hertzwerk.runtime.output.plots.plot_style import GREY
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:

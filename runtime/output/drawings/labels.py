@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.textpath import TextPath
 
 from hertzwerk.runtime.output.drawings.drawing_primitives import Paper
-from hertzwerk.runtime.output.drawings.places import Array
 from hertzwerk.runtime.output.plots.plot_style import GREY
+from hertzwerk.runtime.system.arrays import Array
 
 RINGS = (9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 66.0)  # distances of a name from its part, points
 WAYS = 16  # directions

@@ -13,7 +13,8 @@ from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
 from hertzwerk.runtime.engine.start.assembly import closed_near
 from hertzwerk.runtime.output.drawings import picture
 from hertzwerk.runtime.output.drawings.gallery import sheet
-from hertzwerk.runtime.output.drawings.places import GROUND, Array, Places
+from hertzwerk.runtime.output.drawings.places import GROUND, Places
+from hertzwerk.runtime.system.arrays import Array
 
 LARGE, TURNED = 0.14, 0.4  # largest displacement drawn, of the size of the mechanism; largest change of a direction
 PHASES = 24  # positions of a period, whose paths are drawn

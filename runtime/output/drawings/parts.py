@@ -9,10 +9,11 @@ import numpy as np
 
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, ROUND, Paper, goes_round, hull
 from hertzwerk.runtime.output.drawings.ground_planes import ground_planes
-from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Array, Landmark, Places
+from hertzwerk.runtime.output.drawings.places import GROUND, SOLIDS, Landmark, Places
 from hertzwerk.runtime.output.drawings.view import View
 from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 BAR = 3.6  # half the width of a bar, points

@@ -16,9 +16,10 @@ from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.run_warnings import unchecked
 from hertzwerk.runtime.output.drawings import insets
 from hertzwerk.runtime.output.drawings.drawing import Drawing
-from hertzwerk.runtime.output.drawings.places import Array, Places
+from hertzwerk.runtime.output.drawings.places import Places
 from hertzwerk.runtime.output.plots.plot_style import GREY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.title import differences, differences_of, title_height, title_of, write_title
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.solution import EngineSolution

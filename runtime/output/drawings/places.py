@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.derive.common.grouping import grouped
 from hertzwerk.runtime.engine.run.continuation import with_steps
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.engine.model.model import BoundParameters, EngineModel
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
-Array = NDArray[np.float64]
 
 GROUND = "ground"
 SOLIDS = ("solid_", "hole_")

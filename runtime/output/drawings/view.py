@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hertzwerk.runtime.output.drawings.places import SOLIDS, Array, Landmark, Places
+from hertzwerk.runtime.output.drawings.places import SOLIDS, Landmark, Places
+from hertzwerk.runtime.system.arrays import Array
 
 FLAT = 1e-9  # relative: largest deviation of a plane mechanism
 AXES = np.eye(3)

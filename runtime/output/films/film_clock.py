@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from hertzwerk.derive.common.faults import Fault
-from hertzwerk.runtime.output.drawings.places import Array
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+from hertzwerk.runtime.system.arrays import Array
 
 LONG = 8.0  # s: about the length of a film where none is asked for
 BRISK = (2.0, 20.0)  # s: lengths of motions that are shown as fast as they are

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 
 from hertzwerk.runtime.output.drawings.drawing_primitives import Paper
-from hertzwerk.runtime.output.drawings.places import Array
+from hertzwerk.runtime.system.arrays import Array
 
 Shape = TypeVar("Shape", bound=Artist)
 

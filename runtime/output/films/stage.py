@@ -20,7 +20,7 @@ from hertzwerk.runtime.output.drawings.drawing import Drawing
 from hertzwerk.runtime.output.drawings.drawing_primitives import INK, Paper
 from hertzwerk.runtime.output.drawings.parts import Parts
 from hertzwerk.runtime.output.drawings.picture import notes_on, spread
-from hertzwerk.runtime.output.drawings.places import Array, Landmark, Places
+from hertzwerk.runtime.output.drawings.places import Landmark, Places
 from hertzwerk.runtime.output.films.film_clock import Clock
 from hertzwerk.runtime.output.films.moving_paper import MovingPaper
 from hertzwerk.runtime.output.plots.curves import Curves
@@ -29,6 +29,7 @@ from hertzwerk.runtime.output.plots.plot_panel import lines
 from hertzwerk.runtime.output.plots.plot_style import GREY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.title import differences, title_height, title_of, write_title
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.run.continuation import parameters_of, with_steps
 from hertzwerk.runtime.engine.solution.history import History, acceleration_of
@@ -14,13 +13,13 @@ from hertzwerk.runtime.engine.start.ideal_mechanism import IdealMotion, has_clea
 from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
 from hertzwerk.runtime.output.plots.picture_samples import RESOLVED, Rows, between, dense, end_of, has_steps
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
+from hertzwerk.runtime.system.arrays import Array
 from hertzwerk.runtime.system.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.impacts import Impact
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
-Array = NDArray[np.float64]
 
 IMPACT_SAMPLES = 400
 KNOTS = (

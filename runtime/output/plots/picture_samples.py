@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.output.plots.between_steps import BetweenSteps
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.solution.impacts import Impact
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
-Array = NDArray[np.float64]
 
 RESOLVED = 1e-3  # of a curve's range: what a picture resolves
 EVEN = 2000  # samples equally spaced

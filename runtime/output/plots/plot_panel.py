@@ -11,10 +11,11 @@ import matplotlib as mpl
 import numpy as np
 
 from hertzwerk.runtime.output.plots.arrangement import LINE, PAD
-from hertzwerk.runtime.output.plots.curves import Array, Curves
+from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.output.plots.plot_style import CYCLE, GREY, ORANGE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.title import differences, title_of, write_title
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.solution.history import History
 from hertzwerk.runtime.output.plots.arrangement import Arrangement
-from hertzwerk.runtime.output.plots.curves import Array, Curves, impact_curves
+from hertzwerk.runtime.output.plots.curves import Curves, impact_curves
 from hertzwerk.runtime.output.plots.oil_films import films
 from hertzwerk.runtime.output.plots.plot_panel import (
     CONSTANT,
@@ -35,6 +35,7 @@ from hertzwerk.runtime.output.plots.plot_panel import (
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.output.plots.save_figure import save_png
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

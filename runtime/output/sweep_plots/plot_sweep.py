@@ -21,7 +21,6 @@ from hertzwerk.runtime.output.sweep_plots.swept_table import (
     CELLS,
     DOTS,
     PLACES,
-    Array,
     SweptTable,
     Varied,
     coarse,
@@ -33,6 +32,7 @@ from hertzwerk.runtime.output.sweep_plots.swept_table import (
     stated_number,
     varied,
 )
+from hertzwerk.runtime.system.arrays import Array
 
 SECTION, HALF_WIDTH, FAILED = "section", ".half_width", "failed"
 NO_OUTPUT = ("outcome", "message", "warnings", "wall_s")

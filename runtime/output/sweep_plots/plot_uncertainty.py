@@ -14,7 +14,7 @@ from hertzwerk.runtime.output.plots.plot_panel import empty_panel
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, SKY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.title import title_height, write_title
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
-from hertzwerk.runtime.output.sweep_plots.swept_table import Array
+from hertzwerk.runtime.system.arrays import Array
 
 WIDE, HIGH = 4.6, 2.6  # inches of a panel
 BINS = 40  # most

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 SAME_RATIO = 1e-6  # relative: values of such equal ratios are on a logarithmic scale
 LEAST_SPAN = 4.0  # largest over smallest value, from which they are

@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError
 from hertzwerk.runtime.studies.comparison.residuals import autocorrelations
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.studies.comparison.filtered_run import FilteredRun
 
-Array = NDArray[np.float64]
 
 LAGS = 1000  # most that are summed
 

@@ -9,11 +9,12 @@ from dataclasses import dataclass
 
 from hertzwerk.derive.common.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.common.units import UnitError, parse_unit, rate_remedy
-from hertzwerk.runtime.engine.inputs.measurement_csv import Array, Columns, MeasuredTable, Measurement, read_measurement
+from hertzwerk.runtime.engine.inputs.measurement_csv import Columns, MeasuredTable, Measurement, read_measurement
 from hertzwerk.runtime.engine.model.binding import Value, named_values, read, read_state
 from hertzwerk.runtime.engine.solution.history import Histories
 from hertzwerk.runtime.studies.comparison.alignment import Range
 from hertzwerk.runtime.studies.comparison.instrument import ORDERS, Instrument
+from hertzwerk.runtime.system.arrays import Array
 
 HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "1/s": 1.0}
 FREQUENCY = re.compile(r"\s*(?P<number>[-+.\deE]+)\s*(?P<unit>Hz|kHz|MHz|1/s)\s*")

@@ -13,12 +13,12 @@ from hertzwerk.derive.common.units import time_text
 from hertzwerk.runtime.studies.comparison.signal_statistics import Estimated, Statistic, by_chance
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.inputs.measurement_csv import Array
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.studies.comparison.alignment import Alignment
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
     from hertzwerk.runtime.studies.comparison.residuals import Residual
     from hertzwerk.runtime.studies.comparison.spectra import Spectrum
+    from hertzwerk.runtime.system.arrays import Array
 
 RARE = 0.01  # chance of so many differing statistics below which they are taken for a difference
 

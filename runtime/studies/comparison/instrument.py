@@ -6,9 +6,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 FORGOTTEN = 1e-3  # part of a start that the filter still remembers after `settling`
 PER_PERIOD = 50  # samples of a run in a period of the cut-off frequency: cell means dim it by 0.07 % there

@@ -24,9 +24,9 @@ from hertzwerk.runtime.studies.comparison.signal_statistics import Statistic, st
 from hertzwerk.runtime.studies.comparison.spectra import series_of, spectrum_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.engine.inputs.measurement_csv import Array
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
     from hertzwerk.runtime.studies.comparison.comparison_request import Channel, ComparisonRequest
+    from hertzwerk.runtime.system.arrays import Array
 
 INTERVALS = 240  # of the times beyond the horizon, where the run has no period
 OWN = VALID / 10  # of the scales: largest error of the run itself where a residual is judged

@@ -11,10 +11,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.output.plots.curves import Array
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, empty_panel, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import Scale, scale_of
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,9 +6,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 LEVEL = 0.01  # chance with which noise alone is taken for a difference
 

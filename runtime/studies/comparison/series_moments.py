@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.engine.solution.averages import Estimate, estimate
 from hertzwerk.runtime.engine.solution.dense_output import NORMS
 from hertzwerk.runtime.studies.comparison.signal_statistics import begins, excursion_level
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 ORDERS = {"rms": 2, **NORMS}  # of means of powers
 KINDS = ("mean", *ORDERS, "largest", "excursions")

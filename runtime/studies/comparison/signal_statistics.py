@@ -7,11 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.solution.averages import CONFIDENCE, estimate
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 QUANTILES = (0.05, 0.5, 0.95)
 LEVEL = 0.95  # quantile of the measured deviations from the median at which an excursion begins; it ends below half

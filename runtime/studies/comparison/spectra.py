@@ -6,9 +6,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 SEGMENTS = 8  # that a series is cut into at least, overlapping by half (Welch)
 SHORTEST = 32  # samples of a segment

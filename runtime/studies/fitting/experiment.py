@@ -30,12 +30,12 @@ from hertzwerk.runtime.engine.solution.history import Histories, units_of
 from hertzwerk.runtime.engine.start.start_values import split_values
 from hertzwerk.runtime.studies.comparison.comparison_request import Channel, read_channels
 from hertzwerk.runtime.studies.fitting.impact_numbers import IMPACTS, impact_units, of_impacts, onsets, parts_of
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.simulation import Solution
 
-Array = NDArray[np.float64]
 Data = Measurement | MeasuredImpacts | MeasuredTable
 
 LONGER = 1.25  # times the last measured time of an impact that a run lasts: it may be predicted later

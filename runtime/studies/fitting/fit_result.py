@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,9 +25,7 @@ from hertzwerk.runtime.studies.fitting.identifiability import Identified
 from hertzwerk.runtime.studies.fitting.intervals import LEVEL, Interval
 from hertzwerk.runtime.studies.uncertainty.correlated import Correlated
 from hertzwerk.runtime.studies.uncertainty.distributions import Distribution, LogNormal, Normal, TruncatedNormal
-
-if TYPE_CHECKING:
-    Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 REJECTED = 0.05  # p-value below which noise alone does not explain the residuals
 CORRELATED = 0.5  # part of the residuals that are worth independent ones, below which intervals are too narrow

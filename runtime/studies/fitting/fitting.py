@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, among, refuse, shown, unknown
 from hertzwerk.runtime.engine.model.binding import Value, named_values, whole_faults
@@ -31,8 +30,7 @@ from hertzwerk.runtime.studies.fitting.identifiability import identified
 from hertzwerk.runtime.studies.fitting.intervals import intervals
 from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
 from hertzwerk.runtime.studies.fitting.predictions import Forward
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 FEWEST = 8  # residuals of a column whose correlation is judged
 IDLE = 1e-6  # of a column's spread, by a change as large as the scale of the search: less is the error of runs

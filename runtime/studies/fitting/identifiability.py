@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.model.free_quantities import Free
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 IDENTIFIED = (
     1.0  # singular value: below, one standard deviation of the combination is more than the scale of the search

@@ -11,17 +11,16 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.engine.run.continuation import with_steps
 from hertzwerk.runtime.engine.solution.history import units_of
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.engine.sensitivity.sensitivities import Sensitivities
     from hertzwerk.runtime.engine.solution.solution import EngineSolution
 
-Array = NDArray[np.float64]
 
 IMPACTS = ".impacts."
 OF_IMPACT = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m"}

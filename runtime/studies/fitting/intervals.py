@@ -6,12 +6,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.studies.fitting.identifiability import Identified
 from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
-
-Array = NDArray[np.float64]
 
 LEVEL = 0.95
 NEAR = 1e-6  # of a range: an estimate so close to an end is at it

@@ -15,7 +15,6 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, refuse, shown
 from hertzwerk.derive.common.markup import joined
@@ -34,7 +33,6 @@ from hertzwerk.runtime.studies.fitting.fitting import (
 )
 from hertzwerk.runtime.studies.fitting.least_squares import Estimate, Search
 
-Array = NDArray[np.float64]
 APART = 6.0  # difference of the criteria below which laws are not told apart: one is 20 times as likely as the other
 DOUBT = 2.0  # standard errors by which the held-out runs must prefer a law against the criterion's choice to be heard
 

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.engine.model.ranges import starts_in
 from hertzwerk.runtime.studies.fitting.predictions import Forward
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 FOLLOWED, OF_MANY = 3, 16  # starts that are followed, and of how many starts one is at least
 WINDOWS = (0.125, 0.25, 0.5, 1.0)  # parts of each measured run

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime.engine.model.free_quantities import Free
@@ -14,8 +13,7 @@ from hertzwerk.runtime.engine.run.run_request import Compiled
 from hertzwerk.runtime.engine.start.start_values import split_values
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.fitting.experiment import Observed
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 STEP = 1e-4  # of the scale of the search, of differences in place of derivatives
 REMEMBERED = 4  # points whose runs are remembered

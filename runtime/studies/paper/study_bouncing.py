@@ -13,7 +13,6 @@ from hertzwerk.runtime.output.plots.curves import impact_curves
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.paper.stoppable_cases import until_stopped, whole
 from hertzwerk.runtime.studies.paper.study_page import (
-    Array,
     Axis,
     Cell,
     Chart,
@@ -27,6 +26,7 @@ from hertzwerk.runtime.studies.paper.study_page import (
 )
 from hertzwerk.runtime.studies.paper.study_page import compared as compare
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
+from hertzwerk.runtime.system.arrays import Array
 
 LAWS = (
     *(

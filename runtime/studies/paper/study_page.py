@@ -13,11 +13,10 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
+from hertzwerk.runtime.system.arrays import Array
 
-Array = NDArray[np.float64]
 Cell = str | int | float | None
 
 

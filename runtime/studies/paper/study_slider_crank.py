@@ -16,7 +16,6 @@ from hertzwerk.runtime.output.plots.curves import Curves
 from hertzwerk.runtime.simulation import Solution, simulate
 from hertzwerk.runtime.studies.paper.crank_runs import PIN, SCENE
 from hertzwerk.runtime.studies.paper.study_page import (
-    Array,
     Axis,
     Cell,
     Chart,
@@ -30,6 +29,7 @@ from hertzwerk.runtime.studies.paper.study_page import (
 )
 from hertzwerk.runtime.studies.paper.study_page import compared as compare
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
+from hertzwerk.runtime.system.arrays import Array
 
 CRANK, ROD = 0.05, 0.12  # m, of the scene
 FRICTION = f"{PIN}_friction"

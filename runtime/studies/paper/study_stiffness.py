@@ -26,7 +26,6 @@ from hertzwerk.runtime.studies.paper.crank_runs import (
 )
 from hertzwerk.runtime.studies.paper.stoppable_cases import until_stopped, whole
 from hertzwerk.runtime.studies.paper.study_page import (
-    Array,
     Axis,
     Cell,
     Chart,
@@ -40,6 +39,7 @@ from hertzwerk.runtime.studies.paper.study_page import (
 )
 from hertzwerk.runtime.studies.paper.study_page import compared as compare
 from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps
+from hertzwerk.runtime.system.arrays import Array
 
 if TYPE_CHECKING:
     from hertzwerk.derive.exchange.law_sheets.law_comparison import ForceCurve

@@ -7,12 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, shown, unknown
 from hertzwerk.runtime.studies.uncertainty.distributions import Distribution
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 NODES = 64  # of Gauss and Hermite in each of two directions
 FARTHEST = 8.0  # normal score: beyond, its part of a distribution rounds to 1

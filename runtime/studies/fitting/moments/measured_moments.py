@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hertzwerk.derive.common.faults import Fault, InputError, among, shown, unknown
 from hertzwerk.runtime.engine.inputs.measurement_csv import MeasuredImpacts, MeasuredTable, Measurement
@@ -39,8 +38,8 @@ from hertzwerk.runtime.studies.comparison.series_moments import (
 )
 from hertzwerk.runtime.studies.fitting.experiment import mapped_columns, read_table
 from hertzwerk.runtime.studies.fitting.impact_numbers import impact_units, of_impacts, onsets, parts_of
+from hertzwerk.runtime.system.arrays import Array
 
-Array = NDArray[np.float64]
 SEED = 0  # of the noise that is added to runs
 PER_MOMENT = 2  # least blocks for every statistic: their correlations come from these
 RATES = "excursions", "rate"  # kinds whose unit is 1/s

@@ -32,8 +32,7 @@ from hertzwerk.runtime.studies.fitting.moments.measured_moments import (
 )
 from hertzwerk.runtime.studies.sweeps.parameter_sweep import sweep
 from hertzwerk.runtime.studies.sweeps.rows.row_outputs import chosen
-
-Array = NDArray[np.float64]
+from hertzwerk.runtime.system.arrays import Array
 
 PER_FEATURE = 5  # runs for each coefficient of the regression
 ROUNDS = 3  # most boxes
