@@ -11,27 +11,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.derive import (
-    GROUND,
-    LAWS,
-    Body,
-    EnergyLedger,
-    Free,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-    coordinate_of,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.audit.audit import audit_law
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.common.execute_file import names_defined_by
@@ -100,7 +80,7 @@ def test_a_law(made, monkeypatch):
     assert list(faults_if_consistent(law)) == []
     softening = replace(law, name="softening", force=-law.force, stored=-law.stored)
     assert list(faults_if_consistent(softening)) != []
-    monkeypatch.setitem(LAWS, law.name, law)  # the catalogue finds it in its file
+    monkeypatch.setitem(hd.LAWS, law.name, law)  # the catalogue finds it in its file
     shown = CliRunner().invoke(main, ["laws", "hardening"])
     assert shown.exit_code == 0
     assert "Duffing 1918" in shown.stdout
@@ -118,17 +98,17 @@ def test_a_law(made, monkeypatch):
 def test_a_joint(made, closing, coordinates):
     """In every role as a slide and a pin through a body without mass."""
     kind = made(RECIPES["joint"], "joint.py")["PinInSlot"]
-    size, pace = Parameter("size", "m", 0.3), Parameter("pace", "m/s", 1.0)
+    size, pace = hd.Parameter("size", "m", 0.3), hd.Parameter("pace", "m/s", 1.0)
     body, between = (
-        Body("body", Parameter("mass", "kg", 1), Parameter("J", "kg m^2", 0.02), (size, 0, 0)),
-        Body("between", 0),
+        hd.Body("body", hd.Parameter("mass", "kg", 1), hd.Parameter("J", "kg m^2", 0.02), (size, 0, 0)),
+        hd.Body("between", 0),
     )
-    turn, travel = Parameter("turn", "rad/s", 2.0), Parameter("travel_speed", "m/s", 0.5)
-    effects = Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), EnergyLedger()
+    turn, travel = hd.Parameter("turn", "rad/s", 2.0), hd.Parameter("travel_speed", "m/s", 0.5)
+    effects = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger()
 
     def motion(*joints, coordinates="tree", **speed):
-        scene = Scene(
-            Mechanism("slot", joints), effects, Scales(size, pace, size), Start(speed=speed)
+        scene = hd.Scene(
+            hd.Mechanism("slot", joints), effects, hd.Scales(size, pace, size), hd.Start(speed=speed)
         ).with_coordinates(coordinates)
         run = simulate(load(scene), duration=0.5, tolerance=1e-11)
         assert run.outcome.finished
@@ -138,46 +118,54 @@ def test_a_joint(made, closing, coordinates):
         )[0]
         return np.array(positions)[:3, 0]
 
-    own = kind("own", GROUND, body, X, Z)
-    first = [Free("free", GROUND, body)] if closing else []
+    own = kind("own", hd.GROUND, body, hd.X, hd.Z)
+    first = [hd.Free("free", hd.GROUND, body)] if closing else []
     speed = (
         {"free.x_speed": travel, "free.angular_speed_z": turn} if closing else {"own.travel": travel, "own.angle": turn}
     )
-    built_in = motion(Prismatic("slide", GROUND, between, X), Revolute("pin", between, body, Z), slide=travel, pin=turn)
+    built_in = motion(
+        hd.Prismatic("slide", hd.GROUND, between, hd.X), hd.Revolute("pin", between, body, hd.Z), slide=travel, pin=turn
+    )
     assert motion(*first, own, coordinates=coordinates, **speed) == pytest.approx(built_in, abs=1e-8)
 
 
 def test_an_effect(made):
     """Against the closed form of a body that drag alone slows, v0/(1 + c v0 t/m); and its units are proven."""
     kind = made(RECIPES["effect"], "effect.py")["AirDrag"]
-    mass, pace, size = Parameter("mass", "kg", 2), Parameter("pace", "m/s", 5), Parameter("size", "m", 1)
-    sled = Mechanism("sled", (Prismatic("slide", GROUND, Body("sled", mass), axis=X),))
+    mass, pace, size = hd.Parameter("mass", "kg", 2), hd.Parameter("pace", "m/s", 5), hd.Parameter("size", "m", 1)
+    sled = hd.Mechanism("sled", (hd.Prismatic("slide", hd.GROUND, hd.Body("sled", mass), axis=hd.X),))
 
     def scene(drag):
-        return Scene(
-            sled, (kind("air", "slide", drag), EnergyLedger()), Scales(size, pace), Start(speed={"slide": pace})
+        return hd.Scene(
+            sled,
+            (kind("air", "slide", drag), hd.EnergyLedger()),
+            hd.Scales(size, pace),
+            hd.Start(speed={"slide": pace}),
         )
 
-    run = simulate(load(scene(Parameter("drag", "kg/m", 0.3))), duration=3.0, tolerance=1e-11)
+    run = simulate(load(scene(hd.Parameter("drag", "kg/m", 0.3))), duration=3.0, tolerance=1e-11)
     assert run["slide.speed"] == pytest.approx(5 / (1 + 0.3 * 5 * run.t / 2), rel=1e-9)
     assert run["air.dissipated"][-1] == pytest.approx(2 * 5**2 / 2 - run["energy"][-1], rel=1e-8)
-    with pytest.raises(InputError, match="effect air, drag"):
-        scene(Parameter("drag", "kg", 0.3))
+    with pytest.raises(hd.InputError, match="effect air, drag"):
+        scene(hd.Parameter("drag", "kg", 0.3))
 
 
 def test_an_effect_with_states(made):
     """A satellite's attitude by a relay on x + lead v: its limit cycle in closed form, 4 h/(lead a) long, v to h/lead."""
     kind = made(RECIPES["effect"], "relay.py")["Relay"]
     h, lead, acceleration = 0.01, 0.1, 3 / 2
-    signal = coordinate_of("slide") + Parameter("lead", "s", lead) * speed_of("slide")
-    relay = kind("relay", "slide", Parameter("thrust", "N", 3), signal, Parameter("hysteresis", "m", h))
+    signal = hd.coordinate_of("slide") + hd.Parameter("lead", "s", lead) * hd.speed_of("slide")
+    relay = kind("relay", "slide", hd.Parameter("thrust", "N", 3), signal, hd.Parameter("hysteresis", "m", h))
     body, scales = (
-        Body("body", Parameter("mass", "kg", 2)),
-        Scales(Parameter("size", "m", h), Parameter("pace", "m/s", 0.1)),
+        hd.Body("body", hd.Parameter("mass", "kg", 2)),
+        hd.Scales(hd.Parameter("size", "m", h), hd.Parameter("pace", "m/s", 0.1)),
     )
-    thrown = Start(speed={"slide": Parameter("thrown", "m/s", h / lead)})
-    scene = Scene(
-        Mechanism("satellite", (Prismatic("slide", GROUND, body, axis=X),)), (relay, EnergyLedger()), scales, thrown
+    thrown = hd.Start(speed={"slide": hd.Parameter("thrown", "m/s", h / lead)})
+    scene = hd.Scene(
+        hd.Mechanism("satellite", (hd.Prismatic("slide", hd.GROUND, body, axis=hd.X),)),
+        (relay, hd.EnergyLedger()),
+        scales,
+        thrown,
     )
     period = 4 * h / (lead * acceleration)
     model = load(scene)
@@ -191,8 +179,8 @@ def test_an_effect_with_states(made):
         assert run.energy_residual < 1e-9
     back = simulate(model, duration=period, tolerance=1e-8, initial={"relay.sign": -1, "slide.travel": "0 m"})
     assert back["relay.sign"][0] == -1
-    with pytest.raises(InputError, match="effect relay, signal"):
-        replace(scene, effects=(replace(relay, signal=speed_of("slide")),))
+    with pytest.raises(hd.InputError, match="effect relay, signal"):
+        replace(scene, effects=(replace(relay, signal=hd.speed_of("slide")),))
 
 
 def test_a_method(made, monkeypatch):
@@ -205,7 +193,7 @@ def test_a_method(made, monkeypatch):
         errors.append((run.statistics.steps, abs(run.final["hinge.angle"] - exact)))
     (few, large), (many, small) = errors
     assert np.log(large / small) / np.log(many / few) == pytest.approx(3, abs=0.3)
-    with pytest.raises(InputError, match="bogacki_shampin"):
+    with pytest.raises(hd.InputError, match="bogacki_shampin"):
         simulate(model, duration=1.0, method="bogacki_shampin")
 
 

@@ -2,43 +2,28 @@
 
 import pytest
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, power
 
-BALL = Body("ball", mass=Parameter("mass", "kg", 1.0))
-FALL = Prismatic("fall", GROUND, BALL, axis=Y)
-RADIUS = Parameter("radius", "m", 0.1)
-FLOOR = SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, GROUND.at(0, 0, 0), normal=Y)
-GRAVITY = Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y)
-STIFFNESS = power(Parameter("K", "N/m^1.5", 1e6), 1.5)
-BOUNCE = Contact("floor", STIFFNESS, flores(Parameter("restitution", "1", 0.8)))
-EFFECTS = (GRAVITY, BOUNCE, EnergyLedger())
-SCALES = Scales(length=RADIUS, speed=Parameter("pace", "m/s", 1), arm=RADIUS)
+BALL = hd.Body("ball", mass=hd.Parameter("mass", "kg", 1.0))
+FALL = hd.Prismatic("fall", hd.GROUND, BALL, axis=hd.Y)
+RADIUS = hd.Parameter("radius", "m", 0.1)
+FLOOR = hd.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+GRAVITY = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y)
+STIFFNESS = power(hd.Parameter("K", "N/m^1.5", 1e6), 1.5)
+BOUNCE = hd.Contact("floor", STIFFNESS, flores(hd.Parameter("restitution", "1", 0.8)))
+EFFECTS = (GRAVITY, BOUNCE, hd.EnergyLedger())
+SCALES = hd.Scales(length=RADIUS, speed=hd.Parameter("pace", "m/s", 1), arm=RADIUS)
 
 
 def drop(joints=(FALL,), pairs=(FLOOR,), effects=EFFECTS, scales=SCALES, start=None, name="drop"):
     """A sound scene unless something of it is replaced."""
-    return Scene(Mechanism(name, joints, pairs), effects, scales, start or Start())
+    return hd.Scene(hd.Mechanism(name, joints, pairs), effects, scales, start or hd.Start())
 
 
 def refused(declare, where, found, expected):
     """One of the faults says where, what was found, and the way out; the text holds them all."""
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(hd.InputError) as caught:
         declare()
     named = [fault for fault in caught.value.faults if where in fault.where]
     assert named, f"no fault at {where!r} in\n{caught.value}"

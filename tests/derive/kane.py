@@ -15,34 +15,10 @@ import numpy as np
 import sympy as sp
 import sympy.physics.mechanics as me
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    Cylindrical,
-    Direction,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Planar,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Universal,
-    Weld,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 
 TURNED = (("+X", 0.4), ("-Y", 0.7))
-DIRECTIONS = {"+X": X, "+Y": Y, "+Z": Z, "-X": -X, "-Y": -Y, "-Z": -Z}
+DIRECTIONS = {"+X": hd.X, "+Y": hd.Y, "+Z": hd.Z, "-X": -hd.X, "-Y": -hd.Y, "-Z": -hd.Z}
 
 
 @dataclass(frozen=True)
@@ -100,14 +76,14 @@ class Link:
 
 
 JOINTS = {
-    "R": Revolute,
-    "P": Prismatic,
-    "C": Cylindrical,
-    "L": Planar,
-    "U": Universal,
-    "S": Spherical,
-    "F": Free,
-    "W": Weld,
+    "R": hd.Revolute,
+    "P": hd.Prismatic,
+    "C": hd.Cylindrical,
+    "L": hd.Planar,
+    "U": hd.Universal,
+    "S": hd.Spherical,
+    "F": hd.Free,
+    "W": hd.Weld,
 }
 
 
@@ -139,7 +115,7 @@ class Tree:
     # -- hertzwerk -------------------------------------------------------------------------------------------------
 
     @cached_property
-    def bodies(self) -> list[Body]:
+    def bodies(self) -> list[hd.Body]:
         bodies = []
         for i, link in enumerate(self.links):
             inertia = (
@@ -147,36 +123,40 @@ class Tree:
                 if link.scalar is None
                 else _quantity(f"J{i}", "kg m^2", link.inertia[link.scalar])
             )
-            bodies.append(Body(f"body{i}", _quantity(f"m{i}", "kg", link.mass), inertia, _place(f"s{i}", link.centre)))
+            bodies.append(
+                hd.Body(f"body{i}", _quantity(f"m{i}", "kg", link.mass), inertia, _place(f"s{i}", link.centre))
+            )
         return bodies
 
-    def scene(self, *contacts: Contact | Friction, pairs: Sequence[Any] = (), ledger: bool = True) -> Scene:
+    def scene(self, *contacts: hd.Contact | hd.Friction, pairs: Sequence[Any] = (), ledger: bool = True) -> hd.Scene:
         """The scene; `pairs` and their effects may be added."""
         joints = []
         for i, link in enumerate(self.links):
-            parent = GROUND if link.parent < 0 else self.bodies[link.parent]
+            parent = hd.GROUND if link.parent < 0 else self.bodies[link.parent]
             places = [parent.at(*_place(f"a{i}", link.on_parent)), self.bodies[i].at(*_place(f"b{i}", link.on_child))]
             for k, turn in enumerate(link.turned):
                 if turn is not None:
                     places[k] = places[k].turned(DIRECTIONS[turn[0]], _quantity(f"angle{i}{'pc'[k]}", "rad", turn[1]))
             axes = {"U": (link.axis, link.second), "S": (), "F": (), "W": ()}.get(link.kind, (link.axis,))
-            directions = (DIRECTIONS[a] if isinstance(a, str) else Direction(a) for a in axes)
+            directions = (DIRECTIONS[a] if isinstance(a, str) else hd.Direction(a) for a in axes)
             joints.append(JOINTS[link.kind](f"joint{i}", *places, *directions))
         drives = tuple(
-            ConstantSpeed(
+            hd.ConstantSpeed(
                 f"drive{i}", f"joint{i}", _quantity(f"w{i}", "rad/s" if link.kind == "R" else "m/s", link.speed)
             )
             for i, link in enumerate(self.links)
             if link.speed is not None
         )
         gravity = (
-            (Gravity("gravity", Parameter("g", "m/s^2", self.gravity), DIRECTIONS[self.down]),) if self.gravity else ()
+            (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", self.gravity), DIRECTIONS[self.down]),)
+            if self.gravity
+            else ()
         )
-        size = Parameter("size", "m", 1.0)
-        return Scene(
-            Mechanism("tree", tuple(joints), tuple(pairs)),
-            (*drives, *gravity, *contacts, *((EnergyLedger(),) if ledger else ())),
-            Scales(length=size, speed=Parameter("pace", "m/s", 1.0), arm=size),
+        size = hd.Parameter("size", "m", 1.0)
+        return hd.Scene(
+            hd.Mechanism("tree", tuple(joints), tuple(pairs)),
+            (*drives, *gravity, *contacts, *((hd.EnergyLedger(),) if ledger else ())),
+            hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1.0), arm=size),
         )  # fmt: skip
 
     @property
@@ -441,7 +421,7 @@ def deviation_of_poses(tree, derived):
 
 
 def _quantity(name: str, unit: str, value: float) -> Any:
-    return Parameter(name, unit, float(value)) if value else 0
+    return hd.Parameter(name, unit, float(value)) if value else 0
 
 
 def _place(name: str, values: Sequence[float]) -> tuple[Any, ...]:

@@ -4,51 +4,33 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Arc,
-    Body,
-    Contact,
-    Curve,
-    EnergyLedger,
-    Line,
-    Mechanism,
-    Outline,
-    Parameter,
-    Planar,
-    Revolute,
-    S,
-    Scales,
-    Scene,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 
-R, E, L = (Parameter(name, "mm", value) for name, value in (("R", 30), ("e", 5), ("L", 40)))
-A, B, HALF = (Parameter(name, "mm", value) for name, value in (("a", 40), ("b", 15), ("half_height", 15)))
+R, E, L = (hd.Parameter(name, "mm", value) for name, value in (("R", 30), ("e", 5), ("L", 40)))
+A, B, HALF = (hd.Parameter(name, "mm", value) for name, value in (("a", 40), ("b", 15), ("half_height", 15)))
 CAM, PLATE = (
-    Body("cam", Parameter("M", "kg", 1), Parameter("J", "kg m^2", 1e-3)),
-    Body("plate", Parameter("m", "kg", 0.2), Parameter("J_p", "kg m^2", 1e-4)),
+    hd.Body("cam", hd.Parameter("M", "kg", 1), hd.Parameter("J", "kg m^2", 1e-3)),
+    hd.Body("plate", hd.Parameter("m", "kg", 0.2), hd.Parameter("J_p", "kg m^2", 1e-4)),
 )
-SHAFT, FREE = Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)
-ECCENTRIC = Curve("rim", E + R * sp.cos(S), R * sp.sin(S))
-OVAL = Curve("oval", A * sp.cos(S), B * sp.sin(S))
-LOBED = Curve("lobed", R * (1 + sp.cos(5 * S) / 5) * sp.cos(S), R * (1 + sp.cos(5 * S) / 5) * sp.sin(S))
+SHAFT, FREE = hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE)
+ECCENTRIC = hd.Curve("rim", E + R * sp.cos(hd.S), R * sp.sin(hd.S))
+OVAL = hd.Curve("oval", A * sp.cos(hd.S), B * sp.sin(hd.S))
+LOBED = hd.Curve("lobed", R * (1 + sp.cos(5 * hd.S) / 5) * sp.cos(hd.S), R * (1 + sp.cos(5 * hd.S) / 5) * sp.sin(hd.S))
 # below a line, to the right a half circle, above a round hollow, to the left a notch
-BLOCK = Outline(
+BLOCK = hd.Outline(
     "block",
     (0, -HALF),
     [
-        Line((L, -HALF)), Arc((L, HALF), (L, 0)), Line(((L + HALF) / 2, HALF)),
-        Arc(((L - HALF) / 2, HALF), (L / 2, HALF), clockwise=True), Line((0, HALF)), Line((HALF / 2, 0)), Line((0, -HALF)),
+        hd.Line((L, -HALF)), hd.Arc((L, HALF), (L, 0)), hd.Line(((L + HALF) / 2, HALF)),
+        hd.Arc(((L - HALF) / 2, HALF), (L / 2, HALF), clockwise=True), hd.Line((0, HALF)), hd.Line((HALF / 2, 0)), hd.Line((0, -HALF)),
     ],
 )  # fmt: skip
 
 
 def scene(pair, joints=(SHAFT, FREE), **given):
-    effects = Contact(pair.name, laws.power(Parameter("K", "N/m", 1e6), 1)), EnergyLedger()
-    scales = Scales(length=E, speed=Parameter("pace", "m/s", 1), arm=R)
-    return Scene(Mechanism("cam_and_plate", joints, (pair,)), effects, scales, **given)
+    effects = hd.Contact(pair.name, hd.laws.power(hd.Parameter("K", "N/m", 1e6), 1)), hd.EnergyLedger()
+    scales = hd.Scales(length=E, speed=hd.Parameter("pace", "m/s", 1), arm=R)
+    return hd.Scene(hd.Mechanism("cam_and_plate", joints, (pair,)), effects, scales, **given)
 
 
 def gaps(derived, q, u=(0, 0, 0, 0), a=(0, 0, 0, 0)):

@@ -16,26 +16,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+import hertzwerk.derive as hd
 from hertzwerk import simulate
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Contact,
-    Direction,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Planar,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-    Z,
-    laws,
-)
 from hertzwerk.derive import Body as RigidBody
 from hertzwerk.runtime.engine.solution.solution import EngineSolution
 from hertzwerk.runtime.loading import engine_model
@@ -75,43 +57,45 @@ DRAWS = (
 @cache
 def model(plane: bool, damping: str, exponent: float, friction: str):
     """Model of all bodies of these laws: everything else is a parameter or a start."""
-    p = Parameter
+    p = hd.Parameter
     mass, radius = p("mass", "kg", 1), p("radius", "m", 0.05)
     inertia = tuple(p(f"inertia_{axis}", "kg m^2", 1e-3) for axis in "xyz")
     offset = [p(f"offset_{axis}", "m", 0) for axis in "xyz"]
     tilt, turn = p("tilt", "rad", 0.1), p("turn", "rad", 0.1)
     body = RigidBody("body", mass=mass, inertia=inertia[2] if plane else inertia)
-    up = Y if plane else Z
+    up = hd.Y if plane else hd.Z
     if plane:
-        normal, centre = Direction((sp.sin(tilt), sp.cos(tilt), 0)), body.at(offset[0], offset[1], 0)
+        normal, centre = hd.Direction((sp.sin(tilt), sp.cos(tilt), 0)), body.at(offset[0], offset[1], 0)
     else:
-        normal = Direction((sp.sin(tilt) * sp.cos(turn), sp.sin(tilt) * sp.sin(turn), sp.cos(tilt)))
+        normal = hd.Direction((sp.sin(tilt) * sp.cos(turn), sp.sin(tilt) * sp.sin(turn), sp.cos(tilt)))
         centre = body.at(*offset)
-    joint = Planar("flight", GROUND, body) if plane else Free("flight", GROUND, body)
+    joint = hd.Planar("flight", hd.GROUND, body) if plane else hd.Free("flight", hd.GROUND, body)
     stiffness = p("stiffness", {1: "N/m", 1.5: "N/m^1.5", 2: "N/m^2"}[exponent], 1e6)
     resistance = None
     if damping in RESTITUTIONS:
-        resistance = getattr(laws, damping)(p("restitution", "1", 0.7))
+        resistance = getattr(hd.laws, damping)(p("restitution", "1", 0.7))
     elif damping == "ristow":
-        resistance = laws.ristow(p("damping_rate", "1/s", 10))
+        resistance = hd.laws.ristow(p("damping_rate", "1/s", 10))
     elif damping == "kuwabara_kono":
-        resistance = laws.kuwabara_kono(p("material_time", "s", 1e-5))
+        resistance = hd.laws.kuwabara_kono(p("material_time", "s", 1e-5))
     elif damping == "power_damping":
-        resistance = laws.power_damping(p("damping", "N s/m^2", 10), 1)
-    law = laws.coulomb(p("mu_k", "1", 0.3), p("mu_s", "1", 0.3))
+        resistance = hd.laws.power_damping(p("damping", "N s/m^2", 10), 1)
+    law = hd.laws.coulomb(p("mu_k", "1", 0.3), p("mu_s", "1", 0.3))
     if friction == "smooth":
-        law = laws.smooth_coulomb(p("mu_k", "1", 0.3), p("rub_speed", "m/s", RUB_SPEED))
+        law = hd.laws.smooth_coulomb(p("mu_k", "1", 0.3), p("rub_speed", "m/s", RUB_SPEED))
     return engine_model(
-        Scene(
-            Mechanism("thrown", (joint,), (SphereOnPlane("floor", centre, radius, GROUND.at(0, 0, 0), normal),)),
-            (
-                Gravity("gravity", p("gravity", "m/s^2", GRAVITY), direction=-up),
-                Contact("floor", laws.power(stiffness, exponent), resistance),
-                Friction("rub", "floor", law),
-                EnergyLedger(),
+        hd.Scene(
+            hd.Mechanism(
+                "thrown", (joint,), (hd.SphereOnPlane("floor", centre, radius, hd.GROUND.at(0, 0, 0), normal),)
             ),
-            Scales(length=p("depth", "m", 1e-4), speed=p("pace", "m/s", 1), arm=radius),
-            Start(position={"flight.y" if plane else "flight.z": radius * 2}),
+            (
+                hd.Gravity("gravity", p("gravity", "m/s^2", GRAVITY), direction=-up),
+                hd.Contact("floor", hd.laws.power(stiffness, exponent), resistance),
+                hd.Friction("rub", "floor", law),
+                hd.EnergyLedger(),
+            ),
+            hd.Scales(length=p("depth", "m", 1e-4), speed=p("pace", "m/s", 1), arm=radius),
+            hd.Start(position={"flight.y" if plane else "flight.z": radius * 2}),
         )
     )
 

@@ -3,68 +3,56 @@
 import mpmath
 import numpy as np
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    ConstantSpeed,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.scenes.spatial_slider_crank import scene as with_clearance
 
 
-def four_bar(crank: float, coupler: float, rocker: float, base: float, *drive: float, **start) -> Scene:
-    lengths = {name: Parameter(name, "m", value) for name, value in
+def four_bar(crank: float, coupler: float, rocker: float, base: float, *drive: float, **start) -> hd.Scene:
+    lengths = {name: hd.Parameter(name, "m", value) for name, value in
                (("crank", crank), ("coupler", coupler), ("rocker", rocker), ("base", base))}  # fmt: skip
-    m, J, w = Parameter("mass", "kg", 1.0), Parameter("inertia", "kg m^2", 0.1), Parameter("w", "rad/s", 2.0)
-    a, b, c = (Body(name, m, J, centre=(lengths[name] / 2, 0, 0)) for name in ("crank", "coupler", "rocker"))
+    m, J, w = hd.Parameter("mass", "kg", 1.0), hd.Parameter("inertia", "kg m^2", 0.1), hd.Parameter("w", "rad/s", 2.0)
+    a, b, c = (hd.Body(name, m, J, centre=(lengths[name] / 2, 0, 0)) for name in ("crank", "coupler", "rocker"))
     joints = (
-        Revolute("main", GROUND, a, axis=Z),
-        Revolute("left", a.at(lengths["crank"], 0, 0), b, axis=Z),
-        Revolute("foot", GROUND.at(lengths["base"], 0, 0), c, axis=Z),
-        Revolute("right", b.at(lengths["coupler"], 0, 0), c.at(lengths["rocker"], 0, 0), axis=Z),
+        hd.Revolute("main", hd.GROUND, a, axis=hd.Z),
+        hd.Revolute("left", a.at(lengths["crank"], 0, 0), b, axis=hd.Z),
+        hd.Revolute("foot", hd.GROUND.at(lengths["base"], 0, 0), c, axis=hd.Z),
+        hd.Revolute("right", b.at(lengths["coupler"], 0, 0), c.at(lengths["rocker"], 0, 0), axis=hd.Z),
     )
-    driven = (ConstantSpeed("drive", "main", w),) if drive else ()
-    return Scene(
-        Mechanism("four_bar", joints=joints),
-        effects=(*driven, Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y), EnergyLedger()),
-        start=Start(**start),
-        scales=Scales(length=lengths["crank"], speed=lengths["crank"] * w, arm=lengths["crank"]),
+    driven = (hd.ConstantSpeed("drive", "main", w),) if drive else ()
+    return hd.Scene(
+        hd.Mechanism("four_bar", joints=joints),
+        effects=(*driven, hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), direction=-hd.Y), hd.EnergyLedger()),
+        start=hd.Start(**start),
+        scales=hd.Scales(length=lengths["crank"], speed=lengths["crank"] * w, arm=lengths["crank"]),
     )
 
 
-def cranks() -> Scene:
+def cranks() -> hd.Scene:
     """Three equal cranks side by side on one coupler: without any of the three it would move the same."""
-    length, base = Parameter("crank", "m", 1.0), Parameter("base", "m", 2.0)
-    m, J = Parameter("mass", "kg", 1.0), Parameter("inertia", "kg m^2", 0.1)
-    one, two, three = (Body(name, m, J, centre=(length / 2, 0, 0)) for name in ("one", "two", "three"))
-    coupler = Body("coupler", m, J, centre=(base / 2, 0, 0))
+    length, base = hd.Parameter("crank", "m", 1.0), hd.Parameter("base", "m", 2.0)
+    m, J = hd.Parameter("mass", "kg", 1.0), hd.Parameter("inertia", "kg m^2", 0.1)
+    one, two, three = (hd.Body(name, m, J, centre=(length / 2, 0, 0)) for name in ("one", "two", "three"))
+    coupler = hd.Body("coupler", m, J, centre=(base / 2, 0, 0))
     joints = (
-        Revolute("first", GROUND, one, axis=Z),
-        Revolute("left", one.at(length, 0, 0), coupler, axis=Z),
-        Revolute("second", GROUND.at(base, 0, 0), two, axis=Z),
-        Revolute("third", GROUND.at(base / 2, 0, 0), three, axis=Z),
-        Revolute("right", coupler.at(base, 0, 0), two.at(length, 0, 0), axis=Z),
-        Revolute("middle", coupler.at(base / 2, 0, 0), three.at(length, 0, 0), axis=Z),
+        hd.Revolute("first", hd.GROUND, one, axis=hd.Z),
+        hd.Revolute("left", one.at(length, 0, 0), coupler, axis=hd.Z),
+        hd.Revolute("second", hd.GROUND.at(base, 0, 0), two, axis=hd.Z),
+        hd.Revolute("third", hd.GROUND.at(base / 2, 0, 0), three, axis=hd.Z),
+        hd.Revolute("right", coupler.at(base, 0, 0), two.at(length, 0, 0), axis=hd.Z),
+        hd.Revolute("middle", coupler.at(base / 2, 0, 0), three.at(length, 0, 0), axis=hd.Z),
     )
-    effects = (Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y), EnergyLedger())
-    start = Start(position={"first": Parameter("lift", "rad", 0.4)})
-    return Scene(
-        Mechanism("cranks", joints=joints), effects, Scales(length, Parameter("pace", "m/s", 1.0), length), start
+    effects = (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), direction=-hd.Y), hd.EnergyLedger())
+    start = hd.Start(position={"first": hd.Parameter("lift", "rad", 0.4)})
+    return hd.Scene(
+        hd.Mechanism("cranks", joints=joints),
+        effects,
+        hd.Scales(length, hd.Parameter("pace", "m/s", 1.0), length),
+        start,
     )
 
 
-def rad(value: float) -> Parameter:
-    return Parameter(f"a{str(abs(value)).replace('.', '')}", "rad", value)
+def rad(value: float) -> hd.Parameter:
+    return hd.Parameter(f"a{str(abs(value)).replace('.', '')}", "rad", value)
 
 
 def turned(windows: int, t: float) -> float:
@@ -78,15 +66,17 @@ def turned(windows: int, t: float) -> float:
         return float(-2 * (mpmath.atan2(s, c) + turns * mpmath.pi))
 
 
-def spatial_crank() -> Scene:
+def spatial_crank() -> hd.Scene:
     """The spatial slider-crank, its ball joint without clearance and its crank let go at 6 rad/s."""
-    given, arm = with_clearance.mechanism, Parameter("crank_length", "m", 0.08)
+    given, arm = with_clearance.mechanism, hd.Parameter("crank_length", "m", 0.08)
     (ball,) = given.pairs
-    joints = (*given.joints, Spherical("crank_ball", ball.socket, ball.ball))
-    effects = tuple(effect for effect in with_clearance.effects if isinstance(effect, (Gravity, EnergyLedger)))
-    pace = Parameter("start_speed", "rad/s", 6)
-    start = Start(with_clearance.start.position, {"main_bearing": pace})
-    return Scene(Mechanism("spatial_crank", joints), effects, Scales(arm, arm * pace, with_clearance.scales.arm), start)
+    joints = (*given.joints, hd.Spherical("crank_ball", ball.socket, ball.ball))
+    effects = tuple(effect for effect in with_clearance.effects if isinstance(effect, (hd.Gravity, hd.EnergyLedger)))
+    pace = hd.Parameter("start_speed", "rad/s", 6)
+    start = hd.Start(with_clearance.start.position, {"main_bearing": pace})
+    return hd.Scene(
+        hd.Mechanism("spatial_crank", joints), effects, hd.Scales(arm, arm * pace, with_clearance.scales.arm), start
+    )
 
 
 def open_by(run) -> float:

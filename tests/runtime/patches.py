@@ -4,22 +4,7 @@ import math
 
 from scipy.special import ellipe, ellipk
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Planar,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import kelvin_voigt, power
 
 DISC, RIM, GRAVITY, MU = 2.0, 0.1, 9.81, 0.2  # kg, m, m/s^2, 1
@@ -27,22 +12,31 @@ DISC, RIM, GRAVITY, MU = 2.0, 0.1, 9.81, 0.2  # kg, m, m/s^2, 1
 
 def flat_disc(*more, **coordinates):
     """A disc, m R^2/2, that carries its weight on its whole face."""
-    mass, rim, radius = Parameter("mass", "kg", DISC), Parameter("rim", "m", RIM), Parameter("radius", "m", 0.01)
-    gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", 1e5)
-    tray, disc = Body("tray", 0), Body("disc", mass, (mass * rim**2 / 4, mass * rim**2 / 2, mass * rim**2 / 4))
-    joints = (Planar("floor_plane", GROUND, tray, normal=Y), Prismatic("up", tray, disc, axis=Y))
-    return Scene(
-        Mechanism("flat_disc", joints, (SphereOnPlane("floor", disc.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),)),
-        (
-            Gravity("gravity", gravity, direction=-Y),
-            Contact("floor", power(stiffness, 1), kelvin_voigt(Parameter("restitution", "1", 0.2))),
-            *more,
-            EnergyLedger(),
+    mass, rim, radius = (
+        hd.Parameter("mass", "kg", DISC),
+        hd.Parameter("rim", "m", RIM),
+        hd.Parameter("radius", "m", 0.01),
+    )
+    gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", 1e5)
+    tray, disc = hd.Body("tray", 0), hd.Body("disc", mass, (mass * rim**2 / 4, mass * rim**2 / 2, mass * rim**2 / 4))
+    joints = (hd.Planar("floor_plane", hd.GROUND, tray, normal=hd.Y), hd.Prismatic("up", tray, disc, axis=hd.Y))
+    return hd.Scene(
+        hd.Mechanism(
+            "flat_disc", joints, (hd.SphereOnPlane("floor", disc.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y),)
         ),
-        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=rim),
-        Start(
+        (
+            hd.Gravity("gravity", gravity, direction=-hd.Y),
+            hd.Contact("floor", power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.2))),
+            *more,
+            hd.EnergyLedger(),
+        ),
+        hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=rim),
+        hd.Start(
             position={"up": radius - mass * gravity / stiffness},
-            speed={"floor_plane.x": Parameter("slide", "m/s", 1), "floor_plane.angle": Parameter("spin", "rad/s", 10)},
+            speed={
+                "floor_plane.x": hd.Parameter("slide", "m/s", 1),
+                "floor_plane.angle": hd.Parameter("spin", "rad/s", 10),
+            },
         ),
         **coordinates,
     )

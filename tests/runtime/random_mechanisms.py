@@ -15,36 +15,7 @@ import bodies_on_planes
 import numpy as np
 import random_cranks
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    BallFriction,
-    Body,
-    ConstantSpeed,
-    Contact,
-    Direction,
-    EnergyLedger,
-    Friction,
-    Gravity,
-    JointDamper,
-    JointFriction,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Planar,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Spherical,
-    Start,
-    Universal,
-    X,
-    Y,
-    Z,
-    every_pair,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime.engine.model.model import EngineModel
 from hertzwerk.runtime.loading import engine_model
 
@@ -89,10 +60,10 @@ class Dice:
     def one(self, *of: Any) -> Any:
         return of[self.random.integers(len(of))]
 
-    def p(self, name: str, unit: str, low: float, high: float) -> Parameter:
+    def p(self, name: str, unit: str, low: float, high: float) -> hd.Parameter:
         """A parameter that every draw chooses anew."""
         self.ranges[name] = (low, high, unit)
-        return Parameter(name, unit, self.spread(low, high))
+        return hd.Parameter(name, unit, self.spread(low, high))
 
     def parameters(self, model: EngineModel) -> dict[str, str]:
         """Values of those parameters that a model has."""
@@ -118,43 +89,45 @@ def chain(dice: Dice, name: str, draws: int) -> Drawn:
     plane, n = dice.chance(0.5), int(dice.random.integers(1, 4))
     joints: list[Any] = []
     effects: list[Any] = []
-    parent: Any = GROUND
+    parent: Any = hd.GROUND
     for i in range(n):
         length, mass = dice.p(f"l{i}", "m", 0.2, 1), dice.p(f"m{i}", "kg", 0.3, 3)
         share = dice.p(f"share{i}", "1", 0.08, 0.2)
         inertia = share * mass * length**2
-        body = Body(
+        body = hd.Body(
             f"link{i}", mass, inertia if plane else (inertia, 0.3 * inertia, 1.1 * inertia), (0, -length / 2, 0)
         )
         kind = "P" if i == 0 and dice.chance(0.15) else "R" if plane else dice.one("R", "R", "U", "S")
         joint = f"joint{i}"
         if kind == "P":
-            joints.append(Prismatic(joint, parent, body, axis=X))
-            effects.append(JointSpring(f"spring{i}", joint, dice.p(f"k{i}", "N/m", 20, 500)))
+            joints.append(hd.Prismatic(joint, parent, body, axis=hd.X))
+            effects.append(hd.JointSpring(f"spring{i}", joint, dice.p(f"k{i}", "N/m", 20, 500)))
         elif kind == "R":
-            axis = Z if plane else dice.one(Z, X, Direction((1, 0, 2)), Direction((3, 1, 0)))
-            joints.append(Revolute(joint, parent, body, axis))
+            axis = hd.Z if plane else dice.one(hd.Z, hd.X, hd.Direction((1, 0, 2)), hd.Direction((3, 1, 0)))
+            joints.append(hd.Revolute(joint, parent, body, axis))
         elif kind == "U":
-            joints.append(Universal(joint, parent, body, X, Z))
+            joints.append(hd.Universal(joint, parent, body, hd.X, hd.Z))
         else:
-            joints.append(Spherical(joint, parent, body))
+            joints.append(hd.Spherical(joint, parent, body))
         if kind == "R" and dice.chance(0.6):
             effects.append(
-                JointFriction(f"rub{i}", joint, smooth(dice, f"_{i}"), radius=dice.p(f"r{i}", "m", 0.005, 0.05))
+                hd.JointFriction(f"rub{i}", joint, smooth(dice, f"_{i}"), radius=dice.p(f"r{i}", "m", 0.005, 0.05))
             )
         elif kind == "S" and dice.chance(0.5):
             effects.append(
-                BallFriction(f"rub{i}", joint, smooth(dice, f"_{i}"), radius=dice.p(f"r{i}", "m", 0.005, 0.05))
+                hd.BallFriction(f"rub{i}", joint, smooth(dice, f"_{i}"), radius=dice.p(f"r{i}", "m", 0.005, 0.05))
             )
         elif kind == "R" and dice.chance(0.4):
-            effects.append(JointDamper(f"damper{i}", joint, dice.p(f"c{i}", "N m s/rad", 0.01, 1)))
+            effects.append(hd.JointDamper(f"damper{i}", joint, dice.p(f"c{i}", "N m s/rad", 0.01, 1)))
         if kind == "R" and dice.chance(0.2):
-            effects.append(JointSpring(f"coil{i}", joint, dice.p(f"kt{i}", "N m/rad", 1, 50)))
+            effects.append(hd.JointSpring(f"coil{i}", joint, dice.p(f"kt{i}", "N m/rad", 1, 50)))
         parent = body.at(0, -length, 0)
-    effects += [Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y), EnergyLedger()]
-    arm = Parameter("arm", "m", 0.5)
+    effects += [hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger()]
+    arm = hd.Parameter("arm", "m", 0.5)
     made = engine_model(
-        Scene(Mechanism("chain", tuple(joints)), tuple(effects), Scales(arm, Parameter("pace", "m/s", 2), arm))
+        hd.Scene(
+            hd.Mechanism("chain", tuple(joints)), tuple(effects), hd.Scales(arm, hd.Parameter("pace", "m/s", 2), arm)
+        )
     )
     found = []
     for _ in range(draws):
@@ -168,11 +141,11 @@ def smooth(dice: Dice, tag: str, *more: str) -> Any:
     which, p = dice.one("smooth_coulomb", "stribeck", *more), dice.p
     mu, v = p(f"mu{tag}", "1", 0.05, 0.5), p(f"v_s{tag}", "m/s", 1e-3, 0.1)
     if which == "smooth_coulomb":
-        return laws.smooth_coulomb(mu, v)
+        return hd.laws.smooth_coulomb(mu, v)
     viscous, falling = p(f"c_v{tag}", "N s/m", 1e-3, 0.1), p(f"v_S{tag}", "m/s", 0.01, 0.2)
     if which == "stribeck":
-        return laws.stribeck(mu, 1.3 * mu, falling, v, viscous)
-    return laws.brown_mcphee(mu, 1.3 * mu, falling, viscous, p(f"N_t{tag}", "N", 1, 10))
+        return hd.laws.stribeck(mu, 1.3 * mu, falling, v, viscous)
+    return hd.laws.brown_mcphee(mu, 1.3 * mu, falling, viscous, p(f"N_t{tag}", "N", 1, 10))
 
 
 def crank(dice: Dice, name: str, draws: int) -> Drawn:
@@ -213,9 +186,11 @@ def thrown(dice: Dice, name: str, draws: int) -> Drawn:
 def balls(dice: Dice, name: str, draws: int) -> Drawn:
     """Balls in the plane between a floor and two walls, that meet each other."""
     n = int(dice.random.integers(1, 4))
-    radius, width = Parameter("radius", "m", 0.05), Parameter("width", "m", 0.4)
-    bodies = [Body(f"ball{i}", dice.p(f"m{i}", "kg", 0.1, 1), Parameter(f"J{i}", "kg m^2", 4e-4)) for i in range(n)]
-    joints = tuple(Planar(f"flight{i}", GROUND, body) for i, body in enumerate(bodies))
+    radius, width = hd.Parameter("radius", "m", 0.05), hd.Parameter("width", "m", 0.4)
+    bodies = [
+        hd.Body(f"ball{i}", dice.p(f"m{i}", "kg", 0.1, 1), hd.Parameter(f"J{i}", "kg m^2", 4e-4)) for i in range(n)
+    ]
+    joints = tuple(hd.Planar(f"flight{i}", hd.GROUND, body) for i, body in enumerate(bodies))
     exponent = dice.one(1, 1.5, 2)
     unit = {1: "N/m", 1.5: "N/m^1.5", 2: "N/m^2"}[exponent]
     high = {1: (2e3, 2e5), 1.5: (2e4, 1e7), 2: (2e5, 1e8)}[exponent]
@@ -223,21 +198,23 @@ def balls(dice: Dice, name: str, draws: int) -> Drawn:
     damping = dice.one(
         "hunt_crossley", "flores", "lankarani_nikravesh", "gonthier", "hu_guo", "exact", "tsuji", "kelvin_voigt"
     )
-    sides = {"floor": (0, Y), "left": (-width / 2, X), "right": (width / 2, -X)}
-    pairs: list[Any] = list(every_pair("meet", bodies, radius)) if n > 1 else []
+    sides = {"floor": (0, hd.Y), "left": (-width / 2, hd.X), "right": (width / 2, -hd.X)}
+    pairs: list[Any] = list(hd.every_pair("meet", bodies, radius)) if n > 1 else []
     for side, (x, normal) in sides.items():
         pairs += [
-            SphereOnPlane(f"{side}{i}", body.at(0, 0, 0), radius, GROUND.at(x, 0, 0), normal)
+            hd.SphereOnPlane(f"{side}{i}", body.at(0, 0, 0), radius, hd.GROUND.at(x, 0, 0), normal)
             for i, body in enumerate(bodies)
         ]
     names = sorted({pair.part_of or pair.name for pair in pairs})
-    effects: list[Any] = [Contact(each, laws.power(stiffness, exponent), getattr(laws, damping)(e)) for each in names]
+    effects: list[Any] = [
+        hd.Contact(each, hd.laws.power(stiffness, exponent), getattr(hd.laws, damping)(e)) for each in names
+    ]
     if dice.chance(0.6):
         law = smooth(dice, "", "brown_mcphee")
-        effects += [Friction(f"rub_{each}", each, law) for each in names]
-    effects += [Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y), EnergyLedger()]
-    scales = Scales(Parameter("depth", "m", 1e-3), Parameter("pace", "m/s", 2), radius)
-    made = engine_model(Scene(Mechanism("balls", joints, tuple(pairs)), tuple(effects), scales))
+        effects += [hd.Friction(f"rub_{each}", each, law) for each in names]
+    effects += [hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger()]
+    scales = hd.Scales(hd.Parameter("depth", "m", 1e-3), hd.Parameter("pace", "m/s", 2), radius)
+    made = engine_model(hd.Scene(hd.Mechanism("balls", joints, tuple(pairs)), tuple(effects), scales))
     found = []
     for _ in range(draws):
         start = {}
@@ -254,32 +231,34 @@ def loop(dice: Dice, name: str, draws: int) -> Drawn:
     a, b = p("crank", "m", 0.1, 0.2), p("coupler", "m", 0.4, 0.5)
     c, d = p("rocker", "m", 0.4, 0.5), p("base", "m", 0.4, 0.5)  # a + 0.5 < 0.8: the crank turns round
     bodies = [
-        Body(f"bar{i}", p(f"m{i}", "kg", 0.3, 3), p(f"J{i}", "kg m^2", 0.005, 0.05), centre=(length / 2, 0, 0))
+        hd.Body(f"bar{i}", p(f"m{i}", "kg", 0.3, 3), p(f"J{i}", "kg m^2", 0.005, 0.05), centre=(length / 2, 0, 0))
         for i, length in enumerate((a, b, c))
     ]
     joints = (
-        Revolute("main", GROUND, bodies[0], Z),
-        Revolute("left", bodies[0].at(a, 0, 0), bodies[1], Z),
-        Revolute("foot", GROUND.at(d, 0, 0), bodies[2], Z),
-        Revolute("right", bodies[1].at(b, 0, 0), bodies[2].at(c, 0, 0), Z),
+        hd.Revolute("main", hd.GROUND, bodies[0], hd.Z),
+        hd.Revolute("left", bodies[0].at(a, 0, 0), bodies[1], hd.Z),
+        hd.Revolute("foot", hd.GROUND.at(d, 0, 0), bodies[2], hd.Z),
+        hd.Revolute("right", bodies[1].at(b, 0, 0), bodies[2].at(c, 0, 0), hd.Z),
     )
-    effects: list[Any] = [Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y), EnergyLedger()]
+    effects: list[Any] = [hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger()]
     if driven:
-        effects.append(ConstantSpeed("drive", "main", p("w", "rad/s", 1, 30)))
+        effects.append(hd.ConstantSpeed("drive", "main", p("w", "rad/s", 1, 30)))
     for joint in ("left", "foot"):
         if dice.chance(0.5):
             effects.append(
-                JointFriction(
+                hd.JointFriction(
                     f"rub_{joint}", joint, smooth(dice, f"_{joint}"), radius=p(f"r_{joint}", "m", 0.005, 0.02)
                 )
             )
         elif dice.chance(0.5):
-            effects.append(JointDamper(f"damper_{joint}", joint, p(f"c_{joint}", "N m s/rad", 0.01, 0.3)))
-    scales = Scales(Parameter("size", "m", 0.2), Parameter("pace", "m/s", 1), Parameter("arm", "m", 0.2))
+            effects.append(hd.JointDamper(f"damper_{joint}", joint, p(f"c_{joint}", "N m s/rad", 0.01, 0.3)))
+    scales = hd.Scales(hd.Parameter("size", "m", 0.2), hd.Parameter("pace", "m/s", 1), hd.Parameter("arm", "m", 0.2))
     coordinates = dice.one("tree", "tree", "absolute")
     angle, speed = p("lift", "rad", 0.1, 6), p("turning", "rad/s", 0.1, 8)
-    start = Start({} if driven else {"main": angle}, {} if driven else {"main": speed}, near={"left": 0.5, "foot": 1.5})
-    made = engine_model(Scene(Mechanism("loop", joints), tuple(effects), scales, start, coordinates=coordinates))
+    start = hd.Start(
+        {} if driven else {"main": angle}, {} if driven else {"main": speed}, near={"left": 0.5, "foot": 1.5}
+    )
+    made = engine_model(hd.Scene(hd.Mechanism("loop", joints), tuple(effects), scales, start, coordinates=coordinates))
     return Drawn(name, lambda: made, [Draw(dice.uniform(0.2, 1.2), dice.parameters(made)) for _ in range(draws)])
 
 
@@ -287,37 +266,42 @@ def tree(dice: Dice, name: str, draws: int) -> Drawn:
     """Bodies on joints of all kinds in space, some driven, on axes that lie askew."""
     joints: list[Any] = []
     effects: list[Any] = []
-    places: list[Any] = [GROUND.at(0, 0, 0)]
+    places: list[Any] = [hd.GROUND.at(0, 0, 0)]
     n = int(dice.random.integers(1, 4))
     for i in range(n):
         a, mass = dice.p(f"a{i}", "m", 0.1, 0.6), dice.p(f"m{i}", "kg", 0.3, 3)
         J = dice.p(f"J{i}", "kg m^2", 0.01, 0.1)
-        body = Body(f"body{i}", mass, (J, 1.2 * J, 0.9 * J), (0, 0.1 * a, -a / 2))
+        body = hd.Body(f"body{i}", mass, (J, 1.2 * J, 0.9 * J), (0, 0.1 * a, -a / 2))
         place, joint = dice.one(*places), f"joint{i}"
-        axis = dice.one(X, Y, Z, Direction((1, 2, -1)), Direction((0, 1, 1)))
+        axis = dice.one(hd.X, hd.Y, hd.Z, hd.Direction((1, 2, -1)), hd.Direction((0, 1, 1)))
         kind = dice.one("R", "R", "P", "U", "S")
         joints.append(
-            Revolute(joint, place, body, axis)
+            hd.Revolute(joint, place, body, axis)
             if kind == "R"
-            else Prismatic(joint, place, body, axis)
+            else hd.Prismatic(joint, place, body, axis)
             if kind == "P"
-            else Universal(joint, place, body, X, Y)
+            else hd.Universal(joint, place, body, hd.X, hd.Y)
             if kind == "U"
-            else Spherical(joint, place, body)
+            else hd.Spherical(joint, place, body)
         )
         if kind == "P":
-            effects.append(JointSpring(f"spring{i}", joint, dice.p(f"k{i}", "N/m", 20, 500)))
+            effects.append(hd.JointSpring(f"spring{i}", joint, dice.p(f"k{i}", "N/m", 20, 500)))
         elif kind == "R" and i < n - 1 and dice.chance(0.25):
-            effects.append(ConstantSpeed(f"drive{i}", joint, dice.p(f"w{i}", "rad/s", 1, 10)))
+            effects.append(hd.ConstantSpeed(f"drive{i}", joint, dice.p(f"w{i}", "rad/s", 1, 10)))
         elif kind == "R" and dice.chance(0.4):
             effects.append(
-                JointFriction(f"rub{i}", joint, smooth(dice, f"_{i}"), radius=dice.p(f"r{i}", "m", 0.005, 0.05))
+                hd.JointFriction(f"rub{i}", joint, smooth(dice, f"_{i}"), radius=dice.p(f"r{i}", "m", 0.005, 0.05))
             )
         places.append(body.at(a / 3, 0, -a))
-    effects += [Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), Direction((1, -3, -9))), EnergyLedger()]
-    size = Parameter("size", "m", 0.5)
+    effects += [
+        hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), hd.Direction((1, -3, -9))),
+        hd.EnergyLedger(),
+    ]
+    size = hd.Parameter("size", "m", 0.5)
     made = engine_model(
-        Scene(Mechanism("tree", tuple(joints)), tuple(effects), Scales(size, Parameter("pace", "m/s", 2), size))
+        hd.Scene(
+            hd.Mechanism("tree", tuple(joints)), tuple(effects), hd.Scales(size, hd.Parameter("pace", "m/s", 2), size)
+        )
     )
     found = []
     for _ in range(draws):

@@ -5,21 +5,7 @@ from functools import cache
 import numpy as np
 from scipy.linalg import expm
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    EnergyLedger,
-    Input,
-    JointDamper,
-    JointForce,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    X,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime.loading import engine_model
 
 MASS, STIFFNESS, DAMPING = 2.0, 50.0, 0.7
@@ -28,16 +14,16 @@ MASS, STIFFNESS, DAMPING = 2.0, 50.0, 0.7
 @cache
 def shaken(coordinates="tree"):
     """Model of the block."""
-    block = Body("block", Parameter("mass", "kg", MASS), Parameter("inertia", "kg m^2", 1))
+    block = hd.Body("block", hd.Parameter("mass", "kg", MASS), hd.Parameter("inertia", "kg m^2", 1))
     effects = (
-        JointSpring("spring", "slide", Parameter("stiffness", "N/m", STIFFNESS)),
-        JointDamper("damper", "slide", Parameter("damping", "N s/m", DAMPING)),
-        JointForce("motor", "slide", Input("push", "N", "of the shaker")),
-        EnergyLedger(),
+        hd.JointSpring("spring", "slide", hd.Parameter("stiffness", "N/m", STIFFNESS)),
+        hd.JointDamper("damper", "slide", hd.Parameter("damping", "N s/m", DAMPING)),
+        hd.JointForce("motor", "slide", hd.Input("push", "N", "of the shaker")),
+        hd.EnergyLedger(),
     )
-    scales = Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1), Parameter("arm", "m", 1))
-    mechanism = Mechanism("shaker", (Prismatic("slide", GROUND, block, axis=X),))
-    return engine_model(Scene(mechanism, effects, scales, coordinates=coordinates))
+    scales = hd.Scales(hd.Parameter("size", "cm", 10), hd.Parameter("pace", "m/s", 1), hd.Parameter("arm", "m", 1))
+    mechanism = hd.Mechanism("shaker", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),))
+    return engine_model(hd.Scene(mechanism, effects, scales, coordinates=coordinates))
 
 
 def exact(times, values, *, held):

@@ -5,46 +5,26 @@ import pytest
 from scipy.optimize import lsq_linear
 from scipy.spatial.transform import Rotation
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    BoxOnBox,
-    Contact,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Planar,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
 G = 9.81
-R = Parameter("r", "mm", 1)
-W, H, D, L, S = (Parameter(n, "mm", v) for n, v in (("w", 100), ("h", 80), ("d", 60), ("l", 300), ("s", 30)))
+R = hd.Parameter("r", "mm", 1)
+W, H, D, L, S = (hd.Parameter(n, "mm", v) for n, v in (("w", 100), ("h", 80), ("d", 60), ("l", 300), ("s", 30)))
 w, h, r, s = W.si, H.si, R.si, S.si
-RHO = Parameter("rho", "kg/m^3", 1000)
+RHO = hd.Parameter("rho", "kg/m^3", 1000)
 MASS = 1000 * w * h * D.si
-K = Parameter("K", "N/m", 1e6)
-SIZES = Scales(length=R, speed=Parameter("pace", "m/s", 0.1), arm=W)
-GRAVITY = Gravity("gravity", Parameter("g", "m/s^2", G), -Y)
-DAMPED = laws.power(K, 1), laws.hunt_crossley(Parameter("e", "1", 0.3))
+K = hd.Parameter("K", "N/m", 1e6)
+SIZES = hd.Scales(length=R, speed=hd.Parameter("pace", "m/s", 0.1), arm=W)
+GRAVITY = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), -hd.Y)
+DAMPED = hd.laws.power(K, 1), hd.laws.hunt_crossley(hd.Parameter("e", "1", 0.3))
 
 
 def at(**values):
     """Coordinates or speeds at the start by name, two underscores for the point, in SI."""
     units = {"x": "m", "y": "m", "z": "m", "angle": "rad"}
     return {
-        name.replace("__", "."): Parameter(name, units.get(name.split("__")[1], "1"), float(value))
+        name.replace("__", "."): hd.Parameter(name, units.get(name.split("__")[1], "1"), float(value))
         for name, value in values.items()
     }
 
@@ -53,20 +33,20 @@ def pair(
     *effects, space=False, coordinates="tree", sizes=((W, H, D), (W, H, D)), position=None, speed=None, swap=False
 ):
     """Two free bodies of a density, a and b, that may touch."""
-    a, b = (Body.box(name, *of, density=RHO) for name, of in zip("ab", sizes, strict=True))
-    joint = Free if space else Planar
+    a, b = (hd.Body.box(name, *of, density=RHO) for name, of in zip("ab", sizes, strict=True))
+    joint = hd.Free if space else hd.Planar
     of = [(body.at(0, 0, 0), *size) for body, size in zip((a, b), sizes, strict=True)]
     (one, ox, oy, oz), (two, tx, ty, tz) = of[::-1] if swap else of
-    touch = BoxOnBox("hit", one, ox, oy, two, tx, ty, R, *((oz, tz) if space else ()))
+    touch = hd.BoxOnBox("hit", one, ox, oy, two, tx, ty, R, *((oz, tz) if space else ()))
     speeds = {
-        k: Parameter(f"{k.replace('.', '_')}_speed_0", "m/s" if k[-1] in "xyz" else "rad/s", v)
+        k: hd.Parameter(f"{k.replace('.', '_')}_speed_0", "m/s" if k[-1] in "xyz" else "rad/s", v)
         for k, v in (speed or {}).items()
     }
-    return Scene(
-        Mechanism("pair", (joint("A", GROUND, a), joint("B", GROUND, b)), (touch,)),
-        (*(effects or (Contact("hit", laws.power(K, 1)),)), EnergyLedger()),
+    return hd.Scene(
+        hd.Mechanism("pair", (joint("A", hd.GROUND, a), joint("B", hd.GROUND, b)), (touch,)),
+        (*(effects or (hd.Contact("hit", hd.laws.power(K, 1)),)), hd.EnergyLedger()),
         SIZES,
-        Start(position=position or at(A__y=1), speed=speeds),
+        hd.Start(position=position or at(A__y=1), speed=speeds),
         coordinates=coordinates,
     )
 
@@ -180,14 +160,14 @@ def test_momentum_and_energy_stay_and_swapped_boxes_move_alike(oblique):
 
 def held(offset, *effects, law=DAMPED, duration="0.3 s", **start):
     """A rectangle on another, which is held, both flat."""
-    a = Body.box("a", W, H, D, density=RHO)
-    touch = BoxOnBox("hit", a.at(0, 0, 0), W, H, GROUND.at(0, 0, 0), W, H, R)
+    a = hd.Body.box("a", W, H, D, density=RHO)
+    touch = hd.BoxOnBox("hit", a.at(0, 0, 0), W, H, hd.GROUND.at(0, 0, 0), W, H, R)
     start = at(A__x=offset, A__y=h - 1e-6) if not start else at(A__x=offset, **start)
-    scene = Scene(
-        Mechanism("held", (Planar("A", GROUND, a),), (touch,)),
-        (GRAVITY, Contact("hit", *law), *effects, EnergyLedger()),
+    scene = hd.Scene(
+        hd.Mechanism("held", (hd.Planar("A", hd.GROUND, a),), (touch,)),
+        (GRAVITY, hd.Contact("hit", *law), *effects, hd.EnergyLedger()),
         SIZES,
-        Start(position=start),
+        hd.Start(position=start),
     )
     return simulate(load(scene), duration=duration, tolerance=1e-7)
 
@@ -205,7 +185,7 @@ def test_corners_of_both_carry_what_hangs_over():
     assert right[0] == pytest.approx(MASS * G * reach / (2 * reach - 0.03), rel=1e-3)
 
 
-GRIP = Friction("rub", "hit", laws.coulomb(Parameter("mu", "1", 0.9), Parameter("mu_s", "1", 0.9)))
+GRIP = hd.Friction("rub", "hit", hd.laws.coulomb(hd.Parameter("mu", "1", 0.9), hd.Parameter("mu_s", "1", 0.9)))
 
 
 @pytest.mark.parametrize(("over", "falls"), [pytest.param(-1e-3, False, marks=pytest.mark.exhaustive), (4e-3, True)])
@@ -225,10 +205,10 @@ def test_it_tips_where_its_mass_centre_passes_the_edge(over, falls):
 
 
 def test_deeper_than_the_rounding_the_run_ends_and_says_where():
-    run = held(0.03, law=(laws.power(Parameter("K_soft", "N/m", 200), 1),), A__y=h + 0.05, duration="0.3 s")
+    run = held(0.03, law=(hd.laws.power(hd.Parameter("K_soft", "N/m", 200), 1),), A__y=h + 0.05, duration="0.3 s")
     assert run.outcome.name == "outside_law_range"
     assert "hit_" in str(run)
-    with pytest.raises(InputError, match=r"hit_1.*found a penetration"):
+    with pytest.raises(hd.InputError, match=r"hit_1.*found a penetration"):
         held(0.03, A__y=h - 0.01)
 
 
@@ -241,7 +221,7 @@ def test_crossed_bars_hit_edge_on_edge_as_rigid_ones():
     x, z, v = 0.06, 0.04, 0.5
     c, n, high = np.cos(np.pi / 8), np.sin(np.pi / 8), s * np.sqrt(2) - 2 * (np.sqrt(2) - 1) * r
     position = at(A__x=x, A__y=high + 1e-5, A__q0=c, A__q1=n, B__q0=c, B__q3=n, B__z=z)
-    stiff = Contact("hit", laws.power(Parameter("K_9", "N/m", 1e9), 1))
+    stiff = hd.Contact("hit", hd.laws.power(hd.Parameter("K_9", "N/m", 1e9), 1))
     scene = pair(stiff, space=True, sizes=((L, S, S), (S, S, L)), position=position, speed={"A.y": -v})
     run = simulate(load(scene), duration="1 ms", tolerance=1e-8)
     (impact,) = run.impacts
@@ -261,13 +241,13 @@ def test_crossed_bars_hit_edge_on_edge_as_rigid_ones():
 def test_a_plank_across_a_plank_rests_on_four_crossings():
     """No corner touches; edges that cross carry a quarter each, or by levers where it lies off the middle."""
     x = 0.004
-    plank = Body.box("plank", L, S, S, density=RHO)
-    touch = BoxOnBox("hit", plank.at(0, 0, 0), L, S, GROUND.at(0, 0, 0), S, S, R, S, L)
-    scene = Scene(
-        Mechanism("across", (Free("A", GROUND, plank),), (touch,)),
-        (GRAVITY, Contact("hit", *DAMPED), EnergyLedger()),
+    plank = hd.Body.box("plank", L, S, S, density=RHO)
+    touch = hd.BoxOnBox("hit", plank.at(0, 0, 0), L, S, hd.GROUND.at(0, 0, 0), S, S, R, S, L)
+    scene = hd.Scene(
+        hd.Mechanism("across", (hd.Free("A", hd.GROUND, plank),), (touch,)),
+        (GRAVITY, hd.Contact("hit", *DAMPED), hd.EnergyLedger()),
         SIZES,
-        Start(position=at(A__x=x, A__y=s)),
+        hd.Start(position=at(A__x=x, A__y=s)),
     )
     run = simulate(load(scene), duration="0.25 s", tolerance=1e-6, method="esdirk")
     forces = {k: run.at(np.array([0.25]))[f"hit_{k}.normal_force"][0] for k in range(1, 25)}
@@ -283,23 +263,23 @@ def test_a_plank_across_a_plank_rests_on_four_crossings():
 
 
 def test_effects_of_a_box_pair_act_at_each_feature():
-    scene = pair(Contact("hit", laws.power(K, 1)), GRIP)
+    scene = pair(hd.Contact("hit", hd.laws.power(K, 1)), GRIP)
     assert [p.name for p in scene.mechanism.pairs] == ["hit_1", "hit_2", "hit_3", "hit_4"]
     assert [e.pair for e in scene.effects if e.kind == "friction"] == ["hit_1", "hit_2", "hit_3", "hit_4"]
     assert len(pair(space=True).mechanism.pairs) == 24
 
 
 def test_faults_of_boxes_are_reported_at_once():
-    body = Body.box("a", W, H, D, density=RHO)
-    flat, thin, heavy = Parameter("flat", "mm", 1.5), Parameter("thin", "mm", -1), Parameter("heavy", "kg", 1)
+    body = hd.Body.box("a", W, H, D, density=RHO)
+    flat, thin, heavy = hd.Parameter("flat", "mm", 1.5), hd.Parameter("thin", "mm", -1), hd.Parameter("heavy", "kg", 1)
     bad = (
-        BoxOnBox("one", body.at(0, 0, 0), W, H, GROUND.at(0, 0, 0), W, H, R, D),
-        BoxOnBox("two", body.at(0, 0, 0), flat, heavy, GROUND.at(0, 0, 0), thin, H, R),
+        hd.BoxOnBox("one", body.at(0, 0, 0), W, H, hd.GROUND.at(0, 0, 0), W, H, R, D),
+        hd.BoxOnBox("two", body.at(0, 0, 0), flat, heavy, hd.GROUND.at(0, 0, 0), thin, H, R),
     )
-    with pytest.raises(InputError) as caught:
-        Scene(
-            Mechanism("bad", (Planar("A", GROUND, body),), bad),
-            (Contact("one", laws.power(K, 1)), Contact("two", laws.power(K, 1))),
+    with pytest.raises(hd.InputError) as caught:
+        hd.Scene(
+            hd.Mechanism("bad", (hd.Planar("A", hd.GROUND, body),), bad),
+            (hd.Contact("one", hd.laws.power(K, 1)), hd.Contact("two", hd.laws.power(K, 1))),
             SIZES,
         )
     text = str(caught.value)
@@ -308,15 +288,15 @@ def test_faults_of_boxes_are_reported_at_once():
 
 
 def test_rectangles_stay_in_their_plane():
-    with pytest.raises(InputError, match="motion out of the plane of x and y"):
-        body = Body.box("a", W, H, D, density=RHO)
-        touch = BoxOnBox(
-            "hit", body.at(0, 0, 0), W, H, GROUND.at(0, 0, 0).turned(X, Parameter("q", "deg", 30)), W, H, R
+    with pytest.raises(hd.InputError, match="motion out of the plane of x and y"):
+        body = hd.Body.box("a", W, H, D, density=RHO)
+        touch = hd.BoxOnBox(
+            "hit", body.at(0, 0, 0), W, H, hd.GROUND.at(0, 0, 0).turned(hd.X, hd.Parameter("q", "deg", 30)), W, H, R
         )
         load(
-            Scene(
-                Mechanism("bad", (Planar("A", GROUND, body, normal=Z),), (touch,)),
-                (Contact("hit", laws.power(K, 1)),),
+            hd.Scene(
+                hd.Mechanism("bad", (hd.Planar("A", hd.GROUND, body, normal=hd.Z),), (touch,)),
+                (hd.Contact("hit", hd.laws.power(K, 1)),),
                 SIZES,
             )
         )

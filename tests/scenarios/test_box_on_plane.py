@@ -4,36 +4,18 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    BoxOnPlane,
-    Contact,
-    Direction,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Planar,
-    Scales,
-    Scene,
-    Start,
-    Y,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import equilibrium, load, simulate
 
 G, MASS, K = 9.81, 7.0, 1e6
-W, H, D = (Parameter(name, "mm", value) for name, value in (("w", 100), ("h", 200), ("d", 60)))
-TALL = Parameter("tall", "mm", 600)
-STIFFNESS = Parameter("K", "N/m", K)
-GRIP = Friction("rub", "floor", laws.coulomb(Parameter("mu", "1", 0.8), Parameter("mu_s", "1", 0.8)))
+W, H, D = (hd.Parameter(name, "mm", value) for name, value in (("w", 100), ("h", 200), ("d", 60)))
+TALL = hd.Parameter("tall", "mm", 600)
+STIFFNESS = hd.Parameter("K", "N/m", K)
+GRIP = hd.Friction("rub", "floor", hd.laws.coulomb(hd.Parameter("mu", "1", 0.8), hd.Parameter("mu_s", "1", 0.8)))
 
-GRIP_SMOOTH = Friction("rub", "floor", laws.smooth_coulomb(Parameter("mu", "1", 0.8), Parameter("v_s", "m/s", 1e-5)))
+GRIP_SMOOTH = hd.Friction(
+    "rub", "floor", hd.laws.smooth_coulomb(hd.Parameter("mu", "1", 0.8), hd.Parameter("v_s", "m/s", 1e-5))
+)
 
 
 def si(*parameters):
@@ -43,31 +25,33 @@ def si(*parameters):
 def block(height=H, depth=D, centre=(0, 0, 0)):
     w, h, d = si(W, height, depth)
     inertia = [MASS * (a * a + b * b) / 12 for a, b in ((h, d), (w, d), (w, h))]
-    about = tuple(Parameter(f"J_{axis}", "kg m^2", value) for axis, value in zip("xyz", inertia, strict=True))
-    return Body("block", Parameter("m", "kg", MASS), about, centre=centre)
+    about = tuple(hd.Parameter(f"J_{axis}", "kg m^2", value) for axis, value in zip("xyz", inertia, strict=True))
+    return hd.Body("block", hd.Parameter("m", "kg", MASS), about, centre=centre)
 
 
-def standing(*effects, height=H, space=False, z=None, centre=(0, 0, 0), down=-Y, coordinates="tree", law=None, **start):
+def standing(
+    *effects, height=H, space=False, z=None, centre=(0, 0, 0), down=-hd.Y, coordinates="tree", law=None, **start
+):
     """A box on the ground or above it, its coordinates at the start by name in SI."""
     body = block(height, centre=centre)
-    joint = Free("move", GROUND, body) if space else Planar("move", GROUND, body, normal=Z)
-    floor = BoxOnPlane("floor", body.at(0, 0, 0), W, height, GROUND.at(0, 0, 0), Y, z=z)
+    joint = hd.Free("move", hd.GROUND, body) if space else hd.Planar("move", hd.GROUND, body, normal=hd.Z)
+    floor = hd.BoxOnPlane("floor", body.at(0, 0, 0), W, height, hd.GROUND.at(0, 0, 0), hd.Y, z=z)
     units = {"x": "m", "y": "m", "z": "m", "angle": "rad", "x_speed": "m/s"}
     at = {
-        f"move.{name}": Parameter(f"{name}_0", units[name], value)
+        f"move.{name}": hd.Parameter(f"{name}_0", units[name], value)
         for name, value in start.items()
         if name in "xyz angle"
     }
-    return Scene(
-        Mechanism("standing", (joint,), (floor,)),
+    return hd.Scene(
+        hd.Mechanism("standing", (joint,), (floor,)),
         (
-            Gravity("gravity", Parameter("g", "m/s^2", G), down),
-            law or Contact("floor", laws.power(STIFFNESS, 1)),
+            hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), down),
+            law or hd.Contact("floor", hd.laws.power(STIFFNESS, 1)),
             *effects,
-            EnergyLedger(),
+            hd.EnergyLedger(),
         ),
-        Scales(length=Parameter("size", "mm", 1), speed=Parameter("pace", "m/s", 0.1), arm=W),
-        Start(position=at),
+        hd.Scales(length=hd.Parameter("size", "mm", 1), speed=hd.Parameter("pace", "m/s", 0.1), arm=W),
+        hd.Start(position=at),
         coordinates=coordinates,
     )
 
@@ -95,8 +79,8 @@ def test_a_flat_fall_bounces_as_a_point_mass_on_springs_in_parallel(space, z, co
 def test_corners_share_the_load_as_springs_at_them_do():
     """N = (m g/4)(1 + 4 x X/w^2 + 4 z Z/d^2) for a mass centre at (x, z) and a corner at (X, Z); statics and ground agree."""
     x, z = 0.01, -0.005
-    centre = (Parameter("off_x", "m", x), 0, Parameter("off_z", "m", z))
-    stiff = Contact("floor", laws.power(Parameter("K_9", "N/m", 1e9), 1))
+    centre = (hd.Parameter("off_x", "m", x), 0, hd.Parameter("off_z", "m", z))
+    stiff = hd.Contact("floor", hd.laws.power(hd.Parameter("K_9", "N/m", 1e9), 1))
     rest = equilibrium(load(standing(space=True, z=D, centre=centre, law=stiff, y=H.si / 2)))
     w, _, d = si(W, H, D)
     corners = {1: (-w / 2, -d / 2), 2: (w / 2, -d / 2), 5: (-w / 2, d / 2), 6: (w / 2, d / 2)}
@@ -109,8 +93,10 @@ def test_corners_share_the_load_as_springs_at_them_do():
 def test_a_box_on_an_incline_tips_where_its_weight_passes_its_edge(part, falls):
     """It stands up to tan = w/h and tips above, where friction holds it."""
     tangent = part * W.si / H.si
-    hold = laws.power(Parameter("K_8", "N/m", 1e8), 1), laws.hunt_crossley(Parameter("e", "1", 0.1))
-    scene = standing(GRIP, law=Contact("floor", *hold), down=Direction((tangent, -1, 0)), y=H.si / 2 - MASS * G / 2e8)
+    hold = hd.laws.power(hd.Parameter("K_8", "N/m", 1e8), 1), hd.laws.hunt_crossley(hd.Parameter("e", "1", 0.1))
+    scene = standing(
+        GRIP, law=hd.Contact("floor", *hold), down=hd.Direction((tangent, -1, 0)), y=H.si / 2 - MASS * G / 2e8
+    )
     run = simulate(load(scene), duration="0.6 s", tolerance=1e-6)
     assert run.outcome.finished
     turned = -run.final["move.angle"]
@@ -139,7 +125,9 @@ def rocking(law, stiffness, duration):
 
 @pytest.fixture(scope="module")
 def rocked():
-    law = Contact("floor", laws.power(Parameter("K_8", "N/m", 1e8), 1), laws.flores(Parameter("e", "1", 0.05)))
+    law = hd.Contact(
+        "floor", hd.laws.power(hd.Parameter("K_8", "N/m", 1e8), 1), hd.laws.flores(hd.Parameter("e", "1", 0.05))
+    )
     return rocking(law, 1e8, "0.4 s")
 
 
@@ -171,25 +159,25 @@ def test_the_other_corner_leaves_a_rocking_block_housners_part_of_its_speed(rock
 def test_a_box_stands_on_a_box(z):
     """Eight or sixteen corners: the lower box's carry both weights, the upper one's theirs, and what fell rests."""
     lower, upper = (
-        Body(name, Parameter(f"m_{name}", "kg", mass), Parameter(f"J_{name}", "kg m^2", 0.02))
+        hd.Body(name, hd.Parameter(f"m_{name}", "kg", mass), hd.Parameter(f"J_{name}", "kg m^2", 0.02))
         for name, mass in (("lower", 3), ("upper", 2))
     )
     pairs = (
-        BoxOnPlane("floor", lower.at(0, 0, 0), W, H, GROUND.at(0, 0, 0), Y, z=z),
-        BoxOnPlane("deck", upper.at(0, 0, 0), W, W, lower.at(0, H / 2, 0), Y, z=z),
+        hd.BoxOnPlane("floor", lower.at(0, 0, 0), W, H, hd.GROUND.at(0, 0, 0), hd.Y, z=z),
+        hd.BoxOnPlane("deck", upper.at(0, 0, 0), W, W, lower.at(0, H / 2, 0), hd.Y, z=z),
     )
-    law = laws.power(STIFFNESS, 1), laws.hunt_crossley(Parameter("e", "1", 0.3))
-    height = {"low.y": H / 2 + Parameter("drop", "mm", 1), "high.y": H + W / 2 + Parameter("second", "mm", 3)}
-    scene = Scene(
-        Mechanism("stack", (Planar("low", GROUND, lower), Planar("high", GROUND, upper)), pairs),
+    law = hd.laws.power(STIFFNESS, 1), hd.laws.hunt_crossley(hd.Parameter("e", "1", 0.3))
+    height = {"low.y": H / 2 + hd.Parameter("drop", "mm", 1), "high.y": H + W / 2 + hd.Parameter("second", "mm", 3)}
+    scene = hd.Scene(
+        hd.Mechanism("stack", (hd.Planar("low", hd.GROUND, lower), hd.Planar("high", hd.GROUND, upper)), pairs),
         (
-            Gravity("gravity", Parameter("g", "m/s^2", G), -Y),
-            Contact("floor", *law),
-            Contact("deck", *law),
-            EnergyLedger(),
+            hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), -hd.Y),
+            hd.Contact("floor", *law),
+            hd.Contact("deck", *law),
+            hd.EnergyLedger(),
         ),
-        Scales(length=Parameter("size", "mm", 1), speed=Parameter("pace", "m/s", 0.1), arm=W),
-        Start(position=height),
+        hd.Scales(length=hd.Parameter("size", "mm", 1), speed=hd.Parameter("pace", "m/s", 0.1), arm=W),
+        hd.Start(position=height),
     )
     model = load(scene)
     assert len(model.pairs) == (16 if z else 8)
@@ -206,7 +194,7 @@ def test_a_box_stands_on_a_box(z):
 
 
 def test_effects_of_a_box_act_at_each_corner_without_its_own():
-    soft = Contact("floor_3", laws.power(Parameter("K_soft", "N/m", 1e3), 1))
+    soft = hd.Contact("floor_3", hd.laws.power(hd.Parameter("K_soft", "N/m", 1e3), 1))
     scene = standing(soft, GRIP, y=0.2)
     assert [effect.name for effect in scene.effects if effect.kind == "contact"] == [f"floor_{i}" for i in (1, 2, 4, 3)]
     assert scene.effect("floor_3").stiffness.binding != scene.effect("floor_1").stiffness.binding
@@ -225,22 +213,22 @@ def test_its_name_stands_for_all_corners_in_variations():
     assert "floor_e" not in scene.parameters
     one = scene.with_law("floor_2", "hunt_crossley(e=0.5)")
     assert [i for i in (1, 2, 3, 4) if one.effect(f"floor_{i}").damping] == [2]
-    other = scene.replace(rub=Friction("rub", "floor", GRIP_SMOOTH.law))
+    other = scene.replace(rub=hd.Friction("rub", "floor", GRIP_SMOOTH.law))
     assert {e.law.law.name for e in other.effects if e.kind == "friction"} == {"smooth_coulomb"}
-    with pytest.raises(InputError, match=r"flor: found no effect of this name; expected .*floor_1"):
+    with pytest.raises(hd.InputError, match=r"flor: found no effect of this name; expected .*floor_1"):
         scene.without("flor")
 
 
 def test_sizes_of_a_box_are_lengths():
     body = block()
-    floor = BoxOnPlane(
-        "floor", body.at(0, 0, 0), Parameter("x", "kg", 1), Parameter("y", "mm", -3), GROUND.at(0, 0, 0), Y
+    floor = hd.BoxOnPlane(
+        "floor", body.at(0, 0, 0), hd.Parameter("x", "kg", 1), hd.Parameter("y", "mm", -3), hd.GROUND.at(0, 0, 0), hd.Y
     )
-    with pytest.raises(InputError) as caught:
-        Scene(
-            Mechanism("bad", (Planar("move", GROUND, body),), (floor,)),
-            (Contact("floor", laws.power(STIFFNESS, 1)), Friction("grip", "flor", GRIP.law)),
-            Scales(W, Parameter("pace", "m/s", 1), W),
+    with pytest.raises(hd.InputError) as caught:
+        hd.Scene(
+            hd.Mechanism("bad", (hd.Planar("move", hd.GROUND, body),), (floor,)),
+            (hd.Contact("floor", hd.laws.power(STIFFNESS, 1)), hd.Friction("grip", "flor", GRIP.law)),
+            hd.Scales(W, hd.Parameter("pace", "m/s", 1), W),
         )
     text = str(caught.value)
     assert "pair floor, x" in text

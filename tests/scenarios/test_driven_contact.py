@@ -3,52 +3,32 @@
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    EnergyLedger,
-    Friction,
-    Harmonic,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Ramp,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    SphereOnSphere,
-    X,
-    Y,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import equilibrium, load, simulate
 
-RADIUS, STROKE = Parameter("R", "mm", 20), Parameter("stroke", "mm", 1)
+RADIUS, STROKE = hd.Parameter("R", "mm", 20), hd.Parameter("stroke", "mm", 1)
 RATE, STIFFNESS, MASSES = 100.0, 1e8, {"punch": 1.5, "die": 0.7}
 r, a = RADIUS.si, STROKE.si
 
 
 def press(*effects, damping=None, free=False, coordinates="tree"):
     """A punch at R + a/2 + a sin(w t + phase), a die at a/2 sin(2 w t)."""
-    punch, die = (Body(name, Parameter(f"m_{name}", "kg", mass)) for name, mass in MASSES.items())
-    joints = [Prismatic("down", GROUND, punch, axis=Y), Prismatic("up", GROUND, die, axis=Y)]
+    punch, die = (hd.Body(name, hd.Parameter(f"m_{name}", "kg", mass)) for name, mass in MASSES.items())
+    joints = [hd.Prismatic("down", hd.GROUND, punch, axis=hd.Y), hd.Prismatic("up", hd.GROUND, die, axis=hd.Y)]
     if free:
-        joints.append(Prismatic("beside", GROUND, Body("other", Parameter("m_other", "kg", 1)), axis=X))
-    w = Parameter("w", "rad/s", RATE)
-    return Scene(
-        Mechanism("press", tuple(joints), (SphereOnPlane("tip", punch.at(0, 0, 0), RADIUS, die.at(0, 0, 0), Y),)),
+        joints.append(hd.Prismatic("beside", hd.GROUND, hd.Body("other", hd.Parameter("m_other", "kg", 1)), axis=hd.X))
+    w = hd.Parameter("w", "rad/s", RATE)
+    return hd.Scene(
+        hd.Mechanism(
+            "press", tuple(joints), (hd.SphereOnPlane("tip", punch.at(0, 0, 0), RADIUS, die.at(0, 0, 0), hd.Y),)
+        ),
         (
-            Harmonic("ram", "down", STROKE, w, phase=Parameter("phase", "rad", 1.5), mean=RADIUS + STROKE / 2),
-            Harmonic("bolster", "up", STROKE / 2, 2 * w),
-            Contact("tip", laws.power(Parameter("K", "N/m^1.5", STIFFNESS), 1.5), damping),
+            hd.Harmonic("ram", "down", STROKE, w, phase=hd.Parameter("phase", "rad", 1.5), mean=RADIUS + STROKE / 2),
+            hd.Harmonic("bolster", "up", STROKE / 2, 2 * w),
+            hd.Contact("tip", hd.laws.power(hd.Parameter("K", "N/m^1.5", STIFFNESS), 1.5), damping),
             *effects,
         ),
-        Scales(length=STROKE, speed=Parameter("pace", "m/s", 0.1)),
+        hd.Scales(length=STROKE, speed=hd.Parameter("pace", "m/s", 0.1)),
         coordinates=coordinates,
     )
 
@@ -65,7 +45,7 @@ def motion(t):
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_its_force_is_the_laws_of_the_prescribed_penetration(free, coordinates):
     """K delta^1.5, and the drives bear it: their forces and powers, and the work in the ledger."""
-    run = simulate(load(press(EnergyLedger(), free=free, coordinates=coordinates)), duration="0.2 s", accuracy=1e-9)
+    run = simulate(load(press(hd.EnergyLedger(), free=free, coordinates=coordinates)), duration="0.2 s", accuracy=1e-9)
     assert run.outcome.finished
     assert len(run.impacts) == 3
     (high, low), speeds, accelerations = motion(run.t)
@@ -86,8 +66,8 @@ def test_its_force_is_the_laws_of_the_prescribed_penetration(free, coordinates):
 
 def test_dissipated_energy_is_the_input_of_the_drives():
     """Over a period the drives' work is what damping takes: the loop of force over penetration."""
-    law = laws.hunt_crossley(Parameter("e", "1", 0.5))
-    run = simulate(load(press(EnergyLedger(), damping=law)), duration=f"{2 * np.pi / RATE!r} s", accuracy=1e-9)
+    law = hd.laws.hunt_crossley(hd.Parameter("e", "1", 0.5))
+    run = simulate(load(press(hd.EnergyLedger(), damping=law)), duration=f"{2 * np.pi / RATE!r} s", accuracy=1e-9)
     assert run["tip.dissipated"][-1] > 0.01
     assert run["energy_ledger.input"][-1] == pytest.approx(run["tip.dissipated"][-1], rel=1e-7)
 
@@ -95,7 +75,9 @@ def test_dissipated_energy_is_the_input_of_the_drives():
 @pytest.mark.parametrize("free", [False, True])
 def test_no_contact_is_missed_where_nothing_else_moves(free):
     """Without a ledger no state changes but for the gap: every contact begins and ends as with one."""
-    run, other = (simulate(load(press(*e, free=free)), duration="1 s", accuracy=1e-7) for e in ((), (EnergyLedger(),)))
+    run, other = (
+        simulate(load(press(*e, free=free)), duration="1 s", accuracy=1e-7) for e in ((), (hd.EnergyLedger(),))
+    )
     assert len(run.impacts) == len(other.impacts) == 16
     for one, two in zip(run.impacts, other.impacts, strict=True):
         assert (one.t, one.duration) == pytest.approx((two.t, two.duration), rel=1e-8)
@@ -107,24 +89,27 @@ def test_no_contact_is_missed_where_nothing_else_moves(free):
 
 def test_two_rotors_that_graze_each_other():
     """Arms with round heads, one fast and one slow: a short contact wherever the heads meet, with friction."""
-    arm = Parameter("arm", "mm", 100)
+    arm = hd.Parameter("arm", "mm", 100)
     rotors = [
-        Body(name, Parameter(f"m_{name}", "kg", 1), Parameter(f"J_{name}", "kg m^2", 0.01)) for name in ("one", "two")
+        hd.Body(name, hd.Parameter(f"m_{name}", "kg", 1), hd.Parameter(f"J_{name}", "kg m^2", 0.01))
+        for name in ("one", "two")
     ]
-    apart = GROUND.at(2 * arm + 2 * RADIUS - STROKE / 2, 0, 0)
-    scene = Scene(
-        Mechanism(
+    apart = hd.GROUND.at(2 * arm + 2 * RADIUS - STROKE / 2, 0, 0)
+    scene = hd.Scene(
+        hd.Mechanism(
             "rotors",
-            (Revolute("left", GROUND, rotors[0], axis=Z), Revolute("right", apart, rotors[1], axis=Z)),
-            (SphereOnSphere("heads", rotors[0].at(arm, 0, 0), rotors[1].at(-arm, 0, 0), RADIUS, RADIUS),),
+            (hd.Revolute("left", hd.GROUND, rotors[0], axis=hd.Z), hd.Revolute("right", apart, rotors[1], axis=hd.Z)),
+            (hd.SphereOnSphere("heads", rotors[0].at(arm, 0, 0), rotors[1].at(-arm, 0, 0), RADIUS, RADIUS),),
         ),
         (
-            ConstantSpeed("quick", "left", Parameter("w_1", "rad/s", 2 * np.pi * 50)),
-            Ramp("slow", "right", Parameter("w_2", "rad/s", -2 * np.pi * 25), rise=Parameter("rise", "ms", 1)),
-            Contact("heads", laws.power(Parameter("K", "N/m^1.5", STIFFNESS), 1.5)),
-            Friction("rub", "heads", laws.smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.01))),
+            hd.ConstantSpeed("quick", "left", hd.Parameter("w_1", "rad/s", 2 * np.pi * 50)),
+            hd.Ramp("slow", "right", hd.Parameter("w_2", "rad/s", -2 * np.pi * 25), rise=hd.Parameter("rise", "ms", 1)),
+            hd.Contact("heads", hd.laws.power(hd.Parameter("K", "N/m^1.5", STIFFNESS), 1.5)),
+            hd.Friction(
+                "rub", "heads", hd.laws.smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.01))
+            ),
         ),
-        Scales(length=STROKE, speed=Parameter("pace", "m/s", 10), arm=arm),
+        hd.Scales(length=STROKE, speed=hd.Parameter("pace", "m/s", 10), arm=arm),
     )
     run = simulate(load(scene), duration="0.401 s", accuracy=1e-6)
     assert run.outcome.finished
@@ -142,12 +127,12 @@ def test_two_rotors_that_graze_each_other():
 def test_held_drives_press_with_what_the_law_says():
     """Statics, at a time within a contact."""
     (high, low), *_ = motion(np.array([0.035]))
-    rest = equilibrium(load(press(EnergyLedger())), at="35 ms")
+    rest = equilibrium(load(press(hd.EnergyLedger())), at="35 ms")
     assert rest.contacts["tip"] == pytest.approx(STIFFNESS * (low + r - high)[0] ** 1.5, rel=1e-9)
 
 
 def test_drives_alone_leave_nothing_to_compute():
     """Without work or contact to read, a scene of drives is an error that says what may be added."""
     scene = press()
-    with pytest.raises(InputError, match=r"a drive on every joint.*\n.*EnergyLedger\(\), or the Contact"):
+    with pytest.raises(hd.InputError, match=r"a drive on every joint.*\n.*EnergyLedger\(\), or the Contact"):
         scene.without("tip")

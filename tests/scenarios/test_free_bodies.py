@@ -3,40 +3,22 @@
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Spherical,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import hunt_crossley, power, smooth_coulomb
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 
-SIZE = Parameter("size", "m", 0.1)
-MASS = Parameter("mass", "kg", 0.9)
-SCALES = Scales(length=SIZE, speed=Parameter("pace", "m/s", 1.0), arm=SIZE)
-FALL = Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y)
+SIZE = hd.Parameter("size", "m", 0.1)
+MASS = hd.Parameter("mass", "kg", 0.9)
+SCALES = hd.Scales(length=SIZE, speed=hd.Parameter("pace", "m/s", 1.0), arm=SIZE)
+FALL = hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y)
 
 
 def spinning(*inertia, effects=()):
     """A free body about its mass centre, its start to be given."""
-    triple = tuple(Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", inertia, strict=True))
-    joint = Free("float", GROUND, Body("body", MASS, triple))
-    return engine_model(Scene(Mechanism("spinning", (joint,)), (EnergyLedger(), *effects), SCALES))
+    triple = tuple(hd.Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", inertia, strict=True))
+    joint = hd.Free("float", hd.GROUND, hd.Body("body", MASS, triple))
+    return engine_model(hd.Scene(hd.Mechanism("spinning", (joint,)), (hd.EnergyLedger(), *effects), SCALES))
 
 
 def rate(*w):
@@ -126,9 +108,9 @@ def test_a_start_is_normalised_and_a_norm_of_zero_is_a_fault():
 
 
 def pendulum(joint, effects=(FALL,)):
-    triple = tuple(Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.05, 0.03, 0.02), strict=True))
-    bob = Body("bob", MASS, triple, (0, -Parameter("l", "m", 0.5), 0))
-    scene = Scene(Mechanism("swing", (joint(bob),)), (EnergyLedger(), *effects), SCALES)
+    triple = tuple(hd.Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.05, 0.03, 0.02), strict=True))
+    bob = hd.Body("bob", MASS, triple, (0, -hd.Parameter("l", "m", 0.5), 0))
+    scene = hd.Scene(hd.Mechanism("swing", (joint(bob),)), (hd.EnergyLedger(), *effects), SCALES)
     return engine_model(scene)
 
 
@@ -136,11 +118,14 @@ def pendulum(joint, effects=(FALL,)):
 def test_a_spherical_pendulum_in_a_plane_is_a_plane_pendulum(method):
     tolerance = 1e-7 if method == "rodas" else 1e-10
     flat = simulate(
-        pendulum(lambda bob: Revolute("pin", GROUND, bob, Z)), duration=5.0, tolerance=1e-11, initial={"pin.angle": 2.5}
+        pendulum(lambda bob: hd.Revolute("pin", hd.GROUND, bob, hd.Z)),
+        duration=5.0,
+        tolerance=1e-11,
+        initial={"pin.angle": 2.5},
     )
     half = {"pin.q0": np.cos(1.25), "pin.q3": np.sin(1.25)}
     ball = simulate(
-        pendulum(lambda bob: Spherical("pin", GROUND, bob)),
+        pendulum(lambda bob: hd.Spherical("pin", hd.GROUND, bob)),
         duration=5.0,
         tolerance=tolerance,
         method=method,
@@ -156,31 +141,33 @@ def test_a_spherical_pendulum_in_a_plane_is_a_plane_pendulum(method):
 
 
 def ball_on_floor(joint, *, friction=False):
-    radius = Parameter("radius", "mm", 20)
+    radius = hd.Parameter("radius", "mm", 20)
     inertia = tuple(0.4 * MASS * radius**2 for _ in range(3))
-    ball = Body("ball", MASS, inertia)
-    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y)
+    ball = hd.Body("ball", MASS, inertia)
+    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y)
     effects = [
         FALL,
-        Contact(
+        hd.Contact(
             "floor",
-            power(Parameter("stiffness", "N/m^1.5", 1e8), 1.5),
-            hunt_crossley(Parameter("restitution", "1", 0.8)),
+            power(hd.Parameter("stiffness", "N/m^1.5", 1e8), 1.5),
+            hunt_crossley(hd.Parameter("restitution", "1", 0.8)),
         ),
     ]
     if friction:
         effects.append(
-            Friction("rub", "floor", smooth_coulomb(Parameter("friction", "1", 0.2), Parameter("v_s", "m/s", 1e-2)))
+            hd.Friction(
+                "rub", "floor", smooth_coulomb(hd.Parameter("friction", "1", 0.2), hd.Parameter("v_s", "m/s", 1e-2))
+            )
         )
-    scales = Scales(length=radius, speed=Parameter("pace", "m/s", 3.0), arm=radius)
-    return engine_model(Scene(Mechanism("ball", (joint(ball),), (floor,)), (*effects, EnergyLedger()), scales))
+    scales = hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 3.0), arm=radius)
+    return engine_model(hd.Scene(hd.Mechanism("ball", (joint(ball),), (floor,)), (*effects, hd.EnergyLedger()), scales))
 
 
 @pytest.mark.parametrize("method", ["dop853", "rodas"])
 def test_a_free_ball_falls_and_bounces_as_one_on_a_slide(method):
     """Three bounces: the spin and the other directions take no part."""
-    slide = ball_on_floor(lambda ball: Prismatic("fall", GROUND, ball, Y))
-    free = ball_on_floor(lambda ball: Free("fall", GROUND, ball))
+    slide = ball_on_floor(lambda ball: hd.Prismatic("fall", hd.GROUND, ball, hd.Y))
+    free = ball_on_floor(lambda ball: hd.Free("fall", hd.GROUND, ball))
     one = simulate(slide, duration=1.0, tolerance=1e-10, initial={"fall.travel": "0.3 m"})
     start = {"fall.y": "0.3 m", "fall.angular_speed_y": "5 rad/s", "fall.x_speed": "1 m/s"}
     two = simulate(free, duration=1.0, tolerance=1e-8 if method == "rodas" else 1e-10, method=method, initial=start)
@@ -195,7 +182,7 @@ def test_a_free_ball_falls_and_bounces_as_one_on_a_slide(method):
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_friction_turns_a_free_ball_by_what_it_takes_from_its_flight(method):
     """I dw = R x m dv: the impulse acts at the contact point, R away but for a penetration; sliding, it is mu times the normal one."""
-    free = ball_on_floor(lambda ball: Free("fall", GROUND, ball), friction=True)
+    free = ball_on_floor(lambda ball: hd.Free("fall", hd.GROUND, ball), friction=True)
     start = {"fall.y": "0.1 m", "fall.x_speed": "2 m/s", "fall.z_speed": "-1 m/s", "fall.q0": 0.8, "fall.q1": 0.6}
     run = simulate(free, duration=0.2, tolerance=1e-8, method=method, initial=start)
     assert run.outcome.finished, run
@@ -213,7 +200,7 @@ def test_a_run_on_quaternions_is_saved_read_and_drawn(tmp_path):
     from hertzwerk.runtime.output.plots.curves import Curves
 
     run = simulate(
-        pendulum(lambda bob: Spherical("pin", GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2}, tolerance=1e-6
+        pendulum(lambda bob: hd.Spherical("pin", hd.GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2}, tolerance=1e-6
     )
     read = EngineSolution.load(run.save(tmp_path / "run.npz"))
     assert np.array_equal(read["pin.angular_acceleration_z"], run["pin.angular_acceleration_z"])

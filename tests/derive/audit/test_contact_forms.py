@@ -7,24 +7,7 @@ from importlib import import_module
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    CustomPair,
-    CylinderOnPlane,
-    EnergyLedger,
-    Mechanism,
-    Parameter,
-    PinInBush,
-    Prismatic,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.audit.contact_forms import advice, fitting_laws, form_of
 from hertzwerk.derive.equations.derivation import audit_scene
 from hertzwerk.derive.laws import LAWS, hertz_point, power
@@ -78,8 +61,8 @@ def test_advice_is_no_fault():
 
 def test_a_law_for_any_form_and_one_that_fits_are_left_alone():
     assert advice(crank.with_law("slider_pin", "johnson")) == ()
-    K = Parameter("K", "N/m^1.5", 1e10)
-    assert advice(crank.replace(slider_pin=Contact("slider_pin", power(K, 1.5)))) == ()
+    K = hd.Parameter("K", "N/m^1.5", 1e10)
+    assert advice(crank.replace(slider_pin=hd.Contact("slider_pin", power(K, 1.5)))) == ()
 
 
 def test_every_pair_and_every_law_says_its_form():
@@ -92,7 +75,7 @@ def test_every_pair_and_every_law_says_its_form():
 
 
 def test_a_missing_form_raises():
-    class Blob(PinInBush):
+    class Blob(hd.PinInBush):
         form = None
 
     (pair,) = crank.mechanism.pairs
@@ -105,9 +88,9 @@ def test_a_missing_form_raises():
 
 
 def test_a_pair_of_the_users_touches_along_a_line_where_it_has_a_length():
-    places = Body("block", Parameter("mass", "kg", 1)).at(0, 0, 0), GROUND.at(0, 0, 0)
-    point = CustomPair("touch", *places, 0, (0, 1, 0), (0, 0, 0), radius=Parameter("radius", "m", 0.1))
-    line = replace(point, length=Parameter("width", "m", 0.2))
+    places = hd.Body("block", hd.Parameter("mass", "kg", 1)).at(0, 0, 0), hd.GROUND.at(0, 0, 0)
+    point = hd.CustomPair("touch", *places, 0, (0, 1, 0), (0, 0, 0), radius=hd.Parameter("radius", "m", 0.1))
+    line = replace(point, length=hd.Parameter("width", "m", 0.2))
     assert (form_of(point), form_of(line)) == ("point", "line")
     assert tuple(fitting_laws("stiffness", point, point.geometry)) == ("hertz_point", "galin_sneddon")
     assert "popov_line" in fitting_laws("stiffness", line, line.geometry)
@@ -121,7 +104,7 @@ def test_a_wrong_length_is_a_fault_although_no_law_asks_for_it():
     from hertzwerk.derive import InputError
 
     (pair,) = crank.mechanism.pairs
-    wrong = replace(pair, length=Parameter("bush_length", "kg", 15))
+    wrong = replace(pair, length=hd.Parameter("bush_length", "kg", 15))
     with pytest.raises(InputError, match="pair slider_pin, length"):
         replace(crank, mechanism=replace(crank.mechanism, pairs=(wrong,)))
 
@@ -145,14 +128,18 @@ def test_laws_of_line_contact_run_in_the_slider_crank(name):
 def test_a_cylinder_meets_a_plane_by_laws_of_line_contact(name):
     """F = (pi/4) E* L d: half a period pi sqrt(m/K) in contact, and the penetration v sqrt(m/K)."""
     m, v, L, E, nu = 2.0, 0.3, 0.05, 207e9, 0.3
-    mass, radius, length = Parameter("mass", "kg", m), Parameter("radius", "m", 0.1), Parameter("length", "m", L)
-    roller, pace = Body("roller", mass), Parameter("pace", "m/s", v)
-    pair = CylinderOnPlane("touch", roller.at(0, 0, 0), Z, radius, length, GROUND.at(0, 0, 0), Y)
-    scene = Scene(
-        Mechanism("roller", (Prismatic("way", GROUND, roller, Y),), (pair,)),
-        (Contact("touch", LAWS[name](steel, steel)), EnergyLedger()),
-        Scales(length=Parameter("deep", "um", 10), speed=pace),
-        Start(position={"way": radius + Parameter("gap", "mm", 1)}, speed={"way": -pace}),
+    mass, radius, length = (
+        hd.Parameter("mass", "kg", m),
+        hd.Parameter("radius", "m", 0.1),
+        hd.Parameter("length", "m", L),
+    )
+    roller, pace = hd.Body("roller", mass), hd.Parameter("pace", "m/s", v)
+    pair = hd.CylinderOnPlane("touch", roller.at(0, 0, 0), hd.Z, radius, length, hd.GROUND.at(0, 0, 0), hd.Y)
+    scene = hd.Scene(
+        hd.Mechanism("roller", (hd.Prismatic("way", hd.GROUND, roller, hd.Y),), (pair,)),
+        (hd.Contact("touch", LAWS[name](steel, steel)), hd.EnergyLedger()),
+        hd.Scales(length=hd.Parameter("deep", "um", 10), speed=pace),
+        hd.Start(position={"way": radius + hd.Parameter("gap", "mm", 1)}, speed={"way": -pace}),
     )
     assert advice(scene) == ()
     (impact,) = simulate(load(scene), duration="10 ms", tolerance=1e-10).impacts
@@ -162,13 +149,13 @@ def test_a_cylinder_meets_a_plane_by_laws_of_line_contact(name):
 
 
 def test_hertz_on_a_lying_cylinder_is_advised_too():
-    roller, size = Body("roller", Parameter("mass", "kg", 1)), Parameter("size", "m", 1)
-    pair = CylinderOnPlane("touch", roller.at(0, 0, 0), X, size / 10, size / 5, GROUND.at(0, 0, 0), Y)
-    scene = Scene(
-        Mechanism("roller", (Prismatic("way", GROUND, roller, Y),), (pair,)),
-        (Contact("touch", hertz_point(steel, steel)),),
-        Scales(length=size, speed=Parameter("pace", "m/s", 1)),
-        Start(position={"way": size}),
+    roller, size = hd.Body("roller", hd.Parameter("mass", "kg", 1)), hd.Parameter("size", "m", 1)
+    pair = hd.CylinderOnPlane("touch", roller.at(0, 0, 0), hd.X, size / 10, size / 5, hd.GROUND.at(0, 0, 0), hd.Y)
+    scene = hd.Scene(
+        hd.Mechanism("roller", (hd.Prismatic("way", hd.GROUND, roller, hd.Y),), (pair,)),
+        (hd.Contact("touch", hertz_point(steel, steel)),),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1)),
+        hd.Start(position={"way": size}),
     )
     (said,) = advice(scene)
     assert said.endswith("`hertzwerk laws --form line` lists others")

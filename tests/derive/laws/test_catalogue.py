@@ -8,26 +8,7 @@ from each import each
 from mpmath import mp, mpf
 from rescaling import SCALINGS, rescale_law, states_of
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Friction,
-    InputError,
-    Material,
-    Mechanism,
-    ParallelCylinders,
-    Parameter,
-    PinInBush,
-    Prismatic,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Z,
-    generate,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.audit.audit import audit_law, verdict
 from hertzwerk.derive.audit.numeric import STATES
 from hertzwerk.derive.common.units import parse_unit
@@ -252,30 +233,30 @@ def test_states_stay_within_reach():
 
 # -- binding -----------------------------------------------------------------------------------------------------------
 
-STEEL = Material(Parameter("E_s", "GPa", 207), Parameter("nu_s", "1", 0.3))
-PIN = Body("pin", mass=Parameter("pin_mass", "kg", 0.2))
-SLIDE = Prismatic("slide", GROUND, PIN, axis=X)
-RADIUS = Parameter("bush_radius", "mm", 10)
-CLEARANCE = Parameter("clearance", "mm", 0.5)
-LENGTH = Parameter("joint_length", "mm", 15)
-SPEED = Parameter("pace", "m/s", 0.5)
-JOURNAL = PinInBush("joint", PIN.at(0, 0, 0), GROUND.at(0, 0, 0), Z, RADIUS, CLEARANCE, length=LENGTH)
-ROLLERS = ParallelCylinders("joint", PIN.at(0, 0, 0), GROUND.at(3 * RADIUS, 0, 0), RADIUS, RADIUS, Z, LENGTH)
+STEEL = hd.Material(hd.Parameter("E_s", "GPa", 207), hd.Parameter("nu_s", "1", 0.3))
+PIN = hd.Body("pin", mass=hd.Parameter("pin_mass", "kg", 0.2))
+SLIDE = hd.Prismatic("slide", hd.GROUND, PIN, axis=hd.X)
+RADIUS = hd.Parameter("bush_radius", "mm", 10)
+CLEARANCE = hd.Parameter("clearance", "mm", 0.5)
+LENGTH = hd.Parameter("joint_length", "mm", 15)
+SPEED = hd.Parameter("pace", "m/s", 0.5)
+JOURNAL = hd.PinInBush("joint", PIN.at(0, 0, 0), hd.GROUND.at(0, 0, 0), hd.Z, RADIUS, CLEARANCE, length=LENGTH)
+ROLLERS = hd.ParallelCylinders("joint", PIN.at(0, 0, 0), hd.GROUND.at(3 * RADIUS, 0, 0), RADIUS, RADIUS, hd.Z, LENGTH)
 
 
 def scene(pair, stiffness, damping=None, friction=None, unchecked=False):
-    effects = [Contact("joint", stiffness, damping, unchecked=unchecked)]
-    effects += [Friction("drag", "joint", friction)] if friction else []
-    return Scene(
-        Mechanism("impact", (SLIDE,), (pair,)),
-        (*effects, EnergyLedger()),
-        Scales(length=CLEARANCE, speed=SPEED),
-        Start(speed={"slide": SPEED}),
+    effects = [hd.Contact("joint", stiffness, damping, unchecked=unchecked)]
+    effects += [hd.Friction("drag", "joint", friction)] if friction else []
+    return hd.Scene(
+        hd.Mechanism("impact", (SLIDE,), (pair,)),
+        (*effects, hd.EnergyLedger()),
+        hd.Scales(length=CLEARANCE, speed=SPEED),
+        hd.Start(speed={"slide": SPEED}),
     )
 
 
 def refused(*arguments, **given):
-    with pytest.raises(InputError) as raised:
+    with pytest.raises(hd.InputError) as raised:
         scene(*arguments, **given)
     return str(raised.value)
 
@@ -299,14 +280,14 @@ def test_reference_quantities_have_their_values():
     bound = pereira_internal_si(STEEL, STEEL)
     values = {q.name: value for q, value in bound.binding.items()}
     assert (values["l_ref"].unit, values["l_ref"].default, values["p_ref"].unit) == ("mm", 1, "MPa")
-    text = generate(scene(JOURNAL, bound))
+    text = hd.generate(scene(JOURNAL, bound))
     assert '("reference_length", "mm", 1, ' in text
-    wrong = pereira_internal_si(STEEL, STEEL, l_ref=Parameter("reference_length", "mm", 2), p_ref=values["p_ref"])
+    wrong = pereira_internal_si(STEEL, STEEL, l_ref=hd.Parameter("reference_length", "mm", 2), p_ref=values["p_ref"])
     assert "reference length" in refused(JOURNAL, wrong)
     assert {q for q, _ in pereira_internal_si.defaults} == {l_ref, p_ref}
 
 
 def test_clearance_outside_the_fit_is_refused():
-    wide = replace(JOURNAL, clearance=Parameter("thin_film", "um", 3))
+    wide = replace(JOURNAL, clearance=hd.Parameter("thin_film", "um", 3))
     text = refused(wide, pereira_internal_si(STEEL, STEEL))
     assert "for pereira_internal_si" in text and "[5e-06, 0.01]" in text

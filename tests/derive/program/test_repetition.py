@@ -10,22 +10,7 @@ import numpy as np
 import pytest
 from kane import chain
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Planar,
-    Scales,
-    Scene,
-    Start,
-    Y,
-    every_pair,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.common.module_format import sealed
 from hertzwerk.derive.equations.derivation import derive
@@ -88,19 +73,22 @@ def test_calls_change_no_bit(name, coordinates):
 def balls(n):
     """Balls in a plane, each pair of which may touch."""
     mass, inertia, radius = (
-        Parameter("mass", "kg", 1),
-        Parameter("inertia", "kg m^2", 1e-3),
-        Parameter("radius", "m", 0.05),
+        hd.Parameter("mass", "kg", 1),
+        hd.Parameter("inertia", "kg m^2", 1e-3),
+        hd.Parameter("radius", "m", 0.05),
     )
-    bodies = [Body(f"ball_{k}", mass, inertia) for k in range(n)]
-    joints = tuple(Planar(f"free_{k}", GROUND, each) for k, each in enumerate(bodies))
-    force = laws.power(Parameter("stiffness", "N/m^1.5", 1e7), n=1.5), laws.flores(e=Parameter("restitution", "1", 0.8))
-    gravity = Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y)
-    return Scene(
-        Mechanism("balls", joints, every_pair("pair", bodies, radius)),
-        (gravity, Contact("pair", *force), EnergyLedger()),
-        start=Start(position={f"free_{k}.x": Parameter(f"x_{k}", "m", 0.2 * k) for k in range(n)}),
-        scales=Scales(length=radius, arm=radius, speed=Parameter("pace", "m/s", 1)),
+    bodies = [hd.Body(f"ball_{k}", mass, inertia) for k in range(n)]
+    joints = tuple(hd.Planar(f"free_{k}", hd.GROUND, each) for k, each in enumerate(bodies))
+    force = (
+        hd.laws.power(hd.Parameter("stiffness", "N/m^1.5", 1e7), n=1.5),
+        hd.laws.flores(e=hd.Parameter("restitution", "1", 0.8)),
+    )
+    gravity = hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y)
+    return hd.Scene(
+        hd.Mechanism("balls", joints, hd.every_pair("pair", bodies, radius)),
+        (gravity, hd.Contact("pair", *force), hd.EnergyLedger()),
+        start=hd.Start(position={f"free_{k}.x": hd.Parameter(f"x_{k}", "m", 0.2 * k) for k in range(n)}),
+        scales=hd.Scales(length=radius, arm=radius, speed=hd.Parameter("pace", "m/s", 1)),
     )
 
 

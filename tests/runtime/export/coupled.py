@@ -11,28 +11,8 @@ import fmpy
 import numpy as np
 from fmpy.fmi3 import FMU3Slave
 
+import hertzwerk.derive as hd
 from hertzwerk import simulate
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Friction,
-    Input,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Z,
-    coordinate_of,
-    laws,
-    speed_of,
-)
 from hertzwerk.derive.scenes.slider_crank import c, crank, l, mechanism, r, rod, slider, steel, w
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.engine.solution.error_scales import error
@@ -43,50 +23,55 @@ from hertzwerk.runtime.loading import engine_model
 DURATION, TOLERANCE, STEPS = 6e-3, 1e-9, (30, 100, 300, 1000, 3000)
 STIFFNESS, DAMPING = 200.0, 0.05  # of the shaft [N m/rad, N m s/rad]
 stiffness, damping = (
-    Parameter("shaft_stiffness", "N m/rad", STIFFNESS),
-    Parameter("shaft_damping", "N m s/rad", DAMPING),
+    hd.Parameter("shaft_stiffness", "N m/rad", STIFFNESS),
+    hd.Parameter("shaft_damping", "N m s/rad", DAMPING),
 )
-rotor = Body("rotor", Parameter("rotor_mass", "kg", 1), Parameter("rotor_inertia", "kg m^2", 2e-3))
-shaft = Revolute("shaft", GROUND, rotor, axis=Z)
-engine = JointForce(
-    "engine", "shaft", Parameter("stall", "N m", 20) * (1 - speed_of("shaft") / Parameter("idle", "rpm", 5500))
+rotor = hd.Body("rotor", hd.Parameter("rotor_mass", "kg", 1), hd.Parameter("rotor_inertia", "kg m^2", 2e-3))
+shaft = hd.Revolute("shaft", hd.GROUND, rotor, axis=hd.Z)
+engine = hd.JointForce(
+    "engine", "shaft", hd.Parameter("stall", "N m", 20) * (1 - hd.speed_of("shaft") / hd.Parameter("idle", "rpm", 5500))
 )
 joints = (
-    Revolute("main_bearing", GROUND, crank, axis=Z),
-    Revolute("crank_pin", crank.at(r, 0, 0), rod, axis=Z),
-    Prismatic("guide", GROUND, slider, axis=X),
+    hd.Revolute("main_bearing", hd.GROUND, crank, axis=hd.Z),
+    hd.Revolute("crank_pin", crank.at(r, 0, 0), rod, axis=hd.Z),
+    hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X),
 )
 effects = (
-    Contact("slider_pin", laws.hertz_point(steel, steel), laws.lankarani_nikravesh(Parameter("restitution", "1", 0.9))),
-    Friction("slider_pin_friction", "slider_pin", laws.smooth_coulomb(Parameter("mu", "1", 0.1), Parameter("v_s", "m/s", 0.1))),
-    EnergyLedger(),
+    hd.Contact("slider_pin", hd.laws.hertz_point(steel, steel), hd.laws.lankarani_nikravesh(hd.Parameter("restitution", "1", 0.9))),
+    hd.Friction("slider_pin_friction", "slider_pin", hd.laws.smooth_coulomb(hd.Parameter("mu", "1", 0.1), hd.Parameter("v_s", "m/s", 0.1))),
+    hd.EnergyLedger(),
 )  # fmt: skip
 speeds = {"main_bearing": w, "crank_pin": -w * (1 + r / l)}
-scales = Scales(length=c, speed=r * w, arm=l)
+scales = hd.Scales(length=c, speed=r * w, arm=l)
 
 
 def torque(angle, speed):
     """Torque of the shaft on the crank, by angle and speed of its other end."""
-    return stiffness * (angle - coordinate_of("main_bearing")) + damping * (speed - speed_of("main_bearing"))
+    return stiffness * (angle - hd.coordinate_of("main_bearing")) + damping * (speed - hd.speed_of("main_bearing"))
 
 
-twist = torque(coordinate_of("shaft"), speed_of("shaft"))
-WHOLE = Scene(
-    Mechanism("engine_and_crank", (shaft, *joints), mechanism.pairs),
-    (engine, JointForce("reaction", "shaft", -twist), JointForce("twist", "main_bearing", twist), *effects),
-    start=Start(position={"guide": r + l, "main_bearing": 0, "shaft": 0}, speed={"shaft": w, **speeds}),
+twist = torque(hd.coordinate_of("shaft"), hd.speed_of("shaft"))
+WHOLE = hd.Scene(
+    hd.Mechanism("engine_and_crank", (shaft, *joints), mechanism.pairs),
+    (engine, hd.JointForce("reaction", "shaft", -twist), hd.JointForce("twist", "main_bearing", twist), *effects),
+    start=hd.Start(position={"guide": r + l, "main_bearing": 0, "shaft": 0}, speed={"shaft": w, **speeds}),
     scales=scales,
 )
-ENGINE = Scene(
-    Mechanism("engine", (shaft,)),
-    (engine, JointForce("reaction", "shaft", -Input("load", "N m")), EnergyLedger()),
-    start=Start(speed={"shaft": w}),
+ENGINE = hd.Scene(
+    hd.Mechanism("engine", (shaft,)),
+    (engine, hd.JointForce("reaction", "shaft", -hd.Input("load", "N m")), hd.EnergyLedger()),
+    start=hd.Start(speed={"shaft": w}),
     scales=scales,
 )
-CRANK = Scene(
-    Mechanism("crank", joints, mechanism.pairs),
-    (JointForce("twist", "main_bearing", torque(Input("shaft_angle", "rad"), Input("shaft_speed", "rad/s"))), *effects),
-    start=Start(position={"guide": r + l, "main_bearing": 0}, speed=speeds),
+CRANK = hd.Scene(
+    hd.Mechanism("crank", joints, mechanism.pairs),
+    (
+        hd.JointForce(
+            "twist", "main_bearing", torque(hd.Input("shaft_angle", "rad"), hd.Input("shaft_speed", "rad/s"))
+        ),
+        *effects,
+    ),
+    start=hd.Start(position={"guide": r + l, "main_bearing": 0}, speed=speeds),
     scales=scales,
 )
 

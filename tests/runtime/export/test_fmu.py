@@ -13,24 +13,8 @@ from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 from libraries import FLAGS
 
+import hertzwerk.derive as hd
 from hertzwerk import InputError, simulate
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Input,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    X,
-    laws,
-)
 from hertzwerk.runtime.engine.run.run_request import Settings
 from hertzwerk.runtime.export import fmu
 from hertzwerk.runtime.export.export_request import ExportRequest
@@ -38,21 +22,21 @@ from hertzwerk.runtime.loading import engine_model
 
 TOLERANCE, DURATION, MASS = 1e-8, 1.0, 0.5
 HEADERS = Path(fmpy.__file__).parent / "c-code"
-slug = Body("slug", Parameter("mass", "kg", MASS))
-size = Parameter("length_scale", "m", 0.01)
-PUSHED = Scene(
-    Mechanism(
+slug = hd.Body("slug", hd.Parameter("mass", "kg", MASS))
+size = hd.Parameter("length_scale", "m", 0.01)
+PUSHED = hd.Scene(
+    hd.Mechanism(
         "pushed",
-        joints=(Prismatic("slide", GROUND, slug, axis=X),),
-        pairs=(SphereOnPlane("wall", slug.at(0, 0, 0), Parameter("radius", "mm", 10), GROUND.at(0, 0, 0), normal=X),),
+        joints=(hd.Prismatic("slide", hd.GROUND, slug, axis=hd.X),),
+        pairs=(hd.SphereOnPlane("wall", slug.at(0, 0, 0), hd.Parameter("radius", "mm", 10), hd.GROUND.at(0, 0, 0), normal=hd.X),),
     ),
     (
-        JointForce("motor", "slide", Input("push", "N", "force away from the wall")),
-        Contact("wall", laws.power(Parameter("stiffness", "N/m^1.5", 1e6), n=1.5), laws.flores(e=Parameter("restitution", "1", 0.8))),
-        EnergyLedger(),
+        hd.JointForce("motor", "slide", hd.Input("push", "N", "force away from the wall")),
+        hd.Contact("wall", hd.laws.power(hd.Parameter("stiffness", "N/m^1.5", 1e6), n=1.5), hd.laws.flores(e=hd.Parameter("restitution", "1", 0.8))),
+        hd.EnergyLedger(),
     ),
-    start=Start(position={"slide": Parameter("start_x", "m", 0.1)}),
-    scales=Scales(length=size, speed=size * Parameter("pace", "rpm", 1000)),
+    start=hd.Start(position={"slide": hd.Parameter("start_x", "m", 0.1)}),
+    scales=hd.Scales(length=size, speed=size * hd.Parameter("pace", "rpm", 1000)),
 )  # fmt: skip
 UNKNOWNS = ("slide.travel", "slide.speed", "slide.acceleration")
 

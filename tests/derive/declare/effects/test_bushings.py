@@ -8,37 +8,13 @@ from mpmath import mp, mpf
 from scipy.linalg import eigh
 from scipy.spatial.transform import Rotation
 
-from hertzwerk.derive import (
-    APART,
-    GROUND,
-    ROTATION,
-    TURN,
-    Body,
-    Bushing,
-    CustomPair,
-    EnergyLedger,
-    FramePotential,
-    Free,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Planar,
-    Scales,
-    Scene,
-    Spherical,
-    SphericalSpring,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.declare.effects.bushings import ARCS, BENDS, NEAR
 from hertzwerk.runtime import load, modes, simulate
 
-p = Parameter
+p = hd.Parameter
 SIZE = p("size", "m", 0.1)
-SCALES = Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
+SCALES = hd.Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
 MASS, INERTIA = 2.0, (0.02, 0.03, 0.04)
 UNITS = ("N/m", "N", "N m")
 RANDOM = np.random.default_rng(7)
@@ -58,13 +34,16 @@ def named(matrix, letter, rate=""):
 
 def floating(*effects, **start):
     """A body in space, with its mass centre at its origin."""
-    body = Body(
+    body = hd.Body(
         "body",
         p("mass", "kg", MASS),
         inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
     )
-    return Scene(
-        Mechanism("floating", (Free("free", GROUND, body),)), (*effects, EnergyLedger()), SCALES, Start(**start)
+    return hd.Scene(
+        hd.Mechanism("floating", (hd.Free("free", hd.GROUND, body),)),
+        (*effects, hd.EnergyLedger()),
+        SCALES,
+        hd.Start(**start),
     )
 
 
@@ -73,8 +52,8 @@ def body_of(scene):
 
 
 def mount(scene=None, **given):
-    body = body_of(floating(Gravity("gravity", p("g", "m/s^2", 1), direction=X)))
-    return Bushing("mount", body.at(0, 0, 0), GROUND.at(0, 0, 0), named(STIFF, "k"), **given)
+    body = body_of(floating(hd.Gravity("gravity", p("g", "m/s^2", 1), direction=hd.X)))
+    return hd.Bushing("mount", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), named(STIFF, "k"), **given)
 
 
 def test_vibrations_on_a_bushing():
@@ -117,27 +96,27 @@ def test_work_along_any_path_is_the_difference_of_energy():
 
 
 def ball(*effects, coordinates="tree", **start):
-    body = Body(
+    body = hd.Body(
         "top",
         p("mass", "kg", MASS),
         inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
     )
-    return Scene(
-        Mechanism("ball", (Spherical("pivot", GROUND, body),)),
-        (*effects, EnergyLedger()),
+    return hd.Scene(
+        hd.Mechanism("ball", (hd.Spherical("pivot", hd.GROUND, body),)),
+        (*effects, hd.EnergyLedger()),
         SCALES,
-        Start(**start),
+        hd.Start(**start),
         coordinates=coordinates,
     )
 
 
 def pivot(kind, *given):
-    body = Body(
+    body = hd.Body(
         "top",
         p("mass", "kg", MASS),
         inertia=tuple(p(f"J_{k}", "kg m^2", j) for k, j in zip("xyz", INERTIA, strict=True)),
     )
-    return kind("spring", body.at(0, 0, 0), GROUND.at(0, 0, 0), *given)
+    return kind("spring", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), *given)
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -145,7 +124,7 @@ def test_a_spherical_spring_swings_by_its_angle(coordinates):
     """About a principal axis it is a torsional vibration of any amplitude: angle = a cos(sqrt(k/J) t)."""
     k, amplitude, omega = 2.0, 2.5, np.sqrt(2.0 / INERTIA[2])
     half = {"pivot.q0": p("q0", "1", np.cos(amplitude / 2)), "pivot.q3": p("q3", "1", np.sin(amplitude / 2))}
-    scene = ball(pivot(SphericalSpring, p("k", "N m/rad", k)), coordinates=coordinates, position=half)
+    scene = ball(pivot(hd.SphericalSpring, p("k", "N m/rad", k)), coordinates=coordinates, position=half)
     run = simulate(load(scene), duration=1.0, tolerance=1e-9)
     assert run["spring.rotation_z"] == pytest.approx(amplitude * np.cos(omega * run.t), abs=1e-6)
     assert run.energy_residual < 1e-7
@@ -154,15 +133,17 @@ def test_a_spherical_spring_swings_by_its_angle(coordinates):
 def test_a_damper_opposes_the_angular_velocity_at_any_rotation():
     """Of a body alike about all axes w = w_0 exp(-c t/J), whatever it is turned by: here 1.2 rad about another axis."""
     J, c, turned = 0.03, 0.2, 1.2
-    body = Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", J),) * 3)
-    damper = SphericalSpring("spring", body.at(0, 0, 0), GROUND.at(0, 0, 0), 0, p("c", "N m s/rad", c))
-    start = Start(
+    body = hd.Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", J),) * 3)
+    damper = hd.SphericalSpring("spring", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), 0, p("c", "N m s/rad", c))
+    start = hd.Start(
         {"pivot.q0": p("q0", "1", np.cos(turned / 2)), "pivot.q2": p("q2", "1", np.sin(turned / 2))},
         {"pivot.angular_speed_x": p("w0", "rad/s", 5)},
     )
-    joints = (Spherical("pivot", GROUND, body),)
+    joints = (hd.Spherical("pivot", hd.GROUND, body),)
     run = simulate(
-        load(Scene(Mechanism("ball", joints), (damper, EnergyLedger()), SCALES, start)), duration=0.3, tolerance=1e-10
+        load(hd.Scene(hd.Mechanism("ball", joints), (damper, hd.EnergyLedger()), SCALES, start)),
+        duration=0.3,
+        tolerance=1e-10,
     )
     assert run["pivot.angular_speed_x"] == pytest.approx(5 * np.exp(-c * run.t / J), abs=1e-7)
     assert np.abs([run[f"pivot.angular_speed_{k}"] for k in "yz"]).max() < 1e-7
@@ -181,17 +162,17 @@ def test_series_beside_no_rotation_are_those_of_the_arc_and_its_bend():
 
 def test_a_potential_of_directions_is_gravity():
     """The weight of a mass centre off the pivot, m g z of its place, as an energy of TURN and as gravity."""
-    body = Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", 0.02),) * 3, centre=(0, 0, SIZE))
+    body = hd.Body("top", p("mass", "kg", MASS), inertia=(p("J", "kg m^2", 0.02),) * 3, centre=(0, 0, SIZE))
     g, spin = (
         p("g", "m/s^2", 9.81),
-        Start(speed={"pivot.angular_speed_x": p("w1", "rad/s", 2), "pivot.angular_speed_z": p("w3", "rad/s", 40)}),
+        hd.Start(speed={"pivot.angular_speed_x": p("w1", "rad/s", 2), "pivot.angular_speed_z": p("w3", "rad/s", 40)}),
     )
-    weight = FramePotential(
-        "weight", body.at(0, 0, 0), GROUND.at(0, 0, 0), p("mass", "kg", MASS) * g * SIZE * TURN[2][2]
+    weight = hd.FramePotential(
+        "weight", body.at(0, 0, 0), hd.GROUND.at(0, 0, 0), p("mass", "kg", MASS) * g * SIZE * hd.TURN[2][2]
     )
-    mechanism = Mechanism("top", (Spherical("pivot", GROUND, body),))
-    runs = [simulate(load(Scene(mechanism, (effect, EnergyLedger()), SCALES, spin)), duration=0.4, tolerance=1e-10)
-            for effect in (weight, Gravity("weight", g, direction=-Z))]  # fmt: skip
+    mechanism = hd.Mechanism("top", (hd.Spherical("pivot", hd.GROUND, body),))
+    runs = [simulate(load(hd.Scene(mechanism, (effect, hd.EnergyLedger()), SCALES, spin)), duration=0.4, tolerance=1e-10)
+            for effect in (weight, hd.Gravity("weight", g, direction=-hd.Z))]  # fmt: skip
     assert [runs[0][f"pivot.q{i}"][-1] for i in range(4)] == pytest.approx(
         [runs[1][f"pivot.q{i}"][-1] for i in range(4)], abs=1e-8
     )
@@ -200,13 +181,13 @@ def test_a_potential_of_directions_is_gravity():
 
 def test_in_the_plane_whole_turns_count():
     """A planar bushing winds up beyond half a turn: angle = w sqrt(J/k) sin(sqrt(k/J) t), up to 8 rad."""
-    wheel = Body("wheel", p("mass", "kg", MASS), inertia=p("J", "kg m^2", 0.02))
-    mechanism = Mechanism("plane", (Planar("table", GROUND, wheel, normal=Z),))
-    bushing = Bushing(
-        "mount", wheel.at(0, 0, 0), GROUND.at(0, 0, 0), (*(p("k", "N/m", 100),) * 3, *(p("k_t", "N m", 2),) * 3)
+    wheel = hd.Body("wheel", p("mass", "kg", MASS), inertia=p("J", "kg m^2", 0.02))
+    mechanism = hd.Mechanism("plane", (hd.Planar("table", hd.GROUND, wheel, normal=hd.Z),))
+    bushing = hd.Bushing(
+        "mount", wheel.at(0, 0, 0), hd.GROUND.at(0, 0, 0), (*(p("k", "N/m", 100),) * 3, *(p("k_t", "N m", 2),) * 3)
     )
-    start = Start(speed={"table.angle": p("w", "rad/s", 80)})
-    run = simulate(load(Scene(mechanism, (bushing, EnergyLedger()), SCALES, start)), duration=0.5, tolerance=1e-9)
+    start = hd.Start(speed={"table.angle": p("w", "rad/s", 80)})
+    run = simulate(load(hd.Scene(mechanism, (bushing, hd.EnergyLedger()), SCALES, start)), duration=0.5, tolerance=1e-9)
     assert run["table.angle"] == pytest.approx(8 * np.sin(10 * run.t), abs=1e-6)
     assert np.max(run["mount.rotation_z"]) > 7.9
 
@@ -219,14 +200,17 @@ def test_faults_of_matrices_come_at_once():
     wrong = [list(row) for row in named(np.eye(6), "w")]
     wrong[3][3] = p("soft", "N/m", 3)
     base = mount()
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(hd.InputError) as caught:
         floating(
             replace(base, name="pushes", stiffness=named(stiff, "k"), damping=tuple(map(tuple, skew))),
             replace(base, name="wrong", stiffness=tuple(map(tuple, wrong))),
             replace(base, name="itself", second=base.first, stiffness=(0,) * 6),
-            FramePotential("energy", base.first, base.second, p("k_e", "N", 1) * ROTATION[0]),
-            FramePotential(
-                "unknown", base.first, base.second, p("k_u", "J", 1) * Parameter("x", "1", 1) * TURN[0][0] + APART[0]
+            hd.FramePotential("energy", base.first, base.second, p("k_e", "N", 1) * hd.ROTATION[0]),
+            hd.FramePotential(
+                "unknown",
+                base.first,
+                base.second,
+                p("k_u", "J", 1) * hd.Parameter("x", "1", 1) * hd.TURN[0][0] + hd.APART[0],
             ),
         )
     text = str(caught.value)
@@ -242,20 +226,20 @@ def test_faults_of_matrices_come_at_once():
         "effect unknown",
     ):
         assert part in text, part
-    with pytest.raises(InputError, match="six rows of six"):
+    with pytest.raises(hd.InputError, match="six rows of six"):
         floating(replace(base, stiffness=(1, 2)))
-    body = Body("ball", p("mass", "kg", 1))
-    with pytest.raises(InputError, match="rotation_x"):
-        pair = CustomPair(
+    body = hd.Body("ball", p("mass", "kg", 1))
+    with pytest.raises(hd.InputError, match="rotation_x"):
+        pair = hd.CustomPair(
             "p",
             body.at(0, 0, 0),
-            GROUND.at(0, 0, 0),
-            gap=APART[1] - SIZE * ROTATION[0],
+            hd.GROUND.at(0, 0, 0),
+            gap=hd.APART[1] - SIZE * hd.ROTATION[0],
             normal=(0, 1, 0),
-            contact_point=(APART[0], 0, 0),
+            contact_point=(hd.APART[0], 0, 0),
         )
-        Scene(
-            Mechanism("m", (Free("free", GROUND, body),), (pair,)),
-            (Gravity("g", p("g", "m/s^2", 1), direction=-Y),),
+        hd.Scene(
+            hd.Mechanism("m", (hd.Free("free", hd.GROUND, body),), (pair,)),
+            (hd.Gravity("g", p("g", "m/s^2", 1), direction=-hd.Y),),
             SCALES,
         )

@@ -6,20 +6,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Effect,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    X,
-    generate,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
@@ -145,7 +132,7 @@ def test_an_effect_of_ones_own_at_a_pair(own):
 
 @pytest.mark.parametrize(("text", "unit"), [(DRAG, "N"), (HARDENING, "N/m"), (CENTRING, "N")])
 def test_the_units_of_an_effect_of_ones_own_are_proven(own, text, unit):
-    with pytest.raises(InputError, match=r"(coefficient|stiffness): found k"):
+    with pytest.raises(hd.InputError, match=r"(coefficient|stiffness): found k"):
         engine_model(own(text, unit))
 
 
@@ -163,21 +150,21 @@ def test_the_units_of_an_effect_of_ones_own_are_proven(own, text, unit):
 )  # fmt: skip
 def test_own_effects_that_do_not_fit_are_refused(own, text, old, new, said):
     assert old in text
-    with pytest.raises(InputError, match=said):
+    with pytest.raises(hd.InputError, match=said):
         engine_model(own(text.replace(old, new), {DRAG: "kg/m", HARDENING: "N/m^3", CENTRING: "N/m"}[text]))
 
 
 @dataclass(frozen=True)
-class Mystery(Effect):
+class Mystery(hd.Effect):
     name: str
     kind: ClassVar[str] = "mystery"
 
 
 def test_a_kind_of_effect_that_does_nothing_is_refused():
-    body, size = Body("body", Parameter("mass", "kg", 1)), Parameter("size", "m", 1)
-    slide = Mechanism("slide", (Prismatic("slide", GROUND, body, axis=X),))
-    gravity = Gravity("gravity", Parameter("g", "m/s^2", 9.81), X)
-    scene = Scene(slide, (gravity, Mystery("x")), Scales(size, Parameter("pace", "m/s", 1)))
-    with pytest.raises(InputError, match="the kind 'mystery', which has no element"):
-        generate(scene)
+    body, size = hd.Body("body", hd.Parameter("mass", "kg", 1)), hd.Parameter("size", "m", 1)
+    slide = hd.Mechanism("slide", (hd.Prismatic("slide", hd.GROUND, body, axis=hd.X),))
+    gravity = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), hd.X)
+    scene = hd.Scene(slide, (gravity, Mystery("x")), hd.Scales(size, hd.Parameter("pace", "m/s", 1)))
+    with pytest.raises(hd.InputError, match="the kind 'mystery', which has no element"):
+        hd.generate(scene)
     assert next(e for e in equations_of(scene.without("x")).effects if e.name == "gravity").enters

@@ -2,37 +2,24 @@
 
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Coupling,
-    EnergyLedger,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.expressions.parameter import default_value
 
-APART, RATIO = Parameter("apart", "mm", 68), Parameter("ratio", "1", 3)
+APART, RATIO = hd.Parameter("apart", "mm", 68), hd.Parameter("ratio", "1", 3)
 
 
-def scene(coupling, axis=Z, slide=X):
+def scene(coupling, axis=hd.Z, slide=hd.X):
     bodies = [
-        Body(name, Parameter(f"m_{name}", "kg", 1), Parameter(f"J_{name}", "kg m^2", 1))
+        hd.Body(name, hd.Parameter(f"m_{name}", "kg", 1), hd.Parameter(f"J_{name}", "kg m^2", 1))
         for name in ("wheel", "pinion", "rack")
     ]
     joints = (
-        Revolute("wheel", GROUND, bodies[0], axis=Z),
-        Revolute("pinion", GROUND.at(0, APART, APART), bodies[1], axis=axis),
-        Prismatic("rack", GROUND.at(APART, 0, 0), bodies[2], axis=slide),
+        hd.Revolute("wheel", hd.GROUND, bodies[0], axis=hd.Z),
+        hd.Revolute("pinion", hd.GROUND.at(0, APART, APART), bodies[1], axis=axis),
+        hd.Prismatic("rack", hd.GROUND.at(APART, 0, 0), bodies[2], axis=slide),
     )
-    scales = Scales(length=APART, speed=Parameter("pace", "m/s", 1), arm=APART)
-    return Scene(Mechanism("gears", joints), (coupling, EnergyLedger()), scales)
+    scales = hd.Scales(length=APART, speed=hd.Parameter("pace", "m/s", 1), arm=APART)
+    return hd.Scene(hd.Mechanism("gears", joints), (coupling, hd.EnergyLedger()), scales)
 
 
 def circles(made):
@@ -43,13 +30,13 @@ def circles(made):
 @pytest.mark.parametrize(
     ("coupling", "axis", "expected"),
     [
-        (Coupling("mesh", "pinion", "wheel", ratio=-RATIO), Z, {"first": 0.017, "second": 0.051}),
-        (Coupling("mesh", "wheel", "pinion", ratio=-1 / RATIO), Z, {"first": 0.051, "second": 0.017}),
-        (Coupling("mesh", "pinion", "wheel", ratio=RATIO), -Z, {"first": 0.017, "second": 0.051}),
-        (Coupling("belt", "pinion", "wheel", ratio=RATIO), Z, {}),
-        (Coupling("bevel", "pinion", "wheel", ratio=-RATIO), X, {}),
-        (Coupling("rack", "rack", "pinion", ratio=-APART / 2), Z, {"second": 0.034}),
-        (Coupling("screw", "rack", "pinion", ratio=APART / 2), X, {}),
+        (hd.Coupling("mesh", "pinion", "wheel", ratio=-RATIO), hd.Z, {"first": 0.017, "second": 0.051}),
+        (hd.Coupling("mesh", "wheel", "pinion", ratio=-1 / RATIO), hd.Z, {"first": 0.051, "second": 0.017}),
+        (hd.Coupling("mesh", "pinion", "wheel", ratio=RATIO), -hd.Z, {"first": 0.017, "second": 0.051}),
+        (hd.Coupling("belt", "pinion", "wheel", ratio=RATIO), hd.Z, {}),
+        (hd.Coupling("bevel", "pinion", "wheel", ratio=-RATIO), hd.X, {}),
+        (hd.Coupling("rack", "rack", "pinion", ratio=-APART / 2), hd.Z, {"second": 0.034}),
+        (hd.Coupling("screw", "rack", "pinion", ratio=APART / 2), hd.X, {}),
     ],
 )
 def test_wheels_that_mesh_from_outside_have_pitch_circles(coupling, axis, expected):

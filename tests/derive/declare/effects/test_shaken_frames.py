@@ -4,47 +4,32 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    EnergyLedger,
-    Gravity,
-    Harmonic,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    T,
-    X,
-    Y,
-    Z,
-    coordinate_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
-p = Parameter
+p = hd.Parameter
 SIZE, A, W = p("size", "m", 0.3), p("A", "m", 0.05), p("w", "rad/s", 30)
-BOB = Body("bob", p("mass", "kg", 2), inertia=p("J", "kg m^2", 0.01), centre=(0, -SIZE, 0))
-CART = Body("cart", p("cart_mass", "kg", 1))
-DOWN = Gravity("gravity", p("g", "m/s^2", 9.81), direction=-Y)
-SCALES, START = Scales(SIZE, p("pace", "m/s", 1), arm=SIZE), Start(position={"hinge": p("lift", "rad", 0.5)})
-HUNG = Mechanism("hung", (Revolute("hinge", GROUND, BOB, axis=Z),))
+BOB = hd.Body("bob", p("mass", "kg", 2), inertia=p("J", "kg m^2", 0.01), centre=(0, -SIZE, 0))
+CART = hd.Body("cart", p("cart_mass", "kg", 1))
+DOWN = hd.Gravity("gravity", p("g", "m/s^2", 9.81), direction=-hd.Y)
+SCALES, START = hd.Scales(SIZE, p("pace", "m/s", 1), arm=SIZE), hd.Start(position={"hinge": p("lift", "rad", 0.5)})
+HUNG = hd.Mechanism("hung", (hd.Revolute("hinge", hd.GROUND, BOB, axis=hd.Z),))
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
-@pytest.mark.parametrize("axis", [X, Y])
+@pytest.mark.parametrize("axis", [hd.X, hd.Y])
 def test_a_frame_that_is_shaken(axis, coordinates):
     """A pendulum in a frame that moves by A sin(w t) swings as one whose support is driven so."""
-    shaken = Gravity("shaken", A * W**2 * sp.sin(W * T), direction=axis)  # minus the frame's acceleration
-    scene = Scene(HUNG, (DOWN, shaken, EnergyLedger()), SCALES, START, coordinates=coordinates)
+    shaken = hd.Gravity("shaken", A * W**2 * sp.sin(W * hd.T), direction=axis)  # minus the frame's acceleration
+    scene = hd.Scene(HUNG, (DOWN, shaken, hd.EnergyLedger()), SCALES, START, coordinates=coordinates)
     run = simulate(load(scene), duration=1.0, tolerance=1e-10)
-    driven = Mechanism("driven", (Prismatic("slide", GROUND, CART, axis=axis), Revolute("hinge", CART, BOB, axis=Z)))
-    support = Harmonic("support", "slide", A, frequency=W)
-    other = simulate(load(Scene(driven, (DOWN, support, EnergyLedger()), SCALES, START)), duration=1.0, tolerance=1e-10)
+    driven = hd.Mechanism(
+        "driven", (hd.Prismatic("slide", hd.GROUND, CART, axis=axis), hd.Revolute("hinge", CART, BOB, axis=hd.Z))
+    )
+    support = hd.Harmonic("support", "slide", A, frequency=W)
+    other = simulate(
+        load(hd.Scene(driven, (DOWN, support, hd.EnergyLedger()), SCALES, START)), duration=1.0, tolerance=1e-10
+    )
     assert run["hinge.angle"][-1] == pytest.approx(other["hinge.angle"][-1], abs=1e-7)
     assert run["hinge.reaction_y"][-1] == pytest.approx(other["hinge.reaction_y"][-1], rel=1e-6)
     assert np.ptp(run["shaken.input"]) > 0.01
@@ -52,7 +37,7 @@ def test_a_frame_that_is_shaken(axis, coordinates):
 
 
 def test_gravity_depends_on_time_alone_and_is_one_where_it_does_not():
-    with pytest.raises(InputError, match="depends on hinge"):
-        Scene(HUNG, (Gravity("g", p("g", "m/s^2", 1) * coordinate_of("hinge"), direction=X),), SCALES)
-    with pytest.raises(InputError, match="gravity of the scene"):
-        Scene(HUNG, (DOWN, Gravity("other", p("g", "m/s^2", 9.81), direction=X)), SCALES)
+    with pytest.raises(hd.InputError, match="depends on hinge"):
+        hd.Scene(HUNG, (hd.Gravity("g", p("g", "m/s^2", 1) * hd.coordinate_of("hinge"), direction=hd.X),), SCALES)
+    with pytest.raises(hd.InputError, match="gravity of the scene"):
+        hd.Scene(HUNG, (DOWN, hd.Gravity("other", p("g", "m/s^2", 9.81), direction=hd.X)), SCALES)

@@ -5,28 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Direction,
-    EnergyLedger,
-    Free,
-    Gravity,
-    InputError,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    X,
-    Y,
-    Z,
-    generate,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.execute_file import names_defined_by
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
@@ -55,27 +34,27 @@ class Chain(Joint):
             for i, letter in enumerate(self.word)
         )
 '''
-SKEW, OTHER, THIRD = Direction((1, 2, -1)), Direction((1, 1, 2)), Direction((2, -1, 1))
+SKEW, OTHER, THIRD = hd.Direction((1, 2, -1)), hd.Direction((1, 1, 2)), hd.Direction((2, -1, 1))
 CHAINS = {
     "along and about one axis": ("st", SKEW, SKEW),
     "slide, then turn": ("st", SKEW, OTHER),
     "turn, then slide": ("ts", SKEW, OTHER),
-    "two slides, then a turn": ("sst", X, OTHER, SKEW),
-    "slides on both sides of a turn": ("sts", X, OTHER, SKEW),
-    "slides on both sides of two turns": ("stts", X, OTHER, Z, SKEW),
-    "slide between two turns": ("tst", Z, SKEW, OTHER),
-    "two slides between two turns": ("tsst", Z, SKEW, Y, OTHER),
-    "slides on and between two turns": ("stst", SKEW, Z, THIRD, OTHER),
-    "three turns on a slide": ("sttt", SKEW, Z, OTHER, X),
+    "two slides, then a turn": ("sst", hd.X, OTHER, SKEW),
+    "slides on both sides of a turn": ("sts", hd.X, OTHER, SKEW),
+    "slides on both sides of two turns": ("stts", hd.X, OTHER, hd.Z, SKEW),
+    "slide between two turns": ("tst", hd.Z, SKEW, OTHER),
+    "two slides between two turns": ("tsst", hd.Z, SKEW, hd.Y, OTHER),
+    "slides on and between two turns": ("stst", SKEW, hd.Z, THIRD, OTHER),
+    "three turns on a slide": ("sttt", SKEW, hd.Z, OTHER, hd.X),
     "ball on a slide": ("sb", SKEW),
 }
 FAST = {"along and about one axis", "slide, then turn", "turn, then slide", "slide between two turns"}
-MASS, SIZE = Parameter("mass", "kg", 0.9), Parameter("size", "m", 0.3)
-INERTIA = tuple(Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.07, 0.05, 0.03), strict=True))
-BODY = Body("body", MASS, INERTIA, (SIZE / 3, 0, SIZE / 5))
-PLACES = GROUND.at(SIZE, 0, -SIZE), BODY.at(0, SIZE, 0)
-SCALES = Scales(SIZE, Parameter("pace", "m/s", 1.0), SIZE)
-FALL = Gravity("gravity", Parameter("g", "m/s^2", 9.81), Direction((1, -3, 1))), EnergyLedger()
+MASS, SIZE = hd.Parameter("mass", "kg", 0.9), hd.Parameter("size", "m", 0.3)
+INERTIA = tuple(hd.Parameter(f"J_{k}", "kg m^2", value) for k, value in zip("xyz", (0.07, 0.05, 0.03), strict=True))
+BODY = hd.Body("body", MASS, INERTIA, (SIZE / 3, 0, SIZE / 5))
+PLACES = hd.GROUND.at(SIZE, 0, -SIZE), BODY.at(0, SIZE, 0)
+SCALES = hd.Scales(SIZE, hd.Parameter("pace", "m/s", 1.0), SIZE)
+FALL = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), hd.Direction((1, -3, 1))), hd.EnergyLedger()
 TIMES = np.linspace(0, 0.3, 7)
 
 
@@ -91,7 +70,7 @@ def speeds_of(letters):
 
 
 def scene(*joints, speed, position=None, effects=FALL):
-    return Scene(Mechanism("own", joints), effects, SCALES, Start(position or {}, speed))
+    return hd.Scene(hd.Mechanism("own", joints), effects, SCALES, hd.Start(position or {}, speed))
 
 
 def numbers(word, names, away):
@@ -100,7 +79,7 @@ def numbers(word, names, away):
     values = zip(names, units, speeds_of(word), strict=True)
     travels = [name for letter, name in zip(word, names, strict=True) if letter == "s" and away]
     return {
-        "speed": {name: Parameter(f"v{i}", unit, value) for i, (name, unit, value) in enumerate(values)},
+        "speed": {name: hd.Parameter(f"v{i}", unit, value) for i, (name, unit, value) in enumerate(values)},
         "position": {name.removesuffix("_speed"): SIZE / 2 for name in travels},
     }
 
@@ -113,11 +92,13 @@ def as_tree(chain, word, axes, away=False):
 
 def of_built_in(word, axes, away=False):
     """A chain of built-in joints through bodies without mass."""
-    kinds, axes, joints, place = {"s": Prismatic, "t": Revolute}, iter(axes), [], PLACES[0]
+    kinds, axes, joints, place = {"s": hd.Prismatic, "t": hd.Revolute}, iter(axes), [], PLACES[0]
     for i, letter in enumerate(word):
-        child = PLACES[1] if i == len(word) - 1 else Body(f"between{i}", 0)
+        child = PLACES[1] if i == len(word) - 1 else hd.Body(f"between{i}", 0)
         ball = letter == "b"
-        joints.append(Spherical("step", place, child) if ball else kinds[letter](f"step{i}", place, child, next(axes)))
+        joints.append(
+            hd.Spherical("step", place, child) if ball else kinds[letter](f"step{i}", place, child, next(axes))
+        )
         place = child
     names = ["step.angular_speed_x" if letter == "b" else f"step{i}" for i, letter in enumerate(word)]
     return scene(*joints, **numbers(word, names, away))
@@ -130,9 +111,9 @@ def as_closure(chain, word, axes, other=None):
         unit = np.array([1.0, 0, 0]) if letter == "b" else np.array([float(x) for x in next(given).unit])
         (linear if letter == "s" else angular)[:] += value * unit
     names = [f"free.{kind}{k}{tail}" for kind, tail in (("", "_speed"), ("angular_speed_", "")) for k in "xyz"]
-    values = [Parameter(f"v{i}", "m/s" if i < 3 else "rad/s", v) for i, v in enumerate([*linear, *angular])]
+    values = [hd.Parameter(f"v{i}", "m/s" if i < 3 else "rad/s", v) for i, v in enumerate([*linear, *angular])]
     closing = chain("own", *PLACES, word, *axes) if other is None else other
-    return scene(Free("free", *PLACES), closing, speed=dict(zip(names, values, strict=True)))
+    return scene(hd.Free("free", *PLACES), closing, speed=dict(zip(names, values, strict=True)))
 
 
 def motion(declared):
@@ -168,9 +149,9 @@ def test_a_slide_that_is_not_carried_along_would_be_noticed(chain):
 # -- what has no rule --------------------------------------------------------------------------------------------------
 
 UNRULED = {
-    "turns about parallel axes": ("tst", Z, X, Z),
-    "a slide among three turns": ("ttst", X, Y, Z, Z),
-    "a turn of a ball": ("bst", Y, X),
+    "turns about parallel axes": ("tst", hd.Z, hd.X, hd.Z),
+    "a slide among three turns": ("ttst", hd.X, hd.Y, hd.Z, hd.Z),
+    "a turn of a ball": ("bst", hd.Y, hd.X),
 }
 
 
@@ -180,17 +161,23 @@ def test_joints_without_a_rule_run_as_trees_and_are_refused_in_loops(chain, name
     tree = as_tree(chain, word, axes, away=True)
     assert np.max(np.abs(motion(tree) - motion(of_built_in(word, axes, away=True)))) < 1e-8
     with pytest.raises(
-        InputError,
+        hd.InputError,
         match=r"joint own: found .*: no rule gives the constraints of .* forbid where the joint closes a loop",
     ):
         as_closure(chain, word, axes)
-    with pytest.raises(InputError, match=r"joint own: found .*: no rule gives"):
-        generate(tree.with_coordinates("absolute"))
+    with pytest.raises(hd.InputError, match=r"joint own: found .*: no rule gives"):
+        hd.generate(tree.with_coordinates("absolute"))
 
 
 def test_freedoms_that_repeat_each_other_are_refused(chain):
-    for word, *axes in (("ss", X, -X), ("tt", SKEW, SKEW), ("stts", X, Y, Y, Z), ("tb", X), ("ssss", X, Y, Z, SKEW)):
-        with pytest.raises(InputError, match="joint own: found redundant freedoms"):
+    for word, *axes in (
+        ("ss", hd.X, -hd.X),
+        ("tt", SKEW, SKEW),
+        ("stts", hd.X, hd.Y, hd.Y, hd.Z),
+        ("tb", hd.X),
+        ("ssss", hd.X, hd.Y, hd.Z, SKEW),
+    ):
+        with pytest.raises(hd.InputError, match="joint own: found redundant freedoms"):
             as_tree(chain, word, axes)
 
 
@@ -198,21 +185,23 @@ def test_freedoms_that_repeat_each_other_are_refused(chain):
 
 
 def test_a_freedom_of_ones_own_is_measured_where_it_shows_and_else_refused(chain):
-    spring = JointSpring("spring", "own.s1", Parameter("k", "N/m", 40.0), Parameter("rest", "m", 0.1))
+    spring = hd.JointSpring("spring", "own.s1", hd.Parameter("k", "N/m", 40.0), hd.Parameter("rest", "m", 0.1))
     word, *axes = CHAINS["turn, then slide"]
     tree = replace(as_tree(chain, word, axes), effects=(*FALL, spring))
     assert np.max(np.abs(motion(tree) - motion(tree.with_coordinates("absolute")))) < 1e-8
-    generate(replace(as_tree(chain, "sst", (X, Y, SKEW)), effects=(*FALL, spring), coordinates="absolute"))
+    hd.generate(replace(as_tree(chain, "sst", (hd.X, hd.Y, SKEW)), effects=(*FALL, spring), coordinates="absolute"))
     with pytest.raises(
-        InputError, match=r"effect spring: found own\.s1, of a chain joint; expected a freedom that the poses"
+        hd.InputError, match=r"effect spring: found own\.s1, of a chain joint; expected a freedom that the poses"
     ):
-        generate(replace(as_tree(chain, "sst", (SKEW, OTHER, X)), effects=(*FALL, spring), coordinates="absolute"))
+        hd.generate(
+            replace(as_tree(chain, "sst", (SKEW, OTHER, hd.X)), effects=(*FALL, spring), coordinates="absolute")
+        )
 
 
 def test_a_joint_of_ones_own_is_drawn_as_the_joint_it_is_like(chain):
     like = {"st": "cylindrical", "s": "prismatic", "tt": "universal", "b": "spherical", "t": "revolute", "": "weld"}
-    axes = {"st": (SKEW, SKEW), "tt": (X, SKEW)}
+    axes = {"st": (SKEW, SKEW), "tt": (hd.X, SKEW)}
     for word, kind in like.items():
-        joint = chain("own", *PLACES, word, *axes.get(word, (X,)))
+        joint = chain("own", *PLACES, word, *axes.get(word, (hd.X,)))
         assert joint.symbol == kind
         assert [place for place, _, _ in joint.landmarks()] == ["parent", "child"]

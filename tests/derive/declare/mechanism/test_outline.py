@@ -8,31 +8,12 @@ from derived import Derived
 from matplotlib.path import Path
 from plane_pairs import BLOCK, CAM, FREE, PLATE, SHAFT, L, gaps, scene
 
-from hertzwerk.derive import (
-    GROUND,
-    Arc,
-    CircleOnCurve,
-    Contact,
-    EnergyLedger,
-    FaceOnCurve,
-    InputError,
-    Line,
-    Mechanism,
-    Outline,
-    Parameter,
-    PointInTrack,
-    PointOnCurve,
-    Scales,
-    Scene,
-    Start,
-    Y,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
-R, ROLLER = (Parameter(name, "mm", value) for name, value in (("R_half", 15), ("roller", 5)))
-PACE = Parameter("pace", "m/s", 2)
-SCALES = Scales(length=R, speed=PACE, arm=R)
+R, ROLLER = (hd.Parameter(name, "mm", value) for name, value in (("R_half", 15), ("roller", 5)))
+PACE = hd.Parameter("pace", "m/s", 2)
+SCALES = hd.Scales(length=R, speed=PACE, arm=R)
 HALF = np.linspace(0, np.pi, 4001)
 RIM = 1e-3 * np.concatenate([
     [(0, -15)],
@@ -44,7 +25,7 @@ RIM = 1e-3 * np.concatenate([
 
 @pytest.fixture(scope="module")
 def beside():
-    return Derived(scene(PointOnCurve("touch", PLATE.at(0, 0, 0), BLOCK, CAM.at(0, 0, 0))))
+    return Derived(scene(hd.PointOnCurve("touch", PLATE.at(0, 0, 0), BLOCK, CAM.at(0, 0, 0))))
 
 
 def turned(angle, x, y):
@@ -102,7 +83,7 @@ def test_it_is_as_far_as_the_nearest_of_very_many_points(beside):
 
 def test_a_face_touches_the_hull():
     """At random angles against all points; its rates against differences."""
-    derived = Derived(scene(FaceOnCurve("touch", PLATE.at(0, 0, 0), -Y, BLOCK, CAM.at(0, 0, 0))))
+    derived = Derived(scene(hd.FaceOnCurve("touch", PLATE.at(0, 0, 0), -hd.Y, BLOCK, CAM.at(0, 0, 0))))
     random, h = np.random.default_rng(5), 1e-6
     for _ in range(40):
         q, u = random.uniform(-1, 1, 4) * (3, 0.1, 0.1, 3), random.uniform(-1, 1, 4)
@@ -117,12 +98,12 @@ def test_a_face_touches_the_hull():
 
 def test_a_roller_that_hits_a_corner_leaves_along_the_line_to_it():
     """Without loss: v - 2 (v . n) n, with n from the corner to the centre where they meet."""
-    corner = Outline("corner", (0, -L), [Line((0, 0)), Line((-L, 0))], closed=False)
-    pair = CircleOnCurve("touch", PLATE.at(0, 0, 0), ROLLER, corner, GROUND.at(0, 0, 0))
-    effects = Contact("touch", laws.power(Parameter("K", "N/m", 1e12), 1)), EnergyLedger()
-    start = Start(position={"free.x": 3 * ROLLER / 5, "free.y": ROLLER}, speed={"free.x": 0, "free.y": -PACE})
+    corner = hd.Outline("corner", (0, -L), [hd.Line((0, 0)), hd.Line((-L, 0))], closed=False)
+    pair = hd.CircleOnCurve("touch", PLATE.at(0, 0, 0), ROLLER, corner, hd.GROUND.at(0, 0, 0))
+    effects = hd.Contact("touch", hd.laws.power(hd.Parameter("K", "N/m", 1e12), 1)), hd.EnergyLedger()
+    start = hd.Start(position={"free.x": 3 * ROLLER / 5, "free.y": ROLLER}, speed={"free.x": 0, "free.y": -PACE})
     run = simulate(
-        load(Scene(Mechanism("drop", (FREE,), (pair,)), effects, SCALES, start)), duration="2 ms", accuracy=1e-8
+        load(hd.Scene(hd.Mechanism("drop", (FREE,), (pair,)), effects, SCALES, start)), duration="2 ms", accuracy=1e-8
     )
     assert run.outcome.name == "finished"
     v, n = np.array([0, -2.0]), np.array([0.6, 0.8])
@@ -136,11 +117,13 @@ def test_a_roller_that_hits_a_corner_leaves_along_the_line_to_it():
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_bead_round_a_stadium_is_pressed_on_its_arcs_alone(coordinates, x, y, pace):
     """m v^2/R there, nothing on the lines; once round after the perimeter over v. Steps end where arcs meet lines."""
-    stadium = Outline("stadium", (0, -R), [Line((L, -R)), Arc((L, R), (L, 0)), Line((0, R)), Arc((0, -R), (0, 0))])
-    at, v = Parameter("at", "m", x), Parameter("v", "m/s", -y * pace)
-    start = Start(position={"free.x": at}, near={"free.y": y * R}, speed={"free.x": v})
-    joints = FREE, PointInTrack("groove", GROUND, PLATE, stadium)
-    round_ = Scene(Mechanism("round", joints), (EnergyLedger(),), SCALES, start, coordinates=coordinates)
+    stadium = hd.Outline(
+        "stadium", (0, -R), [hd.Line((L, -R)), hd.Arc((L, R), (L, 0)), hd.Line((0, R)), hd.Arc((0, -R), (0, 0))]
+    )
+    at, v = hd.Parameter("at", "m", x), hd.Parameter("v", "m/s", -y * pace)
+    start = hd.Start(position={"free.x": at}, near={"free.y": y * R}, speed={"free.x": v})
+    joints = FREE, hd.PointInTrack("groove", hd.GROUND, PLATE, stadium)
+    round_ = hd.Scene(hd.Mechanism("round", joints), (hd.EnergyLedger(),), SCALES, start, coordinates=coordinates)
     run = simulate(load(round_), duration=f"{(0.08 + 0.03 * np.pi) / 2} s", accuracy=1e-8, max_steps=200)
     assert run.outcome.name == "finished"
     body = "free" if coordinates == "tree" else "plate"
@@ -153,25 +136,25 @@ def test_a_bead_round_a_stadium_is_pressed_on_its_arcs_alone(coordinates, x, y, 
 
 
 def test_all_faults_come_at_once():
-    s = Parameter("s", "s", 1)
+    s = hd.Parameter("s", "s", 1)
     wrong = (
-        Outline("clockwise", (0, 0), [Line((0, L)), Line((L, L)), Line((L, 0)), Line((0, 0))]),
-        Outline("apart", (0, 0), [Line((L, 0)), Line((L, L))]),
-        Outline("eight", (0, 0), [Line((L, L)), Line((L, 0)), Line((0, L)), Line((0, 0))]),
-        Outline("pinched", (0, 0), [Line((L, -R)), Line((L, R)), Line((0, 0)), Line((-L, R)), Line((-L, -R)), Line((0, 0))]),
-        Outline("still", (0, 0), [Line((L, 0)), Line((L, 0)), Line((L, L)), Arc((0, 0), (R, R)), Arc((0, 0), (0, 0))]),
-        Outline("spike", (0, 0), [Line((L, 0)), Line((R, 0)), Line((0, R)), Line((0, 0))]),
-        Outline("bare", (0, 1), [Line((L, 0)), Line((s, L)), Line((0, 1))]),
-        Outline("records", (0, L, 0), [3, Line(L), Arc((0, L), "R", clockwise=1)]),
-        Outline("none", (0, 0), ()),
-        Outline("open hole", (0, 0), [Line((L, 0))], closed=False, hole=True),
+        hd.Outline("clockwise", (0, 0), [hd.Line((0, L)), hd.Line((L, L)), hd.Line((L, 0)), hd.Line((0, 0))]),
+        hd.Outline("apart", (0, 0), [hd.Line((L, 0)), hd.Line((L, L))]),
+        hd.Outline("eight", (0, 0), [hd.Line((L, L)), hd.Line((L, 0)), hd.Line((0, L)), hd.Line((0, 0))]),
+        hd.Outline("pinched", (0, 0), [hd.Line((L, -R)), hd.Line((L, R)), hd.Line((0, 0)), hd.Line((-L, R)), hd.Line((-L, -R)), hd.Line((0, 0))]),
+        hd.Outline("still", (0, 0), [hd.Line((L, 0)), hd.Line((L, 0)), hd.Line((L, L)), hd.Arc((0, 0), (R, R)), hd.Arc((0, 0), (0, 0))]),
+        hd.Outline("spike", (0, 0), [hd.Line((L, 0)), hd.Line((R, 0)), hd.Line((0, R)), hd.Line((0, 0))]),
+        hd.Outline("bare", (0, 1), [hd.Line((L, 0)), hd.Line((s, L)), hd.Line((0, 1))]),
+        hd.Outline("records", (0, L, 0), [3, hd.Line(L), hd.Arc((0, L), "R", clockwise=1)]),
+        hd.Outline("none", (0, 0), ()),
+        hd.Outline("open hole", (0, 0), [hd.Line((L, 0))], closed=False, hole=True),
     )  # fmt: skip
     pairs = tuple(
-        PointOnCurve(f"touch_{k}", PLATE.at(0, 0, 0), curve, CAM.at(0, 0, 0)) for k, curve in enumerate(wrong)
+        hd.PointOnCurve(f"touch_{k}", PLATE.at(0, 0, 0), curve, CAM.at(0, 0, 0)) for k, curve in enumerate(wrong)
     )
-    track = PointInTrack("groove", GROUND, PLATE, BLOCK)
-    with pytest.raises(InputError) as error:
-        Scene(Mechanism("faulty", (SHAFT, FREE, track), pairs), (), SCALES)
+    track = hd.PointInTrack("groove", hd.GROUND, PLATE, BLOCK)
+    with pytest.raises(hd.InputError) as error:
+        hd.Scene(hd.Mechanism("faulty", (SHAFT, FREE, track), pairs), (), SCALES)
     found = str(error.value)
     for text in (
         "curve clockwise: found a closed chain that runs clockwise",

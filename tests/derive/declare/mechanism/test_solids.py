@@ -8,30 +8,11 @@ import sympy as sp
 from derived import Derived
 from scipy.special import ellipj
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Direction,
-    EnergyLedger,
-    Free,
-    InputError,
-    JointSpring,
-    Material,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    Weld,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
 RHO, R, H, L, B, C = (
-    Parameter(name, unit, value)
+    hd.Parameter(name, unit, value)
     for name, unit, value in (
         ("rho", "kg/m^3", 7800.0),
         ("r", "mm", 50.0),
@@ -42,8 +23,8 @@ RHO, R, H, L, B, C = (
     )
 )
 OFF = (R, -B / 2, L)
-SKEW = Direction((1, -2, 2))
-SIZES = Scales(length=R, speed=Parameter("pace", "m/s", 1), arm=R)
+SKEW = hd.Direction((1, -2, 2))
+SIZES = hd.Scales(length=R, speed=hd.Parameter("pace", "m/s", 1), arm=R)
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -97,13 +78,13 @@ def agree(body, mass, centre, inertia):
     assert np.array([[value(J) for J in row] for row in body.tensor]) == pytest.approx(inertia, rel=1e-11, abs=1e-15)
 
 
-STEEL = Material(Parameter("E", "GPa", 210), Parameter("nu", "1", 0.3), RHO)
+STEEL = hd.Material(hd.Parameter("E", "GPa", 210), hd.Parameter("nu", "1", 0.3), RHO)
 SOLIDS = {
-    "box": lambda **k: Body.box("it", L, B, C, **k),
-    "sphere": lambda **k: Body.sphere("it", R, **k),
-    "cylinder": lambda **k: Body.cylinder("it", R, L, axis=SKEW, **k),
-    "tube": lambda **k: Body.tube("it", R, H, L, axis=SKEW, **k),
-    "cone": lambda **k: Body.cone("it", R, L, axis=SKEW, **k),
+    "box": lambda **k: hd.Body.box("it", L, B, C, **k),
+    "sphere": lambda **k: hd.Body.sphere("it", R, **k),
+    "cylinder": lambda **k: hd.Body.cylinder("it", R, L, axis=SKEW, **k),
+    "tube": lambda **k: hd.Body.tube("it", R, H, L, axis=SKEW, **k),
+    "cone": lambda **k: hd.Body.cone("it", R, L, axis=SKEW, **k),
 }
 
 
@@ -116,37 +97,41 @@ def test_masses_and_inertias_of_solids_are_their_integrals(kind):
 
 
 def test_a_rod_is_a_cylinder_without_a_radius():
-    mass = Parameter("m", "kg", 2)
-    assert Body.rod("it", L, mass=mass, axis=X).inertia == (0, mass * L**2 / 12, mass * L**2 / 12)
+    mass = hd.Parameter("m", "kg", 2)
+    assert hd.Body.rod("it", L, mass=mass, axis=hd.X).inertia == (0, mass * L**2 / 12, mass * L**2 / 12)
 
 
 def test_a_body_of_parts_and_holes_is_the_integral_over_what_is_left():
     bore = (L / 4, B / 4, 0)
-    block = Body.box("block", L, B, C, density=RHO)
-    pin = Body.cylinder("pin", R, L, density=RHO, axis=X, centre=OFF)
-    hole = Body.cylinder("hole", H, L, density=RHO, centre=bore)
-    body = Body.of("it", block, pin, without=(hole,))
+    block = hd.Body.box("block", L, B, C, density=RHO)
+    pin = hd.Body.cylinder("pin", R, L, density=RHO, axis=hd.X, centre=OFF)
+    hole = hd.Body.cylinder("hole", H, L, density=RHO, centre=bore)
+    body = hd.Body.of("it", block, pin, without=(hole,))
     drilled = points_of("tube", centre=[value(c) for c in bore])
     cut = points_of("cylinder", centre=[value(c) for c in bore])
     solids = (*points_of("box"), 1), (*points_of("cylinder", (1, 0, 0), [value(c) for c in OFF]), 1)
     agree(body, *moments(*solids, (*cut, -1), (*drilled, 1)))
     assert body.has_products
     assert [shape.hole for shape in body.shapes] == [False, False, True]
-    mirrored = Body.of("it", pin, Body.cylinder("other", R, L, density=RHO, axis=X, centre=tuple(-c for c in OFF)))
+    mirrored = hd.Body.of(
+        "it", pin, hd.Body.cylinder("other", R, L, density=RHO, axis=hd.X, centre=tuple(-c for c in OFF))
+    )
     assert [value(c) for c in mirrored.centre] == [0, 0, 0]
 
 
 def test_a_body_of_parts_moves_as_these_parts_welded():
     """Mass matrix of a skew pendulum."""
-    arm = Body.box("arm", C, B, H, density=RHO, centre=(C / 2, 0, 0))
-    weight = Body.cone("weight", R, L, density=RHO, axis=SKEW, centre=(C, B, H))
+    arm = hd.Body.box("arm", C, B, H, density=RHO, centre=(C / 2, 0, 0))
+    weight = hd.Body.cone("weight", R, L, density=RHO, axis=SKEW, centre=(C, B, H))
 
     def swung(body, *more):
-        spin = Parameter("spin", "rad/s", 1.0)
-        joint = Revolute("pin", GROUND, body.at(0, 0, 0), axis=Direction((0, 1, 2)))
-        return Derived(Scene(Mechanism("swung", (joint, *more)), (EnergyLedger(),), SIZES, Start(speed={"pin": spin})))
+        spin = hd.Parameter("spin", "rad/s", 1.0)
+        joint = hd.Revolute("pin", hd.GROUND, body.at(0, 0, 0), axis=hd.Direction((0, 1, 2)))
+        return Derived(
+            hd.Scene(hd.Mechanism("swung", (joint, *more)), (hd.EnergyLedger(),), SIZES, hd.Start(speed={"pin": spin}))
+        )
 
-    one, two = swung(Body.of("both", arm, weight)), swung(arm, Weld("glue", arm, weight))
+    one, two = swung(hd.Body.of("both", arm, weight)), swung(arm, hd.Weld("glue", arm, weight))
     energies = [derived.call("energy", t=0.0, q=[0.4], u=[3.0])[0] for derived in (one, two)]
     assert energies[0] == pytest.approx(energies[1], rel=1e-13)
     assert energies[0] > 0
@@ -154,12 +139,12 @@ def test_a_body_of_parts_moves_as_these_parts_welded():
 
 def test_a_radius_changes_the_mass():
     """A disc on a torsional spring: omega^2 = k/J, and J goes with the fourth power of the radius."""
-    disc = Body.cylinder("disc", R, L, density=RHO)
-    scene = Scene(
-        Mechanism("torsion", (Revolute("shaft", GROUND, disc, axis=Z),)),
-        (JointSpring("spring", "shaft", Parameter("k", "N m/rad", 2.0)), EnergyLedger()),
+    disc = hd.Body.cylinder("disc", R, L, density=RHO)
+    scene = hd.Scene(
+        hd.Mechanism("torsion", (hd.Revolute("shaft", hd.GROUND, disc, axis=hd.Z),)),
+        (hd.JointSpring("spring", "shaft", hd.Parameter("k", "N m/rad", 2.0)), hd.EnergyLedger()),
         SIZES,
-        Start(position={"shaft": Parameter("lift", "rad", 0.2)}),
+        hd.Start(position={"shaft": hd.Parameter("lift", "rad", 0.2)}),
     )
     model = load(scene)
     for radius in (0.05, 0.04):
@@ -177,16 +162,16 @@ PRINCIPAL = np.array([1.0, 2.0, 2.6])
 def tumbling(coordinates, tensor, spin):
     """A free body of a tensor, its angular velocity given in its own axes [rad/s]."""
     J = [
-        [Parameter(f"J_{min(i, k)}{max(i, k)}", "kg m^2", float(tensor[min(i, k), max(i, k)])) for k in range(3)]
+        [hd.Parameter(f"J_{min(i, k)}{max(i, k)}", "kg m^2", float(tensor[min(i, k), max(i, k)])) for k in range(3)]
         for i in range(3)
     ]
-    body = Body("body", Parameter("m", "kg", 1), tuple(map(tuple, J)), centre=(R, L, B))
+    body = hd.Body("body", hd.Parameter("m", "kg", 1), tuple(map(tuple, J)), centre=(R, L, B))
     speeds = {
-        f"pivot.angular_speed_{k}": Parameter(f"w_{k}", "rad/s", float(w)) for k, w in zip("xyz", spin, strict=True)
+        f"pivot.angular_speed_{k}": hd.Parameter(f"w_{k}", "rad/s", float(w)) for k, w in zip("xyz", spin, strict=True)
     }
-    joint = Spherical("pivot", GROUND, body.at(R, L, B))
-    return Scene(
-        Mechanism("tumbling", (joint,)), (EnergyLedger(),), SIZES, Start(speed=speeds), coordinates=coordinates
+    joint = hd.Spherical("pivot", hd.GROUND, body.at(R, L, B))
+    return hd.Scene(
+        hd.Mechanism("tumbling", (joint,)), (hd.EnergyLedger(),), SIZES, hd.Start(speed=speeds), coordinates=coordinates
     )
 
 
@@ -235,22 +220,22 @@ def test_a_free_body_with_products_of_inertia_turns_as_in_its_principal_axes(coo
     ],
 )
 def test_a_tensor_of_no_body_is_refused(tensor, found):
-    with pytest.raises(InputError, match=re.escape(f"body body, inertia: found {found}")):
+    with pytest.raises(hd.InputError, match=re.escape(f"body body, inertia: found {found}")):
         tumbling("tree", np.array(tensor), (1, 2, 3))
 
 
 def test_faults_of_shapes_come_at_once():
-    with pytest.raises(InputError) as caught:
-        Body.cylinder("wheel", "5 mm", None, density=RHO, mass=RHO, centre=(0, 0))
+    with pytest.raises(hd.InputError) as caught:
+        hd.Body.cylinder("wheel", "5 mm", None, density=RHO, mass=RHO, centre=(0, 0))
     assert [fault.where for fault in caught.value.faults] == ["radius", "length", "mass", "centre"]
-    with pytest.raises(InputError, match="neither a density nor a mass"):
-        Body.sphere("ball", R)
-    with pytest.raises(InputError, match="part plain"):
-        Body.of("it", Body("plain", RHO))
-    one, other = Parameter("J_1", "kg m^2", 1), Parameter("J_2", "kg m^2", 0.1)
-    skewed = Body("skewed", Parameter("m", "kg", 1), ((one, other, 0), (0, one, 0), (0, 0, one)))
-    with pytest.raises(InputError, match="inertia J_xy: found J_2 beside J_yx = 0; expected a symmetric tensor"):
-        Scene(Mechanism("bad", (Free("flight", GROUND, skewed),)), (), SIZES)
-    hollow = Body.tube("tube", H, R, L, density=RHO)
-    with pytest.raises(InputError, match="body tube, mass"):
-        Scene(Mechanism("bad", (Free("flight", GROUND, hollow),)), (), SIZES)
+    with pytest.raises(hd.InputError, match="neither a density nor a mass"):
+        hd.Body.sphere("ball", R)
+    with pytest.raises(hd.InputError, match="part plain"):
+        hd.Body.of("it", hd.Body("plain", RHO))
+    one, other = hd.Parameter("J_1", "kg m^2", 1), hd.Parameter("J_2", "kg m^2", 0.1)
+    skewed = hd.Body("skewed", hd.Parameter("m", "kg", 1), ((one, other, 0), (0, one, 0), (0, 0, one)))
+    with pytest.raises(hd.InputError, match="inertia J_xy: found J_2 beside J_yx = 0; expected a symmetric tensor"):
+        hd.Scene(hd.Mechanism("bad", (hd.Free("flight", hd.GROUND, skewed),)), (), SIZES)
+    hollow = hd.Body.tube("tube", H, R, L, density=RHO)
+    with pytest.raises(hd.InputError, match="body tube, mass"):
+        hd.Scene(hd.Mechanism("bad", (hd.Free("flight", hd.GROUND, hollow),)), (), SIZES)

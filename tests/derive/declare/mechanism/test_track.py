@@ -4,46 +4,26 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Curve,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Planar,
-    PointInTrack,
-    Revolute,
-    S,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
-R, G = Parameter("r", "m", 0.5), Parameter("g", "m/s^2", 9.81)
-BEAD = Body("bead", Parameter("m", "kg", 0.3), Parameter("J", "kg m^2", 1e-4))
-DISC = Body("disc", Parameter("M", "kg", 1), Parameter("J_disc", "kg m^2", 0.1))
-SCALES = Scales(length=R, speed=Parameter("pace", "m/s", 1), arm=R)
-CYCLOID = Curve("cycloid", R * (S + sp.sin(S)), R * (1 - sp.cos(S)), -3, 3, closed=False)
-WIRE = PointInTrack("wire", GROUND, BEAD, CYCLOID)
-PLANE = Planar("plane", GROUND, BEAD)
+R, G = hd.Parameter("r", "m", 0.5), hd.Parameter("g", "m/s^2", 9.81)
+BEAD = hd.Body("bead", hd.Parameter("m", "kg", 0.3), hd.Parameter("J", "kg m^2", 1e-4))
+DISC = hd.Body("disc", hd.Parameter("M", "kg", 1), hd.Parameter("J_disc", "kg m^2", 0.1))
+SCALES = hd.Scales(length=R, speed=hd.Parameter("pace", "m/s", 1), arm=R)
+CYCLOID = hd.Curve("cycloid", R * (hd.S + sp.sin(hd.S)), R * (1 - sp.cos(hd.S)), -3, 3, closed=False)
+WIRE = hd.PointInTrack("wire", hd.GROUND, BEAD, CYCLOID)
+PLANE = hd.Planar("plane", hd.GROUND, BEAD)
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 @pytest.mark.parametrize("amplitude", [0.3, 2.5])
 def test_the_period_on_a_cycloid_does_not_depend_on_the_amplitude(coordinates, amplitude):
     """Huygens: 4 pi sqrt(r/g)."""
-    A = Parameter("A", "rad", amplitude)
-    start = Start(position={"plane.x": R * (A + sp.sin(A))}, near={"plane.y": R * (1 - sp.cos(A))})
-    effects = (Gravity("gravity", G, direction=-Y), EnergyLedger())
-    scene = Scene(Mechanism("tautochrone", (PLANE, WIRE)), effects, SCALES, start, coordinates=coordinates)
+    A = hd.Parameter("A", "rad", amplitude)
+    start = hd.Start(position={"plane.x": R * (A + sp.sin(A))}, near={"plane.y": R * (1 - sp.cos(A))})
+    effects = (hd.Gravity("gravity", G, direction=-hd.Y), hd.EnergyLedger())
+    scene = hd.Scene(hd.Mechanism("tautochrone", (PLANE, WIRE)), effects, SCALES, start, coordinates=coordinates)
     run = simulate(load(scene), duration=f"{4 * np.pi * np.sqrt(0.5 / 9.81)} s", accuracy=1e-8, max_steps=1000)
     assert run.outcome.name == "finished"
     assert run["plane.x"][-1] == pytest.approx(run["plane.x"][0], rel=1e-7)
@@ -53,41 +33,49 @@ def test_the_period_on_a_cycloid_does_not_depend_on_the_amplitude(coordinates, a
 
 def test_on_a_straight_track_that_turns_a_bead_flies_outwards():
     """r'' = w^2 r from rest: r cosh(w t), pressed by the Coriolis force 2 m w r' = 2 m w^2 r sinh(w t)."""
-    w = Parameter("w", "rad/s", 3)
-    track = PointInTrack("slot", DISC, BEAD, Curve("line", R * S, 0, -1, 40, closed=False))
-    joints = Revolute("shaft", GROUND, DISC, axis=Z), PLANE, track
-    effects = ConstantSpeed("motor", "shaft", w), EnergyLedger()
-    start = Start(position={"plane.x": R / 5, "plane.y": 0}, speed={"plane.y": w * R / 5, "plane.x": 0})
+    w = hd.Parameter("w", "rad/s", 3)
+    track = hd.PointInTrack("slot", DISC, BEAD, hd.Curve("line", R * hd.S, 0, -1, 40, closed=False))
+    joints = hd.Revolute("shaft", hd.GROUND, DISC, axis=hd.Z), PLANE, track
+    effects = hd.ConstantSpeed("motor", "shaft", w), hd.EnergyLedger()
+    start = hd.Start(position={"plane.x": R / 5, "plane.y": 0}, speed={"plane.y": w * R / 5, "plane.x": 0})
     run = simulate(
-        load(Scene(Mechanism("sling", joints), effects, SCALES, start)), duration="1 s", accuracy=1e-8, max_steps=1000
+        load(hd.Scene(hd.Mechanism("sling", joints), effects, SCALES, start)),
+        duration="1 s",
+        accuracy=1e-8,
+        max_steps=1000,
     )
     assert np.hypot(run["plane.x"], run["plane.y"])[-1] == pytest.approx(0.1 * np.cosh(3), rel=1e-7)
     assert abs(run["slot.force_track"][-1]) == pytest.approx(2 * 0.3 * 9 * 0.1 * np.sinh(3), rel=1e-6)
 
 
 def test_a_round_slot_holds_a_pendulum_as_a_hinge_does():
-    ring = Curve("ring", R * sp.sin(S), R - R * sp.cos(S))
-    start = Start(position={"plane.x": R / 2}, near={"plane.y": R / 8})
-    effects = (Gravity("gravity", G, direction=-Y), EnergyLedger())
-    slot = PointInTrack("slot", GROUND, BEAD, ring)
+    ring = hd.Curve("ring", R * sp.sin(hd.S), R - R * sp.cos(hd.S))
+    start = hd.Start(position={"plane.x": R / 2}, near={"plane.y": R / 8})
+    effects = (hd.Gravity("gravity", G, direction=-hd.Y), hd.EnergyLedger())
+    slot = hd.PointInTrack("slot", hd.GROUND, BEAD, ring)
     run = simulate(
-        load(Scene(Mechanism("ring", (PLANE, slot)), effects, SCALES, start)),
+        load(hd.Scene(hd.Mechanism("ring", (PLANE, slot)), effects, SCALES, start)),
         duration="1 s",
         accuracy=1e-8,
         max_steps=1000,
     )
-    bob, angle = Body("bob", Parameter("m", "kg", 0.3), centre=(0, -R, 0)), Parameter("angle", "deg", 30)
-    swung = Scene(
-        Mechanism("swing", (Revolute("hinge", GROUND, bob, axis=Z),)), effects, SCALES, Start(position={"hinge": angle})
+    bob, angle = hd.Body("bob", hd.Parameter("m", "kg", 0.3), centre=(0, -R, 0)), hd.Parameter("angle", "deg", 30)
+    swung = hd.Scene(
+        hd.Mechanism("swing", (hd.Revolute("hinge", hd.GROUND, bob, axis=hd.Z),)),
+        effects,
+        SCALES,
+        hd.Start(position={"hinge": angle}),
     )
     other = simulate(load(swung), duration="1 s", accuracy=1e-8)
     assert run["plane.x"][-1] == pytest.approx(0.5 * np.sin(other["hinge.angle"][-1]), rel=1e-6)
 
 
 def test_a_track_carries_no_body_and_lies_in_the_plane_of_motion():
-    with pytest.raises(InputError, match="bead, which no joint before carries") as error:
-        Scene(Mechanism("faulty", (PointInTrack("wire", GROUND, BEAD, "R*cos(S)"),)), (), SCALES)
+    with pytest.raises(hd.InputError, match="bead, which no joint before carries") as error:
+        hd.Scene(hd.Mechanism("faulty", (hd.PointInTrack("wire", hd.GROUND, BEAD, "R*cos(S)"),)), (), SCALES)
     assert "joint wire, curve: found \"'R*cos(S)'\"" in str(error.value) or "found 'R*cos(S)'" in str(error.value)
-    tilted = PointInTrack("wire", GROUND.at(0, 0, 0).turned(X, Parameter("tilt", "rad", 0.3)), BEAD, CYCLOID)
-    with pytest.raises(InputError, match="motion out of the curve's plane"):
-        load(Scene(Mechanism("tilted", (PLANE, tilted)), (), SCALES))
+    tilted = hd.PointInTrack(
+        "wire", hd.GROUND.at(0, 0, 0).turned(hd.X, hd.Parameter("tilt", "rad", 0.3)), BEAD, CYCLOID
+    )
+    with pytest.raises(hd.InputError, match="motion out of the curve's plane"):
+        load(hd.Scene(hd.Mechanism("tilted", (PLANE, tilted)), (), SCALES))

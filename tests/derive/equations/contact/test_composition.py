@@ -13,26 +13,7 @@ from bench import Impact, evaluate, numbers
 from derived import Derived
 from mpmath import mpf
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Friction,
-    Material,
-    Mechanism,
-    ParallelCylinders,
-    Parameter,
-    PinInBush,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnSphere,
-    Start,
-    X,
-    Z,
-    generate,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import DampingLaw, F, FrictionLaw, N, StiffnessLaw, d, k_t, s, v, v0
 from hertzwerk.runtime import simulate
@@ -41,23 +22,23 @@ from reference.closed_forms import restitution
 
 PACE, SLIP = 0.5, 0.3  # m/s
 PIN_MASS, BUSH_MASS = 0.2, 0.3  # kg
-STEEL = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3))
-RADIUS, CLEARANCE = Parameter("bush_radius", "mm", 10), Parameter("clearance", "mm", 0.5)
-LENGTH = Parameter("joint_length", "mm", 15)
-SMALL = Parameter("roller_radius", "mm", 9.5)
+STEEL = hd.Material(hd.Parameter("youngs_modulus", "GPa", 207), hd.Parameter("poissons_ratio", "1", 0.3))
+RADIUS, CLEARANCE = hd.Parameter("bush_radius", "mm", 10), hd.Parameter("clearance", "mm", 0.5)
+LENGTH = hd.Parameter("joint_length", "mm", 15)
+SMALL = hd.Parameter("roller_radius", "mm", 9.5)
 PIN, BUSH = (
-    Body("pin", mass=Parameter("pin_mass", "kg", PIN_MASS)),
-    Body("bush", mass=Parameter("bush_mass", "kg", BUSH_MASS)),
+    hd.Body("pin", mass=hd.Parameter("pin_mass", "kg", PIN_MASS)),
+    hd.Body("bush", mass=hd.Parameter("bush_mass", "kg", BUSH_MASS)),
 )
-SLIDE, ALONG = Prismatic("slide", GROUND, PIN, axis=X), Prismatic("along", GROUND, BUSH, axis=Z)
+SLIDE, ALONG = hd.Prismatic("slide", hd.GROUND, PIN, axis=hd.X), hd.Prismatic("along", hd.GROUND, BUSH, axis=hd.Z)
 PLACES = (PIN.at(0, 0, 0), BUSH.at(0, 0, 0))
 PAIRS = {
     # with the position of the pin where the contact begins
-    "pin_in_bush": (PinInBush("joint", *PLACES, Z, RADIUS, CLEARANCE, length=LENGTH), CLEARANCE),
-    "parallel_cylinders": (ParallelCylinders("joint", *PLACES, RADIUS, SMALL, Z, LENGTH), -RADIUS - SMALL),
+    "pin_in_bush": (hd.PinInBush("joint", *PLACES, hd.Z, RADIUS, CLEARANCE, length=LENGTH), CLEARANCE),
+    "parallel_cylinders": (hd.ParallelCylinders("joint", *PLACES, RADIUS, SMALL, hd.Z, LENGTH), -RADIUS - SMALL),
 }
 GIVEN = {
-    "n": 1.5, "K": 2.4e9, "k": 2, "C": Parameter("profile", "1/m", 50),
+    "n": 1.5, "K": 2.4e9, "k": 2, "C": hd.Parameter("profile", "1/m", 50),
     "e": 0.7, "gamma": 1e4, "A": 2e-6, "chi": 1e9, "m": 1.5,
     "mu": 0.2, "mu_k": 0.15, "mu_s": 0.25, "v_s": 1e-3, "v_S": 0.05, "v_a": 1e-3, "v_b": 1e-2, "v_r": 0.02, "c_v": 3, "N_t": 10, "xi": 20,
 }  # fmt: skip
@@ -84,7 +65,7 @@ def bound(law, **changed):
     values = {
         q.name: given[q.name]
         if not isinstance(given[q.name], int | float) or (q.unit == "1" and q.name in ("n", "k", "m"))
-        else Parameter(f"{law.kind}_{q.name}", UNITS.get(q.name, q.unit), given[q.name])
+        else hd.Parameter(f"{law.kind}_{q.name}", UNITS.get(q.name, q.unit), given[q.name])
         for q in rest
     }
     return law(*steel, **values)
@@ -94,15 +75,15 @@ def scene(pair, stiffness, damping=None, friction=None, **changed):
     pair, onset = PAIRS[pair]
     resist = bound(LAWS[damping], **changed) if damping else None
     # along x the bush gives no way: the mass that counts is the pin's
-    effects = [Contact("joint", bound(LAWS[stiffness]), resist, effective_mass=PIN.mass)]
-    effects += [Friction("drag", "joint", bound(LAWS[friction]))] if friction else []
-    return Scene(
-        Mechanism("impact", (SLIDE, ALONG), (pair,)),
-        (*effects, EnergyLedger()),
-        Scales(length=CLEARANCE / 100, speed=Parameter("pace", "m/s", PACE)),
-        Start(
+    effects = [hd.Contact("joint", bound(LAWS[stiffness]), resist, effective_mass=PIN.mass)]
+    effects += [hd.Friction("drag", "joint", bound(LAWS[friction]))] if friction else []
+    return hd.Scene(
+        hd.Mechanism("impact", (SLIDE, ALONG), (pair,)),
+        (*effects, hd.EnergyLedger()),
+        hd.Scales(length=CLEARANCE / 100, speed=hd.Parameter("pace", "m/s", PACE)),
+        hd.Start(
             position={"slide": onset},
-            speed={"slide": Parameter("approach", "m/s", PACE), "along": Parameter("slip", "m/s", SLIP)},
+            speed={"slide": hd.Parameter("approach", "m/s", PACE), "along": hd.Parameter("slip", "m/s", SLIP)},
         ),
     )
 
@@ -116,14 +97,16 @@ RESISTING = {name: law for name, law in LAWS.items() if isinstance(law, DampingL
 def test_a_law_without_memory_adds_no_state_and_no_latch(name):
     """And one with memory what its expression names, and no more."""
     law, damping = LAWS[name], isinstance(LAWS[name], DampingLaw)
-    effects = [Contact("joint", bound(LAWS["hertz_point"]), bound(law) if damping else None, effective_mass=PIN.mass)]
-    effects += [] if damping else [Friction("drag", "joint", bound(law, **MEMORY))]
+    effects = [
+        hd.Contact("joint", bound(LAWS["hertz_point"]), bound(law) if damping else None, effective_mass=PIN.mass)
+    ]
+    effects += [] if damping else [hd.Friction("drag", "joint", bound(law, **MEMORY))]
     model = Derived(
-        Scene(
-            Mechanism("impact", (SLIDE, ALONG), (PAIRS["pin_in_bush"][0],)),
+        hd.Scene(
+            hd.Mechanism("impact", (SLIDE, ALONG), (PAIRS["pin_in_bush"][0],)),
             effects,
-            Scales(length=CLEARANCE / 100, speed=Parameter("pace", "m/s", PACE)),
-            Start(position={"slide": CLEARANCE}),
+            hd.Scales(length=CLEARANCE / 100, speed=hd.Parameter("pace", "m/s", PACE)),
+            hd.Start(position={"slide": CLEARANCE}),
         )
     )
     latches = [("joint.approach_speed", "m/s", 0)] if damping and v0 in law.quantities else []
@@ -251,16 +234,16 @@ def test_release_rules_differ_and_tsuji_is_exact_where_the_gap_opens():
 
 def test_a_reconstruction_says_so_in_the_module():
     """The paper's own expressions could not be had: what stands for them is labelled wherever the law is named."""
-    text = generate(scene("pin_in_bush", "wang_liu_internal", "flores"))
+    text = hd.generate(scene("pin_in_bush", "wang_liu_internal", "flores"))
     label = "wang_liu_internal x flores, wang_liu_internal a reconstruction (grade R)"
     assert f"    joint: {label}\n" in text  # header
     assert f'("joint", "contact", "{label}")' in text
-    assert "grade R" not in generate(scene("pin_in_bush", "johnson", "flores"))
+    assert "grade R" not in hd.generate(scene("pin_in_bush", "johnson", "flores"))
 
 
 def test_the_exact_factor_is_computed_once():
     """The chain of its definitions stands in constants(p), none of it in the contact."""
-    text = generate(scene("pin_in_bush", "johnson", "exact"))
+    text = hd.generate(scene("pin_in_bush", "johnson", "exact"))
     functions = {part.split("(")[0]: part for part in text.split("\ndef ")[1:]}
     assert "ca.exp(" in functions["constants"]
     assert "ca.exp(" not in functions["contact_joint"]
@@ -269,14 +252,14 @@ def test_the_exact_factor_is_computed_once():
 
 def test_effective_mass_is_that_of_both_bodies_by_default():
     """Two free spheres under a law that asks for m_eff: momentum and the restitution of the law expressions alone."""
-    ball, other = Body("ball", mass=PIN.mass), Body("other", mass=BUSH.mass)
-    paths = (Prismatic("slide", GROUND, ball, axis=X), Prismatic("away", GROUND, other, axis=X))
-    pair = SphereOnSphere("joint", ball.at(0, 0, 0), other.at(0, 0, 0), RADIUS, SMALL)
-    spheres = Scene(
-        Mechanism("spheres", paths, (pair,)),
-        (Contact("joint", bound(LAWS["hertz_point"]), bound(LAWS["jankowski"])),),
-        Scales(length=CLEARANCE / 100, speed=Parameter("pace", "m/s", PACE)),
-        Start(position={"away": RADIUS + SMALL}, speed={"slide": Parameter("approach", "m/s", PACE)}),
+    ball, other = hd.Body("ball", mass=PIN.mass), hd.Body("other", mass=BUSH.mass)
+    paths = (hd.Prismatic("slide", hd.GROUND, ball, axis=hd.X), hd.Prismatic("away", hd.GROUND, other, axis=hd.X))
+    pair = hd.SphereOnSphere("joint", ball.at(0, 0, 0), other.at(0, 0, 0), RADIUS, SMALL)
+    spheres = hd.Scene(
+        hd.Mechanism("spheres", paths, (pair,)),
+        (hd.Contact("joint", bound(LAWS["hertz_point"]), bound(LAWS["jankowski"])),),
+        hd.Scales(length=CLEARANCE / 100, speed=hd.Parameter("pace", "m/s", PACE)),
+        hd.Start(position={"away": RADIUS + SMALL}, speed={"slide": hd.Parameter("approach", "m/s", PACE)}),
     )
     run = simulate(engine_model(spheres), duration="1 ms", tolerance=1e-10)
     mass = PIN_MASS * BUSH_MASS / (PIN_MASS + BUSH_MASS)

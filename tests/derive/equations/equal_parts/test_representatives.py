@@ -8,29 +8,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Planar,
-    Revolute,
-    RollingResistance,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    SphereOnSphere,
-    Start,
-    Y,
-    Z,
-    every_pair,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.equations.contact.pairs.on_sphere_or_cylinder import RoundTouch
 from hertzwerk.derive.equations.derivation import derive, generate
 from hertzwerk.derive.equations.equal_parts.equal_declarations import alike
@@ -40,75 +18,82 @@ from hertzwerk.runtime.engine.model.generated_text import module_of
 from hertzwerk.runtime.engine.model.model import _INPUTS, EngineModel
 from reference.scenes import balls, spheres_in_box
 
-M, J, R = Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 1e-3), Parameter("radius", "m", 0.05)
-HEAVY, E = Parameter("heavy", "kg", 3), Parameter("restitution", "1", 0.8)
-SCALES = Scales(length=R, arm=R, speed=Parameter("pace", "m/s", 1))
-GRAVITY = Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y)
-LAW = power(Parameter("stiffness", "N/m^1.5", 1e7), n=1.5), flores(E)
-SOFT = power(Parameter("soft", "N/m", 1e5), n=1), flores(E)
-RUB = smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("creep", "m/s", 1e-3))
+M, J, R = hd.Parameter("mass", "kg", 1), hd.Parameter("inertia", "kg m^2", 1e-3), hd.Parameter("radius", "m", 0.05)
+HEAVY, E = hd.Parameter("heavy", "kg", 3), hd.Parameter("restitution", "1", 0.8)
+SCALES = hd.Scales(length=R, arm=R, speed=hd.Parameter("pace", "m/s", 1))
+GRAVITY = hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y)
+LAW = power(hd.Parameter("stiffness", "N/m^1.5", 1e7), n=1.5), flores(E)
+SOFT = power(hd.Parameter("soft", "N/m", 1e5), n=1), flores(E)
+RUB = smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("creep", "m/s", 1e-3))
 
 
-def scene(bodies, pairs, effects, joint=Planar, joints=None):
+def scene(bodies, pairs, effects, joint=hd.Planar, joints=None):
     """Bodies on joints of their own, with pairs and effects beside gravity and a ledger."""
-    joints = joints or tuple(joint(f"free_{i}", GROUND, body) for i, body in enumerate(bodies))
-    return Scene(Mechanism("many", joints, pairs), (GRAVITY, *effects, EnergyLedger()), SCALES)
+    joints = joints or tuple(joint(f"free_{i}", hd.GROUND, body) for i, body in enumerate(bodies))
+    return hd.Scene(hd.Mechanism("many", joints, pairs), (GRAVITY, *effects, hd.EnergyLedger()), SCALES)
 
 
 def two_masses():
-    bodies = [Body(f"ball_{i}", M if i < 4 else HEAVY, J) for i in range(1, 8)]
+    bodies = [hd.Body(f"ball_{i}", M if i < 4 else HEAVY, J) for i in range(1, 8)]
     effects = (
-        Contact("balls", *LAW),
-        Friction("rub", "balls", RUB),
-        RollingResistance("roll", "balls", R / 50, Parameter("w", "rad/s", 1)),
+        hd.Contact("balls", *LAW),
+        hd.Friction("rub", "balls", RUB),
+        hd.RollingResistance("roll", "balls", R / 50, hd.Parameter("w", "rad/s", 1)),
     )
-    return scene(bodies, every_pair("balls", bodies, R), effects)
+    return scene(bodies, hd.every_pair("balls", bodies, R), effects)
 
 
 def one_exception():
-    bodies = [Body(f"ball_{i}", M, J) for i in range(1, 7)]
-    return scene(bodies, every_pair("balls", bodies, R), (Contact("balls", *LAW), Contact("balls_1_3", *SOFT)))
+    bodies = [hd.Body(f"ball_{i}", M, J) for i in range(1, 7)]
+    return scene(bodies, hd.every_pair("balls", bodies, R), (hd.Contact("balls", *LAW), hd.Contact("balls_1_3", *SOFT)))
 
 
 def off_centre():
     """Spheres in space about a point beside the mass centre, but for the last one's, and a floor of friction."""
-    bodies = [Body(f"ball_{i}", M, (J, 2 * J, 3 * J)) for i in range(1, 7)]
+    bodies = [hd.Body(f"ball_{i}", M, (J, 2 * J, 3 * J)) for i in range(1, 7)]
     places = [body.at(0, 0, R / (2 if i < 5 else 3)) for i, body in enumerate(bodies)]
     floor = [
-        SphereOnPlane(f"floor_{i}", place, R, plane=GROUND.at(0, 0, 0), normal=Y) for i, place in enumerate(places)
+        hd.SphereOnPlane(f"floor_{i}", place, R, plane=hd.GROUND.at(0, 0, 0), normal=hd.Y)
+        for i, place in enumerate(places)
     ]
     effects = [
-        Contact("balls", *LAW),
-        *(Contact(pair.name, *LAW) for pair in floor),
-        *(Friction(f"{pair.name}_rub", pair.name, RUB) for pair in floor),
+        hd.Contact("balls", *LAW),
+        *(hd.Contact(pair.name, *LAW) for pair in floor),
+        *(hd.Friction(f"{pair.name}_rub", pair.name, RUB) for pair in floor),
     ]
-    return scene(bodies, (*every_pair("balls", places, R), *floor), effects, Free)
+    return scene(bodies, (*hd.every_pair("balls", places, R), *floor), effects, hd.Free)
 
 
 def two_links():
     """Double pendulums beside one another, with a sphere at each end."""
     joints, places = [], []
     for i in range(1, 7):
-        upper, lower = Body(f"upper_{i}", M, J, centre=(0, -R, 0)), Body(f"lower_{i}", M, J, centre=(0, -R, 0))
+        upper, lower = hd.Body(f"upper_{i}", M, J, centre=(0, -R, 0)), hd.Body(f"lower_{i}", M, J, centre=(0, -R, 0))
         joints += [
-            Revolute(f"top_{i}", GROUND, upper, axis=Z),
-            Revolute(f"knee_{i}", upper.at(0, -4 * R, 0), lower, axis=Z),
+            hd.Revolute(f"top_{i}", hd.GROUND, upper, axis=hd.Z),
+            hd.Revolute(f"knee_{i}", upper.at(0, -4 * R, 0), lower, axis=hd.Z),
         ]
         places.append(lower.at(0, -4 * R, 0))
-    return scene([], every_pair("ends", places, R), (Contact("ends", *LAW),), joints=tuple(joints))
+    return scene([], hd.every_pair("ends", places, R), (hd.Contact("ends", *LAW),), joints=tuple(joints))
 
 
 def sticking():
     """Friction and rolling resistance with modes, of spheres and on a floor, in space."""
-    bodies = [Body(f"ball_{i}", M, (J, J, J)) for i in range(1, 6)]
+    bodies = [hd.Body(f"ball_{i}", M, (J, J, J)) for i in range(1, 6)]
     floor = [
-        SphereOnPlane(f"floor_{i}", body.at(0, 0, 0), R, plane=GROUND.at(0, 0, 0), normal=Y)
+        hd.SphereOnPlane(f"floor_{i}", body.at(0, 0, 0), R, plane=hd.GROUND.at(0, 0, 0), normal=hd.Y)
         for i, body in enumerate(bodies)
     ]
-    dry = coulomb(Parameter("kinetic", "1", 0.3), Parameter("static", "1", 0.4))
-    effects = [Contact("balls", *LAW), Friction("rub", "balls", dry), RollingResistance("roll", "balls", R / 50)]
-    effects += [e for pair in floor for e in (Contact(pair.name, *LAW), Friction(f"{pair.name}_rub", pair.name, dry))]
-    return scene(bodies, (*every_pair("balls", bodies, R), *floor), effects, Free)
+    dry = coulomb(hd.Parameter("kinetic", "1", 0.3), hd.Parameter("static", "1", 0.4))
+    effects = [
+        hd.Contact("balls", *LAW),
+        hd.Friction("rub", "balls", dry),
+        hd.RollingResistance("roll", "balls", R / 50),
+    ]
+    effects += [
+        e for pair in floor for e in (hd.Contact(pair.name, *LAW), hd.Friction(f"{pair.name}_rub", pair.name, dry))
+    ]
+    return scene(bodies, (*hd.every_pair("balls", bodies, R), *floor), effects, hd.Free)
 
 
 SCENES = {
@@ -216,7 +201,7 @@ def test_functions_of_a_kind_take_own_entries_alone():
 def springs():
     made = one_exception()
     return replace(
-        made, effects=(*made.effects, JointSpring("hold", "free_0.x", stiffness=Parameter("hold", "N/m", 10)))
+        made, effects=(*made.effects, hd.JointSpring("hold", "free_0.x", stiffness=hd.Parameter("hold", "N/m", 10)))
     )
 
 
@@ -229,18 +214,18 @@ class ShyTouch(RoundTouch):
         return super().gap + self.kin.point(first.at(0, 0, 0), "first")[0][1]
 
 
-class Shy(SphereOnSphere):
+class Shy(hd.SphereOnSphere):
     def touch(self, kinematics):
         return ShyTouch(self, kinematics)
 
 
 def shy():
-    bodies = [Body(f"ball_{i}", M, J) for i in range(1, 7)]
+    bodies = [hd.Body(f"ball_{i}", M, J) for i in range(1, 7)]
     pairs = tuple(
         Shy(f"shy_{i}", one.at(0, 0, 0), other.at(0, 0, 0), R, R)
         for i, (one, other) in enumerate(pairwise(bodies[1:]), 1)
     )
-    return scene(bodies, pairs, tuple(Contact(pair.name, *LAW) for pair in pairs))
+    return scene(bodies, pairs, tuple(hd.Contact(pair.name, *LAW) for pair in pairs))
 
 
 def test_a_pair_that_reads_other_bodies_is_derived_by_itself():
@@ -258,5 +243,5 @@ def test_a_scene_of_other_ties_is_derived_in_full(made):
 
 def test_a_start_of_each_its_own_makes_no_kind():
     made = one_exception()
-    start = Start(position={"free_2.x": Parameter("x", "m", 1)})
+    start = hd.Start(position={"free_2.x": hd.Parameter("x", "m", 1)})
     assert len(alike(replace(made, start=start)).pairs) == 2

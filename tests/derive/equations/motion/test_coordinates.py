@@ -8,36 +8,7 @@ import sympy as sp
 from derived import Derived, rate_along
 from kane import TURNED, Tree, chain, line, link
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Direction,
-    Drive,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    Joint,
-    JointDamper,
-    JointForce,
-    JointFriction,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Potential,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    T,
-    Weld,
-    X,
-    Y,
-    Z,
-    coordinate_of,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.equations.derivation import derivation_of
 from hertzwerk.derive.equations.module.equation_system import System
 from hertzwerk.derive.equations.motion import equations_of_motion
@@ -45,7 +16,7 @@ from hertzwerk.derive.equations.motion.absolute_coordinates import absolute
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
-P = Parameter
+P = hd.Parameter
 K, REST, D, MU, V, R, N, F = (
     P(*row) for row in (("k_turn", "N m/rad", 3.0), ("rest", "rad", 0.3), ("d_turn", "N m s/rad", 0.7), ("mu", "1", 0.2), ("v_s", "m/s", 0.1),
                         ("journal", "m", 0.03), ("load", "N", 40.0), ("push", "N", 5.0))
@@ -62,20 +33,20 @@ def names(tree: Tree) -> list[str]:
     return [joint.name for joint in tree.scene().mechanism.joints]
 
 
-def loaded(tree: Tree, *effects) -> Scene:
+def loaded(tree: Tree, *effects) -> hd.Scene:
     """A scene of the tree with more effects."""
     scene = tree.scene()
     return replace(scene, effects=(*scene.effects, *effects))
 
 
-def hung(*bodies: tuple[Body, Direction, tuple], name: str = "hung", last: tuple = ()) -> Scene:
+def hung(*bodies: tuple[hd.Body, hd.Direction, tuple], name: str = "hung", last: tuple = ()) -> hd.Scene:
     """A chain under gravity: each body on a hinge about an axis at a point of the one before."""
-    joints, before = [], GROUND
+    joints, before = [], hd.GROUND
     for body, axis, place in bodies:
-        joints.append(Revolute(f"at_{body.name}", before.at(*place), body, axis=axis))
+        joints.append(hd.Revolute(f"at_{body.name}", before.at(*place), body, axis=axis))
         before = body
-    effects = (Gravity("gravity", P("g", "m/s^2", 9.81), -Y), EnergyLedger())
-    return Scene(Mechanism(name, (*joints, *last)), effects, Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+    effects = (hd.Gravity("gravity", P("g", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger())
+    return hd.Scene(hd.Mechanism(name, (*joints, *last)), effects, hd.Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
 
 
 LENGTH, MASS, ACROSS = P("reach", "m", 0.7), P("mass", "kg", 1.3), P("J_across", "kg m^2", 0.04)
@@ -83,19 +54,21 @@ ORIGIN, ALONG_X, ALONG_Y = (0, 0, 0), (LENGTH, 0, 0), (0, LENGTH, 0)
 HALF_X, HALF_Y = (LENGTH / 2, 0, 0), (0, LENGTH / 2, 0)
 
 
-def bobs(n: int) -> Scene:
+def bobs(n: int) -> hd.Scene:
     """Points with a mass on strings that stay straight."""
-    return hung(*((Body(f"bob{i}", MASS, centre=ALONG_X), Z, ALONG_X if i else ORIGIN) for i in range(n)), name="bobs")
+    return hung(
+        *((hd.Body(f"bob{i}", MASS, centre=ALONG_X), hd.Z, ALONG_X if i else ORIGIN) for i in range(n)), name="bobs"
+    )
 
 
-def rods() -> Scene:
+def rods() -> hd.Scene:
     """Slender rods and, between two of them, a cross without any mass."""
     one, two = (
-        Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X),
-        Body("two", MASS, (ACROSS, 0, ACROSS), centre=HALF_Y),
+        hd.Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X),
+        hd.Body("two", MASS, (ACROSS, 0, ACROSS), centre=HALF_Y),
     )
-    cross, three = Body("cross", 0), Body("three", MASS, (0, ACROSS, ACROSS), centre=HALF_X)
-    return hung((one, Z, ORIGIN), (two, X, ALONG_X), (cross, Z, ALONG_Y), (three, Y, ORIGIN), name="rods")
+    cross, three = hd.Body("cross", 0), hd.Body("three", MASS, (0, ACROSS, ACROSS), centre=HALF_X)
+    return hung((one, hd.Z, ORIGIN), (two, hd.X, ALONG_X), (cross, hd.Z, ALONG_Y), (three, hd.Y, ORIGIN), name="rods")
 
 
 PLANE = Tree(
@@ -108,26 +81,26 @@ PLANE = Tree(
     )
 )
 A, B, C, D_, E = names(PLANE)
-TURN = coordinate_of(C)
+TURN = hd.coordinate_of(C)
 SCENES = {
     "plane": PLANE.scene(),
     "plane, across X": line("R+X", "P+Y", "R-X").scene(),
     "plane, with springs, friction, forces": loaded(
         PLANE,
-        JointSpring("torsion", C, K, REST),
-        JointSpring("axial", B, KS),
-        JointDamper("oil", C, D),
-        JointDamper("drag", B, DS),
-        JointFriction("rub", C, smooth_coulomb(MU, V), N, R),
-        JointForce("push_it", B, F * sp.cos(coordinate_of(A)) - DS * speed_of(B)),
-        Potential("stored", K * (1 - sp.cos(TURN - coordinate_of(E)))),
-        JointSpring("sideways", f"{D_}.x", KS),
+        hd.JointSpring("torsion", C, K, REST),
+        hd.JointSpring("axial", B, KS),
+        hd.JointDamper("oil", C, D),
+        hd.JointDamper("drag", B, DS),
+        hd.JointFriction("rub", C, smooth_coulomb(MU, V), N, R),
+        hd.JointForce("push_it", B, F * sp.cos(hd.coordinate_of(A)) - DS * hd.speed_of(B)),
+        hd.Potential("stored", K * (1 - sp.cos(TURN - hd.coordinate_of(E)))),
+        hd.JointSpring("sideways", f"{D_}.x", KS),
     ),
-    "plane, driven at the ground": loaded(PLANE, ConstantSpeed("motor", A, P("motor_pace", "rad/s", 2.0))),
-    "plane, driven within": loaded(PLANE, Drive("motor", C, position=SWING * sp.sin(FREQUENCY * T)), JointDamper("oil", C, D)),
-    "plane, a driven slide": loaded(PLANE, Drive("press", B, position=P("stroke", "m", 0.2) * sp.sin(FREQUENCY * T))),
+    "plane, driven at the ground": loaded(PLANE, hd.ConstantSpeed("motor", A, P("motor_pace", "rad/s", 2.0))),
+    "plane, driven within": loaded(PLANE, hd.Drive("motor", C, position=SWING * sp.sin(FREQUENCY * hd.T)), hd.JointDamper("oil", C, D)),
+    "plane, a driven slide": loaded(PLANE, hd.Drive("press", B, position=P("stroke", "m", 0.2) * sp.sin(FREQUENCY * hd.T))),
     "plane, integrated drive": loaded(
-        PLANE, Drive("motor", C, speed=P("motor_pace", "rad/s", 2.0) * sp.cos(FREQUENCY * T), start=REST)
+        PLANE, hd.Drive("motor", C, speed=P("motor_pace", "rad/s", 2.0) * sp.cos(FREQUENCY * hd.T), start=REST)
     ),
     "spatial": line("R+Z", "P-X", "C+Y", "S", "U+X", "R-Y").scene(),
     "turned points": line("R+Z", "U+Y", "C-X", second="+X", turned=TURNED).scene(),
@@ -137,14 +110,14 @@ SCENES = {
     "welded": line("R+Y", "W", "R+X").scene(),
     "spatial, driven within": loaded(
         line("R+Z", "R+X", "C+Y"),
-        Drive("motor", names(line("R+Z", "R+X", "C+Y"))[1], position=SWING * sp.sin(FREQUENCY * T)),
-        JointDamper("oil", names(line("R+Z", "R+X", "C+Y"))[1], D),
-        JointSpring("axial", f"{names(line('R+Z', 'R+X', 'C+Y'))[2]}.travel", KS),
+        hd.Drive("motor", names(line("R+Z", "R+X", "C+Y"))[1], position=SWING * sp.sin(FREQUENCY * hd.T)),
+        hd.JointDamper("oil", names(line("R+Z", "R+X", "C+Y"))[1], D),
+        hd.JointSpring("axial", f"{names(line('R+Z', 'R+X', 'C+Y'))[2]}.travel", KS),
     ),
 }  # fmt: skip
 
 
-def both(scene: Scene) -> tuple[Derived, Derived]:
+def both(scene: hd.Scene) -> tuple[Derived, Derived]:
     return Derived(scene), Derived(scene.with_coordinates("absolute"))
 
 
@@ -263,7 +236,7 @@ def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one(
     assert lent(chain(3, "ZYX").scene()) == []
 
 
-def lent(scene: Scene) -> list[str]:
+def lent(scene: hd.Scene) -> list[str]:
     """Rows that a mass or an inertia is lent to."""
     return list(System(absolute(scene)).equations.artificial_inertia)
 
@@ -271,16 +244,20 @@ def lent(scene: Scene) -> list[str]:
 # -- long paths in joint coordinates -----------------------------------------------------------------------------------
 
 
-def quick_return() -> Scene:
+def quick_return() -> hd.Scene:
     """A loop with a slot block without mass, to which inertia is lent."""
-    crank, block, rocker = Body("crank", MASS, ACROSS), Body("block", 0), Body("rocker", MASS, ACROSS, centre=HALF_X)
-    joints = (
-        Revolute("main", GROUND, crank, axis=Z),
-        Revolute("pin", crank.at(*ALONG_X), block, axis=Z),
-        Revolute("swing", GROUND.at(0, -LENGTH, 0), rocker, axis=Z),
-        Prismatic("slot", rocker, block, axis=X),
+    crank, block, rocker = (
+        hd.Body("crank", MASS, ACROSS),
+        hd.Body("block", 0),
+        hd.Body("rocker", MASS, ACROSS, centre=HALF_X),
     )
-    return Scene(Mechanism("quick_return", joints), (), Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+    joints = (
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
+        hd.Revolute("pin", crank.at(*ALONG_X), block, axis=hd.Z),
+        hd.Revolute("swing", hd.GROUND.at(0, -LENGTH, 0), rocker, axis=hd.Z),
+        hd.Prismatic("slot", rocker, block, axis=hd.X),
+    )
+    return hd.Scene(hd.Mechanism("quick_return", joints), (), hd.Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
 
 
 @pytest.mark.by_turns(3)
@@ -311,17 +288,20 @@ def test_steps_in_joint_coordinates_are_linear_in_the_length_of_a_chain(axes, le
 # -- which coordinates -------------------------------------------------------------------------------------------------
 
 
-def trestle(n: int) -> Scene:
+def trestle(n: int) -> hd.Scene:
     """A beam of n hinged spans, with a leg under each second hinge: every loop is in the path of those beyond it."""
-    spans, legs = ([Body(f"{what}{i}", MASS, ACROSS, centre=HALF_X) for i in range(n)] for what in ("span", "leg"))
-    joints, before = [], GROUND.at(*ORIGIN)
+    spans, legs = ([hd.Body(f"{what}{i}", MASS, ACROSS, centre=HALF_X) for i in range(n)] for what in ("span", "leg"))
+    joints, before = [], hd.GROUND.at(*ORIGIN)
     for i, (span, leg) in enumerate(zip(spans, legs, strict=True)):
-        joints.append(Revolute(f"hinge{i}", before, span, axis=Z))
+        joints.append(hd.Revolute(f"hinge{i}", before, span, axis=hd.Z))
         before = span.at(*ALONG_X)
         if i % 2:
-            foot = GROUND.at((i + 1) * LENGTH, -LENGTH, 0)
-            joints += Revolute(f"knee{i}", before, leg, axis=Z), Revolute(f"foot{i}", foot, leg.at(*ALONG_X), axis=Z)
-    return Scene(Mechanism("trestle", tuple(joints)), (), Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+            foot = hd.GROUND.at((i + 1) * LENGTH, -LENGTH, 0)
+            joints += (
+                hd.Revolute(f"knee{i}", before, leg, axis=hd.Z),
+                hd.Revolute(f"foot{i}", foot, leg.at(*ALONG_X), axis=hd.Z),
+            )
+    return hd.Scene(hd.Mechanism("trestle", tuple(joints)), (), hd.Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
 
 
 def test_auto_keeps_the_cheaper_and_says_so():
@@ -334,7 +314,9 @@ def test_auto_keeps_the_cheaper_and_says_so():
 
 def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
     text = Derived(
-        hung((Body("one", MASS, ACROSS), Z, ORIGIN), (Body("two", MASS, ACROSS), X, ALONG_X)).with_coordinates("auto")
+        hung(
+            (hd.Body("one", MASS, ACROSS), hd.Z, ORIGIN), (hd.Body("two", MASS, ACROSS), hd.X, ALONG_X)
+        ).with_coordinates("auto")
     ).text
     assert "Coordinates: of the joints; the bodies' own cannot be had: body one, inertia" in text
 
@@ -345,10 +327,13 @@ def test_a_body_that_nothing_turns_and_one_that_is_driven_have_no_coordinates_fo
 
 
 def test_a_base_joint_is_named_after_its_body_unless_a_joint_is():
-    body = Body("pin", P("mass", "kg", 1.0))
+    body = hd.Body("pin", P("mass", "kg", 1.0))
     length, speed = P("reach", "m", 1.0), P("pace", "m/s", 1.0)
-    scene = Scene(
-        Mechanism("one", (Prismatic("pin", GROUND, body, X),)), (), Scales(length, speed), coordinates="absolute"
+    scene = hd.Scene(
+        hd.Mechanism("one", (hd.Prismatic("pin", hd.GROUND, body, hd.X),)),
+        (),
+        hd.Scales(length, speed),
+        coordinates="absolute",
     )
     assert [name for name, _ in Derived(scene).COORDINATES] == ["pin_base.x", "pin_base.y"]
 
@@ -356,8 +341,8 @@ def test_a_base_joint_is_named_after_its_body_unless_a_joint_is():
 # -- bad input ---------------------------------------------------------------------------------------------------------
 
 
-def faults_of(scene: Scene) -> dict[str, str]:
-    with pytest.raises(InputError) as error:
+def faults_of(scene: hd.Scene) -> dict[str, str]:
+    with pytest.raises(hd.InputError) as error:
         Derived(scene.with_coordinates("absolute"))
     return {fault.where: fault.found for fault in error.value.faults}
 
@@ -365,14 +350,14 @@ def faults_of(scene: Scene) -> dict[str, str]:
 def test_unknown_inertias_are_reported_all_at_once():
     nothing, full = P("nothing", "kg m^2", 0.0), (ACROSS, ACROSS, ACROSS)
     one, two, three = (
-        Body("one", 0),
-        Body("two", MASS, ACROSS),
-        Body("three", MASS, (nothing, ACROSS, ACROSS), centre=HALF_Y),
+        hd.Body("one", 0),
+        hd.Body("two", MASS, ACROSS),
+        hd.Body("three", MASS, (nothing, ACROSS, ACROSS), centre=HALF_Y),
     )
-    thin = Body("thin", MASS, (0, ACROSS, ACROSS))
-    chained = (one, Z, ORIGIN), (two, X, ALONG_X), (three, X, ALONG_X), (thin, Z, ORIGIN)
-    tips = [Body("tip", MASS, inertia) for inertia in ((ACROSS, 0, ACROSS), full)]
-    found, other = (faults_of(hung(*chained, last=(Weld("glued", thin.at(*ALONG_X), tip),))) for tip in tips)
+    thin = hd.Body("thin", MASS, (0, ACROSS, ACROSS))
+    chained = (one, hd.Z, ORIGIN), (two, hd.X, ALONG_X), (three, hd.X, ALONG_X), (thin, hd.Z, ORIGIN)
+    tips = [hd.Body("tip", MASS, inertia) for inertia in ((ACROSS, 0, ACROSS), full)]
+    found, other = (faults_of(hung(*chained, last=(hd.Weld("glued", thin.at(*ALONG_X), tip),))) for tip in tips)
     assert found == {
         "body two, inertia": "J_across, about the joint's axis alone",
         "body three, inertia": "(nothing, J_across, J_across), zero at the defaults",
@@ -383,32 +368,33 @@ def test_unknown_inertias_are_reported_all_at_once():
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_body_without_a_mass_at_the_end_of_a_chain_is_refused(coordinates):
-    with pytest.raises(InputError, match="body cross, mass: found 0 kg at the end of a chain"):
+    with pytest.raises(hd.InputError, match="body cross, mass: found 0 kg at the end of a chain"):
         hung(
-            (Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X), Z, ORIGIN), (Body("cross", 0), X, ALONG_X)
+            (hd.Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X), hd.Z, ORIGIN),
+            (hd.Body("cross", 0), hd.X, ALONG_X),
         ).with_coordinates(coordinates)
 
 
 @dataclass(frozen=True, init=False)
-class Wrist(Joint):
+class Wrist(hd.Joint):
     """Three turns about one point: where the bodies are, their angles follow by convention only."""
 
     @property
     def freedoms(self):
-        return tuple(self.turn(axis, f"t{k}") for k, axis in enumerate((Z, X, Y)))
+        return tuple(self.turn(axis, f"t{k}") for k, axis in enumerate((hd.Z, hd.X, hd.Y)))
 
 
 def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
-    arm, hand = (Body(name, MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y) for name in ("arm", "hand"))
+    arm, hand = (hd.Body(name, MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y) for name in ("arm", "hand"))
     hung_hand = replace(
-        hung((arm, Z, ORIGIN)),
-        mechanism=Mechanism("wrist", (Revolute("axle", GROUND, arm, Z), Wrist("wrist", arm, hand))),
+        hung((arm, hd.Z, ORIGIN)),
+        mechanism=hd.Mechanism("wrist", (hd.Revolute("axle", hd.GROUND, arm, hd.Z), Wrist("wrist", arm, hand))),
     )
     effects = (
-        JointSpring("torsion", "wrist.t1", K, REST),
-        JointDamper("oil", "wrist.t0", D),
-        JointForce("twist", "axle", K * sp.sin(coordinate_of("wrist.t2"))),
-        JointForce("tug", "axle", K * sp.sin(coordinate_of("axle"))),
+        hd.JointSpring("torsion", "wrist.t1", K, REST),
+        hd.JointDamper("oil", "wrist.t0", D),
+        hd.JointForce("twist", "axle", K * sp.sin(hd.coordinate_of("wrist.t2"))),
+        hd.JointForce("tug", "axle", K * sp.sin(hd.coordinate_of("axle"))),
     )
     found = faults_of(replace(hung_hand, effects=(*hung_hand.effects, *effects)))
     assert found == {
@@ -419,10 +405,10 @@ def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
 
 def test_an_arm_is_needed_where_bodies_turn():
     m, J, length, w = P("mass", "kg", 1.0), P("inertia", "kg m^2", 0.1), P("reach", "m", 1.0), P("pace", "rad/s", 1.0)
-    arm, bead = Body("arm", m, J), Body("bead", m, J)
-    joints = (Revolute("axle", GROUND, arm, Z), Prismatic("rail", arm, bead, X))
-    scene = Scene(Mechanism("rail", joints), (ConstantSpeed("motor", "axle", w), Gravity("gravity", P("g", "m/s^2", 9.81), -Y)),
-                  Scales(length, length * w), Start({"rail": length}))  # fmt: skip
+    arm, bead = hd.Body("arm", m, J), hd.Body("bead", m, J)
+    joints = (hd.Revolute("axle", hd.GROUND, arm, hd.Z), hd.Prismatic("rail", arm, bead, hd.X))
+    scene = hd.Scene(hd.Mechanism("rail", joints), (hd.ConstantSpeed("motor", "axle", w), hd.Gravity("gravity", P("g", "m/s^2", 9.81), -hd.Y)),
+                  hd.Scales(length, length * w), hd.Start({"rail": length}))  # fmt: skip
     assert faults_of(scene) == {"scales": "no arm"}
 
 
@@ -430,9 +416,9 @@ def test_an_arm_is_needed_where_bodies_turn():
 @pytest.mark.parametrize("mass", [0, MASS])
 def test_axes_that_coincide_with_no_inertia_between_them_are_refused(coordinates, mass):
     hub, cross, one = (
-        Body("hub", MASS, (ACROSS, ACROSS, ACROSS)),
-        Body("cross", mass),
-        Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
+        hd.Body("hub", MASS, (ACROSS, ACROSS, ACROSS)),
+        hd.Body("cross", mass),
+        hd.Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
     )
-    with pytest.raises(InputError, match=r"axes that coincide: .* together move no mass; .* without one: cross"):
-        Derived(hung((hub, Z, ORIGIN), (cross, X, ORIGIN), (one, X, ORIGIN)).with_coordinates(coordinates))
+    with pytest.raises(hd.InputError, match=r"axes that coincide: .* together move no mass; .* without one: cross"):
+        Derived(hung((hub, hd.Z, ORIGIN), (cross, hd.X, ORIGIN), (one, hd.X, ORIGIN)).with_coordinates(coordinates))

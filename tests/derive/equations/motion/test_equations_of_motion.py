@@ -12,19 +12,7 @@ from hypothesis import HealthCheck, given, reject, settings
 from hypothesis import strategies as st
 from kane import TURNED, Tree, deviation_of_poses, driven, line, link, random_tree, rows
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Direction,
-    EnergyLedger,
-    InputError,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    X,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.equations.motion import equations_of_motion
 from hertzwerk.derive.equations.motion.kinematics import Kinematics
 from hertzwerk.derive.program.program import Tape
@@ -175,7 +163,7 @@ def test_random_trees_equal_kanes_method(tree):
     """Up to eight bodies in a plane or in space: accelerations, reactions and the balance of powers; 50 s a tree."""
     try:
         found = Derived(tree.scene())
-    except InputError as error:  # gravity along the only axis that something turns about
+    except hd.InputError as error:  # gravity along the only axis that something turns about
         assert [fault.found for fault in error.faults] == ["no equation that it enters"]
         reject()
     assert deviation(tree, found, 2) < 1e-10
@@ -329,14 +317,16 @@ def test_a_spatial_body_in_a_plane_mechanism_costs_nothing_more():
 
 def test_a_chain_of_skew_axes_is_not_written_out():
     """Each axis once was written out in all angles before it: 12 million calls for three links, now some 300,000."""
-    length, tilt = Parameter("length", "m", 0.3), Parameter("tilt", "rad", 0.4)
-    joints, parent = [], GROUND
+    length, tilt = hd.Parameter("length", "m", 0.3), hd.Parameter("tilt", "rad", 0.4)
+    joints, parent = [], hd.GROUND
     for i in range(3):
-        child = Body(f"link_{i}", Parameter("mass", "kg", 1.0), (Parameter("inertia", "kg m^2", 0.1),) * 3)
-        joints.append(Revolute(f"hinge_{i}", parent.at(length, 0, 0).turned(X, tilt), child, Direction((1, 2, i + 1))))
+        child = hd.Body(f"link_{i}", hd.Parameter("mass", "kg", 1.0), (hd.Parameter("inertia", "kg m^2", 0.1),) * 3)
+        joints.append(
+            hd.Revolute(f"hinge_{i}", parent.at(length, 0, 0).turned(hd.X, tilt), child, hd.Direction((1, 2, i + 1)))
+        )
         parent = child
-    scales = Scales(length, length * Parameter("rate", "1/s", 1.0), arm=length)
-    scene, tape = Scene(Mechanism("chain", tuple(joints)), (EnergyLedger(),), scales), Tape()
+    scales = hd.Scales(length, length * hd.Parameter("rate", "1/s", 1.0), arm=length)
+    scene, tape = hd.Scene(hd.Mechanism("chain", tuple(joints)), (hd.EnergyLedger(),), scales), Tape()
     for parameter, dimension in scene.dimensions.items():
         tape.input(parameter.name, "p", dimension, symbol=parameter)
     with cProfile.Profile() as profile:

@@ -4,50 +4,36 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    EnergyLedger,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    Universal,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
-A, D, L = Parameter("a", "mm", 50.0), Parameter("d", "mm", 100.0), Parameter("l", "mm", 150.0)
-CRANK = Body("crank", Parameter("m_crank", "kg", 1.0), Parameter("J_crank", "kg m^2", 2e-3))
-SLIDER = Body("slider", Parameter("m_slider", "kg", 0.8))
-ROCKER = Body("rocker", Parameter("m_rocker", "kg", 2.0), Parameter("J_rocker", "kg m^2", 1e-2), centre=(L, 0, 0))
-TURNING = Start(
-    position={"main": 0}, speed={"main": Parameter("w_0", "rad/s", 10.0)}, near={"swing": Parameter("up", "rad", 1.0)}
+A, D, L = hd.Parameter("a", "mm", 50.0), hd.Parameter("d", "mm", 100.0), hd.Parameter("l", "mm", 150.0)
+CRANK = hd.Body("crank", hd.Parameter("m_crank", "kg", 1.0), hd.Parameter("J_crank", "kg m^2", 2e-3))
+SLIDER = hd.Body("slider", hd.Parameter("m_slider", "kg", 0.8))
+ROCKER = hd.Body(
+    "rocker", hd.Parameter("m_rocker", "kg", 2.0), hd.Parameter("J_rocker", "kg m^2", 1e-2), centre=(L, 0, 0)
 )
-ACROSS = Start(position={"main": 0}, speed={"main": TURNING.speed["main"]}, near={"guide": D})
-SIZES = Scales(length=A, speed=Parameter("pace", "m/s", 1.0), arm=A)
+TURNING = hd.Start(
+    position={"main": 0},
+    speed={"main": hd.Parameter("w_0", "rad/s", 10.0)},
+    near={"swing": hd.Parameter("up", "rad", 1.0)},
+)
+ACROSS = hd.Start(position={"main": 0}, speed={"main": TURNING.speed["main"]}, near={"guide": D})
+SIZES = hd.Scales(length=A, speed=hd.Parameter("pace", "m/s", 1.0), arm=A)
 
 
 def scene(joints, effects=(), start=TURNING, coordinates="tree"):
-    return Scene(Mechanism("loop", joints), (EnergyLedger(), *effects), SIZES, start, coordinates=coordinates)
+    return hd.Scene(hd.Mechanism("loop", joints), (hd.EnergyLedger(), *effects), SIZES, start, coordinates=coordinates)
 
 
 def whitworth(mass=0, inertia=0):
     """A crank whose slot block drives a rocker, below it."""
-    block = Body("block", mass, inertia)
+    block = hd.Body("block", mass, inertia)
     return (
-        Revolute("main", GROUND, CRANK, axis=Z),
-        Revolute("pin", CRANK.at(A, 0, 0), block, axis=Z),
-        Revolute("swing", GROUND.at(0, -D, 0), ROCKER, axis=Z),
-        Prismatic("slot", ROCKER, block, axis=X),
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
+        hd.Revolute("pin", CRANK.at(A, 0, 0), block, axis=hd.Z),
+        hd.Revolute("swing", hd.GROUND.at(0, -D, 0), ROCKER, axis=hd.Z),
+        hd.Prismatic("slot", ROCKER, block, axis=hd.X),
     )
 
 
@@ -58,23 +44,23 @@ def swing(turn):
 
 
 def yoke():
-    block = Body("block", 0)
+    block = hd.Body("block", 0)
     return (
-        Revolute("main", GROUND, CRANK, axis=Z),
-        Revolute("pin", CRANK.at(A, 0, 0), block, axis=Z),
-        Prismatic("guide", GROUND, SLIDER, axis=X),
-        Prismatic("slot", SLIDER, block, axis=Y),
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
+        hd.Revolute("pin", CRANK.at(A, 0, 0), block, axis=hd.Z),
+        hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X),
+        hd.Prismatic("slot", SLIDER, block, axis=hd.Y),
     )
 
 
 def slider_crank():
     """Its connecting rod has no mass: a member of two forces."""
-    rod = Body("rod", 0)
+    rod = hd.Body("rod", 0)
     return (
-        Revolute("main", GROUND, CRANK, axis=Z),
-        Revolute("pin", CRANK.at(A, 0, 0), rod, axis=Z),
-        Prismatic("guide", GROUND, SLIDER, axis=X),
-        Revolute("wrist", rod.at(L, 0, 0), SLIDER, axis=Z),
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
+        hd.Revolute("pin", CRANK.at(A, 0, 0), rod, axis=hd.Z),
+        hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X),
+        hd.Revolute("wrist", rod.at(L, 0, 0), SLIDER, axis=hd.Z),
     )
 
 
@@ -105,8 +91,8 @@ def test_a_free_crank_turns_as_its_reduced_inertia_lets_it(make, coordinates):
 
 
 def test_a_driven_slot_block_moves_as_its_geometry_says():
-    motor = ConstantSpeed("motor", "main", Parameter("w", "rad/s", 10.0))
-    model = load(scene(whitworth(), (motor,), Start(near=TURNING.near)))
+    motor = hd.ConstantSpeed("motor", "main", hd.Parameter("w", "rad/s", 10.0))
+    model = load(scene(whitworth(), (motor,), hd.Start(near=TURNING.near)))
     run = simulate(model, duration="1 s", accuracy=1e-8)
     assert np.unwrap(swing(10 * run.t)[0]) == pytest.approx(run["swing.angle"], abs=1e-10)
 
@@ -115,7 +101,7 @@ def test_a_driven_slot_block_moves_as_its_geometry_says():
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_no_mass_is_the_limit_of_a_small_one(coordinates):
     def end(mass):
-        of = (Parameter("m", "kg", mass), Parameter("J", "kg m^2", mass * 1e-3)) if mass else (0, 0)
+        of = (hd.Parameter("m", "kg", mass), hd.Parameter("J", "kg m^2", mass * 1e-3)) if mass else (0, 0)
         run = simulate(load(scene(whitworth(*of), coordinates=coordinates)), duration="0.5 s", accuracy=1e-9)
         return run["main.angle"][-1]
 
@@ -126,30 +112,35 @@ def test_no_mass_is_the_limit_of_a_small_one(coordinates):
 
 def in_space(last):
     """A massless link from a crank to a slider across it."""
-    rod = Body("rod", 0)
-    guide = Prismatic("guide", GROUND, SLIDER, axis=X)
-    return Revolute("main", GROUND, CRANK, axis=Z), Spherical("ball", CRANK.at(A, 0, 0), rod), guide, last(rod)
+    rod = hd.Body("rod", 0)
+    guide = hd.Prismatic("guide", hd.GROUND, SLIDER, axis=hd.X)
+    return (
+        hd.Revolute("main", hd.GROUND, CRANK, axis=hd.Z),
+        hd.Spherical("ball", CRANK.at(A, 0, 0), rod),
+        guide,
+        last(rod),
+    )
 
 
 def test_a_massless_link_in_space_needs_a_joint_that_holds_its_spin():
-    universal = in_space(lambda rod: Universal("cross", SLIDER, rod.at(L, 0, 0), first=Y, second=Z))
+    universal = in_space(lambda rod: hd.Universal("cross", SLIDER, rod.at(L, 0, 0), first=hd.Y, second=hd.Z))
     run = simulate(load(scene(universal, start=ACROSS)), duration="0.4 s", accuracy=1e-8)
     flat = simulate(load(scene(slider_crank(), start=ACROSS)), duration="0.4 s", accuracy=1e-8)
     assert run["main.angle"][-1] == pytest.approx(flat["main.angle"][-1], abs=1e-7)
     with pytest.raises(
-        InputError, match=r"joint ball: .* moves? no mass; .*where the loops leave it free; without one: rod"
+        hd.InputError, match=r"joint ball: .* moves? no mass; .*where the loops leave it free; without one: rod"
     ):
-        load(scene(in_space(lambda rod: Spherical("end", SLIDER, rod.at(L, 0, 0))), start=ACROSS))
+        load(scene(in_space(lambda rod: hd.Spherical("end", SLIDER, rod.at(L, 0, 0))), start=ACROSS))
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_block_that_its_loop_leaves_free_to_turn_is_refused(coordinates):
-    block = Body("block", 0)
-    other = Revolute("other", ROCKER.at(D, 0, 0), block, axis=Z)
-    with pytest.raises(InputError, match=r"joint pin: found pin moves no mass; .*the loops leave it free"):
+    block = hd.Body("block", 0)
+    other = hd.Revolute("other", ROCKER.at(D, 0, 0), block, axis=hd.Z)
+    with pytest.raises(hd.InputError, match=r"joint pin: found pin moves no mass; .*the loops leave it free"):
         load(
             scene(
-                (*whitworth()[:1], Revolute("pin", CRANK.at(A, 0, 0), block, axis=Z), whitworth()[2], other),
+                (*whitworth()[:1], hd.Revolute("pin", CRANK.at(A, 0, 0), block, axis=hd.Z), whitworth()[2], other),
                 coordinates=coordinates,
             )
         )

@@ -8,33 +8,7 @@ import pytest
 import sympy as sp
 from derived import Derived
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    Harmonic,
-    InputError,
-    JointDamper,
-    JointForce,
-    JointFriction,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Spherical,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.declare.effects.state_expression import T as TIME
 from hertzwerk.derive.exchange.readable_equations.equations_for_readers import equations_of
 from hertzwerk.derive.expressions.algebra.functions import Where
@@ -46,81 +20,104 @@ BUILT_IN = built_in_scenes()
 
 
 def double_pendulum():
-    g, one, two = Parameter("gravity", "m/s^2", 9.81), Parameter("length_1", "m", 0.7), Parameter("length_2", "m", 0.4)
-    upper = Body("upper", Parameter("mass_1", "kg", 1.3), Parameter("inertia_1", "kg m^2", 0.02), centre=(one, 0, 0))
-    lower = Body("lower", Parameter("mass_2", "kg", 0.6), Parameter("inertia_2", "kg m^2", 0.01), centre=(two, 0, 0))
-    joints = (Revolute("hip", GROUND, upper, axis=Z), Revolute("knee", upper.at(one, 0, 0), lower, axis=Z))
-    scales = Scales(one, Parameter("speed", "m/s", 1), arm=one)
-    return Scene(Mechanism("double_pendulum", joints), (Gravity("gravity", g, -Y), EnergyLedger()), scales)
+    g, one, two = (
+        hd.Parameter("gravity", "m/s^2", 9.81),
+        hd.Parameter("length_1", "m", 0.7),
+        hd.Parameter("length_2", "m", 0.4),
+    )
+    upper = hd.Body(
+        "upper", hd.Parameter("mass_1", "kg", 1.3), hd.Parameter("inertia_1", "kg m^2", 0.02), centre=(one, 0, 0)
+    )
+    lower = hd.Body(
+        "lower", hd.Parameter("mass_2", "kg", 0.6), hd.Parameter("inertia_2", "kg m^2", 0.01), centre=(two, 0, 0)
+    )
+    joints = (
+        hd.Revolute("hip", hd.GROUND, upper, axis=hd.Z),
+        hd.Revolute("knee", upper.at(one, 0, 0), lower, axis=hd.Z),
+    )
+    scales = hd.Scales(one, hd.Parameter("speed", "m/s", 1), arm=one)
+    return hd.Scene(
+        hd.Mechanism("double_pendulum", joints), (hd.Gravity("gravity", g, -hd.Y), hd.EnergyLedger()), scales
+    )
 
 
 def spatial_arm():
     """Axes that are not parallel: nothing merges, and the results are long."""
-    a, g = Parameter("arm", "m", 0.3), Parameter("gravity", "m/s^2", 9.81)
-    m, j = Parameter("mass", "kg", 2), Parameter("inertia", "kg m^2", 0.01)
-    links = [Body(f"link_{i}", m, (j, 2 * j, 3 * j), centre=(a, a / 2, 0)) for i in range(3)]
+    a, g = hd.Parameter("arm", "m", 0.3), hd.Parameter("gravity", "m/s^2", 9.81)
+    m, j = hd.Parameter("mass", "kg", 2), hd.Parameter("inertia", "kg m^2", 0.01)
+    links = [hd.Body(f"link_{i}", m, (j, 2 * j, 3 * j), centre=(a, a / 2, 0)) for i in range(3)]
     joints = (
-        Revolute("yaw", GROUND, links[0], axis=Z),
-        Revolute("pitch", links[0].at(a, 0, 0), links[1], axis=Y),
-        Revolute("roll", links[1].at(0, a, a), links[2], axis=X),
+        hd.Revolute("yaw", hd.GROUND, links[0], axis=hd.Z),
+        hd.Revolute("pitch", links[0].at(a, 0, 0), links[1], axis=hd.Y),
+        hd.Revolute("roll", links[1].at(0, a, a), links[2], axis=hd.X),
     )
-    floor = SphereOnPlane("floor", links[2].at(a, 0, 0), Parameter("radius", "m", 0.1), GROUND.at(0, 0, -a), normal=Z)
+    floor = hd.SphereOnPlane(
+        "floor", links[2].at(a, 0, 0), hd.Parameter("radius", "m", 0.1), hd.GROUND.at(0, 0, -a), normal=hd.Z
+    )
     effects = (
-        Gravity("gravity", g, -Z),
-        Contact(
-            "floor", power(Parameter("stiffness", "N/m^1.5", 1e6), 1.5), flores(Parameter("restitution", "1", 0.8))
+        hd.Gravity("gravity", g, -hd.Z),
+        hd.Contact(
+            "floor",
+            power(hd.Parameter("stiffness", "N/m^1.5", 1e6), 1.5),
+            flores(hd.Parameter("restitution", "1", 0.8)),
         ),
-        Friction("grip", "floor", smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "m/s", 0.1))),
-        EnergyLedger(),
+        hd.Friction("grip", "floor", smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("v_s", "m/s", 0.1))),
+        hd.EnergyLedger(),
     )
-    return Scene(Mechanism("spatial_arm", joints, (floor,)), effects, Scales(a, Parameter("speed", "m/s", 1), arm=a))
+    return hd.Scene(
+        hd.Mechanism("spatial_arm", joints, (floor,)), effects, hd.Scales(a, hd.Parameter("speed", "m/s", 1), arm=a)
+    )
 
 
 def tumbling():
     """A body on a quaternion above a floor, its mass centre off the point it is held at, with a pendulum on a ball joint."""
-    a, m, g = Parameter("arm", "m", 0.3), Parameter("mass", "kg", 2), Parameter("gravity", "m/s^2", 9.81)
-    j = tuple(Parameter(f"inertia_{k}", "kg m^2", value) for k, value in zip("xyz", (0.01, 0.02, 0.03), strict=True))
-    body, bob = Body("body", m, j, centre=(a, 0, 0)), Body("bob", m, j, centre=(0, 0, -a))
-    floor = SphereOnPlane("floor", body.at(0, 0, a), Parameter("radius", "m", 0.1), GROUND.at(0, 0, 0), normal=Z)
-    return Scene(
-        Mechanism("tumbling", (Free("float", GROUND, body), Spherical("ball", body.at(a, a, 0), bob)), (floor,)),
-        (
-            Gravity("gravity", g, -Z),
-            Contact("floor", power(Parameter("stiffness", "N/m^1.5", 1e6), 1.5)),
-            EnergyLedger(),
+    a, m, g = hd.Parameter("arm", "m", 0.3), hd.Parameter("mass", "kg", 2), hd.Parameter("gravity", "m/s^2", 9.81)
+    j = tuple(hd.Parameter(f"inertia_{k}", "kg m^2", value) for k, value in zip("xyz", (0.01, 0.02, 0.03), strict=True))
+    body, bob = hd.Body("body", m, j, centre=(a, 0, 0)), hd.Body("bob", m, j, centre=(0, 0, -a))
+    floor = hd.SphereOnPlane(
+        "floor", body.at(0, 0, a), hd.Parameter("radius", "m", 0.1), hd.GROUND.at(0, 0, 0), normal=hd.Z
+    )
+    return hd.Scene(
+        hd.Mechanism(
+            "tumbling", (hd.Free("float", hd.GROUND, body), hd.Spherical("ball", body.at(a, a, 0), bob)), (floor,)
         ),
-        Scales(a, Parameter("speed", "m/s", 1), arm=a),
+        (
+            hd.Gravity("gravity", g, -hd.Z),
+            hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e6), 1.5)),
+            hd.EnergyLedger(),
+        ),
+        hd.Scales(a, hd.Parameter("speed", "m/s", 1), arm=a),
     )
 
 
 def forced():
     """Two carts: one shaken, one on springs of equal stiffness, with a damper, a rubbing joint and a force in time."""
-    m, k, w = Parameter("mass", "kg", 2), Parameter("stiffness", "N/m", 300), Parameter("pace", "rad/s", 3)
-    carts = [Body(f"cart_{i}", m) for i in range(3)]
+    m, k, w = hd.Parameter("mass", "kg", 2), hd.Parameter("stiffness", "N/m", 300), hd.Parameter("pace", "rad/s", 3)
+    carts = [hd.Body(f"cart_{i}", m) for i in range(3)]
     joints = (
-        Prismatic("shaken", GROUND, carts[0], axis=X),
-        Prismatic("second", carts[0], carts[1], axis=X),
-        Prismatic("third", carts[1], carts[2], axis=X),
+        hd.Prismatic("shaken", hd.GROUND, carts[0], axis=hd.X),
+        hd.Prismatic("second", carts[0], carts[1], axis=hd.X),
+        hd.Prismatic("third", carts[1], carts[2], axis=hd.X),
     )
-    size, push = Parameter("size", "m", 0.2), Parameter("push", "N", 4)
-    rub = smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "m/s", 0.1))
+    size, push = hd.Parameter("size", "m", 0.2), hd.Parameter("push", "N", 4)
+    rub = smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("v_s", "m/s", 0.1))
     effects = (
-        Harmonic("shaker", "shaken", size, w),
-        JointSpring("near", "second", k),
-        JointSpring("far", "third", k),
-        JointDamper("damper", "second", Parameter("damping", "N s/m", 5)),
-        JointFriction("rubbing", "third", rub, Parameter("load", "N", 7)),
-        JointForce("pulling", "third", push * sp.sin(w * TIME)),
-        EnergyLedger(),
+        hd.Harmonic("shaker", "shaken", size, w),
+        hd.JointSpring("near", "second", k),
+        hd.JointSpring("far", "third", k),
+        hd.JointDamper("damper", "second", hd.Parameter("damping", "N s/m", 5)),
+        hd.JointFriction("rubbing", "third", rub, hd.Parameter("load", "N", 7)),
+        hd.JointForce("pulling", "third", push * sp.sin(w * TIME)),
+        hd.EnergyLedger(),
     )
-    return Scene(Mechanism("forced", joints), effects, Scales(size, Parameter("speed", "m/s", 1)))
+    return hd.Scene(hd.Mechanism("forced", joints), effects, hd.Scales(size, hd.Parameter("speed", "m/s", 1)))
 
 
 def with_friction(law):
     """The slider-crank with another law of friction, its parameters named as the law names them."""
     scene = scene_from("slider_crank")
-    bound = LAWS[law](**{q.name: Parameter(q.name, q.unit, 0.1) for q in LAWS[law].parameters})
-    return scene.replace(slider_pin_friction=Friction("slider_pin_friction", "slider_pin", bound)).named(law)
+    bound = LAWS[law](**{q.name: hd.Parameter(q.name, q.unit, 0.1) for q in LAWS[law].parameters})
+    return scene.replace(slider_pin_friction=hd.Friction("slider_pin_friction", "slider_pin", bound)).named(law)
 
 
 IN_CI = (
@@ -325,29 +322,29 @@ def test_effects_that_share_a_parameter_are_distinguished(read):
 def across(direction):
     """A ball on a plane track, pulled along `direction`."""
     scene = scene_from("bouncing_ball")
-    return scene.replace(gravity=Gravity("gravity", scene.effect("gravity").acceleration, direction=direction))
+    return scene.replace(gravity=hd.Gravity("gravity", scene.effect("gravity").acceleration, direction=direction))
 
 
 def test_an_effect_that_enters_nothing_is_refused():
-    assert equations_of(across(-Y))
-    with pytest.raises(InputError, match="effect gravity: found no equation that it enters"):
-        equations_of(across(Z))
+    assert equations_of(across(-hd.Y))
+    with pytest.raises(hd.InputError, match="effect gravity: found no equation that it enters"):
+        equations_of(across(hd.Z))
 
 
 def test_a_locked_joint_is_no_idle_effect():
-    one = Body("one", Parameter("m_1", "kg", 1))
-    two = Body("two", Parameter("m_2", "kg", 1))
-    joints = (Prismatic("a", GROUND, one, axis=X), Prismatic("b", one, two, axis=X))
-    effects = (ConstantSpeed("lock", "b", 0), Gravity("gravity", Parameter("g", "m/s^2", 9.81), -X))
-    scales = Scales(Parameter("size", "m", 1), Parameter("v", "m/s", 1))
-    shown = equations_of(Scene(Mechanism("locked", joints), effects, scales))
+    one = hd.Body("one", hd.Parameter("m_1", "kg", 1))
+    two = hd.Body("two", hd.Parameter("m_2", "kg", 1))
+    joints = (hd.Prismatic("a", hd.GROUND, one, axis=hd.X), hd.Prismatic("b", one, two, axis=hd.X))
+    effects = (hd.ConstantSpeed("lock", "b", 0), hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.X))
+    scales = hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("v", "m/s", 1))
+    shown = equations_of(hd.Scene(hd.Mechanism("locked", joints), effects, scales))
     assert shown[1].name == "row a"
 
 
 def test_an_inconsistent_scene_is_refused_in_its_own_words():
     scene = scene_from("bouncing_ball")
-    wrong = Contact("floor", power(Parameter("wrong_stiffness", "N/m", 1e6), 1.7))
-    with pytest.raises(InputError) as raised:
+    wrong = hd.Contact("floor", power(hd.Parameter("wrong_stiffness", "N/m", 1e6), 1.7))
+    with pytest.raises(hd.InputError) as raised:
         equations_of(scene.replace(floor=wrong))
     assert "consistent" in str(raised.value)
     assert "mark_" not in str(raised.value)
@@ -355,7 +352,7 @@ def test_an_inconsistent_scene_is_refused_in_its_own_words():
 
 def test_an_unchecked_law_says_so():
     scene = scene_from("soft_ball")
-    wrong = Contact("floor", power(Parameter("wrong_stiffness", "N/m", 1e6), 1.7), unchecked=True)
+    wrong = hd.Contact("floor", power(hd.Parameter("wrong_stiffness", "N/m", 1e6), 1.7), unchecked=True)
     assert "UNCHECKED" in equations_of(scene.replace(floor=wrong)).markdown()
 
 

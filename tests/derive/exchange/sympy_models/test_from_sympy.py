@@ -10,66 +10,37 @@ from derived import Derived, rate_along
 from scipy.integrate import solve_ivp
 from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    Drive,
-    EnergyLedger,
-    Gravity,
-    Input,
-    InputError,
-    JointDamper,
-    JointForce,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    PointForce,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    T,
-    X,
-    Y,
-    Z,
-    audit_path,
-    coordinate_of,
-    from_sympy,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
 
 def struck(sphere, l):
     """Pair and effects of a bob that strikes a wall, scales and start, for a point of any mechanism."""
-    radius, wall = Parameter("radius", "mm", 20), GROUND.at(-Parameter("radius", "mm", 20), 0, 0)
-    stiffness, restitution = Parameter("K", "N/m^1.5", 1e8), Parameter("e", "1", 0.7)
-    pair = SphereOnPlane("wall", sphere=sphere, radius=radius, plane=wall, normal=X)
-    effects = Contact("wall", laws.power(stiffness, 1.5), laws.flores(e=restitution)), EnergyLedger()
+    radius, wall = hd.Parameter("radius", "mm", 20), hd.GROUND.at(-hd.Parameter("radius", "mm", 20), 0, 0)
+    stiffness, restitution = hd.Parameter("K", "N/m^1.5", 1e8), hd.Parameter("e", "1", 0.7)
+    pair = hd.SphereOnPlane("wall", sphere=sphere, radius=radius, plane=wall, normal=hd.X)
+    effects = hd.Contact("wall", hd.laws.power(stiffness, 1.5), hd.laws.flores(e=restitution)), hd.EnergyLedger()
     return (
         pair,
         effects,
-        Scales(length=radius, speed=Parameter("pace", "m/s", 1), arm=l),
-        Start(position={"q": Parameter("q0", "rad", 0.5)}),
+        hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=l),
+        hd.Start(position={"q": hd.Parameter("q0", "rad", 0.5)}),
     )
 
 
 def test_a_pendulum_strikes_a_wall_as_the_native_one_does():
     method, at, units, values = models.pendulum()
-    model = from_sympy(method, units=units, parameters=values, origin=at["O"], name="imported_pendulum")
+    model = hd.from_sympy(method, units=units, parameters=values, origin=at["O"], name="imported_pendulum")
     pair, effects, scales, start = struck(model.at("P"), model.parameters["l"])
     run = simulate(
         load(model.scene(pairs=(pair,), effects=effects, scales=scales, start=start)), duration="2 s", accuracy=1e-8
     )
-    l = Parameter("l", "m", 0.5)
-    bob = Body("bob", Parameter("m", "kg", 1))
+    l = hd.Parameter("l", "m", 0.5)
+    bob = hd.Body("bob", hd.Parameter("m", "kg", 1))
     pair, effects, scales, start = struck(bob.at(0, 0, 0), l)
-    native = Scene(
-        Mechanism("native_pendulum", (Revolute("q", GROUND, bob.at(0, l, 0), axis=Z),), pairs=(pair,)),
-        (Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y), *effects), scales, start,
+    native = hd.Scene(
+        hd.Mechanism("native_pendulum", (hd.Revolute("q", hd.GROUND, bob.at(0, l, 0), axis=hd.Z),), pairs=(pair,)),
+        (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), direction=-hd.Y), *effects), scales, start,
     )  # fmt: skip
     other = simulate(load(native), duration="2 s", accuracy=1e-8)
     assert len(run.impacts) == len(other.impacts) == 3
@@ -84,11 +55,11 @@ def test_a_pendulum_strikes_a_wall_as_the_native_one_does():
 def test_a_disc_that_rolls_upright_wobbles_at_the_frequency_of_theory():
     # thin disc, spin W, small lean x: 5/4 x'' = g/r x - 3/2 W y', 1/4 y'' = 1/2 W x' for the yaw y (Neimark, Fufaev 1972, chapter 4)
     method, units, values = models.rolling_disc()
-    model = from_sympy(method, units=units, parameters=values, name="disc")
+    model = hd.from_sympy(method, units=units, parameters=values, name="disc")
     r = model.parameters["r"]
     scene = model.scene(
-        effects=(EnergyLedger(),), scales=Scales(length=r, speed=Parameter("pace", "m/s", 1), arm=r),
-        start=Start(position={"q2": Parameter("lean", "rad", 1e-5)}, speed={"u2": Parameter("spin", "rad/s", 8)}),
+        effects=(hd.EnergyLedger(),), scales=hd.Scales(length=r, speed=hd.Parameter("pace", "m/s", 1), arm=r),
+        start=hd.Start(position={"q2": hd.Parameter("lean", "rad", 1e-5)}, speed={"u2": hd.Parameter("spin", "rad/s", 8)}),
     )  # fmt: skip
     run = simulate(load(scene), duration="1 s", accuracy=1e-12)
     square = 12 / 5 * 8**2 - 4 / 5 * 9.81 / 0.3
@@ -106,8 +77,8 @@ def test_a_disc_that_rolls_upright_wobbles_at_the_frequency_of_theory():
 )  # fmt: skip
 def test_a_length_that_is_forgotten_is_named_in_the_users_own_expression(arm, where, found):
     method, at, units, values = models.pendulum(arm)
-    with pytest.raises(InputError) as caught:
-        from_sympy(method, units=units, parameters=values, origin=at["O"])
+    with pytest.raises(hd.InputError) as caught:
+        hd.from_sympy(method, units=units, parameters=values, origin=at["O"])
     fault = caught.value.faults[0]
     assert fault.where == where
     assert fault.found.startswith(found)
@@ -126,13 +97,13 @@ def test_frames_without_an_orientation_are_named():
     spinning = KanesMethod(N, [q, r], [u, w], kd_eqs=[q.diff() - u, r.diff() - w])
     spinning.kanes_equations([RigidBody("wheel", P, B, m, (inertia(B, J, J, J), P))], [])
     units = {m: "kg", J: "kg m^2", q: "m", u: "m/s", r: "rad", w: "rad/s"}
-    with pytest.raises(InputError, match=r"frame B: found no orientation in N(.|\n)*B\.orient_axis\(N, N\.z, q\)"):
-        from_sympy(spinning, units=units, parameters={m: 1, J: 1}, origin=O)
+    with pytest.raises(hd.InputError, match=r"frame B: found no orientation in N(.|\n)*B\.orient_axis\(N, N\.z, q\)"):
+        hd.from_sympy(spinning, units=units, parameters={m: 1, J: 1}, origin=O)
     sliding = KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
     sliding.kanes_equations([Particle("slider", P, m)], [])
-    model = from_sympy(sliding, units={m: "kg", q: "m", u: "m/s"}, parameters={m: 1}, origin=O)
+    model = hd.from_sympy(sliding, units={m: "kg", q: "m", u: "m/s"}, parameters={m: 1}, origin=O)
     assert model.at(P).body.name == "slider"
-    with pytest.raises(InputError, match="frame C: found no orientation in N"):
+    with pytest.raises(hd.InputError, match="frame C: found no orientation in N"):
         model.at(Q)
 
 
@@ -151,11 +122,11 @@ kane.kanes_equations([Particle("slider", P, 1)], [])
 def test_a_script_of_sympy_that_declares_no_scene_gets_the_line_that_makes_one(tmp_path):
     file = tmp_path / "slider.py"
     file.write_text(SCRIPT)
-    for read in (load, audit_path):
-        with pytest.raises(InputError, match=r"scene = from_sympy\(kane, units={...}"):
+    for read in (load, hd.audit_path):
+        with pytest.raises(hd.InputError, match=r"scene = from_sympy\(kane, units={...}"):
             read(file)
     (tmp_path / "other.py").write_text("from dataclasses import dataclass\nkane = 3\n")
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(hd.InputError) as caught:
         load(tmp_path / "other.py")
     assert "from_sympy" not in str(caught.value)
 
@@ -163,8 +134,8 @@ def test_a_script_of_sympy_that_declares_no_scene_gets_the_line_that_makes_one(t
 def test_every_symbol_without_a_unit_or_a_value_is_reported_at_once():
     wind, k = dynamicsymbols("wind"), sp.Symbol("k")
     method, at, units, values = models.pendulum(extra=wind + k)
-    with pytest.raises(InputError) as caught:
-        from_sympy(method, units=units, parameters={**values, "m": True, sp.Symbol("drag"): 1}, origin=at["O"])
+    with pytest.raises(hd.InputError) as caught:
+        hd.from_sympy(method, units=units, parameters={**values, "m": True, sp.Symbol("drag"): 1}, origin=at["O"])
     told = {fault.where: fault.found for fault in caught.value.faults}
     assert told == {
         "symbol m": "value True", "symbol k": "no value", "symbol wind": "no unit", "values, drag": "no such symbol in the model",
@@ -176,24 +147,24 @@ def test_every_symbol_without_a_unit_or_a_value_is_reported_at_once():
 def test_effects_act_on_coordinates_and_speeds_that_are_no_rates():
     # energy put in and dissipated by effects on q and u of a disc, whose q' = K u
     method, units, values = models.rolling_disc()
-    model = from_sympy(method, units=units, parameters=values, name="helped_disc")
+    model = hd.from_sympy(method, units=units, parameters=values, name="helped_disc")
     r = model.parameters["r"]
     help_ = (
-        JointDamper("damper", "u2", Parameter("c", "N m s", 0.5)), JointSpring("spring", "q2", Parameter("k", "N m", 10)),
-        JointForce("steer", "q1", Parameter("M", "N m", 0.2) * coordinate_of("q2")), EnergyLedger(),
+        hd.JointDamper("damper", "u2", hd.Parameter("c", "N m s", 0.5)), hd.JointSpring("spring", "q2", hd.Parameter("k", "N m", 10)),
+        hd.JointForce("steer", "q1", hd.Parameter("M", "N m", 0.2) * hd.coordinate_of("q2")), hd.EnergyLedger(),
     )  # fmt: skip
-    scales = Scales(length=r, speed=Parameter("pace", "m/s", 1), arm=r)
-    start = Start(position={"q2": Parameter("lean", "rad", 0.1)}, speed={"u2": Parameter("spin", "rad/s", 8)})
+    scales = hd.Scales(length=r, speed=hd.Parameter("pace", "m/s", 1), arm=r)
+    start = hd.Start(position={"q2": hd.Parameter("lean", "rad", 0.1)}, speed={"u2": hd.Parameter("spin", "rad/s", 8)})
     scene = model.scene(effects=help_, scales=scales, start=start)
     run = simulate(load(scene), duration="1 s", accuracy=1e-9)
     balance = run["energy"] + run["damper.dissipated"] - run["loads.input"] - run["steer.input"]
     assert balance == pytest.approx(balance[0], abs=1e-8)
     assert run["damper.dissipated"][-1] > 1
     assert "Energy" in load(scene).equations().markdown()
-    with pytest.raises(InputError, match="without joints"):
+    with pytest.raises(hd.InputError, match="without joints"):
         load(scene.with_coordinates("absolute"))
-    with pytest.raises(InputError, match="whose rate is not a speed"):
-        model.scene(effects=(ConstantSpeed("turn", "q1", Parameter("w", "rad/s", 3)),), scales=scales)
+    with pytest.raises(hd.InputError, match="whose rate is not a speed"):
+        model.scene(effects=(hd.ConstantSpeed("turn", "q1", hd.Parameter("w", "rad/s", 3)),), scales=scales)
 
 
 def test_a_pivot_that_a_function_of_time_shakes_holds_a_pendulum_upright():
@@ -210,11 +181,11 @@ def test_a_pivot_that_a_function_of_time_shakes_holds_a_pendulum_upright():
     method = KanesMethod(N, [q], [u], kd_eqs=[q.diff() - u])
     method.kanes_equations([Particle("bob", P, m)], [(P, -m * g * N.y)])
     units, values = {m: "kg", length: "m", g: "m/s^2", q: "rad", y: "m"}, {m: 1, length: 0.5, g: 9.81}
-    lift = Parameter("lift", "m", 0.02) * sp.cos(Parameter("w", "rad/s", 100) * T)
-    model = from_sympy(method, units=units, parameters=values, origin=O, specified={y: lift}, name="shaken")
+    lift = hd.Parameter("lift", "m", 0.02) * sp.cos(hd.Parameter("w", "rad/s", 100) * hd.T)
+    model = hd.from_sympy(method, units=units, parameters=values, origin=O, specified={y: lift}, name="shaken")
     l = model.parameters["l"]
-    scales = Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l)
-    scene = model.scene(scales=scales, start=Start(position={"q": Parameter("q0", "rad", 3)}))
+    scales = hd.Scales(length=l, speed=hd.Parameter("pace", "m/s", 1), arm=l)
+    scene = model.scene(scales=scales, start=hd.Start(position={"q": hd.Parameter("q0", "rad", 3)}))
     run = simulate(load(scene), duration="1 s", accuracy=1e-8)
 
     def rates(t, s):
@@ -222,25 +193,25 @@ def test_a_pivot_that_a_function_of_time_shakes_holds_a_pendulum_upright():
 
     other = solve_ivp(rates, (0, 1), [3, 0], rtol=1e-10, atol=1e-12, method="DOP853")
     assert run["q.angle"][-1] == pytest.approx(other.y[0, -1], abs=1e-7)
-    with pytest.raises(InputError, match="follows time"):
-        model.scene(scales=scales, effects=(EnergyLedger(),))
-    with pytest.raises(InputError, match="derivatives of coordinates"):
-        from_sympy(method, units=units, parameters=values, origin=O, specified={y: Input("y_measured", "m")})
+    with pytest.raises(hd.InputError, match="follows time"):
+        model.scene(scales=scales, effects=(hd.EnergyLedger(),))
+    with pytest.raises(hd.InputError, match="derivatives of coordinates"):
+        hd.from_sympy(method, units=units, parameters=values, origin=O, specified={y: hd.Input("y_measured", "m")})
 
 
 def test_equations_not_yet_formed_and_other_objects_are_refused():
-    with pytest.raises(InputError, match="KanesMethod, a LagrangesMethod or a System"):
-        from_sympy("KanesMethod", units={}, parameters={})
+    with pytest.raises(hd.InputError, match="KanesMethod, a LagrangesMethod or a System"):
+        hd.from_sympy("KanesMethod", units={}, parameters={})
 
 
 def test_pendulums_on_a_cart_have_the_accelerations_of_the_textbook():
     # M_ij = (sum of the masses beyond) l_i l_j cos(q_i - q_j); Spong, Corke, Lozano-type equations written out here
     n = 3
     method, O, units, values = models.cart(n)
-    model = from_sympy(
-        method, units=units, parameters=values, origin=O, specified={"push": 3 * Parameter("F", "N", 1)}, name="cart"
+    model = hd.from_sympy(
+        method, units=units, parameters=values, origin=O, specified={"push": 3 * hd.Parameter("F", "N", 1)}, name="cart"
     )
-    scales = Scales(length=model.parameters["l1"], speed=Parameter("pace", "m/s", 1), arm=model.parameters["l1"])
+    scales = hd.Scales(length=model.parameters["l1"], speed=hd.Parameter("pace", "m/s", 1), arm=model.parameters["l1"])
     derived = Derived(model.scene(scales=scales))
     m, l, rng = [1 + 0.1 * i for i in range(n + 1)], [0.5 - 0.05 * i for i in range(n)], np.random.default_rng(1)
     beyond = [sum(m[i + 1 :]) for i in range(n)]
@@ -262,12 +233,12 @@ def test_pendulums_on_a_cart_have_the_accelerations_of_the_textbook():
 
 def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
     method, units, values = models.rattleback()
-    model = from_sympy(method, units=units, parameters=values, name="rattleback")
+    model = hd.from_sympy(method, units=units, parameters=values, name="rattleback")
     a = model.parameters["a"]
-    half = Parameter("half", "deg", 0.5)
+    half = hd.Parameter("half", "deg", 0.5)
     scene = model.scene(
-        effects=(EnergyLedger(),), scales=Scales(length=a, speed=Parameter("pace", "m/s", 1), arm=a),
-        start=Start(position={"q2": half, "q3": half}, speed={"u3": Parameter("spin", "rad/s", -5)}),
+        effects=(hd.EnergyLedger(),), scales=hd.Scales(length=a, speed=hd.Parameter("pace", "m/s", 1), arm=a),
+        start=hd.Start(position={"q2": half, "q3": half}, speed={"u3": hd.Parameter("spin", "rad/s", -5)}),
     )  # fmt: skip
     loaded = load(scene)
     run = simulate(loaded, duration="0.3 s", accuracy=1e-9)
@@ -302,13 +273,13 @@ def test_a_rattleback_turns_back_as_newtons_and_eulers_equations_say():
 def test_constraints_of_lagranges_equations_hold_a_skate_and_a_bob():
     # the skate's cycloid: Neimark, Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 1; the bob against energy and the native pendulum
     method, units, values = models.skate()
-    model = from_sympy(method, units=units, parameters=values, name="skate")
+    model = hd.from_sympy(method, units=units, parameters=values, name="skate")
     l = model.parameters["l"]
-    nothing = Parameter("nothing", "m", 0)
+    nothing = hd.Parameter("nothing", "m", 0)
     scene = model.scene(
-        effects=(EnergyLedger(),), scales=Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l),
-        start=Start(position={"a": l, "b": nothing, "x": nothing, "y": nothing, "turn": Parameter("start", "rad", 0)},
-                    speed={"turn": Parameter("rate", "rad/s", 2), "b": Parameter("still", "m/s", 0)}),
+        effects=(hd.EnergyLedger(),), scales=hd.Scales(length=l, speed=hd.Parameter("pace", "m/s", 1), arm=l),
+        start=hd.Start(position={"a": l, "b": nothing, "x": nothing, "y": nothing, "turn": hd.Parameter("start", "rad", 0)},
+                    speed={"turn": hd.Parameter("rate", "rad/s", 2), "b": hd.Parameter("still", "m/s", 0)}),
     )  # fmt: skip
     run = simulate(load(scene), duration="1 s", accuracy=1e-9)
     way, t = 9.81 * math.sin(0.3) / (2 * 2**2), 1.0
@@ -323,13 +294,13 @@ def test_constraints_of_lagranges_equations_hold_a_skate_and_a_bob():
 def test_whipples_bicycle_has_its_published_eigenvalues():
     # Meijaard, Papadopoulos, Ruina, Schwab, Proc. R. Soc. A 463 (2007) 1955, table 2, at 5 m/s
     system, units, values = models.bicycle()
-    model = from_sympy(system, units=units, parameters=values, name="whipple")
-    radius, upright, speed = model.parameters["rr"], Parameter("upright", "rad", 0), Parameter("speed", "m/s", 5)
+    model = hd.from_sympy(system, units=units, parameters=values, name="whipple")
+    radius, upright, speed = model.parameters["rr"], hd.Parameter("upright", "rad", 0), hd.Parameter("speed", "m/s", 5)
     scene = model.scene(
-        effects=(EnergyLedger(),), scales=Scales(length=radius, speed=speed, arm=radius),
-        start=Start(
-            position=dict.fromkeys(("x", "y"), Parameter("origin", "m", 0)) | dict.fromkeys(("yaw", "lean", "steer", "rear", "front"), upright),
-            speed={"lean": Parameter("push", "rad/s", 0), "steer": Parameter("steering", "rad/s", 0), "rear": speed / radius},
+        effects=(hd.EnergyLedger(),), scales=hd.Scales(length=radius, speed=speed, arm=radius),
+        start=hd.Start(
+            position=dict.fromkeys(("x", "y"), hd.Parameter("origin", "m", 0)) | dict.fromkeys(("yaw", "lean", "steer", "rear", "front"), upright),
+            speed={"lean": hd.Parameter("push", "rad/s", 0), "steer": hd.Parameter("steering", "rad/s", 0), "rear": speed / radius},
         ),
     )  # fmt: skip
     run = simulate(load(scene), duration=0.2, tolerance=1e-11)
@@ -348,7 +319,7 @@ def test_weight_with_a_stored_potential_does_no_other_work():
     (bob,) = method.bodies
     m, g = sp.Symbol("m"), sp.Symbol("g")
     bob.potential_energy = m * g * at["P"].pos_from(at["O"]).dot(method._inertial.y)
-    model = from_sympy(
+    model = hd.from_sympy(
         method,
         units=units | {sp.Symbol("push"): "N"},
         parameters=values | {sp.Symbol("push"): 2},
@@ -356,10 +327,10 @@ def test_weight_with_a_stored_potential_does_no_other_work():
         name="bob",
     )
     l = model.parameters["l"]
-    scales = Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l)
-    start = Start(position={"q": Parameter("q0", "rad", 0.5)})
+    scales = hd.Scales(length=l, speed=hd.Parameter("pace", "m/s", 1), arm=l)
+    start = hd.Start(position={"q": hd.Parameter("q0", "rad", 0.5)})
     run = simulate(
-        load(model.scene(effects=(EnergyLedger(),), scales=scales, start=start)), duration="1 s", tolerance=1e-10
+        load(model.scene(effects=(hd.EnergyLedger(),), scales=scales, start=start)), duration="1 s", tolerance=1e-10
     )
     way = 0.5 * (np.sin(run["q.angle"]) - np.sin(0.5))
     assert np.ptp(way) > 0.1
@@ -369,19 +340,19 @@ def test_weight_with_a_stored_potential_does_no_other_work():
 def test_a_gap_beside_a_driven_coordinate_accelerates_with_its_drive():
     """A bob below a cart that a law of time moves: the derivative of the gap's rate along the motion, by CasADi."""
     method, O, units, values = models.cart(1)
-    model = from_sympy(
-        method, units=units, parameters=values, origin=O, specified={"push": 0 * Parameter("F", "N", 1)}, name="cart"
+    model = hd.from_sympy(
+        method, units=units, parameters=values, origin=O, specified={"push": 0 * hd.Parameter("F", "N", 1)}, name="cart"
     )
-    size, rate = Parameter("size", "m", 0.2), Parameter("rate", "rad/s", 3)
-    radius = Parameter("radius", "mm", 20)
-    wall = SphereOnPlane("wall", sphere=model.at("P1"), radius=radius, plane=GROUND.at(0, 0, 0), normal=X)
+    size, rate = hd.Parameter("size", "m", 0.2), hd.Parameter("rate", "rad/s", 3)
+    radius = hd.Parameter("radius", "mm", 20)
+    wall = hd.SphereOnPlane("wall", sphere=model.at("P1"), radius=radius, plane=hd.GROUND.at(0, 0, 0), normal=hd.X)
     scene = model.scene(
         pairs=(wall,),
         effects=(
-            Drive("shaker", "q0", position=size * sp.sin(rate * T)),
-            Contact("wall", laws.power(Parameter("K", "N/m", 1e5), 1)),
+            hd.Drive("shaker", "q0", position=size * sp.sin(rate * hd.T)),
+            hd.Contact("wall", hd.laws.power(hd.Parameter("K", "N/m", 1e5), 1)),
         ),
-        scales=Scales(length=radius, speed=Parameter("pace", "m/s", 1), arm=radius),
+        scales=hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=radius),
     )
     derived = Derived(scene)
     given = {"t": 0.4, "q": np.array([0.5]), "u": np.array([0.7])}
@@ -395,11 +366,13 @@ def test_a_gap_beside_a_driven_coordinate_accelerates_with_its_drive():
 def test_a_force_beside_the_origin_of_an_imported_body_has_its_arm():
     """A push along X at (x, y) of a string's frame, its origin the bob: F dX/dq with X = x cos q + (l - y) sin q."""
     method, at, units, values = models.pendulum()
-    model = from_sympy(method, units=units, parameters=values, origin=at["O"], name="pushed")
-    l, x, y = model.parameters["l"], Parameter("x", "m", 0.2), Parameter("y", "m", 0.1)
+    model = hd.from_sympy(method, units=units, parameters=values, origin=at["O"], name="pushed")
+    l, x, y = model.parameters["l"], hd.Parameter("x", "m", 0.2), hd.Parameter("y", "m", 0.1)
     place = model.at("P", "A").body.at(x, y, 0)
-    push = PointForce("push", place, (Parameter("F", "N", 3), 0, 0))
-    derived = Derived(model.scene(effects=(push,), scales=Scales(length=l, speed=Parameter("pace", "m/s", 1), arm=l)))
+    push = hd.PointForce("push", place, (hd.Parameter("F", "N", 3), 0, 0))
+    derived = Derived(
+        model.scene(effects=(push,), scales=hd.Scales(length=l, speed=hd.Parameter("pace", "m/s", 1), arm=l))
+    )
     q = 0.6
     found = derived.call("applied", t=0.0, q=np.array([q]), u=np.array([0.0]))
     expected = 3 * (-0.2 * np.sin(q) + (0.5 - 0.1) * np.cos(q)) - 9.81 * 0.5 * np.sin(q)

@@ -7,31 +7,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Friction,
-    Gravity,
-    InputError,
-    JointForce,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    PinInBush,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    T,
-    Table,
-    Y,
-    Z,
-    derive,
-    generate,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import power, smooth_coulomb
 from hertzwerk.derive.laws.law import DampingLaw, Quantity, v
 from hertzwerk.derive.program.emit.module_text import emit
@@ -49,31 +25,31 @@ PLAIN = {
 }
 
 
-def scene(name: dict[str, str] | None = None, text: str = "plain") -> Scene:
+def scene(name: dict[str, str] | None = None, text: str = "plain") -> hd.Scene:
     """A scene with every kind of name and text."""
     n = PLAIN | (name or {})
     own = Quantity(n["symbol"], "N s/m", text)
     law = DampingLaw(n["law"], text, (own,), text, "C", note=text, repair=text, term=own * v)
-    radius, clearance = Parameter("bush", "mm", 10, text), Parameter(n["parameter"], "mm", 0.5, text)
-    wheel = Body("wheel", Parameter("wheel_mass", "kg", 1, text), Parameter("J", "kg m^2", 1e-3))
-    body = Body(n["body"], Parameter("mass", "kg", 2, text))
-    length = Parameter("length", "m", 0.1, text)
-    table = Table(n["table"], (0, 1, 2), (0, 3, 1), ("s", "N"))
-    mechanism = Mechanism(
+    radius, clearance = hd.Parameter("bush", "mm", 10, text), hd.Parameter(n["parameter"], "mm", 0.5, text)
+    wheel = hd.Body("wheel", hd.Parameter("wheel_mass", "kg", 1, text), hd.Parameter("J", "kg m^2", 1e-3))
+    body = hd.Body(n["body"], hd.Parameter("mass", "kg", 2, text))
+    length = hd.Parameter("length", "m", 0.1, text)
+    table = hd.Table(n["table"], (0, 1, 2), (0, 3, 1), ("s", "N"))
+    mechanism = hd.Mechanism(
         n["mechanism"],
-        (Revolute(n["joint"], GROUND, wheel, axis=Z), Prismatic("slide", GROUND, body, axis=Y)),
-        (PinInBush(n["pair"], wheel.at(length, 0, 0), body.at(0, 0, 0), Z, radius, clearance),),
+        (hd.Revolute(n["joint"], hd.GROUND, wheel, axis=hd.Z), hd.Prismatic("slide", hd.GROUND, body, axis=hd.Y)),
+        (hd.PinInBush(n["pair"], wheel.at(length, 0, 0), body.at(0, 0, 0), hd.Z, radius, clearance),),
     )
     effects = (
-        Gravity("weight", Parameter("g", "m/s^2", 9.81), -Y),
-        JointSpring(n["effect"], n["joint"], Parameter("spring", "N m/rad", 10)),
-        JointForce("push", "slide", table(T)),
-        Contact(n["pair"], power(Parameter("K", "N/m^1.5", 1e9, text), 1.5), law(Parameter("damping", "N s/m", 5))),
-        Friction("rub", n["pair"], smooth_coulomb(Parameter("mu", "1", 0.1), Parameter("v_s", "m/s", 0.1))),
-        EnergyLedger(),
+        hd.Gravity("weight", hd.Parameter("g", "m/s^2", 9.81), -hd.Y),
+        hd.JointSpring(n["effect"], n["joint"], hd.Parameter("spring", "N m/rad", 10)),
+        hd.JointForce("push", "slide", table(hd.T)),
+        hd.Contact(n["pair"], power(hd.Parameter("K", "N/m^1.5", 1e9, text), 1.5), law(hd.Parameter("damping", "N s/m", 5))),
+        hd.Friction("rub", n["pair"], smooth_coulomb(hd.Parameter("mu", "1", 0.1), hd.Parameter("v_s", "m/s", 0.1))),
+        hd.EnergyLedger(),
     )  # fmt: skip
-    scales = Scales(length=clearance, speed=Parameter("pace", "m/s", 1), arm=length)
-    return Scene(mechanism, effects, scales, Start({"slide": length}), name=n["scene"], summary=text)
+    scales = hd.Scales(length=clearance, speed=hd.Parameter("pace", "m/s", 1), arm=length)
+    return hd.Scene(mechanism, effects, scales, hd.Start({"slide": length}), name=n["scene"], summary=text)
 
 
 def shape(text: str) -> str:
@@ -113,7 +89,7 @@ def numbers(text: str) -> list[float]:
 
 @pytest.fixture(scope="module")
 def plain() -> str:
-    return generate(scene())
+    return hd.generate(scene())
 
 
 def printable(text: str) -> bool:
@@ -131,12 +107,12 @@ def test_text_of_a_declaration_changes_strings_alone(plain, texts):
     """A body's name, written into a docstring as it came, was executed with the module."""
     for text in texts:
         if not printable(text):
-            with pytest.raises(InputError) as caught:
+            with pytest.raises(hd.InputError) as caught:
                 scene(text=text)
             assert len({fault.where for fault in caught.value.faults}) >= 12, ascii(text)
             str(caught.value).encode()
             continue
-        made = generate(scene(text=text))
+        made = hd.generate(scene(text=text))
         assert shape(made) == shape(plain), ascii(text)
         module = executed(made)
         assert module["SUMMARY"] == text
@@ -146,7 +122,7 @@ def test_text_of_a_declaration_changes_strings_alone(plain, texts):
 
 @ALL_TEXTS
 def test_the_name_of_a_file_changes_strings_alone(plain, texts):
-    program = derive(scene())
+    program = hd.derive(scene())
     for text in texts:
         made = emit(program, text)
         assert shape(made) == shape(plain), ascii(text)
@@ -168,13 +144,13 @@ def refused(name: str) -> bool:
 def check_name(kinds: tuple[str, ...], name: str, expected: list[float]) -> None:
     """Either the declaration refuses a name, or the module does what the plain one does."""
     if refused(name):
-        with pytest.raises(InputError) as caught:
+        with pytest.raises(hd.InputError) as caught:
             scene(dict.fromkeys(kinds, name))
         str(caught.value).encode()
         return
     try:
         declared = scene(dict.fromkeys(kinds, name))
-    except InputError as error:
+    except hd.InputError as error:
         taken = {"bush", "mass", "length", "damping", "g", "E", "mu", "spring", "J"}  # what the scene has of the kind
         reserved = {
             "ca",
@@ -196,7 +172,7 @@ def check_name(kinds: tuple[str, ...], name: str, expected: list[float]) -> None
         }
         assert name in taken | reserved | {"ground"}, error
         return
-    made = generate(declared)
+    made = hd.generate(declared)
     np.testing.assert_allclose(numbers(made), expected, rtol=1e-12, atol=1e-14, err_msg=name)
 
 
@@ -226,5 +202,5 @@ def test_a_name_is_refused_or_changes_no_number(name, plain):
 
 def test_parameters_that_python_reads_as_one_are_refused():
     """One typed with a ligature, one without: the module took the second for both, and the force was sixteen times too large."""
-    with pytest.raises(InputError, match=r"'stiﬀness'.*expected 'stiffness'"):
+    with pytest.raises(hd.InputError, match=r"'stiﬀness'.*expected 'stiffness'"):
         scene({"parameter": "stiﬀness"})

@@ -6,25 +6,7 @@ import pytest
 import sympy as sp
 from each import each
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Drive,
-    Harmonic,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    T,
-    Table,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.units import parse_unit, rate_remedy
 from hertzwerk.derive.exchange.user_files.law_file import read_laws
 from hertzwerk.runtime import load, simulate
@@ -70,7 +52,7 @@ def crank():
 @pytest.mark.parametrize("text", ["5000 1/min", "83.333333333333333 1/s", "0.083333333333333333 1/ms"])
 def test_a_frequency_for_the_speed_of_a_crank_offers_both_readings(crank, text):
     """5000 turns a minute are 5000 rpm; 5000 radians a minute, as the number was read before, 83.3 rad/s."""
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(hd.InputError) as caught:
         crank.bind({"crank_speed": text})
     (fault,) = caught.value.faults
     assert fault.where == "crank_speed"
@@ -86,44 +68,48 @@ def test_angular_speeds_are_taken(crank, text):
 
 
 def test_an_initial_speed_is_held_to_it_too(crank):
-    with pytest.raises(InputError, match=r'write "300 rpm" where it counts turns, "5 rad/s"'):
+    with pytest.raises(hd.InputError, match=r'write "300 rpm" where it counts turns, "5 rad/s"'):
         simulate(crank, duration="1 ms", initial={"crank_pin.speed": "5 1/s"})
 
 
 def test_hertz_says_what_to_write(crank):
-    with pytest.raises(InputError, match=r"rpm \(1 Hz of turns is 60 rpm\) or rad/s"):
+    with pytest.raises(hd.InputError, match=r"rpm \(1 Hz of turns is 60 rpm\) or rad/s"):
         crank.bind({"crank_speed": "83 Hz"})
 
 
 def wheel(speed, **more):
     """A wheel that is driven, and a block that slides."""
     body, block, size = (
-        Body("wheel", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 1)),
-        Body("block", mass=Parameter("b", "kg", 1)),
-        Parameter("size", "m", 1),
+        hd.Body("wheel", hd.Parameter("mass", "kg", 1), hd.Parameter("inertia", "kg m^2", 1)),
+        hd.Body("block", mass=hd.Parameter("b", "kg", 1)),
+        hd.Parameter("size", "m", 1),
     )
-    return Scene(
-        Mechanism("wheel", (Revolute("axle", GROUND, body, Z), Prismatic("way", GROUND, block, X))),
+    return hd.Scene(
+        hd.Mechanism(
+            "wheel", (hd.Revolute("axle", hd.GROUND, body, hd.Z), hd.Prismatic("way", hd.GROUND, block, hd.X))
+        ),
         (speed,),
-        Scales(length=size, speed=Parameter("pace", "m/s", 1), arm=size),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1), arm=size),
         **more,
     )
 
 
 def test_declarations_are_held_to_it():
-    for frequency in (Parameter("freq", "1/min", 5000), -Parameter("freq", "1/min", 5000)):
-        with pytest.raises(InputError, match=r"freq \[1/min\], a frequency.*\n.*rpm or rad/s"):
-            wheel(ConstantSpeed("motor", "axle", frequency))
-    assert wheel(ConstantSpeed("motor", "axle", 2 * sp.pi * Parameter("freq", "1/min", 5000)))  # turns made radians
-    with pytest.raises(InputError, match=r"g \[1/s\], a frequency"):
-        wheel(Harmonic("motor", "axle", Parameter("swing", "rad", 1), Parameter("g", "1/s", 3)))
-    table = Table("ramp", (0, 1), (0, 50), ("s", "1/s"))
-    with pytest.raises(InputError, match=r"\[1/s\], a frequency"):
-        wheel(Drive("motor", "axle", speed=table(T)))
-    with pytest.raises(InputError, match=r"s_0 \[1/s\], a frequency"):
+    for frequency in (hd.Parameter("freq", "1/min", 5000), -hd.Parameter("freq", "1/min", 5000)):
+        with pytest.raises(hd.InputError, match=r"freq \[1/min\], a frequency.*\n.*rpm or rad/s"):
+            wheel(hd.ConstantSpeed("motor", "axle", frequency))
+    assert wheel(
+        hd.ConstantSpeed("motor", "axle", 2 * sp.pi * hd.Parameter("freq", "1/min", 5000))
+    )  # turns made radians
+    with pytest.raises(hd.InputError, match=r"g \[1/s\], a frequency"):
+        wheel(hd.Harmonic("motor", "axle", hd.Parameter("swing", "rad", 1), hd.Parameter("g", "1/s", 3)))
+    table = hd.Table("ramp", (0, 1), (0, 50), ("s", "1/s"))
+    with pytest.raises(hd.InputError, match=r"\[1/s\], a frequency"):
+        wheel(hd.Drive("motor", "axle", speed=table(hd.T)))
+    with pytest.raises(hd.InputError, match=r"s_0 \[1/s\], a frequency"):
         wheel(
-            ConstantSpeed("motor", "way", Parameter("w", "m/s", 1)),
-            start=Start(speed={"axle": Parameter("s_0", "1/s", 1)}),
+            hd.ConstantSpeed("motor", "way", hd.Parameter("w", "m/s", 1)),
+            start=hd.Start(speed={"axle": hd.Parameter("s_0", "1/s", 1)}),
         )
 
 
@@ -143,5 +129,5 @@ def test_a_decay_rate_takes_1_per_s_and_no_angular_speed(tmp_path):
     file.write_text(DECAY.replace("LIMIT", "60 1/min"))
     assert read_laws(file)[0].law.parameters[1].limit.upper == 1
     file.write_text(DECAY.replace("LIMIT", "60 rpm"))
-    with pytest.raises(InputError, match=r'a decay is given in 1/s: "1 1/s" of turns, "6.28319 1/s" of radians'):
+    with pytest.raises(hd.InputError, match=r'a decay is given in 1/s: "1 1/s" of turns, "6.28319 1/s" of radians'):
         read_laws(file)

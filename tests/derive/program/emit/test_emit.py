@@ -13,21 +13,7 @@ from each import each
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Y,
-    generate,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.expressions.algebra.functions import Where
 from hertzwerk.derive.laws import flores, power
 from hertzwerk.derive.laws.formulas.damping import e
@@ -147,7 +133,7 @@ def test_no_general_power_of_a_name_where_a_cheaper_form_exists(exponent):
 
 
 def test_hertz_forces_of_a_generated_module_take_no_general_power():
-    assert "**" not in generate(slider_crank)
+    assert "**" not in hd.generate(slider_crank)
 
 
 def test_operations_are_counted():
@@ -183,7 +169,7 @@ def test_operations_are_those_that_python_parses(expression):
 
 
 def test_operations_of_a_module_are_those_that_python_parses():
-    text, scope = generate(slider_crank), {}
+    text, scope = hd.generate(slider_crank), {}
     functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
     exec(text, scope)
     assert dict(scope["OPERATIONS"]) == {node.name: parsed_operations(node) for node in functions}
@@ -214,16 +200,18 @@ HOSTILE = 'a "quoted" """summary""" with C:\\new\\x, {braces}, %s and a\nline en
 
 def drop(summary="", mass="mass", stiffness="stiffness", radius="radius", default=2.0, damping=None):
     """A ball on a floor."""
-    ball = Body("ball", Parameter(mass, "kg", default))
-    size = Parameter(radius, "m", 0.1)
-    floor = SphereOnPlane("floor", ball.at(0, 0, 0), size, GROUND.at(0, 0, 0), Y)
-    contact = Contact(
-        "floor", power(Parameter(stiffness, "N/m^1.5", 1e6), 1.5), damping or flores(Parameter("restitution", "1", 0.8))
+    ball = hd.Body("ball", hd.Parameter(mass, "kg", default))
+    size = hd.Parameter(radius, "m", 0.1)
+    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), size, hd.GROUND.at(0, 0, 0), hd.Y)
+    contact = hd.Contact(
+        "floor",
+        power(hd.Parameter(stiffness, "N/m^1.5", 1e6), 1.5),
+        damping or flores(hd.Parameter("restitution", "1", 0.8)),
     )
-    return Scene(
-        Mechanism("drop", (Prismatic("fall", GROUND, ball, Y),), (floor,)),
-        (Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), contact, EnergyLedger()),
-        Scales(length=size, speed=Parameter("pace", "m/s", 1)),
+    return hd.Scene(
+        hd.Mechanism("drop", (hd.Prismatic("fall", hd.GROUND, ball, hd.Y),), (floor,)),
+        (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y), contact, hd.EnergyLedger()),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1)),
         summary=summary,
     )  # fmt: skip
 
@@ -234,7 +222,7 @@ def in_contact(derived):
 
 
 def test_any_summary_and_source_make_a_module_that_holds_them():
-    derived = Derived(text=generate(drop(HOSTILE), source=HOSTILE))
+    derived = Derived(text=hd.generate(drop(HOSTILE), source=HOSTILE))
     assert derived.SUMMARY == HOSTILE
     assert derived.SOURCE == HOSTILE
     assert in_contact(derived) == pytest.approx(in_contact(Derived(drop())))
@@ -276,7 +264,7 @@ def test_no_name_of_a_parameter_changes_the_equations(name, what):
 def test_names_of_shared_sub_expressions_do_not_overwrite_parameters():
     """The slider-crank names sub-expressions in words, else x1, x2; parameters of these names keep their values."""
     rename = {"crank_radius": "clearance_squared", "rod_length": "x1", "bush_radius": "x2"}
-    text = generate(slider_crank)
+    text = hd.generate(slider_crank)
     assert "    clearance_squared = clearance*clearance" in text
     renamed = _renamed(slider_crank, rename)
     a, b = Derived(slider_crank), Derived(renamed)
@@ -307,20 +295,22 @@ def test_parameters_may_have_every_name_that_the_text_has_for_itself():
 def _renamed(scene, names):
     """The scene with some parameters renamed, by walking its declaration."""
     new = {
-        p: Parameter(names[p.name], p.unit, p.default, p.meaning) for p in scene.parameters.values() if p.name in names
+        p: hd.Parameter(names[p.name], p.unit, p.default, p.meaning)
+        for p in scene.parameters.values()
+        if p.name in names
     }
     bodies = {}
 
     def walk(value):
         if isinstance(value, sp.Basic):
             return value.xreplace(new)
-        if isinstance(value, Body):
+        if isinstance(value, hd.Body):
             if value not in bodies:
-                bodies[value] = Body(value.name, walk(value.mass), walk(value.inertia), walk(value.centre))
+                bodies[value] = hd.Body(value.name, walk(value.mass), walk(value.inertia), walk(value.centre))
             return bodies[value]
         if isinstance(value, tuple):
             return tuple(walk(part) for part in value)
-        if value is GROUND:
+        if value is hd.GROUND:
             return value
         if isinstance(value, dict):
             return {key: walk(part) for key, part in value.items()}
@@ -334,14 +324,14 @@ def _renamed(scene, names):
 
 
 def test_a_numpy_default_is_written_as_a_number():
-    text = generate(drop(default=np.float64(0.1)))
+    text = hd.generate(drop(default=np.float64(0.1)))
     assert '("mass", "kg", 0.1,' in text
 
 
 def test_long_returns_are_wrapped_and_still_python():
     """Names of many lengths move the line breaks through every column."""
     for length in range(1, 60, 3):
-        text = generate(drop(radius="r" * length))
+        text = hd.generate(drop(radius="r" * length))
         ast.parse(text)
         assert max(map(len, text.split("\n\n\ndef ", 1)[1].splitlines())) < 200
 
@@ -350,7 +340,7 @@ def test_long_returns_are_wrapped_and_still_python():
 def test_the_lower_branch_of_lamberts_w(scale):
     """A damping factor -W_-1(-e/exp(1)) comes out as mpmath has it; near the branch point only half the digits exist."""
     law = replace(flores, name="lambert", factor=-sp.LambertW(-e * sp.exp(-1), -1))
-    derived = Derived(drop(damping=law(Parameter("restitution", "1", scale))))
+    derived = Derived(drop(damping=law(hd.Parameter("restitution", "1", scale))))
     elastic = 1e6 * 0.01**1.5
     factor = (in_contact(derived)[2] / elastic - 1) * 3.0 / 1.0  # F (1 + h v/v0), approach 3 m/s, rate 1 m/s
     with mpmath.workdps(40):

@@ -7,23 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    EnergyLedger,
-    JointForce,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import study_effects
 from hertzwerk.runtime.analysis.effect_study import output_errors
 from hertzwerk.runtime.analysis.effect_study.compared_outputs import automatic, chosen
@@ -38,31 +22,31 @@ TINY, WHISPER = 1e-3, 1e-9  # of the stiffness
 DURATION = 7.3  # s, no whole number of periods
 
 
-def oscillator(*effects) -> Scene:
-    block = Body("block", Parameter("mass", "kg", MASS))
-    start = Parameter("start", "m", START)
-    spring = JointSpring("spring", "slide", Parameter("stiffness", "N/m", STIFFNESS))
-    return Scene(
-        Mechanism("oscillator", (Prismatic("slide", GROUND, block, axis=X),)),
+def oscillator(*effects) -> hd.Scene:
+    block = hd.Body("block", hd.Parameter("mass", "kg", MASS))
+    start = hd.Parameter("start", "m", START)
+    spring = hd.JointSpring("spring", "slide", hd.Parameter("stiffness", "N/m", STIFFNESS))
+    return hd.Scene(
+        hd.Mechanism("oscillator", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),)),
         effects=(spring, *effects),
-        start=Start(position={"slide": start}),
-        scales=Scales(length=start, speed=Parameter("pace", "m/s", 1)),
+        start=hd.Start(position={"slide": start}),
+        scales=hd.Scales(length=start, speed=hd.Parameter("pace", "m/s", 1)),
     )
 
 
-def spring(name: str, part: float) -> JointSpring:
-    return JointSpring(name, "slide", Parameter(f"{name}_stiffness", "N/m", part * STIFFNESS))
+def spring(name: str, part: float) -> hd.JointSpring:
+    return hd.JointSpring(name, "slide", hd.Parameter(f"{name}_stiffness", "N/m", part * STIFFNESS))
 
 
-def force(name: str, part: float) -> JointForce:
+def force(name: str, part: float) -> hd.JointForce:
     """One that shifts the position of rest by a part of the start."""
-    return JointForce(name, "slide", Parameter(f"{name}_force", "N", part * STIFFNESS * START))
+    return hd.JointForce(name, "slide", hd.Parameter(f"{name}_force", "N", part * STIFFNESS * START))
 
 
 SPRINGS = oscillator(
     spring("tiny", TINY),
     spring("whisper", WHISPER),
-    EnergyLedger(),
+    hd.EnergyLedger(),
 )
 SPEED, MEAN = "max.slide.speed", "mean.slide.travel"
 
@@ -193,17 +177,20 @@ def test_friction_goes_with_its_contact_and_nothing_else_does():
 
 def test_an_effect_that_a_scene_cannot_do_without_says_why():
     """Without its drive the wheel would have an angle, and the scales no arm to measure it by."""
-    block = Body("block", Parameter("mass", "kg", MASS))
-    wheel = Body("wheel", Parameter("wheel_mass", "kg", 1), Parameter("inertia", "kg m^2", 1))
-    length = Parameter("length", "m", START)
-    scene = Scene(
-        Mechanism("driven", (Prismatic("slide", GROUND, block, axis=X), Revolute("axle", GROUND, wheel, axis=Z))),
-        effects=(
-            ConstantSpeed("motor", "axle", Parameter("rate", "rad/s", 3)),
-            JointSpring("spring", "slide", Parameter("stiffness", "N/m", STIFFNESS)),
+    block = hd.Body("block", hd.Parameter("mass", "kg", MASS))
+    wheel = hd.Body("wheel", hd.Parameter("wheel_mass", "kg", 1), hd.Parameter("inertia", "kg m^2", 1))
+    length = hd.Parameter("length", "m", START)
+    scene = hd.Scene(
+        hd.Mechanism(
+            "driven",
+            (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X), hd.Revolute("axle", hd.GROUND, wheel, axis=hd.Z)),
         ),
-        start=Start(position={"slide": length}),
-        scales=Scales(length=length, speed=Parameter("pace", "m/s", 1)),
+        effects=(
+            hd.ConstantSpeed("motor", "axle", hd.Parameter("rate", "rad/s", 3)),
+            hd.JointSpring("spring", "slide", hd.Parameter("stiffness", "N/m", STIFFNESS)),
+        ),
+        start=hd.Start(position={"slide": length}),
+        scales=hd.Scales(length=length, speed=hd.Parameter("pace", "m/s", 1)),
     )
     study = study_effects(scene, duration="1 s", within=0.5)
     motor, spring_row = study.rows

@@ -9,26 +9,7 @@ from handmade import point
 from scipy.linalg import eigh
 from scipy.special import jn_zeros
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Drive,
-    Gravity,
-    InputError,
-    JointDamper,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    T,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import equilibrium, modes, simulate
 from hertzwerk.runtime.engine.start.start_values import start_of
 from hertzwerk.runtime.loading import engine_model
@@ -59,7 +40,7 @@ def test_a_pendulum_hanging_upright_and_on_its_way(pendulum):
     seen = modes(run, at="0.2 s")
     angle = float(run.at([0.2])["hinge.angle"][0])
     assert 2 * math.pi * seen.frequencies == pytest.approx([math.sqrt(G * math.cos(angle))], rel=1e-9)
-    with pytest.raises(InputError, match="at"):
+    with pytest.raises(hd.InputError, match="at"):
         modes(run, at="1 s")
 
 
@@ -85,16 +66,19 @@ def hanging(n: int) -> np.ndarray:
 
 def test_a_hanging_chain_and_the_zeros_of_bessels_function():
     """Daniel Bernoulli 1732: w = j_0k / 2 sqrt(g/L); n links tend to it as 1/n."""
-    part, mass = Parameter("part", "m", LENGTH / LINKS), Parameter("mass", "kg", 1 / LINKS)
-    bodies = [Body(f"link_{i}", mass, centre=(0, -part, 0)) for i in range(LINKS)]
-    places = [GROUND, *(body.at(0, -part, 0) for body in bodies[:-1])]
+    part, mass = hd.Parameter("part", "m", LENGTH / LINKS), hd.Parameter("mass", "kg", 1 / LINKS)
+    bodies = [hd.Body(f"link_{i}", mass, centre=(0, -part, 0)) for i in range(LINKS)]
+    places = [hd.GROUND, *(body.at(0, -part, 0) for body in bodies[:-1])]
     hinges = [
-        Revolute(f"hinge_{i}", place, body, axis=Z) for i, (place, body) in enumerate(zip(places, bodies, strict=True))
+        hd.Revolute(f"hinge_{i}", place, body, axis=hd.Z)
+        for i, (place, body) in enumerate(zip(places, bodies, strict=True))
     ]
-    scales = Scales(length=part, speed=Parameter("pace", "m/s", 1), arm=part)
+    scales = hd.Scales(length=part, speed=hd.Parameter("pace", "m/s", 1), arm=part)
     model = engine_model(
-        Scene(
-            Mechanism("chain", tuple(hinges)), (Gravity("gravity", Parameter("g", "m/s^2", G), direction=-Y),), scales
+        hd.Scene(
+            hd.Mechanism("chain", tuple(hinges)),
+            (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), direction=-hd.Y),),
+            scales,
         )
     )
     found = 2 * math.pi * modes(model, initial={"hinge_0.angle": "1 rad", "hinge_3.angle": "-2 rad"}).frequencies
@@ -107,14 +91,17 @@ def test_a_hanging_chain_and_the_zeros_of_bessels_function():
 @pytest.fixture(scope="module")
 def springs():
     """Three masses under each other on springs and dampers."""
-    n, zero = 3, {"damping": Parameter("damping", "N s/m", 2.0), "stiffness": Parameter("stiffness", "N/m", 500.0)}
-    bodies = [Body(f"mass_{i}", Parameter("mass", "kg", 2.0)) for i in range(n)]
-    joints = [Prismatic(f"slide_{i}", (GROUND, *bodies)[i], body, axis=-Y) for i, body in enumerate(bodies)]
-    effects = [JointSpring(f"spring_{i}", f"slide_{i}", zero["stiffness"]) for i in range(n)]
-    effects += [JointDamper(f"damper_{i}", f"slide_{i}", zero["damping"]) for i in range(n)]
-    gravity = Gravity("gravity", Parameter("g", "m/s^2", G), direction=-Y)
-    scales = Scales(length=Parameter("size", "m", 0.1), speed=Parameter("pace", "m/s", 1))
-    return Scene(Mechanism("springs", tuple(joints)), (*effects, gravity), scales)
+    n, zero = (
+        3,
+        {"damping": hd.Parameter("damping", "N s/m", 2.0), "stiffness": hd.Parameter("stiffness", "N/m", 500.0)},
+    )
+    bodies = [hd.Body(f"mass_{i}", hd.Parameter("mass", "kg", 2.0)) for i in range(n)]
+    joints = [hd.Prismatic(f"slide_{i}", (hd.GROUND, *bodies)[i], body, axis=-hd.Y) for i, body in enumerate(bodies)]
+    effects = [hd.JointSpring(f"spring_{i}", f"slide_{i}", zero["stiffness"]) for i in range(n)]
+    effects += [hd.JointDamper(f"damper_{i}", f"slide_{i}", zero["damping"]) for i in range(n)]
+    gravity = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), direction=-hd.Y)
+    scales = hd.Scales(length=hd.Parameter("size", "m", 0.1), speed=hd.Parameter("pace", "m/s", 1))
+    return hd.Scene(hd.Mechanism("springs", tuple(joints)), (*effects, gravity), scales)
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -134,23 +121,25 @@ def test_masses_on_springs(springs, coordinates):
 
 TURN = 5.0  # rad/s^2
 TURNED = {
-    "position": {"position": Parameter("turn", "rad/s^2", TURN) * T**2},
-    "speed": {"speed": 2 * Parameter("turn", "rad/s^2", TURN) * T},
-    "acceleration": {"acceleration": 2 * Parameter("turn", "rad/s^2", TURN)},
+    "position": {"position": hd.Parameter("turn", "rad/s^2", TURN) * hd.T**2},
+    "speed": {"speed": 2 * hd.Parameter("turn", "rad/s^2", TURN) * hd.T},
+    "acceleration": {"acceleration": 2 * hd.Parameter("turn", "rad/s^2", TURN)},
 }
 
 
 def turntable(drive):
     """A bead on a spring along the groove of a turntable that is turned ever faster."""
-    table, bead = (Body(name, Parameter("mass", "kg", 2), Parameter("I", "kg m^2", 0.1)) for name in ("table", "bead"))
-    joints = (Revolute("axle", GROUND, table, axis=Z), Prismatic("groove", table, bead, axis=X))
-    spring = JointSpring("spring", "groove", Parameter("stiffness", "N/m", 200))
-    size = Parameter("size", "m", 0.1)
-    return Scene(
-        Mechanism("turntable", joints),
-        (Drive("drive", "axle", **TURNED[drive]), spring),
-        Scales(length=size, speed=Parameter("pace", "m/s", 1), arm=size),
-        start=Start(position={"groove": Parameter("away", "m", 0.1)}),
+    table, bead = (
+        hd.Body(name, hd.Parameter("mass", "kg", 2), hd.Parameter("I", "kg m^2", 0.1)) for name in ("table", "bead")
+    )
+    joints = (hd.Revolute("axle", hd.GROUND, table, axis=hd.Z), hd.Prismatic("groove", table, bead, axis=hd.X))
+    spring = hd.JointSpring("spring", "groove", hd.Parameter("stiffness", "N/m", 200))
+    size = hd.Parameter("size", "m", 0.1)
+    return hd.Scene(
+        hd.Mechanism("turntable", joints),
+        (hd.Drive("drive", "axle", **TURNED[drive]), spring),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1), arm=size),
+        start=hd.Start(position={"groove": hd.Parameter("away", "m", 0.1)}),
     )
 
 

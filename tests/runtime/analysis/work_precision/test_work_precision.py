@@ -10,21 +10,7 @@ import pytest
 import sympy as sp
 from click.testing import CliRunner
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    Start,
-    T,
-    X,
-    coordinate_of,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.analysis.work_precision import accuracy_report as accuracy_report
 from hertzwerk.runtime.analysis.work_precision import reference_run as referencing
@@ -45,15 +31,19 @@ def scene():
 
     With another sign of `push`, and drag, it is a damped oscillator.
     """
-    size, mass = Parameter("size", "m", 1), Parameter("mass", "kg", 1)
-    push, drag, w = Parameter("push", "N/m", RATE**2), Parameter("drag", "N s/m", 0), Parameter("w", "rad/s", SWING)
-    swung = (push + mass * w**2) * size * sp.cos(w * T)
-    force = push * coordinate_of("slide") - drag * speed_of("slide") - swung
-    return Scene(
-        Mechanism("swinging_block", (Prismatic("slide", GROUND, Body("block", mass), axis=X),)),
-        effects=(JointForce("force", "slide", force),),
-        start=Start(position={"slide": size}),
-        scales=Scales(length=size, speed=Parameter("pace", "m/s", RATE)),
+    size, mass = hd.Parameter("size", "m", 1), hd.Parameter("mass", "kg", 1)
+    push, drag, w = (
+        hd.Parameter("push", "N/m", RATE**2),
+        hd.Parameter("drag", "N s/m", 0),
+        hd.Parameter("w", "rad/s", SWING),
+    )
+    swung = (push + mass * w**2) * size * sp.cos(w * hd.T)
+    force = push * hd.coordinate_of("slide") - drag * hd.speed_of("slide") - swung
+    return hd.Scene(
+        hd.Mechanism("swinging_block", (hd.Prismatic("slide", hd.GROUND, hd.Body("block", mass), axis=hd.X),)),
+        effects=(hd.JointForce("force", "slide", force),),
+        start=hd.Start(position={"slide": size}),
+        scales=hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", RATE)),
     )
 
 

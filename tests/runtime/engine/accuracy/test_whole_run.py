@@ -8,22 +8,7 @@ import numpy as np
 import pytest
 from handmade import point
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Gravity,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    Start,
-    Universal,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import simulate, sweep
 from hertzwerk.runtime.engine.run import accurate_run
@@ -125,19 +110,19 @@ def test_an_error_says_the_worst_when_the_end_and_of_a_history_in_its_unit():
 
 def pendulum_on_a_universal_joint():
     """Of its motion the limit on growth chooses every step: at 1e-3 three of them."""
-    mass, arm = Parameter("mass", "kg", 1.0), Parameter("arm", "m", 0.5)
+    mass, arm = hd.Parameter("mass", "kg", 1.0), hd.Parameter("arm", "m", 0.5)
     inertia = tuple(
-        Parameter(f"inertia_{axis}", "kg m^2", value) for axis, value in zip("xyz", (0.09, 0.08, 0.01), strict=True)
+        hd.Parameter(f"inertia_{axis}", "kg m^2", value) for axis, value in zip("xyz", (0.09, 0.08, 0.01), strict=True)
     )
-    bob = Body("bob", mass, inertia, centre=(0, -arm, 0))
-    joint = Universal("joint", GROUND, bob, X, Z)
-    return Scene(
-        Mechanism("hung", (joint,)),
-        (Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),),
-        start=Start(
-            position={"joint.angle_1": Parameter("a", "rad", 0.7), "joint.angle_2": Parameter("b", "rad", 0.4)}
+    bob = hd.Body("bob", mass, inertia, centre=(0, -arm, 0))
+    joint = hd.Universal("joint", hd.GROUND, bob, hd.X, hd.Z)
+    return hd.Scene(
+        hd.Mechanism("hung", (joint,)),
+        (hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y),),
+        start=hd.Start(
+            position={"joint.angle_1": hd.Parameter("a", "rad", 0.7), "joint.angle_2": hd.Parameter("b", "rad", 0.4)}
         ),
-        scales=Scales(length=arm, speed=Parameter("pace", "m/s", 2), arm=arm),
+        scales=hd.Scales(length=arm, speed=hd.Parameter("pace", "m/s", 2), arm=arm),
     )
 
 
@@ -228,13 +213,13 @@ def test_an_error_that_goes_up_and_down_along_the_run_is_looked_for_in_a_hundred
 @pytest.mark.parametrize(("method", "asked"), [("esdirk", 1e-4), ("dopri5", 1e-4)])
 def test_of_a_fast_vibration_the_error_is_seen_where_no_shift_in_time_accounts_for_it(method, asked):
     """Against the closed form. Between these instants errors are a hundred times smaller; on the old code 10 and 7 times the estimate."""
-    bob, stretch, pulse = Body("bob", Parameter("mass", "kg", 1)), 1e-3, 1e3
-    slide = Prismatic("slide", GROUND, bob, axis=X)
-    scene = Scene(
-        Mechanism("vibrating", (slide,)),
-        (JointSpring("spring", "slide", Parameter("stiffness", "N/m", pulse**2)),),
-        start=Start(position={"slide": Parameter("stretch", "m", stretch)}),
-        scales=Scales(length=Parameter("size", "m", 0.3), speed=Parameter("pace", "m/s", 1)),
+    bob, stretch, pulse = hd.Body("bob", hd.Parameter("mass", "kg", 1)), 1e-3, 1e3
+    slide = hd.Prismatic("slide", hd.GROUND, bob, axis=hd.X)
+    scene = hd.Scene(
+        hd.Mechanism("vibrating", (slide,)),
+        (hd.JointSpring("spring", "slide", hd.Parameter("stiffness", "N/m", pulse**2)),),
+        start=hd.Start(position={"slide": hd.Parameter("stretch", "m", stretch)}),
+        scales=hd.Scales(length=hd.Parameter("size", "m", 0.3), speed=hd.Parameter("pace", "m/s", 1)),
     )
     vibrating = engine_model(scene)
     run = simulate(vibrating, duration="50 ms", accuracy=asked, method=method, compiled=False)

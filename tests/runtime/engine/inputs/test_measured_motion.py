@@ -6,35 +6,21 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Drive,
-    EnergyLedger,
-    Input,
-    InputError,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    Start,
-    Table,
-    X,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.scenes.slider_crank import scene
 from hertzwerk.runtime import Samples, equilibrium, load, simulate
 
 SPEED = scene.parameters["crank_speed"].si
 HOW = {"duration": "3 ms", "tolerance": 1e-11, "compiled": False}
-ANGLE, RATE = Input("crank", "deg", "encoder"), Input("crank_rate", "rpm", "tachometer")
+ANGLE, RATE = hd.Input("crank", "deg", "encoder"), hd.Input("crank_rate", "rpm", "tachometer")
 
 
 @cache
 def driven(coordinates="tree", **motion):
     """Slider-crank whose crank follows an input, inputs by their names."""
-    return load(scene.replace(crank_drive=Drive("crank_drive", "main_bearing", **motion)).with_coordinates(coordinates))
+    return load(
+        scene.replace(crank_drive=hd.Drive("crank_drive", "main_bearing", **motion)).with_coordinates(coordinates)
+    )
 
 
 @cache
@@ -70,7 +56,8 @@ def test_samples_of_the_closed_law_turn_the_crank_as_it_does(coordinates):
 
 
 @pytest.mark.parametrize(
-    "given", [lambda t: np.degrees(SPEED * t), Table("law", (0, 3, 7), (0, 3e-3 * SPEED, 7e-3 * SPEED), ("ms", "rad"))]
+    "given",
+    [lambda t: np.degrees(SPEED * t), hd.Table("law", (0, 3, 7), (0, 3e-3 * SPEED, 7e-3 * SPEED), ("ms", "rad"))],
 )
 def test_functions_and_tables_turn_it_too(given):
     agree(simulate(driven(position=ANGLE), inputs={"crank": given}, **HOW), closed(), 1e-7)
@@ -90,15 +77,18 @@ def test_a_measured_speed_is_integrated():
 @cache
 def shaken_table():
     """Block that moves by an expression of an input, with the force that this takes, and a rider on a spring."""
-    block, rider = Body("block", Parameter("m", "kg", 2)), Body("rider", Parameter("m_rider", "kg", 1))
-    lift = Parameter("gain", "1/m", 3) * Input("sway", "m") ** 2
-    joints = (Prismatic("slide", GROUND, block, axis=X), Prismatic("seat", block, rider, axis=X))
-    spring = JointSpring("spring", "seat", Parameter("k", "N/m", 40), rest=Parameter("rest", "m", 0.5))
-    scales = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1))
-    effects = (Drive("shaker", "slide", position=lift), spring, EnergyLedger())
+    block, rider = hd.Body("block", hd.Parameter("m", "kg", 2)), hd.Body("rider", hd.Parameter("m_rider", "kg", 1))
+    lift = hd.Parameter("gain", "1/m", 3) * hd.Input("sway", "m") ** 2
+    joints = (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X), hd.Prismatic("seat", block, rider, axis=hd.X))
+    spring = hd.JointSpring("spring", "seat", hd.Parameter("k", "N/m", 40), rest=hd.Parameter("rest", "m", 0.5))
+    scales = hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("pace", "m/s", 1))
+    effects = (hd.Drive("shaker", "slide", position=lift), spring, hd.EnergyLedger())
     return load(
-        Scene(
-            Mechanism("table", joints), effects, scales, start=Start(position={"seat": 0.5 * Parameter("one", "m", 1)})
+        hd.Scene(
+            hd.Mechanism("table", joints),
+            effects,
+            scales,
+            start=hd.Start(position={"seat": 0.5 * hd.Parameter("one", "m", 1)}),
         )
     )
 
@@ -137,17 +127,17 @@ def kinked(t):
     ],
 )  # fmt: skip
 def test_a_motion_that_is_too_rough_is_refused_with_the_reason(motion, given, told):
-    symbol = {"position": ANGLE, "speed": RATE, "acceleration": Input("crank_acceleration", "rad/s^2")}[motion]
+    symbol = {"position": ANGLE, "speed": RATE, "acceleration": hd.Input("crank_acceleration", "rad/s^2")}[motion]
     how = {"duration": "5 ms", "tolerance": 1e-6, "max_steps": 5, "inputs": {symbol.name: given}}
     if told is None:
         assert len(simulate(driven(**{motion: symbol}), **how).t)
         return
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(hd.InputError, match=told):
         simulate(driven(**{motion: symbol}), **how)
 
 
 def test_revolutions_of_a_measured_drive_are_no_time():
-    with pytest.raises(InputError, match="one drive of constant speed"):
+    with pytest.raises(hd.InputError, match="one drive of constant speed"):
         simulate(driven(position=ANGLE), duration="1 rev", inputs={"crank": encoder()}, tolerance=1e-6)
 
 

@@ -7,37 +7,7 @@ import pytest
 import sympy as sp
 
 import hertzwerk.derive as d
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    LENGTH,
-    LENGTH_RATE,
-    TURN,
-    Body,
-    EnergyLedger,
-    Free,
-    Gravity,
-    Input,
-    InputError,
-    JointDamper,
-    JointForce,
-    JointSpring,
-    Mechanism,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    T,
-    X,
-    Y,
-    Z,
-    coordinate_of,
-    laws,
-    normal_force_of,
-    reaction_of,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.tableaux.methods import IN_GRAPH
 
@@ -53,13 +23,13 @@ def p(name, unit, value=1.0):
     return d.Parameter(name, unit, value)
 
 
-SCALES = Scales(p("size", "m", 0.3), p("pace", "m/s", 1), arm=p("arm", "m", 0.3))
-GRAVITY = Gravity("gravity", p("g", "m/s^2", 9.81), direction=-Y)
-SMOOTH = laws.smooth_coulomb(p("mu", "1", 0.2), p("v_s", "m/s", 0.05))
+SCALES = hd.Scales(p("size", "m", 0.3), p("pace", "m/s", 1), arm=p("arm", "m", 0.3))
+GRAVITY = hd.Gravity("gravity", p("g", "m/s^2", 9.81), direction=-hd.Y)
+SMOOTH = hd.laws.smooth_coulomb(p("mu", "1", 0.2), p("v_s", "m/s", 0.05))
 
 
 def body(name, mass=1.0):
-    return Body(
+    return hd.Body(
         name,
         p(f"m_{name}", "kg", mass),
         (p(f"J_{name}", "kg m^2", 0.02),) * 3,
@@ -71,60 +41,69 @@ ARM, BOB, BLOCK, BALL = (
     body("arm"),
     body("bob"),
     body("block"),
-    Body("ball", p("m_ball", "kg", 0.5), (p("J_ball", "kg m^2", 5e-4),) * 3),
+    hd.Body("ball", p("m_ball", "kg", 0.5), (p("J_ball", "kg m^2", 5e-4),) * 3),
 )
 RADIUS = p("radius", "m", 0.05)
 LIFTED = {"flight.y": p("lift", "m", 0.06)}
-HOOK, TIP, SLACK = GROUND.at(0, p("high", "m", 0.1), 0), BOB.at(0, 0, 0), p("slack", "m", 0.3)
-TAUT = p("k", "N/m", 300) * (LENGTH - SLACK) + p("c", "N s/m", 0) * LENGTH_RATE
+HOOK, TIP, SLACK = hd.GROUND.at(0, p("high", "m", 0.1), 0), BOB.at(0, 0, 0), p("slack", "m", 0.3)
+TAUT = p("k", "N/m", 300) * (hd.LENGTH - SLACK) + p("c", "N s/m", 0) * hd.LENGTH_RATE
 SLOW = {"speed": p("w_s", "rad/s", 0.5)}
 
 
 def crane(*effects, **start):
     """A block on a slide with a double pendulum below, in a plane."""
     joints = (
-        Prismatic("slide", GROUND, BLOCK, axis=X),
-        Revolute("main", BLOCK, ARM, axis=Z),
-        Revolute("knee", ARM.at(p("l", "m", 0.3), 0, 0), BOB, axis=Z),
+        hd.Prismatic("slide", hd.GROUND, BLOCK, axis=hd.X),
+        hd.Revolute("main", BLOCK, ARM, axis=hd.Z),
+        hd.Revolute("knee", ARM.at(p("l", "m", 0.3), 0, 0), BOB, axis=hd.Z),
     )
-    begin = Start(speed=start or {"main": p("w0", "rad/s", 3), "slide": p("v0", "m/s", 0.4)})
-    return Scene(Mechanism("crane", joints), (GRAVITY, *effects, EnergyLedger()), SCALES, begin)
+    begin = hd.Start(speed=start or {"main": p("w0", "rad/s", 3), "slide": p("v0", "m/s", 0.4)})
+    return hd.Scene(hd.Mechanism("crane", joints), (GRAVITY, *effects, hd.EnergyLedger()), SCALES, begin)
 
 
 def driven(*effects):
     """The crane without the speeds that a drive has."""
-    joints = (Revolute("main", GROUND, ARM, axis=Z), Revolute("knee", ARM.at(p("l", "m", 0.3), 0, 0), BOB, axis=Z))
-    return Scene(Mechanism("driven", joints), (GRAVITY, *effects, EnergyLedger()), SCALES)
+    joints = (
+        hd.Revolute("main", hd.GROUND, ARM, axis=hd.Z),
+        hd.Revolute("knee", ARM.at(p("l", "m", 0.3), 0, 0), BOB, axis=hd.Z),
+    )
+    return hd.Scene(hd.Mechanism("driven", joints), (GRAVITY, *effects, hd.EnergyLedger()), SCALES)
 
 
 def hanging(*effects):
     """A body on a ball joint, in space."""
-    start = Start(
+    start = hd.Start(
         speed={"shoulder.angular_speed_x": p("wx", "rad/s", 2), "shoulder.angular_speed_z": p("wz", "rad/s", -3)}
     )
-    return Scene(
-        Mechanism("hanging", (Spherical("shoulder", GROUND, ARM),)), (GRAVITY, *effects, EnergyLedger()), SCALES, start
+    return hd.Scene(
+        hd.Mechanism("hanging", (hd.Spherical("shoulder", hd.GROUND, ARM),)),
+        (GRAVITY, *effects, hd.EnergyLedger()),
+        SCALES,
+        start,
     )
 
 
 def floating(*effects):
     """A free body in space."""
-    start = Start(speed={"flight.x_speed": p("vx", "m/s", 0.5), "flight.angular_speed_y": p("wy", "rad/s", 2)})
-    return Scene(
-        Mechanism("floating", (Free("flight", GROUND, BALL),)), (GRAVITY, *effects, EnergyLedger()), SCALES, start
+    start = hd.Start(speed={"flight.x_speed": p("vx", "m/s", 0.5), "flight.angular_speed_y": p("wy", "rad/s", 2)})
+    return hd.Scene(
+        hd.Mechanism("floating", (hd.Free("flight", hd.GROUND, BALL),)),
+        (GRAVITY, *effects, hd.EnergyLedger()),
+        SCALES,
+        start,
     )
 
 
 def rolling(*effects):
     """A ball that falls on a floor and slides."""
-    floor = d.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, GROUND.at(0, 0, 0), normal=Y)
-    contact = d.Contact("floor", laws.power(p("K", "N/m^1.5", 1e5), 1.5), laws.hunt_crossley(p("e", "1", 0.8)))
-    start = Start(
+    floor = d.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+    contact = d.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e5), 1.5), hd.laws.hunt_crossley(p("e", "1", 0.8)))
+    start = hd.Start(
         position=LIFTED, speed={"flight.x_speed": p("vx", "m/s", 0.5), "flight.angular_speed_y": p("wy", "rad/s", 9)}
     )
-    return Scene(
-        Mechanism("rolling", (Free("flight", GROUND, BALL),), (floor,)),
-        (GRAVITY, contact, *effects, EnergyLedger()),
+    return hd.Scene(
+        hd.Mechanism("rolling", (hd.Free("flight", hd.GROUND, BALL),), (floor,)),
+        (GRAVITY, contact, *effects, hd.EnergyLedger()),
         SCALES,
         start,
     )
@@ -132,12 +111,12 @@ def rolling(*effects):
 
 def sliding(*effects):
     """A ball that falls on a floor in a plane, and slides."""
-    floor = d.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, GROUND.at(0, 0, 0), normal=Y)
-    contact = d.Contact("floor", laws.power(p("K", "N/m^1.5", 1e5), 1.5), laws.hunt_crossley(p("e", "1", 0.8)))
-    start = Start(position=LIFTED, speed={"flight.x": p("vx", "m/s", 0.5)})
-    return Scene(
-        Mechanism("sliding", (d.Planar("flight", GROUND, BALL, normal=Z),), (floor,)),
-        (GRAVITY, contact, *effects, EnergyLedger()),
+    floor = d.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+    contact = d.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e5), 1.5), hd.laws.hunt_crossley(p("e", "1", 0.8)))
+    start = hd.Start(position=LIFTED, speed={"flight.x": p("vx", "m/s", 0.5)})
+    return hd.Scene(
+        hd.Mechanism("sliding", (d.Planar("flight", hd.GROUND, BALL, normal=hd.Z),), (floor,)),
+        (GRAVITY, contact, *effects, hd.EnergyLedger()),
         SCALES,
         start,
     )
@@ -157,57 +136,57 @@ def controller(**given):
 
 
 BAND = -p("mu", "1", 0.2) * p("r", "m", 0.02)
-FRAMES = BALL.at(0, 0, 0), GROUND.at(0, p("high", "m", 0.1), 0)
+FRAMES = BALL.at(0, 0, 0), hd.GROUND.at(0, p("high", "m", 0.1), 0)
 SIX = (*[p("k", "N/m", 200)] * 3, *[p("k_t", "N m/rad", 0.2)] * 3)
 
 CASES = {
-    "gravity": lambda: crane(Gravity("shaking", p("A", "m", 0.05) * p("w", "1/s", 20) ** 2 * sp.sin(p("w", "1/s", 20) * T), direction=X)),
+    "gravity": lambda: crane(hd.Gravity("shaking", p("A", "m", 0.05) * p("w", "1/s", 20) ** 2 * sp.sin(p("w", "1/s", 20) * hd.T), direction=hd.X)),
     "constant_speed": lambda: driven(d.ConstantSpeed("drive", "main", p("w", "rad/s", 5))),
     "ramp": lambda: driven(d.Ramp("drive", "main", p("w", "rad/s", 5), rise=p("rise", "s", 0.1))),
     "harmonic": lambda: driven(d.Harmonic("drive", "main", p("A", "rad", 0.3), frequency=p("f", "rad/s", 20))),
-    "drive_position": lambda: driven(d.Drive("drive", "main", position=p("A", "rad", 0.3) * sp.sin(p("f", "rad/s", 9) * T))),
-    "drive_speed": lambda: driven(d.Drive("drive", "main", speed=p("w", "rad/s", 5) * sp.cos(p("f", "rad/s", 9) * T))),
-    "drive_by_input": lambda: driven(d.Drive("drive", "main", position=Input("push", "rad"))),
+    "drive_position": lambda: driven(d.Drive("drive", "main", position=p("A", "rad", 0.3) * sp.sin(p("f", "rad/s", 9) * hd.T))),
+    "drive_speed": lambda: driven(d.Drive("drive", "main", speed=p("w", "rad/s", 5) * sp.cos(p("f", "rad/s", 9) * hd.T))),
+    "drive_by_input": lambda: driven(d.Drive("drive", "main", position=hd.Input("push", "rad"))),
     "coupling": lambda: crane(d.Coupling("rack", "slide", "main", ratio=p("pitch", "m", 0.1)), main=p("w0", "rad/s", 3)),
-    "joint_force": lambda: crane(JointForce("push", "slide", Input("push", "N"))),
-    "point_force": lambda: crane(d.PointForce("wind", BOB.at(0, 0, 0), (p("F", "N", 3) * sp.cos(p("f", "rad/s", 9) * T), 0, 0))),
+    "joint_force": lambda: crane(hd.JointForce("push", "slide", hd.Input("push", "N"))),
+    "point_force": lambda: crane(d.PointForce("wind", BOB.at(0, 0, 0), (p("F", "N", 3) * sp.cos(p("f", "rad/s", 9) * hd.T), 0, 0))),
     "body_torque": lambda: crane(d.BodyTorque("brake", BOB, (0, 0, p("M", "N m", 0.3)))),
     "motor_continuous": lambda: motor(controller()),
     "motor_sampled": lambda: motor(controller(period=p("Ts", "s", 0.017))),
     "motor_limited": lambda: motor(controller(limit=p("V", "V", 4))),
     "motor_sampled_limited": lambda: motor(controller(limit=p("V", "V", 4), period=p("Ts", "s", 0.017))),
-    "relay": lambda: crane(JointForce("jets", "slide", p("thrust", "N", 9) * RELAY.output), RELAY),
-    "potential": lambda: crane(d.Potential("well", p("k", "N/m^3", 400) * coordinate_of("slide") ** 4 / 4)),
-    "springs": lambda: crane(JointSpring("spring", "slide", p("k", "N/m", 200)), JointDamper("damper", "main", p("c", "N m s/rad", 0.1))),
+    "relay": lambda: crane(hd.JointForce("jets", "slide", p("thrust", "N", 9) * RELAY.output), RELAY),
+    "potential": lambda: crane(d.Potential("well", p("k", "N/m^3", 400) * hd.coordinate_of("slide") ** 4 / 4)),
+    "springs": lambda: crane(hd.JointSpring("spring", "slide", p("k", "N/m", 200)), hd.JointDamper("damper", "main", p("c", "N m s/rad", 0.1))),
     "point_spring": lambda: crane(
         d.PointSpring("rope", HOOK, TIP, p("k", "N/m", 100), rest_length=p("l0", "m", 0.2)), d.PointDamper("strut", HOOK, TIP, p("c", "N s/m", 2))
     ),
-    "line_force": lambda: crane(d.LineForce("cord", HOOK, TIP, d.Where(LENGTH > SLACK, TAUT, 0))),
+    "line_force": lambda: crane(d.LineForce("cord", HOOK, TIP, d.Where(hd.LENGTH > SLACK, TAUT, 0))),
     "friction_normal": lambda: crane(d.JointFriction("drag", "slide", SMOOTH, normal_force=p("N", "N", 20))),
     "friction_journal": lambda: crane(d.JointFriction("journal", "main", SMOOTH, radius=p("r", "m", 0.02))),
     "friction_guide": lambda: crane(d.JointFriction("guiding", "slide", SMOOTH, length=p("pads", "m", 0.4))),
-    "load_by_reaction": lambda: crane(JointForce("band", "knee", BAND * reaction_of("main") * speed_of("knee") / p("w1", "rad/s", 10))),
+    "load_by_reaction": lambda: crane(hd.JointForce("band", "knee", BAND * hd.reaction_of("main") * hd.speed_of("knee") / p("w1", "rad/s", 10))),
     "belt": lambda: crane(
         d.BeltOnDrum("capstan", drum="main", load="slide", law=SMOOTH, tension=p("hold", "N", 5), radius=p("r", "m", 0.02), wrap=p("wrap", "rad", 3))
     ),
     "ball_friction": lambda: hanging(d.BallFriction("socket", "shoulder", SMOOTH, radius=p("r", "m", 0.02))),
     "spherical_spring": lambda: hanging(
-        d.SphericalSpring("centring", ARM.at(0, 0, 0), GROUND.at(0, 0, 0), p("k_t", "N m/rad", 2), damping=p("c_t", "N m s/rad", 0.05))
+        d.SphericalSpring("centring", ARM.at(0, 0, 0), hd.GROUND.at(0, 0, 0), p("k_t", "N m/rad", 2), damping=p("c_t", "N m s/rad", 0.05))
     ),
     "bushing": lambda: floating(d.Bushing("mount", *FRAMES, stiffness=SIX)),
-    "frame_potential": lambda: floating(d.FramePotential("magnet", *FRAMES, -p("m_B", "J", 0.05) * TURN[2][2])),
+    "frame_potential": lambda: floating(d.FramePotential("magnet", *FRAMES, -p("m_B", "J", 0.05) * hd.TURN[2][2])),
     "smooth_friction": lambda: rolling(d.Friction("rubbing", "floor", SMOOTH)),
     "resistances": lambda: rolling(
         d.Friction("rubbing", "floor", SMOOTH), d.RollingResistance("roll", "floor", coefficient=p("a", "m", 1e-3), **SLOW),
         d.DrillingResistance("drill", "floor", coefficient=p("b", "m", 1e-3), **SLOW)
     ),
-    "set_valued_in_space": lambda: rolling(d.Friction("rubbing", "floor", laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.2)))),
-    "set_valued": lambda: sliding(d.Friction("rubbing", "floor", laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.25)))),
-    "load_by_normal_force": lambda: sliding(d.PointForce("suction", BALL.at(0, 0, 0), (-p("mu", "1", 0.2) * normal_force_of("floor"), 0, 0))),
+    "set_valued_in_space": lambda: rolling(d.Friction("rubbing", "floor", hd.laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.2)))),
+    "set_valued": lambda: sliding(d.Friction("rubbing", "floor", hd.laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.25)))),
+    "load_by_normal_force": lambda: sliding(d.PointForce("suction", BALL.at(0, 0, 0), (-p("mu", "1", 0.2) * hd.normal_force_of("floor"), 0, 0))),
 }  # fmt: skip
 RELAY = d.Relay(
     "relay",
-    coordinate_of("slide") + p("lead", "s", 0.05) * speed_of("slide"),
+    hd.coordinate_of("slide") + p("lead", "s", 0.05) * hd.speed_of("slide"),
     unit="m",
     hysteresis=p("dead", "m", 0.01),
 )
@@ -228,7 +207,7 @@ def run(name, coordinates, method, tolerance):
 def test_an_effect(name, coordinates, method):
     try:
         expected = run(name, coordinates, "dop853", 1e-12)
-    except InputError as refused:
+    except hd.InputError as refused:
         pytest.skip(str(refused).splitlines()[-1])
     assert expected.outcome.finished and abs(expected.energy_residual) < 1e-7, expected
     found = run(name, coordinates, method, TOLERANCES[method])

@@ -10,26 +10,7 @@ import pytest
 import sympy as sp
 from shaken import exact, shaken
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    DCMotor,
-    Drive,
-    EnergyLedger,
-    Input,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Relay,
-    Revolute,
-    Scales,
-    Scene,
-    SpeedController,
-    T,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.scenes.slider_crank import scene as crank
 from hertzwerk.runtime import Samples, simulate
 from hertzwerk.runtime.engine.run.continuation import with_steps
@@ -75,14 +56,16 @@ def test_breakpoints_leave_the_order_of_a_method(method, order):
     assert math.log(errors[0] / errors[1]) / math.log(steps[1] / steps[0]) > order - 1.5
 
 
-TORQUE = Input("torque", "N m", "of the motor on the crank")
+TORQUE = hd.Input("torque", "N m", "of the motor on the crank")
 
 
 @cache
 def driven_crank(coordinates, by_input):
     """Slider-crank with a pin in its bush, whose crank a torque 20 N m sin(800 t/s) drives."""
-    value = TORQUE if by_input else Parameter("M", "N m", 20) * sp.sin(Parameter("rate", "rad/s", 800) * T)
-    effects = tuple(JointForce("motor", "main_bearing", value) if e.name == "crank_drive" else e for e in crank.effects)
+    value = TORQUE if by_input else hd.Parameter("M", "N m", 20) * sp.sin(hd.Parameter("rate", "rad/s", 800) * hd.T)
+    effects = tuple(
+        hd.JointForce("motor", "main_bearing", value) if e.name == "crank_drive" else e for e in crank.effects
+    )
     start = replace(crank.start, speed={"main_bearing": crank.parameters["crank_speed"], **crank.start.speed})
     return engine_model(replace(crank, effects=effects, start=start).with_coordinates(coordinates))
 
@@ -114,22 +97,26 @@ def test_a_run_goes_on_and_is_made_again_to_the_bit():
 
 
 def _shaft(*effects):
-    rotor = Body("rotor", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 1e-3))
-    scales = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 100), Parameter("arm", "m", 1))
-    return Scene(Mechanism("shaft", (Revolute("main", GROUND, rotor, axis=Z),)), (*effects, EnergyLedger()), scales)
+    rotor = hd.Body("rotor", hd.Parameter("mass", "kg", 1), hd.Parameter("inertia", "kg m^2", 1e-3))
+    scales = hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("pace", "m/s", 100), hd.Parameter("arm", "m", 1))
+    return hd.Scene(
+        hd.Mechanism("shaft", (hd.Revolute("main", hd.GROUND, rotor, axis=hd.Z),)),
+        (*effects, hd.EnergyLedger()),
+        scales,
+    )
 
 
 def test_a_motor_at_a_measured_voltage_and_a_controller_with_a_set_point_that_steps():
-    control = SpeedController(
+    control = hd.SpeedController(
         "control",
         "main",
-        Input("target", "rpm"),
-        Parameter("Kp", "V s/rad", 0.5),
-        Parameter("Ki", "V/rad", 5),
+        hd.Input("target", "rpm"),
+        hd.Parameter("Kp", "V s/rad", 0.5),
+        hd.Parameter("Ki", "V/rad", 5),
         unit="V",
     )
-    values = Parameter("R", "ohm", 2), Parameter("L", "mH", 5), Parameter("k", "N m/A", 0.1)
-    motor = DCMotor("motor", "main", control.command + Input("noise", "V"), *values)
+    values = hd.Parameter("R", "ohm", 2), hd.Parameter("L", "mH", 5), hd.Parameter("k", "N m/A", 0.1)
+    motor = hd.DCMotor("motor", "main", control.command + hd.Input("noise", "V"), *values)
     target = Samples((0, 0.5, 2), (1000, 2000, 2000), ("s", "rpm"), "held")
     run = simulate(
         engine_model(_shaft(motor, control)), duration="2 s", accuracy=1e-6, inputs={"target": target, "noise": "0 V"}
@@ -139,10 +126,16 @@ def test_a_motor_at_a_measured_voltage_and_a_controller_with_a_set_point_that_st
 
 
 def test_an_input_that_jumps_switches_a_relay_there():
-    relay = Relay(
-        "relay", Input("signal", "m"), unit="m", hysteresis=Parameter("band", "mm", 1), size=Parameter("width", "m", 1)
+    relay = hd.Relay(
+        "relay",
+        hd.Input("signal", "m"),
+        unit="m",
+        hysteresis=hd.Parameter("band", "mm", 1),
+        size=hd.Parameter("width", "m", 1),
     )
-    model = engine_model(_shaft(relay, JointForce("jets", "main", Parameter("thrust", "N m", 1e-3) * relay.output)))
+    model = engine_model(
+        _shaft(relay, hd.JointForce("jets", "main", hd.Parameter("thrust", "N m", 1e-3) * relay.output))
+    )
     for between in ("held", "linear"):
         signal = Samples((0, 0.25, 0.5, 1.1), (-1, 1, -1, -1), ("s", "m"), between)
         run = simulate(model, duration="1 s", tolerance=1e-9, inputs={"signal": signal})
@@ -152,12 +145,12 @@ def test_an_input_that_jumps_switches_a_relay_there():
 
 
 def test_a_prescribed_acceleration_is_integrated():
-    block = Body("block", Parameter("mass", "kg", 2))
-    scales = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1))
-    table = Mechanism("table", (Prismatic("slide", GROUND, block, axis=X),))
-    drive = Drive("shaker", "slide", acceleration=Input("felt", "m/s^2"))
-    other = Prismatic("top", block, Body("load", Parameter("load", "kg", 1)), axis=X)
-    scene = Scene(replace(table, joints=(*table.joints, other)), (drive, EnergyLedger()), scales)
+    block = hd.Body("block", hd.Parameter("mass", "kg", 2))
+    scales = hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("pace", "m/s", 1))
+    table = hd.Mechanism("table", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),))
+    drive = hd.Drive("shaker", "slide", acceleration=hd.Input("felt", "m/s^2"))
+    other = hd.Prismatic("top", block, hd.Body("load", hd.Parameter("load", "kg", 1)), axis=hd.X)
+    scene = hd.Scene(replace(table, joints=(*table.joints, other)), (drive, hd.EnergyLedger()), scales)
     run = simulate(engine_model(scene), duration="2 s", tolerance=1e-10, inputs={"felt": ((0, 1, 2), (0, 3, 0))})
     assert run["slide.speed"][-1] == pytest.approx(3, abs=1e-9)
     assert run["slide.travel"][-1] == pytest.approx(3, abs=1e-9)  # 1/2 + 3/2 + 1

@@ -5,24 +5,7 @@ import math
 import casadi as ca
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Drive,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    T,
-    Table,
-    Y,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.program.emit.helpers import HELPERS
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.step.rounding_errors import EPS, bounds
@@ -34,24 +17,24 @@ GRAVITY, HEIGHT, RISING = 9.81, 0.1, 0.5
 def lifted():
     """A ball that falls on a platform, which a table lifts at a constant speed."""
     radius, ball, platform = (
-        Parameter("radius", "mm", 20),
-        Body("ball", Parameter("m", "kg", 0.1)),
-        Body("platform", Parameter("mp", "kg", 1)),
+        hd.Parameter("radius", "mm", 20),
+        hd.Body("ball", hd.Parameter("m", "kg", 0.1)),
+        hd.Body("platform", hd.Parameter("mp", "kg", 1)),
     )
-    lift = Table("lift", (0, 1, 2), (0, RISING, 2 * RISING), ("s", "m"))
-    guides = Prismatic("fall", GROUND, ball, axis=Y), Prismatic("guide", GROUND, platform, axis=Y)
-    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, platform.at(0, 0, 0), normal=Y)
-    stiffness, restitution = Parameter("K", "N/m^1.5", 1e8), Parameter("e", "1", 0.8)
+    lift = hd.Table("lift", (0, 1, 2), (0, RISING, 2 * RISING), ("s", "m"))
+    guides = hd.Prismatic("fall", hd.GROUND, ball, axis=hd.Y), hd.Prismatic("guide", hd.GROUND, platform, axis=hd.Y)
+    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), radius, platform.at(0, 0, 0), normal=hd.Y)
+    stiffness, restitution = hd.Parameter("K", "N/m^1.5", 1e8), hd.Parameter("e", "1", 0.8)
     return load(
-        Scene(
-            Mechanism("lifted", guides, (floor,)),
+        hd.Scene(
+            hd.Mechanism("lifted", guides, (floor,)),
             effects=(
-                Gravity("gravity", Parameter("g", "m/s^2", GRAVITY), direction=-Y),
-                Drive("hoist", "guide", position=lift(T)),
-                Contact("floor", laws.power(stiffness, n=1.5), laws.flores(restitution)),
+                hd.Gravity("gravity", hd.Parameter("g", "m/s^2", GRAVITY), direction=-hd.Y),
+                hd.Drive("hoist", "guide", position=lift(hd.T)),
+                hd.Contact("floor", hd.laws.power(stiffness, n=1.5), hd.laws.flores(restitution)),
             ),
-            start=Start(position={"fall": radius + Parameter("height", "m", HEIGHT)}),
-            scales=Scales(length=radius, speed=Parameter("pace", "m/s", 1)),
+            start=hd.Start(position={"fall": radius + hd.Parameter("height", "m", HEIGHT)}),
+            scales=hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1)),
         )
     )
 

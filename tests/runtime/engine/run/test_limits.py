@@ -5,23 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Direction,
-    Friction,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Planar,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import gonthier, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate, simulation
 from hertzwerk.runtime.engine.integration.loop import automatic_compilation, c_compilation, chunk
@@ -205,23 +189,23 @@ def test_the_remedy_of_a_stall_names_a_method_once_and_not_its_own(monkeypatch):
 def sphere():
     """A sphere 4.3 mm deep in an inclined plane that opens: its force is released, and it is pressed anew."""
     mass, inertia, radius = (
-        Parameter("mass", "kg", 0.0129),
-        Parameter("inertia", "kg m^2", 2.91e-4),
-        Parameter("radius", "m", 0.0855),
+        hd.Parameter("mass", "kg", 0.0129),
+        hd.Parameter("inertia", "kg m^2", 2.91e-4),
+        hd.Parameter("radius", "m", 0.0855),
     )
-    body = Body("ball", mass=mass, inertia=inertia)
-    plane = SphereOnPlane("floor", body.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Direction((-0.3948, 1, 0)))
-    return Scene(
-        Mechanism("pressed_sphere", (Planar("base", GROUND, body),), (plane,)),
+    body = hd.Body("ball", mass=mass, inertia=inertia)
+    plane = hd.SphereOnPlane("floor", body.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Direction((-0.3948, 1, 0)))
+    return hd.Scene(
+        hd.Mechanism("pressed_sphere", (hd.Planar("base", hd.GROUND, body),), (plane,)),
         (
-            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
-            Contact("floor", power(Parameter("stiffness", "N/m^2", 4.4065e8), 2), gonthier(Parameter("restitution", "1", 0.3377))),
-            Friction("rub", "floor", smooth_coulomb(Parameter("mu", "1", 0.2885), Parameter("v_s", "m/s", 0.01233))),
+            hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y),
+            hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^2", 4.4065e8), 2), gonthier(hd.Parameter("restitution", "1", 0.3377))),
+            hd.Friction("rub", "floor", smooth_coulomb(hd.Parameter("mu", "1", 0.2885), hd.Parameter("v_s", "m/s", 0.01233))),
         ),
-        Scales(length=radius, arm=radius, speed=Parameter("pace", "m/s", 1)),
-        Start(
-            position={"base.y": radius + Parameter("above", "mm", 1.757)},
-            speed={"base.x": Parameter("v_x", "m/s", -0.3019), "base.angle": Parameter("spin", "rad/s", 32.67)},
+        hd.Scales(length=radius, arm=radius, speed=hd.Parameter("pace", "m/s", 1)),
+        hd.Start(
+            position={"base.y": radius + hd.Parameter("above", "mm", 1.757)},
+            speed={"base.x": hd.Parameter("v_x", "m/s", -0.3019), "base.angle": hd.Parameter("spin", "rad/s", 32.67)},
         ),
     )  # fmt: skip
 
@@ -246,18 +230,20 @@ def test_auto_turns_to_implicit_steps_where_explicit_ones_are_rejected(pressed, 
 
 def test_auto_leaves_a_chatter_within_the_tolerance():
     """A ball that comes to rest 7 nm deep, under a tolerance of 110 nm: explicit steps land on its plane and leave it for ever."""
-    radius, body = Parameter("radius", "mm", 11), Body("ball", Parameter("mass", "kg", 0.114))
-    floor = SphereOnPlane("floor", body.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y)
-    scene = Scene(
-        Mechanism("chattering_ball", (Prismatic("fall", GROUND, body, axis=Y),), (floor,)),
+    radius, body = hd.Parameter("radius", "mm", 11), hd.Body("ball", hd.Parameter("mass", "kg", 0.114))
+    floor = hd.SphereOnPlane("floor", body.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y)
+    scene = hd.Scene(
+        hd.Mechanism("chattering_ball", (hd.Prismatic("fall", hd.GROUND, body, axis=hd.Y),), (floor,)),
         (
-            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
-            Contact(
-                "floor", power(Parameter("stiffness", "N/m", 1.5e8), 1), gonthier(Parameter("restitution", "1", 0.62))
+            hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y),
+            hd.Contact(
+                "floor",
+                power(hd.Parameter("stiffness", "N/m", 1.5e8), 1),
+                gonthier(hd.Parameter("restitution", "1", 0.62)),
             ),
         ),
-        Scales(length=radius, speed=Parameter("pace", "m/s", 30)),
-        Start(position={"fall": radius + Parameter("height", "mm", 1)}),
+        hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 30)),
+        hd.Start(position={"fall": radius + hd.Parameter("height", "mm", 1)}),
     )
     run = simulate(load(scene), duration="0.3 s", tolerance=1e-3, compiled=False, max_steps=3000)
     assert run.outcome.finished

@@ -8,27 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Element,
-    Gravity,
-    JointEffect,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    Slot,
-    SphereOnPlane,
-    Start,
-    State,
-    X,
-    Y,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.laws import power
 from hertzwerk.runtime import simulate
@@ -42,7 +22,7 @@ ATTRACTOR = (0.9056, 0.0, -14.5723)  # 1/s: Sprott, Chaos and Time-Series Analys
 
 
 @dataclass(frozen=True)
-class Lorenz(JointEffect):
+class Lorenz(hd.JointEffect):
     """Force by a chaotic law of its own, Lorenz, J. Atmos. Sci. 20 (1963) 130, that the motion does not act on."""
 
     name: str
@@ -52,34 +32,34 @@ class Lorenz(JointEffect):
     kind = "lorenz"
 
     def slots(self, scene):
-        yield Slot(f"{self.where}, push", self.push, "N")
-        yield Slot(f"{self.where}, pace", self.pace, "1/s")
+        yield hd.Slot(f"{self.where}, push", self.push, "N")
+        yield hd.Slot(f"{self.where}, pace", self.pace, "1/s")
 
     def states(self, scene):
-        yield from (State(name, "1", start=start, size=10) for name, start in (("x", 1), ("y", 1), ("z", 20)))
+        yield from (hd.State(name, "1", start=start, size=10) for name, start in (("x", 1), ("y", 1), ("z", 20)))
 
     def element(self, kin):
         x, y, z = (kin.state(f"{self.name}.{name}") for name in "xyz")
         force = kin.tape.let(self.push * x, f"{self.name}_force")
         rates = {"x": SIGMA * (y - x), "y": x * (RHO - z) - y, "z": x * y - BETA * z}
-        return Element(
+        return hd.Element(
             kin.on_joint(self.joint, force, self.name),
             input=force * kin.speed(self.joint),
             rates={name: self.pace * rate for name, rate in rates.items()},
         )
 
 
-def block(*effects, pairs=(), axis=X, **start):
-    return Scene(
-        Mechanism("block", (Prismatic("slide", GROUND, BLOCK, axis=axis),), pairs),
+def block(*effects, pairs=(), axis=hd.X, **start):
+    return hd.Scene(
+        hd.Mechanism("block", (hd.Prismatic("slide", hd.GROUND, BLOCK, axis=axis),), pairs),
         effects=effects,
-        start=Start(**start),
-        scales=Scales(length=Parameter("size", "m", 1), speed=Parameter("speed_scale", "m/s", 1)),
+        start=hd.Start(**start),
+        scales=hd.Scales(length=hd.Parameter("size", "m", 1), speed=hd.Parameter("speed_scale", "m/s", 1)),
     )
 
 
-MASS = Parameter("mass", "kg", 2)
-BLOCK = Body("block", MASS)
+MASS = hd.Parameter("mass", "kg", 2)
+BLOCK = hd.Body("block", MASS)
 
 
 def means(found):
@@ -88,7 +68,9 @@ def means(found):
 
 def test_lorenz_has_its_published_exponents_beside_a_block_that_follows_it():
     """Longer than numbers are large: changes grow beyond e^710."""
-    model = engine_model(block(Lorenz("attractor", "slide", Parameter("push", "N", 1), Parameter("pace", "1/s", 1))))
+    model = engine_model(
+        block(Lorenz("attractor", "slide", hd.Parameter("push", "N", 1), hd.Parameter("pace", "1/s", 1)))
+    )
     run = simulate(model, duration="900 s", tolerance=1e-8, method="dop853", compiled=False)
     found = run.lyapunov(5)
     assert found.growth[-1] > 710
@@ -123,17 +105,17 @@ def test_an_oscillator_has_no_positive_exponent():
 
 def test_through_impacts_they_add_up_to_the_divergence():
     """Between elastic impacts a linear drag c/m contracts, and nothing else does: in contact neither."""
-    drag, gravity = Parameter("drag", "N s/m", 0.2), Parameter("gravity", "m/s^2", 9.81)
-    radius = Parameter("radius", "m", 0.1)
-    floor = SphereOnPlane("floor", BLOCK.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
+    drag, gravity = hd.Parameter("drag", "N s/m", 0.2), hd.Parameter("gravity", "m/s^2", 9.81)
+    radius = hd.Parameter("radius", "m", 0.1)
+    floor = hd.SphereOnPlane("floor", BLOCK.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), normal=hd.Y)
     model = engine_model(
         block(
-            Gravity("gravity", gravity, direction=-Y),
-            Contact("floor", power(Parameter("stiffness", "N/m^1.5", 1e7), n=1.5)),
-            JointForce("drag", "slide", -drag * speed_of("slide")),
+            hd.Gravity("gravity", gravity, direction=-hd.Y),
+            hd.Contact("floor", power(hd.Parameter("stiffness", "N/m^1.5", 1e7), n=1.5)),
+            hd.JointForce("drag", "slide", -drag * hd.speed_of("slide")),
             pairs=(floor,),
-            axis=Y,
-            position={"slide": Parameter("height", "m", 1)},
+            axis=hd.Y,
+            position={"slide": hd.Parameter("height", "m", 1)},
         )
     )
     run = simulate(model, duration="4 s", tolerance=1e-11, compiled=False)

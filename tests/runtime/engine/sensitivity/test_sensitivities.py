@@ -8,25 +8,7 @@ import pytest
 import sympy as sp
 from blocks import CARRIAGE, MASS, WEIGHT, block
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Free,
-    Friction,
-    Gravity,
-    Input,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-    coordinate_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.laws import coulomb, power, smooth_coulomb
 from hertzwerk.runtime import Samples, simulate
@@ -146,7 +128,7 @@ def test_a_force_that_jumps_and_a_release_under_overlap():
 @pytest.fixture(scope="module")
 def sliding():
     """A block that slides to rest: by v^2/(2 a) in v/a, with a = mu_k m g/(m + carriage)."""
-    return engine_model(block(coulomb(Parameter("mu_k", "1", 0.2), Parameter("mu_s", "1", 0.3))))
+    return engine_model(block(coulomb(hd.Parameter("mu_k", "1", 0.2), hd.Parameter("mu_s", "1", 0.3))))
 
 
 def test_friction_that_stops(sliding):
@@ -347,18 +329,22 @@ def test_events_at_one_instant_that_would_part_have_no_derivative():
 
 
 def pair_of_balls():
-    mass, radius, height = Parameter("mass", "kg", 1), Parameter("radius", "m", 0.1), Parameter("height", "m", 1)
+    mass, radius, height = (
+        hd.Parameter("mass", "kg", 1),
+        hd.Parameter("radius", "m", 0.1),
+        hd.Parameter("height", "m", 1),
+    )
     joints, pairs, contacts = [], [], []
     for name in ("left", "right"):
-        ball = Body(f"{name}_ball", mass=mass)
-        joints.append(Prismatic(name, GROUND, ball, axis=Y))
-        pairs.append(SphereOnPlane(f"{name}_floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y))
-        contacts.append(Contact(f"{name}_floor", power(Parameter("K", "N/m^1.5", 1e8), 1.5)))
-    return Scene(
-        Mechanism("balls", tuple(joints), tuple(pairs)),
-        (Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y), *contacts),
-        Scales(length=height, speed=Parameter("pace", "m/s", 1)),
-        Start(position={"left": height, "right": height}),
+        ball = hd.Body(f"{name}_ball", mass=mass)
+        joints.append(hd.Prismatic(name, hd.GROUND, ball, axis=hd.Y))
+        pairs.append(hd.SphereOnPlane(f"{name}_floor", ball.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y))
+        contacts.append(hd.Contact(f"{name}_floor", power(hd.Parameter("K", "N/m^1.5", 1e8), 1.5)))
+    return hd.Scene(
+        hd.Mechanism("balls", tuple(joints), tuple(pairs)),
+        (hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), direction=-hd.Y), *contacts),
+        hd.Scales(length=height, speed=hd.Parameter("pace", "m/s", 1)),
+        hd.Start(position={"left": height, "right": height}),
     )
 
 
@@ -387,11 +373,11 @@ def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
 
 def test_a_load_given_as_an_input_changes_nothing_itself():
     """A force F(t) held in pieces on a mass: x = double integral of F/m, so that dx/dm = -x/m."""
-    mass = Parameter("mass", "kg", 2.0)
-    scene = Scene(
-        Mechanism("pushed", (Prismatic("slide", GROUND, Body("cart", mass), axis=Y),)),
-        (JointForce("push", "slide", Input("force", "N")),),
-        Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1)),
+    mass = hd.Parameter("mass", "kg", 2.0)
+    scene = hd.Scene(
+        hd.Mechanism("pushed", (hd.Prismatic("slide", hd.GROUND, hd.Body("cart", mass), axis=hd.Y),)),
+        (hd.JointForce("push", "slide", hd.Input("force", "N")),),
+        hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("pace", "m/s", 1)),
     )
     samples = Samples(np.array([0.0, 0.3, 0.5, 1.0]), np.array([1.0, -2.0, 3.0, 0.0]), ("s", "N"), "held")
     run = simulate(engine_model(scene), duration="1 s", tolerance=1e-10, inputs={"force": samples})
@@ -402,12 +388,12 @@ def test_a_load_given_as_an_input_changes_nothing_itself():
 
 def test_an_infinite_derivative_ends_them_and_says_where():
     """A force like the root of the travel, which stays zero."""
-    body, far = Body("body", Parameter("m", "kg", 1.0)), Parameter("far", "m", 1.0)
-    force = Parameter("F", "N", 1.0) * sp.sqrt(coordinate_of("rail") / far)
-    declared = Scene(
-        Mechanism("rooted", (Prismatic("rail", GROUND, body, axis=Y),)),
-        (JointForce("root", "rail", force),),
-        Scales(far, Parameter("pace", "m/s", 1.0)),
+    body, far = hd.Body("body", hd.Parameter("m", "kg", 1.0)), hd.Parameter("far", "m", 1.0)
+    force = hd.Parameter("F", "N", 1.0) * sp.sqrt(hd.coordinate_of("rail") / far)
+    declared = hd.Scene(
+        hd.Mechanism("rooted", (hd.Prismatic("rail", hd.GROUND, body, axis=hd.Y),)),
+        (hd.JointForce("root", "rail", force),),
+        hd.Scales(far, hd.Parameter("pace", "m/s", 1.0)),
     )
     run = simulate(engine_model(declared), duration=1.0, tolerance=1e-9)
     found = run.sensitivities("F")
@@ -418,15 +404,19 @@ def test_an_infinite_derivative_ends_them_and_says_where():
 
 def test_a_ball_that_rests_in_space_has_derivatives():
     """Its slip is zero, where the size of a vector has no slope: K by 1 % presses it in by 2/3 %."""
-    m, g, r, K = (Parameter(*row) for row in (("m", "kg", 1.0), ("g", "m/s^2", 9.81), ("r", "m", 0.1), ("K", "N/m^1.5", 1e7)))  # fmt: skip
-    law = smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "mm/s", 1.0))
-    ball = Body("ball", m, (2 * m * r**2 / 5,) * 3)
-    floor = SphereOnPlane("floor", ball.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
-    declared = Scene(
-        Mechanism("resting", (Free("free", GROUND, ball),), (floor,)),
-        (Gravity("gravity", g, direction=-Y), Contact("floor", power(K, 1.5)), Friction("rub", "floor", law)),
-        Scales(Parameter("depth", "mm", 0.1), Parameter("pace", "m/s", 1.0), arm=r),
-        Start(position={"free.y": r - (m * g / K) ** sp.Rational(2, 3)}),
+    m, g, r, K = (hd.Parameter(*row) for row in (("m", "kg", 1.0), ("g", "m/s^2", 9.81), ("r", "m", 0.1), ("K", "N/m^1.5", 1e7)))  # fmt: skip
+    law = smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("v_s", "mm/s", 1.0))
+    ball = hd.Body("ball", m, (2 * m * r**2 / 5,) * 3)
+    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), r, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+    declared = hd.Scene(
+        hd.Mechanism("resting", (hd.Free("free", hd.GROUND, ball),), (floor,)),
+        (
+            hd.Gravity("gravity", g, direction=-hd.Y),
+            hd.Contact("floor", power(K, 1.5)),
+            hd.Friction("rub", "floor", law),
+        ),
+        hd.Scales(hd.Parameter("depth", "mm", 0.1), hd.Parameter("pace", "m/s", 1.0), arm=r),
+        hd.Start(position={"free.y": r - (m * g / K) ** sp.Rational(2, 3)}),
     )
     run = simulate(engine_model(declared), duration=0.01, tolerance=1e-10)
     found = run.sensitivities("K", "mu")

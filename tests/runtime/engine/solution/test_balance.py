@@ -6,41 +6,23 @@ from functools import cache
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    EnergyLedger,
-    Gravity,
-    JointDamper,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import power
 from hertzwerk.derive.scenes import soft_ball
 from hertzwerk.runtime import load, simulate
 
-L, SPEED, MASS = Parameter("length", "m", 1.0), Parameter("pace", "m/s", 1.0), Parameter("mass", "kg", 2.0)
-GRAVITY = Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y)
-BOB = Body("bob", MASS, 0, (L, 0, 0))
-SCALES = Scales(length=L, speed=SPEED, arm=L)
+L, SPEED, MASS = hd.Parameter("length", "m", 1.0), hd.Parameter("pace", "m/s", 1.0), hd.Parameter("mass", "kg", 2.0)
+GRAVITY = hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y)
+BOB = hd.Body("bob", MASS, 0, (L, 0, 0))
+SCALES = hd.Scales(length=L, speed=SPEED, arm=L)
 
 
 @pytest.fixture(scope="module")
 def pendulum():
     """Let go at the level of its hinge: all its energy is zero where the hinge is at the origin."""
-    height = Parameter("height", "m", 0.0)
-    hinge = Revolute("hinge", GROUND.at(0, height, 0), BOB, Z)
-    return load(Scene(Mechanism("swing", (hinge,)), (GRAVITY, EnergyLedger()), SCALES))
+    height = hd.Parameter("height", "m", 0.0)
+    hinge = hd.Revolute("hinge", hd.GROUND.at(0, height, 0), BOB, hd.Z)
+    return load(hd.Scene(hd.Mechanism("swing", (hinge,)), (GRAVITY, hd.EnergyLedger()), SCALES))
 
 
 def test_a_total_energy_of_zero_is_no_measure(pendulum):
@@ -60,15 +42,15 @@ def test_the_zero_of_the_potential_does_not_matter_and_the_error_does(pendulum):
 
 def test_masses_moved_by_drives_or_dampers_count():
     """A body that is dragged along by a damper: kinetic 1 J and 1 J lost, put in 2 J."""
-    cart = Body("cart", MASS)
-    body, other = Prismatic("one", GROUND, cart, X), Prismatic("two", cart, Body("load", MASS), X)
+    cart = hd.Body("cart", MASS)
+    body, other = hd.Prismatic("one", hd.GROUND, cart, hd.X), hd.Prismatic("two", cart, hd.Body("load", MASS), hd.X)
     effects = (
-        ConstantSpeed("drive", "one", SPEED),
-        JointDamper("damper", "two", Parameter("damping", "N s/m", 20.0)),
-        EnergyLedger(),
+        hd.ConstantSpeed("drive", "one", SPEED),
+        hd.JointDamper("damper", "two", hd.Parameter("damping", "N s/m", 20.0)),
+        hd.EnergyLedger(),
     )
-    scene = Scene(
-        Mechanism("towed", (body, other)), effects, Scales(length=L, speed=SPEED), Start(speed={"two": -SPEED})
+    scene = hd.Scene(
+        hd.Mechanism("towed", (body, other)), effects, hd.Scales(length=L, speed=SPEED), hd.Start(speed={"two": -SPEED})
     )
     run = simulate(load(scene), duration="2 s", tolerance=1e-6)
     error = run["energy"] - run["energy"][0] + run["damper.dissipated"] - run["energy_ledger.input"]
@@ -89,7 +71,7 @@ def dropped(factor):
     """A ball on a floor whose stored energy is so many times the integral of its force; unchecked, or the law would be refused."""
     wrong = replace(power, name="own", stored=power.stored * sp.Float(factor))
     others = [effect for effect in soft_ball.scene.effects if effect.kind != "contact"]
-    contact = Contact("floor", wrong(soft_ball.K, sp.Rational(3, 2)), unchecked=True)
+    contact = hd.Contact("floor", wrong(soft_ball.K, sp.Rational(3, 2)), unchecked=True)
     return load(replace(soft_ball.scene, name="dropped", effects=(*others, contact)))
 
 

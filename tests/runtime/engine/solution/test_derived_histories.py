@@ -6,25 +6,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    Joint,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.module_format import sealed
 from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime import Solution, simulate, sweep
@@ -41,32 +23,32 @@ REDUNDANT = ("bricard", "flyball_governor")  # what holds their loops is open by
 
 
 def gravity():
-    return Gravity("weight", Parameter("gravity", "m/s^2", G), direction=-Y)
+    return hd.Gravity("weight", hd.Parameter("gravity", "m/s^2", G), direction=-hd.Y)
 
 
 @pytest.fixture(scope="module")
 def crank_run():
     """An ideal slider-crank: its slider's guide closes the loop."""
-    r, length = Parameter("r", "m", R), Parameter("l", "m", L)
-    crank = Body("crank", Parameter("crank_mass", "kg", MC), Parameter("crank_inertia", "kg m^2", 1e-4))
-    rod = Body(
+    r, length = hd.Parameter("r", "m", R), hd.Parameter("l", "m", L)
+    crank = hd.Body("crank", hd.Parameter("crank_mass", "kg", MC), hd.Parameter("crank_inertia", "kg m^2", 1e-4))
+    rod = hd.Body(
         "rod",
-        Parameter("rod_mass", "kg", MR),
-        Parameter("rod_inertia", "kg m^2", JR),
-        centre=(Parameter("s", "m", S), 0, 0),
+        hd.Parameter("rod_mass", "kg", MR),
+        hd.Parameter("rod_inertia", "kg m^2", JR),
+        centre=(hd.Parameter("s", "m", S), 0, 0),
     )
-    slider = Body("slider", Parameter("slider_mass", "kg", MS), Parameter("slider_inertia", "kg m^2", 1e-4))
+    slider = hd.Body("slider", hd.Parameter("slider_mass", "kg", MS), hd.Parameter("slider_inertia", "kg m^2", 1e-4))
     joints = (
-        Revolute("main", GROUND, crank, axis=Z),
-        Revolute("knee", crank.at(r, 0, 0), rod, axis=Z),
-        Revolute("wrist", rod.at(length, 0, 0), slider, axis=Z),
-        Prismatic("guide", GROUND, slider, axis=X),
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
+        hd.Revolute("knee", crank.at(r, 0, 0), rod, axis=hd.Z),
+        hd.Revolute("wrist", rod.at(length, 0, 0), slider, axis=hd.Z),
+        hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X),
     )
-    motor = ConstantSpeed("motor", "main", Parameter("speed", "rad/s", W))
-    scene = Scene(
-        Mechanism("ideal_crank", joints),
-        effects=(motor, gravity(), EnergyLedger()),
-        scales=Scales(length=r, speed=Parameter("pace", "m/s", 5), arm=r),
+    motor = hd.ConstantSpeed("motor", "main", hd.Parameter("speed", "rad/s", W))
+    scene = hd.Scene(
+        hd.Mechanism("ideal_crank", joints),
+        effects=(motor, gravity(), hd.EnergyLedger()),
+        scales=hd.Scales(length=r, speed=hd.Parameter("pace", "m/s", 5), arm=r),
     )
     return simulate(engine_model(scene), duration="30 ms", tolerance=1e-11)
 
@@ -117,7 +99,7 @@ def test_reactions_of_the_ground_are_the_rate_of_momentum(crank_run):
 
 
 @dataclass(frozen=True, init=False)
-class Polar(Joint):
+class Polar(hd.Joint):
     """A turn about Z, then a slide along X: `angle`, `travel`."""
 
     def __init__(self, name, parent, child):
@@ -125,17 +107,17 @@ class Polar(Joint):
 
     @property
     def freedoms(self):
-        return self.turn(Z), self.slide(X)
+        return self.turn(hd.Z), self.slide(hd.X)
 
 
 def test_a_slide_beyond_a_turn_is_held_by_a_force_and_a_couple_that_do_no_work():
     """x = 0.1 cosh(w t): the force across is 2 m w x'; about the axis, which the drive turns, the joint has no moment."""
-    bead = Body("bead", Parameter("bead_mass", "kg", 0.2), Parameter("bead_inertia", "kg m^2", 1e-4))
-    scene = Scene(
-        Mechanism("polar", (Polar("arm", GROUND, bead),)),
-        (ConstantSpeed("drive", "arm.angle", Parameter("w", "rad/s", 3.0)),),
-        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
-        Start({"arm.travel": Parameter("x_0", "m", 0.1)}),
+    bead = hd.Body("bead", hd.Parameter("bead_mass", "kg", 0.2), hd.Parameter("bead_inertia", "kg m^2", 1e-4))
+    scene = hd.Scene(
+        hd.Mechanism("polar", (Polar("arm", hd.GROUND, bead),)),
+        (hd.ConstantSpeed("drive", "arm.angle", hd.Parameter("w", "rad/s", 3.0)),),
+        hd.Scales(hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1.0)),
+        hd.Start({"arm.travel": hd.Parameter("x_0", "m", 0.1)}),
     )
     run = simulate(engine_model(scene), duration=0.7, tolerance=1e-11)
     x, across = 0.1 * np.cosh(3 * run.t), 0.2 * 2 * 3 * 0.3 * np.sinh(3 * run.t)
@@ -148,18 +130,21 @@ def test_a_slide_beyond_a_turn_is_held_by_a_force_and_a_couple_that_do_no_work()
 def test_a_tilted_disc_on_a_turning_shaft_is_held_by_its_gyroscopic_couple():
     """W x H, with H along the disc's axis and across it; of an upright disc it is J w W."""
     axial, across, spin, turn, tilt = 0.02, 0.013, 40.0, 3.0, 0.4
-    frame = Body("frame", Parameter("frame_mass", "kg", 1.0), Parameter("frame_inertia", "kg m^2", 0.1))
-    inertia = Parameter("axial", "kg m^2", axial), *[Parameter("across", "kg m^2", across)] * 2
-    disc = Body("disc", Parameter("disc_mass", "kg", 2.0), inertia)
-    bearing = frame.at(0, 0, 0).turned(Z, Parameter("tilt", "rad", tilt))
-    scene = Scene(
-        Mechanism("gyroscope", (Revolute("shaft", GROUND, frame, axis=Y), Revolute("axle", bearing, disc, axis=X))),
-        (
-            ConstantSpeed("drive", "shaft", Parameter("turn", "rad/s", turn)),
-            ConstantSpeed("motor", "axle", Parameter("spin", "rad/s", spin)),
-            EnergyLedger(),
+    frame = hd.Body("frame", hd.Parameter("frame_mass", "kg", 1.0), hd.Parameter("frame_inertia", "kg m^2", 0.1))
+    inertia = hd.Parameter("axial", "kg m^2", axial), *[hd.Parameter("across", "kg m^2", across)] * 2
+    disc = hd.Body("disc", hd.Parameter("disc_mass", "kg", 2.0), inertia)
+    bearing = frame.at(0, 0, 0).turned(hd.Z, hd.Parameter("tilt", "rad", tilt))
+    scene = hd.Scene(
+        hd.Mechanism(
+            "gyroscope",
+            (hd.Revolute("shaft", hd.GROUND, frame, axis=hd.Y), hd.Revolute("axle", bearing, disc, axis=hd.X)),
         ),
-        Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)),
+        (
+            hd.ConstantSpeed("drive", "shaft", hd.Parameter("turn", "rad/s", turn)),
+            hd.ConstantSpeed("motor", "axle", hd.Parameter("spin", "rad/s", spin)),
+            hd.EnergyLedger(),
+        ),
+        hd.Scales(hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1.0)),
     )
     run = simulate(engine_model(scene), duration=0.5)
     rate = turn * np.cos(tilt) * (axial * (spin + turn * np.sin(tilt)) - across * turn * np.sin(tilt))
@@ -283,7 +268,7 @@ def test_all_names_are_reported_and_used_wherever_a_history_is(rattling, tmp_pat
     table = sweep("slider_crank", over={"clearance": "0.1, 0.2 mm"}, duration="1 ms", tolerance=1e-6,
                   outputs=["crank_drive.torque.max"], histories=["rod.y"], grid=5)  # fmt: skip
     assert (table["crank_drive.torque.max"] > 0).all() and len(table.histories["rod.y"][0]) == 5
-    with pytest.raises(InputError, match=r"rod\.z\.max"):
+    with pytest.raises(hd.InputError, match=r"rod\.z\.max"):
         sweep("slider_crank", over={"clearance": "0.1, 0.2 mm"}, duration="1 ms", outputs=["rod.z.max"])
 
 
@@ -292,7 +277,7 @@ def test_a_module_alone_says_where_readings_come_from():
     run = simulate(alone, duration="10 ms", tolerance=1e-6)
     with pytest.raises(KeyError, match=r"load the scene, of derive/scenes/pendulum\.py, and simulate"):
         run["hinge.reaction_x"]
-    with pytest.raises(InputError, match=r"load\('pendulum'\)"):
+    with pytest.raises(hd.InputError, match=r"load\('pendulum'\)"):
         alone.reading_module()
 
 

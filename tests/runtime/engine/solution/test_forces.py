@@ -6,70 +6,48 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Drive,
-    EnergyLedger,
-    Harmonic,
-    JointDamper,
-    JointForce,
-    JointFriction,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    PointSpring,
-    Potential,
-    Prismatic,
-    Ramp,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    T,
-    Table,
-    Where,
-    X,
-    Z,
-    coordinate_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 
 M, K, C, J, KAPPA = 2.0, 50.0, 0.7, 0.3, 4.0  # kg, N/m, N s/m, kg m^2, N m
 MASS, STIFFNESS, DAMPING = (
-    Parameter("mass", "kg", M),
-    Parameter("stiffness", "N/m", K),
-    Parameter("damping", "N s/m", C),
+    hd.Parameter("mass", "kg", M),
+    hd.Parameter("stiffness", "N/m", K),
+    hd.Parameter("damping", "N s/m", C),
 )
-INERTIA, TORSION = Parameter("inertia", "kg m^2", J), Parameter("torsion", "N m", KAPPA)
-SIZE, PACE = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)
-FORCE, RATE = Parameter("force", "N", 4.0), Parameter("rate", "rad/s", 3.0)
+INERTIA, TORSION = hd.Parameter("inertia", "kg m^2", J), hd.Parameter("torsion", "N m", KAPPA)
+SIZE, PACE = hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 1.0)
+FORCE, RATE = hd.Parameter("force", "N", 4.0), hd.Parameter("rate", "rad/s", 3.0)
 W = np.sqrt(K / M)
 
 
 def block(*effects, **start):
     """A block that slides along x."""
-    mechanism = Mechanism("block_on_rails", (Prismatic("slide", GROUND, Body("block", MASS), axis=X),))
-    begin = Start(**{what: {"slide": value} for what, value in start.items()})
-    return Scene(mechanism, (*effects, EnergyLedger()), Scales(length=SIZE, speed=PACE, arm=SIZE), begin)
+    mechanism = hd.Mechanism("block_on_rails", (hd.Prismatic("slide", hd.GROUND, hd.Body("block", MASS), axis=hd.X),))
+    begin = hd.Start(**{what: {"slide": value} for what, value in start.items()})
+    return hd.Scene(mechanism, (*effects, hd.EnergyLedger()), hd.Scales(length=SIZE, speed=PACE, arm=SIZE), begin)
 
 
 def wheel(*effects, **start):
     """A wheel that turns about z."""
-    mechanism = Mechanism("wheel_on_axle", (Revolute("axle", GROUND, Body("wheel", MASS, INERTIA), axis=Z),))
-    begin = Start(**{what: {"axle": value} for what, value in start.items()})
-    return Scene(mechanism, (*effects, EnergyLedger()), Scales(length=SIZE, speed=PACE, arm=SIZE), begin)
+    mechanism = hd.Mechanism(
+        "wheel_on_axle", (hd.Revolute("axle", hd.GROUND, hd.Body("wheel", MASS, INERTIA), axis=hd.Z),)
+    )
+    begin = hd.Start(**{what: {"axle": value} for what, value in start.items()})
+    return hd.Scene(mechanism, (*effects, hd.EnergyLedger()), hd.Scales(length=SIZE, speed=PACE, arm=SIZE), begin)
 
 
 def follower(drive, *effects):
     """A block on a spring between it and a carriage that is driven along the same line."""
-    carriage, other = Body("carriage", Parameter("carriage_mass", "kg", 3.0)), Body("block", MASS)
-    joints = (Prismatic("rail", GROUND, carriage, axis=X), Prismatic("slide", GROUND, other, axis=X))
-    spring = PointSpring("spring", carriage.at(0, 0, 0), other.at(0, 0, 0), STIFFNESS)
-    return Scene(
-        Mechanism("follower", joints), (drive, spring, *effects, EnergyLedger()), Scales(length=SIZE, speed=PACE)
+    carriage, other = hd.Body("carriage", hd.Parameter("carriage_mass", "kg", 3.0)), hd.Body("block", MASS)
+    joints = (hd.Prismatic("rail", hd.GROUND, carriage, axis=hd.X), hd.Prismatic("slide", hd.GROUND, other, axis=hd.X))
+    spring = hd.PointSpring("spring", carriage.at(0, 0, 0), other.at(0, 0, 0), STIFFNESS)
+    return hd.Scene(
+        hd.Mechanism("follower", joints),
+        (drive, spring, *effects, hd.EnergyLedger()),
+        hd.Scales(length=SIZE, speed=PACE),
     )
 
 
@@ -81,12 +59,12 @@ def run(scene, duration, **options):
     return found
 
 
-SPRING, DAMPER = JointSpring("spring", "slide", STIFFNESS), JointDamper("damper", "slide", DAMPING)
+SPRING, DAMPER = hd.JointSpring("spring", "slide", STIFFNESS), hd.JointDamper("damper", "slide", DAMPING)
 
 
 def test_driven_oscillator_settles_to_its_amplitude_and_phase():
     """x = F/sqrt((k - m w^2)^2 + (c w)^2) cos(w t - phi), tan(phi) = c w/(k - m w^2), once exp(-c t/2m) is gone."""
-    found = run(block(SPRING, DAMPER, JointForce("motor", "slide", FORCE * sp.cos(RATE * T))), 160.0)
+    found = run(block(SPRING, DAMPER, hd.JointForce("motor", "slide", FORCE * sp.cos(RATE * hd.T))), 160.0)
     t = np.linspace(150, 160, 201)
     response = 4.0 / complex(K - M * 3.0**2, C * 3.0)
     assert found.at(t)["slide.travel"] == pytest.approx(np.real(response * np.exp(3j * t)), abs=1e-9)
@@ -98,8 +76,8 @@ def test_driven_oscillator_settles_to_its_amplitude_and_phase():
 
 def test_friction_brings_a_block_to_rest():
     """m v' = -mu N tanh(v/v_s): sinh(v/v_s) falls as exp(-mu N t/(m v_s))."""
-    law = smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.5))
-    scene = block(JointFriction("friction", "slide", law, Parameter("load", "N", 30.0)), speed=PACE)
+    law = smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.5))
+    scene = block(hd.JointFriction("friction", "slide", law, hd.Parameter("load", "N", 30.0)), speed=PACE)
     found = run(scene, 1.0)
     expected = 0.5 * np.arcsinh(np.sinh(2.0) * np.exp(-0.2 * 30 / (M * 0.5) * found.t))
     assert found["slide.speed"] == pytest.approx(expected, abs=1e-9)
@@ -108,12 +86,12 @@ def test_friction_brings_a_block_to_rest():
 
 # -- drives ------------------------------------------------------------------------------------------------------------
 
-AMPLITUDE = Parameter("amplitude", "m", 0.05)
+AMPLITUDE = hd.Parameter("amplitude", "m", 0.05)
 
 
 def test_a_harmonic_carriage_takes_its_block_along():
     """m x'' = k (A sin(W t) - x): x = A/(1 - r^2) (sin(W t) - r sin(w t)), r = W/w."""
-    found = run(follower(Harmonic("drive", "rail", AMPLITUDE, RATE)), 10.0)
+    found = run(follower(hd.Harmonic("drive", "rail", AMPLITUDE, RATE)), 10.0)
     t, ratio = found.t, 3.0 / W
     assert found["slide.travel"] == pytest.approx(
         0.05 / (1 - ratio**2) * (np.sin(3 * t) - ratio * np.sin(W * t)), abs=1e-9
@@ -125,8 +103,8 @@ def test_a_harmonic_carriage_takes_its_block_along():
 def tabulated(count):
     """The follower of a table of the same sine over four half periods."""
     times = np.linspace(0, 4 * np.pi / 3, count)
-    table = Table("sine", times.tolist(), (50 * np.sin(3 * times)).tolist(), ("s", "mm"))
-    return engine_model(follower(Drive("drive", "rail", position=table(T))))
+    table = hd.Table("sine", times.tolist(), (50 * np.sin(3 * times)).tolist(), ("s", "mm"))
+    return engine_model(follower(hd.Drive("drive", "rail", position=table(hd.T))))
 
 
 def test_a_tabulated_sine_is_as_good_as_the_spline():
@@ -150,22 +128,27 @@ def test_every_method_reads_tables(method):
 
 
 def ramped(**drive):
-    wheel = Body("wheel", MASS, INERTIA)
-    joints = (Revolute("axle", GROUND, wheel, axis=Z), Prismatic("slide", GROUND, Body("block", MASS), axis=X))
-    scales = Scales(length=SIZE, speed=PACE, arm=SIZE)
-    return Scene(Mechanism("ramped", joints), (Drive("drive", "axle", **drive), SPRING, EnergyLedger()), scales)
+    wheel = hd.Body("wheel", MASS, INERTIA)
+    joints = (
+        hd.Revolute("axle", hd.GROUND, wheel, axis=hd.Z),
+        hd.Prismatic("slide", hd.GROUND, hd.Body("block", MASS), axis=hd.X),
+    )
+    scales = hd.Scales(length=SIZE, speed=PACE, arm=SIZE)
+    return hd.Scene(
+        hd.Mechanism("ramped", joints), (hd.Drive("drive", "axle", **drive), SPRING, hd.EnergyLedger()), scales
+    )
 
 
-SPEED, RISE = Parameter("speed", "rpm", 120), Parameter("rise", "s", 0.5)
+SPEED, RISE = hd.Parameter("speed", "rpm", 120), hd.Parameter("rise", "s", 0.5)
 
 
 @pytest.mark.parametrize("smoothness", [0, 1, 2, 3])
 def test_a_ramp_is_the_integral_of_its_speed_and_of_its_acceleration(smoothness):
     """Integrated as states from its declared speed, and from its acceleration, a ramp comes where its closed form is: speed (t - rise/2)."""
-    law = Ramp("drive", "axle", SPEED, RISE, smoothness).motion.law
+    law = hd.Ramp("drive", "axle", SPEED, RISE, smoothness).motion.law
     speed = 120 * np.pi / 30
-    by_speed = run(ramped(speed=sp.diff(law, T)), 2.0)
-    by_acceleration = run(ramped(acceleration=sp.diff(law, T, 2)), 2.0)
+    by_speed = run(ramped(speed=sp.diff(law, hd.T)), 2.0)
+    by_acceleration = run(ramped(acceleration=sp.diff(law, hd.T, 2)), 2.0)
     for found in (by_speed, by_acceleration):
         late = found.t > 0.5
         assert found["axle.angle"][late] == pytest.approx(speed * (found.t[late] - 0.25), abs=1e-7)
@@ -176,7 +159,9 @@ def test_a_ramp_is_the_integral_of_its_speed_and_of_its_acceleration(smoothness)
 
 
 def test_states_of_a_drive_can_start_elsewhere():
-    model = engine_model(ramped(speed=SPEED * Where(T < RISE, T / RISE, 1), start=Parameter("first", "deg", 90)))
+    model = engine_model(
+        ramped(speed=SPEED * hd.Where(hd.T < RISE, hd.T / RISE, 1), start=hd.Parameter("first", "deg", 90))
+    )
     assert simulate(model, duration=0.1, tolerance=1e-6)["axle.angle"][0] == pytest.approx(np.pi / 2)
     run = simulate(model, duration=0.1, initial={"axle.angle": "10 deg"}, tolerance=1e-6)
     assert run["axle.angle"][0] == pytest.approx(np.pi / 18)
@@ -186,16 +171,18 @@ def test_states_of_a_drive_can_start_elsewhere():
 
 
 def test_the_ledger_closes_with_every_element_at_once():
-    law = smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.5))
+    law = smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.5))
     extra = (
         SPRING,
         DAMPER,
-        JointForce("motor", "slide", FORCE * sp.cos(RATE * T)),
-        JointFriction("friction", "slide", law, Parameter("load", "N", 3.0)),
-        Potential("bowl", STIFFNESS * coordinate_of("slide") ** 4 / SIZE**2),
+        hd.JointForce("motor", "slide", FORCE * sp.cos(RATE * hd.T)),
+        hd.JointFriction("friction", "slide", law, hd.Parameter("load", "N", 3.0)),
+        hd.Potential("bowl", STIFFNESS * hd.coordinate_of("slide") ** 4 / SIZE**2),
     )
-    scene = follower(Harmonic("drive", "rail", AMPLITUDE, RATE), JointDamper("rails", "rail", DAMPING))
-    found = run(Scene(scene.mechanism, (*(e for e in scene.effects if e.name != "spring"), *extra), scene.scales), 10.0)
+    scene = follower(hd.Harmonic("drive", "rail", AMPLITUDE, RATE), hd.JointDamper("rails", "rail", DAMPING))
+    found = run(
+        hd.Scene(scene.mechanism, (*(e for e in scene.effects if e.name != "spring"), *extra), scene.scales), 10.0
+    )
     assert set(found.engine.model.memory) == {
         "energy_ledger.input", "rails.dissipated", "damper.dissipated", "motor.input", "friction.dissipated"
     }  # fmt: skip

@@ -6,24 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Drive,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    T,
-    Y,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.caller import Caller
@@ -35,7 +18,7 @@ OMEGA = 200.0  # rad/s
 SMALL, RATIO = 1e-3, 2.0  # vibration over depth, gap rate over v0
 FACTOR = POWER * SMALL / RATIO  # damping factor h for which damping and stiffness of the contact weigh alike
 RESTITUTION = float(np.sqrt(1 - FACTOR * 4 / 3))  # of Lankarani and Nikravesh, h = 3 (1 - e^2)/4
-LATCHING = [name for name, law in laws.LAWS.items() if isinstance(law, DampingLaw) and APPROACH_SPEED in law.memory]
+LATCHING = [name for name, law in hd.laws.LAWS.items() if isinstance(law, DampingLaw) and APPROACH_SPEED in law.memory]
 
 
 def steady():
@@ -52,24 +35,32 @@ def steady():
 @cache
 def ball(damping="lankarani_nikravesh"):
     """A ball on a plane that is moved up and down as amplitude sin(w t)."""
-    radius, shaken = Parameter("radius", "mm", 20), Parameter("amplitude", "m", 0)
-    stiffness = Parameter("stiffness", "N/m^1.5", MASS * GRAVITY / DEPTH**POWER)
-    body, table = Body("ball", Parameter("mass", "kg", MASS)), Body("table", Parameter("table_mass", "kg", 1))
-    law = getattr(laws, damping)(
-        *(Parameter(symbol.name, symbol.unit, 0.9) for symbol in laws.LAWS[damping].parameters)
+    radius, shaken = hd.Parameter("radius", "mm", 20), hd.Parameter("amplitude", "m", 0)
+    stiffness = hd.Parameter("stiffness", "N/m^1.5", MASS * GRAVITY / DEPTH**POWER)
+    body, table = (
+        hd.Body("ball", hd.Parameter("mass", "kg", MASS)),
+        hd.Body("table", hd.Parameter("table_mass", "kg", 1)),
     )
-    joints = Prismatic("fall", GROUND, body, axis=Y), Prismatic("lift", GROUND, table, axis=Y)
+    law = getattr(hd.laws, damping)(
+        *(hd.Parameter(symbol.name, symbol.unit, 0.9) for symbol in hd.laws.LAWS[damping].parameters)
+    )
+    joints = hd.Prismatic("fall", hd.GROUND, body, axis=hd.Y), hd.Prismatic("lift", hd.GROUND, table, axis=hd.Y)
     return load(
-        Scene(
-            Mechanism("shaken_ball", joints, (SphereOnPlane("floor", body.at(0, 0, 0), radius, table.at(0, 0, 0), Y),)),
-            (
-                Gravity("gravity", Parameter("gravity", "m/s^2", GRAVITY), direction=-Y),
-                Drive("shaker", "lift", position=shaken * sp.sin(Parameter("omega", "rad/s", OMEGA) * T)),
-                Contact("floor", laws.power(stiffness, POWER), law),
-                EnergyLedger(),
+        hd.Scene(
+            hd.Mechanism(
+                "shaken_ball", joints, (hd.SphereOnPlane("floor", body.at(0, 0, 0), radius, table.at(0, 0, 0), hd.Y),)
             ),
-            Scales(length=Parameter("depth", "m", DEPTH), speed=Parameter("pace", "m/s", 0.02)),
-            Start(position={"fall": radius - Parameter("sunk", "m", 0)}, speed={"fall": Parameter("rising", "m/s", 0)}),
+            (
+                hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", GRAVITY), direction=-hd.Y),
+                hd.Drive("shaker", "lift", position=shaken * sp.sin(hd.Parameter("omega", "rad/s", OMEGA) * hd.T)),
+                hd.Contact("floor", hd.laws.power(stiffness, POWER), law),
+                hd.EnergyLedger(),
+            ),
+            hd.Scales(length=hd.Parameter("depth", "m", DEPTH), speed=hd.Parameter("pace", "m/s", 0.02)),
+            hd.Start(
+                position={"fall": radius - hd.Parameter("sunk", "m", 0)},
+                speed={"fall": hd.Parameter("rising", "m/s", 0)},
+            ),
         )
     )
 

@@ -7,27 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    Drive,
-    Free,
-    Harmonic,
-    Mechanism,
-    Parameter,
-    PinInBush,
-    Ramp,
-    Revolute,
-    Scales,
-    Scene,
-    T,
-    Table,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import simulate
@@ -74,10 +54,10 @@ def test_none_where_no_pin_determines_the_coordinates():
 
 # -- cranks that are accelerated ---------------------------------------------------------------------------------------
 
-SPEED, RISE = Parameter("crank_speed", "rpm", 5000, "constant speed of the crank"), Parameter("rise", "ms", 10)
-SHARE, RATE = Parameter("share", "1", 0.2), Parameter("rate", "rad/s", 300)
+SPEED, RISE = hd.Parameter("crank_speed", "rpm", 5000, "constant speed of the crank"), hd.Parameter("rise", "ms", 10)
+SHARE, RATE = hd.Parameter("share", "1", 0.2), hd.Parameter("rate", "rad/s", 300)
 TIMES = np.linspace(0, 0.03, 61)
-WAVE = Table("wave", TIMES.tolist(), (0.5 * np.sin(300 * TIMES)).tolist(), ("s", "rad"))
+WAVE = hd.Table("wave", TIMES.tolist(), (0.5 * np.sin(300 * TIMES)).tolist(), ("s", "rad"))
 
 
 def ramp(t):
@@ -95,16 +75,16 @@ def swaying(t):
 
 CRANKS = {
     "harmonic": (
-        Harmonic("crank_drive", "main_bearing", SHARE, RATE),
+        hd.Harmonic("crank_drive", "main_bearing", SHARE, RATE),
         lambda t: (0.2 * np.sin(300 * t), 60 * np.cos(300 * t), -18000 * np.sin(300 * t)),
     ),
-    "ramp": (Ramp("crank_drive", "main_bearing", SPEED, RISE), ramp),
+    "ramp": (hd.Ramp("crank_drive", "main_bearing", SPEED, RISE), ramp),
     "position": (
-        Drive("crank_drive", "main_bearing", position=SPEED * (T + SHARE / RATE * (1 - sp.cos(RATE * T)))), swaying,
+        hd.Drive("crank_drive", "main_bearing", position=SPEED * (hd.T + SHARE / RATE * (1 - sp.cos(RATE * hd.T)))), swaying,
     ),
-    "speed": (Drive("crank_drive", "main_bearing", speed=SPEED * (1 + SHARE * sp.sin(RATE * T))), swaying),
+    "speed": (hd.Drive("crank_drive", "main_bearing", speed=SPEED * (1 + SHARE * sp.sin(RATE * hd.T))), swaying),
     "acceleration": (
-        Drive("crank_drive", "main_bearing", acceleration=SPEED * SHARE * RATE * sp.cos(RATE * T), start_speed=SPEED), swaying,
+        hd.Drive("crank_drive", "main_bearing", acceleration=SPEED * SHARE * RATE * sp.cos(RATE * hd.T), start_speed=SPEED), swaying,
     ),
 }  # fmt: skip
 
@@ -131,7 +111,7 @@ def test_an_accelerated_crank_is_the_closed_form(label, count):
 
 
 def test_a_tabulated_crank_follows_its_table():
-    model = engine_model(slider_crank.replace(crank_drive=Drive("crank_drive", "main_bearing", position=WAVE(T))))
+    model = engine_model(slider_crank.replace(crank_drive=hd.Drive("crank_drive", "main_bearing", position=WAVE(hd.T))))
     t = np.linspace(0, 0.03, 31)
     ideal = followed(t, scene=model)
     assert ideal["guide.travel"] == pytest.approx(closed_form.position(0.5 * np.sin(300 * t), R, L), abs=1e-9)
@@ -151,23 +131,23 @@ def test_a_clearance_run_with_an_accelerated_crank_stays_near_the_ideal_one():
 def held_body(speed):
     """A free body whose three pins sit in bushes of a driven wheel: their axes X, Y, Z leave it no freedom, so it turns with the wheel."""
     mass, clearance, radius = (
-        Parameter("mass", "kg", 1.0),
-        Parameter("clearance", "mm", 1.0),
-        Parameter("radius", "mm", 10.0),
+        hd.Parameter("mass", "kg", 1.0),
+        hd.Parameter("clearance", "mm", 1.0),
+        hd.Parameter("radius", "mm", 10.0),
     )
-    inertia = tuple(Parameter(f"J_{k}", "kg m^2", 0.01) for k in "xyz")
-    wheel, body = Body("wheel", mass, inertia), Body("body", mass, inertia)
-    places = {"first": ((0, 1, 0), X), "second": ((0, 0, 1), Y), "third": ((1, 0, 0), Z)}
-    off = Parameter("off", "m", 0.3)
+    inertia = tuple(hd.Parameter(f"J_{k}", "kg m^2", 0.01) for k in "xyz")
+    wheel, body = hd.Body("wheel", mass, inertia), hd.Body("body", mass, inertia)
+    places = {"first": ((0, 1, 0), hd.X), "second": ((0, 0, 1), hd.Y), "third": ((1, 0, 0), hd.Z)}
+    off = hd.Parameter("off", "m", 0.3)
     pairs = tuple(
-        PinInBush(name, body.at(*(k * off for k in at)), wheel.at(*(k * off for k in at)), axis, radius, clearance)
+        hd.PinInBush(name, body.at(*(k * off for k in at)), wheel.at(*(k * off for k in at)), axis, radius, clearance)
         for name, (at, axis) in places.items()
     )
-    contacts = tuple(Contact(name, power(Parameter("stiffness", "N/m^1.5", 1e8), 1.5)) for name in places)
-    drive = ConstantSpeed("drive", "axle", Parameter("wheel_speed", "rad/s", speed))
-    joints = (Revolute("axle", GROUND, wheel, Z), Free("float", GROUND, body))
-    scales = Scales(length=clearance, speed=Parameter("pace", "m/s", 1.0), arm=off)
-    return engine_model(Scene(Mechanism("held", joints, pairs), (drive, *contacts), scales))
+    contacts = tuple(hd.Contact(name, power(hd.Parameter("stiffness", "N/m^1.5", 1e8), 1.5)) for name in places)
+    drive = hd.ConstantSpeed("drive", "axle", hd.Parameter("wheel_speed", "rad/s", speed))
+    joints = (hd.Revolute("axle", hd.GROUND, wheel, hd.Z), hd.Free("float", hd.GROUND, body))
+    scales = hd.Scales(length=clearance, speed=hd.Parameter("pace", "m/s", 1.0), arm=off)
+    return engine_model(hd.Scene(hd.Mechanism("held", joints, pairs), (drive, *contacts), scales))
 
 
 def test_a_free_body_is_assembled_and_followed_on_its_quaternion():
@@ -186,15 +166,15 @@ def test_a_free_body_is_assembled_and_followed_on_its_quaternion():
 
 def test_a_closed_loop_counts_beside_the_clearances():
     """A second crank, hung to the first by a coupler as long as the base: it turns along, and the slider does what it did."""
-    base, mass = Parameter("base", "m", 0.2), Parameter("second_mass", "kg", 0.1)
-    inertia = Parameter("second_inertia", "kg m^2", 1e-4)
-    second, coupler = Body("second", mass, inertia), Body("coupler", mass, inertia, (base / 2, 0, 0))
+    base, mass = hd.Parameter("base", "m", 0.2), hd.Parameter("second_mass", "kg", 0.1)
+    inertia = hd.Parameter("second_inertia", "kg m^2", 1e-4)
+    second, coupler = hd.Body("second", mass, inertia), hd.Body("coupler", mass, inertia, (base / 2, 0, 0))
     crank, radius = slider_crank.mechanism.joints[1].parent.body, slider_crank.mechanism.joints[1].parent.position[0]
     joints = (
         *slider_crank.mechanism.joints,
-        Revolute("second_bearing", GROUND.at(base, 0, 0), second, Z),
-        Revolute("near", crank.at(radius, 0, 0), coupler, Z),
-        Revolute("far", second.at(radius, 0, 0), coupler.at(base, 0, 0), Z),
+        hd.Revolute("second_bearing", hd.GROUND.at(base, 0, 0), second, hd.Z),
+        hd.Revolute("near", crank.at(radius, 0, 0), coupler, hd.Z),
+        hd.Revolute("far", second.at(radius, 0, 0), coupler.at(base, 0, 0), hd.Z),
     )
     model = engine_model(replace(slider_crank, mechanism=replace(slider_crank.mechanism, joints=joints)))
     assert (model.nu, model.nl) == (4, 2)

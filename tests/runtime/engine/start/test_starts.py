@@ -7,25 +7,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Drive,
-    Harmonic,
-    InputError,
-    Mechanism,
-    Parameter,
-    PinInBush,
-    Planar,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, hertz_point
 from hertzwerk.derive.scenes.four_bar_clearance import base, c, coupler, crank, k, l, r, rocker, steel, w
 from hertzwerk.derive.scenes.four_bar_clearance import scene as with_one
@@ -39,7 +21,7 @@ from hertzwerk.runtime.loading import engine_model
 from reference import scenes
 
 R, L, K, BASE, C, W = 0.05, 0.12, 0.10, 0.13, 5e-4, 1000 * np.pi / 30
-BUSH = Parameter("bush_radius", "mm", 10)
+BUSH = hd.Parameter("bush_radius", "mm", 10)
 JOURNALS = (
     "ball_in_socket",
     "four_bar_clearance",
@@ -55,30 +37,30 @@ JOURNALS = (
 
 def fresh(start):
     """A four-bar with clearance at both ends of its coupler, as somebody declares it who has not assembled it."""
-    mechanism = Mechanism(
+    mechanism = hd.Mechanism(
         "fresh_four_bar",
         joints=(
-            Revolute("main_bearing", GROUND, crank, axis=Z),
-            Planar("coupler_plane", GROUND, coupler),
-            Revolute("rocker_bearing", GROUND.at(base, 0, 0), rocker, axis=Z),
+            hd.Revolute("main_bearing", hd.GROUND, crank, axis=hd.Z),
+            hd.Planar("coupler_plane", hd.GROUND, coupler),
+            hd.Revolute("rocker_bearing", hd.GROUND.at(base, 0, 0), rocker, axis=hd.Z),
         ),
         pairs=(
-            PinInBush("crank_pin", crank.at(r, 0, 0), coupler.at(0, 0, 0), Z, BUSH, c),
-            PinInBush("rocker_pin", coupler.at(l, 0, 0), rocker.at(k, 0, 0), Z, BUSH, c),
+            hd.PinInBush("crank_pin", crank.at(r, 0, 0), coupler.at(0, 0, 0), hd.Z, BUSH, c),
+            hd.PinInBush("rocker_pin", coupler.at(l, 0, 0), rocker.at(k, 0, 0), hd.Z, BUSH, c),
         ),
     )
     contacts = (
-        Contact(pair.name, hertz_point(steel, steel), flores(Parameter("restitution", "1", 0.9)))
+        hd.Contact(pair.name, hertz_point(steel, steel), flores(hd.Parameter("restitution", "1", 0.9)))
         for pair in mechanism.pairs
     )
-    turned = Drive("crank_drive", "main_bearing", speed=w)
-    return Scene(mechanism, (turned, with_one.effect("gravity"), *contacts), Scales(c, r * w, l), start)
+    turned = hd.Drive("crank_drive", "main_bearing", speed=w)
+    return hd.Scene(mechanism, (turned, with_one.effect("gravity"), *contacts), hd.Scales(c, r * w, l), start)
 
 
 def near(coupler_start, rocker_start):
     """One of the two ways to assemble it."""
-    angles = Parameter("coupler_start", "deg", coupler_start), Parameter("rocker_start", "deg", rocker_start)
-    return Start(near=dict(zip(("coupler_plane.angle", "rocker_bearing"), angles, strict=True)))
+    angles = hd.Parameter("coupler_start", "deg", coupler_start), hd.Parameter("rocker_start", "deg", rocker_start)
+    return hd.Start(near=dict(zip(("coupler_plane.angle", "rocker_bearing"), angles, strict=True)))
 
 
 LOWER, UPPER = fresh(near(-60, -100)), fresh(near(60, 100))
@@ -168,7 +150,7 @@ def test_a_slider_crank_with_three_clearances_from_nothing_is_its_closed_form(co
         assert found[name] == pytest.approx(expected.get(name, 0), rel=1e-12, abs=1e-11), name
 
 
-FROM_NOTHING = replace(with_three, start=Start())
+FROM_NOTHING = replace(with_three, start=hd.Start())
 
 
 @pytest.mark.parametrize("name", JOURNALS)
@@ -193,7 +175,7 @@ def test_stated_start_values_stay_and_the_rest_is_solved_for(models):
 
 
 def faults_of(model, initial, parameters=None):
-    with pytest.raises(InputError) as refused:
+    with pytest.raises(hd.InputError) as refused:
         simulate(model, duration="1 ms", tolerance=1e-6, initial=initial, parameters=parameters)
     return refused.value.faults
 
@@ -220,20 +202,22 @@ def test_too_little_is_named():
 
 def test_too_few_positions_and_speeds_are_one_error():
     """The speeds were reported after the positions had been stated: a rod that hangs by its pin on a shaken carriage."""
-    length = Parameter("hang", "mm", 100)
-    mass = Parameter("m", "kg", 1)
-    carriage, rod = Body("carriage", mass), Body("rod", mass, mass * length**2)
-    mechanism = Mechanism(
+    length = hd.Parameter("hang", "mm", 100)
+    mass = hd.Parameter("m", "kg", 1)
+    carriage, rod = hd.Body("carriage", mass), hd.Body("rod", mass, mass * length**2)
+    mechanism = hd.Mechanism(
         "hanging",
-        (Prismatic("guide", GROUND, carriage, axis=X), Planar("plane", GROUND, rod)),
-        (PinInBush("pin", rod.at(0, length, 0), carriage.at(0, 0, 0), Z, BUSH, c),),
+        (hd.Prismatic("guide", hd.GROUND, carriage, axis=hd.X), hd.Planar("plane", hd.GROUND, rod)),
+        (hd.PinInBush("pin", rod.at(0, length, 0), carriage.at(0, 0, 0), hd.Z, BUSH, c),),
     )
-    drive = Harmonic("shake", "guide", Parameter("amplitude", "mm", 5), frequency=Parameter("rate", "rad/s", 20))
+    drive = hd.Harmonic(
+        "shake", "guide", hd.Parameter("amplitude", "mm", 5), frequency=hd.Parameter("rate", "rad/s", 20)
+    )
     model = engine_model(
-        Scene(
+        hd.Scene(
             mechanism,
-            (drive, Contact("pin", hertz_point(steel, steel))),
-            Scales(c, Parameter("pace", "m/s", 1), arm=length),
+            (drive, hd.Contact("pin", hertz_point(steel, steel))),
+            hd.Scales(c, hd.Parameter("pace", "m/s", 1), arm=length),
         )
     )
     faults = faults_of(model, {})

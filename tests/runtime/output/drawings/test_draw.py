@@ -10,23 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Gravity,
-    KnifeEdge,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
@@ -40,25 +24,32 @@ from reference.workshop import workshop
 CRANK, ROD, PACE = 0.05, 0.12, 30.0  # m, m, rad/s
 
 
-def ideal_slider_crank() -> Scene:
+def ideal_slider_crank() -> hd.Scene:
     """Crank at constant speed, rod, slider; the slider's pin closes the loop."""
-    r, l, w = Parameter("crank_length", "m", CRANK), Parameter("rod_length", "m", ROD), Parameter("pace", "rad/s", PACE)
-    inertia = Parameter("inertia", "kg m^2", 1e-3)
-    crank, slider = (Body(name, Parameter(f"{name}_mass", "kg", 1), inertia) for name in ("crank", "slider"))
-    rod = Body("rod", Parameter("rod_mass", "kg", 1), inertia, centre=(l / 2, 0, 0))
-    return Scene(
-        Mechanism(
+    r, l, w = (
+        hd.Parameter("crank_length", "m", CRANK),
+        hd.Parameter("rod_length", "m", ROD),
+        hd.Parameter("pace", "rad/s", PACE),
+    )
+    inertia = hd.Parameter("inertia", "kg m^2", 1e-3)
+    crank, slider = (hd.Body(name, hd.Parameter(f"{name}_mass", "kg", 1), inertia) for name in ("crank", "slider"))
+    rod = hd.Body("rod", hd.Parameter("rod_mass", "kg", 1), inertia, centre=(l / 2, 0, 0))
+    return hd.Scene(
+        hd.Mechanism(
             "ideal_slider_crank",
             (
-                Revolute("bearing", GROUND, crank, axis=Z),
-                Revolute("crank_pin", crank.at(r, 0, 0), rod, axis=Z),
-                Prismatic("guide", GROUND, slider, axis=X),
-                Revolute("slider_pin", slider, rod.at(l, 0, 0), axis=Z),
+                hd.Revolute("bearing", hd.GROUND, crank, axis=hd.Z),
+                hd.Revolute("crank_pin", crank.at(r, 0, 0), rod, axis=hd.Z),
+                hd.Prismatic("guide", hd.GROUND, slider, axis=hd.X),
+                hd.Revolute("slider_pin", slider, rod.at(l, 0, 0), axis=hd.Z),
             ),
         ),
-        effects=(ConstantSpeed("drive", "bearing", w), Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), -Y)),
-        start=Start(position={"guide": r + l}),
-        scales=Scales(length=r, speed=r * w, arm=r),
+        effects=(
+            hd.ConstantSpeed("drive", "bearing", w),
+            hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 9.81), -hd.Y),
+        ),
+        start=hd.Start(position={"guide": r + l}),
+        scales=hd.Scales(length=r, speed=r * w, arm=r),
     )
 
 
@@ -228,12 +219,17 @@ def test_runs_that_kept_a_grid_are_drawn_and_saved_ones_say_why_not(tmp_path):
 
 
 def test_a_knife_edge_lies_along_its_motion_and_what_has_no_mass_no_shape_has_no_name():
-    arm = Parameter("arm", "m", 0.3)
-    sleigh, cart = Body("sleigh", Parameter("mass", "kg", 2), Parameter("inertia", "kg m^2", 0.1)), Body("cart", 0)
-    scene = Scene(
-        Mechanism("skating", (Prismatic("way", GROUND, cart, axis=X), Prismatic("up", cart, sleigh, axis=Y))),
-        (KnifeEdge("skate", sleigh.at(-arm, 0, 0), Y),),
-        Scales(arm, Parameter("pace", "m/s", 1), arm=arm),
+    arm = hd.Parameter("arm", "m", 0.3)
+    sleigh, cart = (
+        hd.Body("sleigh", hd.Parameter("mass", "kg", 2), hd.Parameter("inertia", "kg m^2", 0.1)),
+        hd.Body("cart", 0),
+    )
+    scene = hd.Scene(
+        hd.Mechanism(
+            "skating", (hd.Prismatic("way", hd.GROUND, cart, axis=hd.X), hd.Prismatic("up", cart, sleigh, axis=hd.Y))
+        ),
+        (hd.KnifeEdge("skate", sleigh.at(-arm, 0, 0), hd.Y),),
+        hd.Scales(arm, hd.Parameter("pace", "m/s", 1), arm=arm),
     )
     figure = load(scene).draw()
     words = [text.get_text() for text in figure.axes[0].texts]

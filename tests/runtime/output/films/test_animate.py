@@ -14,22 +14,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 from PIL import Image
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    BoxOnBox,
-    Contact,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnBox,
-    Start,
-    Y,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Solution, simulate
 from hertzwerk.runtime.cli import main
@@ -242,23 +227,30 @@ def test_contact_points_and_directions_by_hand(name):
 def test_boxes_and_spheres_on_solids_have_arrows_where_their_forces_act():
     """A ball pressed on a box beside its middle, a rectangle flat on another: upwards, from where they touch."""
     r, w, h, K = (
-        Parameter("r", "mm", 10),
-        Parameter("w", "mm", 100),
-        Parameter("h", "mm", 80),
-        Parameter("K", "N/m", 1e6),
+        hd.Parameter("r", "mm", 10),
+        hd.Parameter("w", "mm", 100),
+        hd.Parameter("h", "mm", 80),
+        hd.Parameter("K", "N/m", 1e6),
     )
-    bodies, aside = [Body(name, Parameter("m", "kg", 1)) for name in ("ball", "block")], GROUND.at(w, 0, 0)
-    joints = [Prismatic(body.name + "_guide", aside if k else GROUND, body, axis=Y) for k, body in enumerate(bodies)]
+    bodies, aside = [hd.Body(name, hd.Parameter("m", "kg", 1)) for name in ("ball", "block")], hd.GROUND.at(w, 0, 0)
+    joints = [
+        hd.Prismatic(body.name + "_guide", aside if k else hd.GROUND, body, axis=hd.Y) for k, body in enumerate(bodies)
+    ]
     one, two = (body.at(0, 0, 0) for body in bodies)
     pairs = (
-        SphereOnBox("bed", one, r, GROUND.at(-w / 4, 0, 0), w, h, w),
-        BoxOnBox("stack", two, w, h, aside, w, h, r / 10),
+        hd.SphereOnBox("bed", one, r, hd.GROUND.at(-w / 4, 0, 0), w, h, w),
+        hd.BoxOnBox("stack", two, w, h, aside, w, h, r / 10),
     )
-    effects = *(Contact(p.name, laws.power(K, 1)) for p in pairs), Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y)
-    start = Start(position={"ball_guide": h / 2 + r, "block_guide": h})
-    scales = Scales(length=r, speed=Parameter("pace", "m/s", 0.1))
+    effects = (
+        *(hd.Contact(p.name, hd.laws.power(K, 1)) for p in pairs),
+        hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y),
+    )
+    start = hd.Start(position={"ball_guide": h / 2 + r, "block_guide": h})
+    scales = hd.Scales(length=r, speed=hd.Parameter("pace", "m/s", 0.1))
     run = simulate(
-        engine_model(Scene(Mechanism("solids", joints, pairs), effects, scales, start)), duration="5 ms", tolerance=1e-6
+        engine_model(hd.Scene(hd.Mechanism("solids", joints, pairs), effects, scales, start)),
+        duration="5 ms",
+        tolerance=1e-6,
     )
     stage = stage_of(run, 5)
     stage.show(3)

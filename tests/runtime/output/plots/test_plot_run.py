@@ -8,20 +8,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Circle
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    DCMotor,
-    EnergyLedger,
-    JointFriction,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    X,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import coulomb, power
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.model.build import scene_from
@@ -143,7 +130,7 @@ def test_first_impact_of_a_ball_is_drawn_to_its_peak(ball):
 def test_unchecked_laws_and_warnings_stand_on_the_picture():
     scene = scene_from("two_spheres")
     stiffness = power(1e8 * scene.parameters["youngs_modulus"] / 207e9, 1)  # Pa, not N/m
-    wrong = scene.replace(spheres=Contact("spheres", stiffness, scene.effect("spheres").damping, unchecked=True))
+    wrong = scene.replace(spheres=hd.Contact("spheres", stiffness, scene.effect("spheres").damping, unchecked=True))
     run = simulate(load(wrong), duration="50 ms", parameters={"restitution": "0.7"}, tolerance=1e-6)
     for figure in (run.plot(), run.plot("spheres")):
         assert "UNCHECKED" in texts(figure)
@@ -164,16 +151,16 @@ def test_units_are_those_a_person_reads(unit, values, shown):
 def test_an_overview_shows_friction_in_joints_and_names_whose_work_it_draws():
     """Work of any effect but a drive was named "drives' work"."""
     volt, ohm, henry, constant, load, mu, length, speed, mass = (
-        Parameter(name, unit, 1)
+        hd.Parameter(name, unit, 1)
         for name, unit in (
             *(("V", "V"), ("R", "ohm"), ("L", "H"), ("k", "N/A"), ("load", "N"), ("mu", "1"), ("l", "m")),
             *(("v", "m/s"), ("mass", "kg")),
         )
     )
-    mechanism = Mechanism("linear_motor", (Prismatic("slide", GROUND, Body("block", mass), axis=X),))
-    friction = JointFriction("drag", "slide", coulomb(mu_k=mu / 4, mu_s=mu / 2), normal_force=load)
-    motor = DCMotor("motor", "slide", volt, ohm, henry, constant)
-    scene = Scene(mechanism, (friction, motor, EnergyLedger()), Scales(length, speed))
+    mechanism = hd.Mechanism("linear_motor", (hd.Prismatic("slide", hd.GROUND, hd.Body("block", mass), axis=hd.X),))
+    friction = hd.JointFriction("drag", "slide", coulomb(mu_k=mu / 4, mu_s=mu / 2), normal_force=load)
+    motor = hd.DCMotor("motor", "slide", volt, ohm, henry, constant)
+    scene = hd.Scene(mechanism, (friction, motor, hd.EnergyLedger()), hd.Scales(length, speed))
     shown = texts(simulate(scene, duration="5 s").plot())
     assert "Friction force of drag" in shown
     assert "work, motor" in shown

@@ -3,25 +3,12 @@
 import re
 from functools import cache
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Free,
-    Friction,
-    Mechanism,
-    Parameter,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load
 from hertzwerk.runtime.output.tables.history_meanings import Entry, Histories
 
-RADIUS = Parameter("radius", "mm", 20)
-BALL = Body("ball", Parameter("mass", "kg", 0.1), (Parameter("J", "kg m^2", 1e-5),) * 3)
+RADIUS = hd.Parameter("radius", "mm", 20)
+BALL = hd.Body("ball", hd.Parameter("mass", "kg", 0.1), (hd.Parameter("J", "kg m^2", 1e-5),) * 3)
 
 
 @cache
@@ -46,13 +33,15 @@ def test_a_history_of_a_table_is_an_entry_still():
 
 
 def test_two_directions_of_sliding_are_distinguished_from_a_mode():
-    floor = SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, GROUND.at(0, 0, 0), normal=Z)
-    contact = Contact("floor", laws.power(Parameter("K", "N/m^1.5", 1e6), 1.5))
-    rubbing = Friction(
-        "rubbing", "floor", laws.coulomb(mu_k=Parameter("mu", "1", 0.2), mu_s=Parameter("mu_s", "1", 0.2))
+    floor = hd.SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, hd.GROUND.at(0, 0, 0), normal=hd.Z)
+    contact = hd.Contact("floor", hd.laws.power(hd.Parameter("K", "N/m^1.5", 1e6), 1.5))
+    rubbing = hd.Friction(
+        "rubbing", "floor", hd.laws.coulomb(mu_k=hd.Parameter("mu", "1", 0.2), mu_s=hd.Parameter("mu_s", "1", 0.2))
     )
-    scales = Scales(RADIUS, Parameter("pace", "m/s", 1), arm=RADIUS)
-    model = load(Scene(Mechanism("ball", (Free("flight", GROUND, BALL),), (floor,)), (contact, rubbing), scales))
+    scales = hd.Scales(RADIUS, hd.Parameter("pace", "m/s", 1), arm=RADIUS)
+    model = load(
+        hd.Scene(hd.Mechanism("ball", (hd.Free("flight", hd.GROUND, BALL),), (floor,)), (contact, rubbing), scales)
+    )
     told = {entry.name: entry.meaning for entry in model.histories}
     assert told["floor.slip_1"] == "direction of sliding, zero while it sticks, of floor, along its tangent 1"
     assert told["floor.friction_force_2"] == "friction force of floor, along its tangent 2"

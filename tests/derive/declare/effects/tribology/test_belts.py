@@ -3,44 +3,31 @@
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    BallFriction,
-    BeltOnDrum,
-    Body,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    Y,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
-p = Parameter
+p = hd.Parameter
 G, M, J, R, MU, V_S, WRAP, HOLD = 9.81, 40.0, 0.5, 0.1, 0.25, 1e-3, 1.5 * np.pi, 60.0
 SIZE = p("size", "m", 0.2)
-SCALES = Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
-DRY = laws.smooth_coulomb(p("mu", "1", MU), p("v_s", "m/s", V_S))
-DOWN = Gravity("gravity", p("g", "m/s^2", G), direction=-Y)
-weight, wheel = Body("weight", p("mass", "kg", M)), Body("wheel", p("wheel_mass", "kg", 5), inertia=p("J", "kg m^2", J))
-HANGS, TURNS = Prismatic("fall", GROUND, weight, axis=-Y), Revolute("axle", GROUND, wheel, axis=Z)
+SCALES = hd.Scales(SIZE, p("pace", "m/s", 1), arm=SIZE)
+DRY = hd.laws.smooth_coulomb(p("mu", "1", MU), p("v_s", "m/s", V_S))
+DOWN = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y)
+weight, wheel = (
+    hd.Body("weight", p("mass", "kg", M)),
+    hd.Body("wheel", p("wheel_mass", "kg", 5), inertia=p("J", "kg m^2", J)),
+)
+HANGS, TURNS = hd.Prismatic("fall", hd.GROUND, weight, axis=-hd.Y), hd.Revolute("axle", hd.GROUND, wheel, axis=hd.Z)
 GIVEN = p("hold", "N", HOLD), p("radius", "m", R), p("wrap", "rad", WRAP)
 
 
 def capstan(drum="", load="fall", *, joints=(HANGS,), effects=(DOWN,), coordinates="tree", **start):
-    belt = BeltOnDrum("rope", drum, load, DRY, *GIVEN)
-    return Scene(
-        Mechanism("capstan", joints), (*effects, belt, EnergyLedger()), SCALES, Start(**start), coordinates=coordinates
+    belt = hd.BeltOnDrum("rope", drum, load, DRY, *GIVEN)
+    return hd.Scene(
+        hd.Mechanism("capstan", joints),
+        (*effects, belt, hd.EnergyLedger()),
+        SCALES,
+        hd.Start(**start),
+        coordinates=coordinates,
     )
 
 
@@ -98,17 +85,17 @@ def test_a_band_brake(sense, coordinates):
 
 
 def test_joints_that_make_no_belt_are_refused():
-    with pytest.raises(InputError) as caught:
-        Scene(
-            Mechanism("m", (HANGS, TURNS)),
+    with pytest.raises(hd.InputError) as caught:
+        hd.Scene(
+            hd.Mechanism("m", (HANGS, TURNS)),
             (
                 DOWN,
-                BeltOnDrum("a", "", "", DRY, *GIVEN),
-                BeltOnDrum("b", "fall", "axle", DRY, *GIVEN),
-                BeltOnDrum("c", "nowhere", "", DRY, *GIVEN),
-                BeltOnDrum("d", "axle", "", laws.coulomb(p("mu", "1", MU), p("mu_2", "1", MU)), *GIVEN),
-                BeltOnDrum("e", "axle", "", DRY, p("mu", "1", MU), *GIVEN[1:]),
-                BallFriction("f", "axle", DRY, GIVEN[1]),
+                hd.BeltOnDrum("a", "", "", DRY, *GIVEN),
+                hd.BeltOnDrum("b", "fall", "axle", DRY, *GIVEN),
+                hd.BeltOnDrum("c", "nowhere", "", DRY, *GIVEN),
+                hd.BeltOnDrum("d", "axle", "", hd.laws.coulomb(p("mu", "1", MU), p("mu_2", "1", MU)), *GIVEN),
+                hd.BeltOnDrum("e", "axle", "", DRY, p("mu", "1", MU), *GIVEN[1:]),
+                hd.BallFriction("f", "axle", DRY, GIVEN[1]),
             ),
             SCALES,
         )
@@ -119,13 +106,15 @@ def test_joints_that_make_no_belt_are_refused():
 def test_friction_of_a_ball_joint(coordinates):
     """A ball that spins about the vertical under a weight slows down by mu r (m g)/J: the reaction is the weight."""
     j = p("J", "kg m^2", 0.1)
-    top = Body("top", p("mass", "kg", M), inertia=(j, j, j), centre=(0, 0, -SIZE))
-    friction = BallFriction("socket", "pivot", DRY, p("radius", "m", R))
-    start = Start(speed={"pivot.angular_speed_z": p("w", "rad/s", 800), "pivot.angular_speed_x": p("w_x", "rad/s", 0)})
-    gravity = Gravity("gravity", p("g", "m/s^2", G), direction=-Z)
-    scene = Scene(
-        Mechanism("ball", (Spherical("pivot", GROUND, top),)),
-        (gravity, friction, EnergyLedger()),
+    top = hd.Body("top", p("mass", "kg", M), inertia=(j, j, j), centre=(0, 0, -SIZE))
+    friction = hd.BallFriction("socket", "pivot", DRY, p("radius", "m", R))
+    start = hd.Start(
+        speed={"pivot.angular_speed_z": p("w", "rad/s", 800), "pivot.angular_speed_x": p("w_x", "rad/s", 0)}
+    )
+    gravity = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Z)
+    scene = hd.Scene(
+        hd.Mechanism("ball", (hd.Spherical("pivot", hd.GROUND, top),)),
+        (gravity, friction, hd.EnergyLedger()),
         SCALES,
         start,
         coordinates=coordinates,
@@ -149,10 +138,10 @@ def test_a_belt_may_be_held_by_a_spring():
     from hertzwerk.derive import coordinate_of
 
     held = GIVEN[0] + p("k", "N/rad", 10) * coordinate_of("axle")
-    belt = BeltOnDrum("rope", "axle", "", DRY, held, *GIVEN[1:])
-    effects = (belt, JointForce("drive", "axle", p("drive", "N m", 1)), EnergyLedger())
+    belt = hd.BeltOnDrum("rope", "axle", "", DRY, held, *GIVEN[1:])
+    effects = (belt, hd.JointForce("drive", "axle", p("drive", "N m", 1)), hd.EnergyLedger())
     run = simulate(
-        load(Scene(Mechanism("band", (TURNS,)), effects, SCALES, Start(speed={"axle": p("w", "rad/s", 20)}))),
+        load(hd.Scene(hd.Mechanism("band", (TURNS,)), effects, SCALES, hd.Start(speed={"axle": p("w", "rad/s", 20)}))),
         duration=0.3,
         tolerance=1e-9,
     )

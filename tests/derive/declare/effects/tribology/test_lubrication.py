@@ -12,28 +12,7 @@ import pytest
 from derived import Derived
 from film import ETA, LENGTH, PIN, C, by_quadrature
 
-from hertzwerk.derive import (
-    GROUND,
-    BallInSocket,
-    Body,
-    Contact,
-    EnergyLedger,
-    Free,
-    Friction,
-    InputError,
-    Lubrication,
-    Mechanism,
-    Parameter,
-    PinInBush,
-    Planar,
-    Scales,
-    Scene,
-    X,
-    Z,
-    audit_path,
-    generate,
-    laws_from,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.audit.audit import InconsistentUnits
 from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.laws import LAWS, flores, long_bearing, power, short_bearing
@@ -41,36 +20,42 @@ from hertzwerk.derive.laws import LAWS, flores, long_bearing, power, short_beari
 LAYER = 2e-6  # m
 
 pin, bush = (
-    Body("pin", Parameter("pin_mass", "kg", 0.7), Parameter("pin_inertia", "kg m^2", 3e-4)),
-    Body("bush", Parameter("bush_mass", "kg", 1.1), Parameter("bush_inertia", "kg m^2", 5e-4)),
+    hd.Body("pin", hd.Parameter("pin_mass", "kg", 0.7), hd.Parameter("pin_inertia", "kg m^2", 3e-4)),
+    hd.Body("bush", hd.Parameter("bush_mass", "kg", 1.1), hd.Parameter("bush_inertia", "kg m^2", 5e-4)),
 )
-viscosity, layer = Parameter("viscosity", "Pa s", ETA), Parameter("layer", "um", LAYER * 1e6)
-clearance, radius = Parameter("clearance", "um", C * 1e6), Parameter("bush_radius", "mm", (PIN + C) * 1e3)
-JOINT = PinInBush(
-    "joint", pin.at(0, 0, 0), bush.at(0, 0, 0), Z, radius, clearance, length=Parameter("length", "mm", LENGTH * 1e3)
+viscosity, layer = hd.Parameter("viscosity", "Pa s", ETA), hd.Parameter("layer", "um", LAYER * 1e6)
+clearance, radius = hd.Parameter("clearance", "um", C * 1e6), hd.Parameter("bush_radius", "mm", (PIN + C) * 1e3)
+JOINT = hd.PinInBush(
+    "joint",
+    pin.at(0, 0, 0),
+    bush.at(0, 0, 0),
+    hd.Z,
+    radius,
+    clearance,
+    length=hd.Parameter("length", "mm", LENGTH * 1e3),
 )
-BOTH_FREE = (Planar("of_pin", GROUND, pin), Planar("of_bush", GROUND, bush))
-TOUCHING = Contact(
-    "joint", power(Parameter("stiffness", "N/m^1.5", 1e9), 1.5), flores(Parameter("restitution", "1", 0.6))
+BOTH_FREE = (hd.Planar("of_pin", hd.GROUND, pin), hd.Planar("of_bush", hd.GROUND, bush))
+TOUCHING = hd.Contact(
+    "joint", power(hd.Parameter("stiffness", "N/m^1.5", 1e9), 1.5), flores(hd.Parameter("restitution", "1", 0.6))
 )
 
 
 def film(law=short_bearing, *, thin=layer, name="oil"):
-    return Lubrication(name, "joint", law(viscosity), thin)
+    return hd.Lubrication(name, "joint", law(viscosity), thin)
 
 
 def scene(*effects, pair=JOINT):
     """Pin and bush, both free in the plane."""
-    return Scene(
-        Mechanism("oiled", BOTH_FREE, (pair,)),
+    return hd.Scene(
+        hd.Mechanism("oiled", BOTH_FREE, (pair,)),
         effects,
-        Scales(length=clearance, speed=Parameter("pace", "m/s", 1), arm=radius),
+        hd.Scales(length=clearance, speed=hd.Parameter("pace", "m/s", 1), arm=radius),
     )
 
 
 @cache
 def derived(law):
-    return Derived(scene(film(LAWS[law]), TOUCHING, EnergyLedger()))
+    return Derived(scene(film(LAWS[law]), TOUCHING, hd.EnergyLedger()))
 
 
 def state(e, rate, spin_pin=0.0, spin_bush=0.0, *, away=0.0):
@@ -239,11 +224,11 @@ def test_action_is_reaction_and_the_film_dissipates(law):
 
 def test_a_film_in_space_is_the_one_in_the_plane():
     """About another axis, the pin off along it: what is along the axis, and the turn of the frame, do nothing."""
-    bodies = [Body(b.name, b.mass, (b.inertia,) * 3) for b in (pin, bush)]
-    joint = replace(JOINT, pin=bodies[0].at(0, 0, 0), bush=bodies[1].at(0, 0, 0), axis=X)
-    joints = (Free("of_pin", GROUND, bodies[0]), Free("of_bush", GROUND, bodies[1]))
-    sizes = Scales(length=clearance, speed=Parameter("pace", "m/s", 1), arm=radius)
-    model = Derived(Scene(Mechanism("spatial", joints, (joint,)), (film(long_bearing),), sizes))
+    bodies = [hd.Body(b.name, b.mass, (b.inertia,) * 3) for b in (pin, bush)]
+    joint = replace(JOINT, pin=bodies[0].at(0, 0, 0), bush=bodies[1].at(0, 0, 0), axis=hd.X)
+    joints = (hd.Free("of_pin", hd.GROUND, bodies[0]), hd.Free("of_bush", hd.GROUND, bodies[1]))
+    sizes = hd.Scales(length=clearance, speed=hd.Parameter("pace", "m/s", 1), arm=radius)
+    model = Derived(hd.Scene(hd.Mechanism("spatial", joints, (joint,)), (film(long_bearing),), sizes))
     e, rate, spin_pin, spin_bush = MOTIONS["all at once"]
     q, u = np.array([1e-3, *e, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0]), np.zeros(12)
     u[:4], u[9] = (0.3, *rate, spin_pin), spin_bush
@@ -257,23 +242,27 @@ def test_a_film_in_space_is_the_one_in_the_plane():
 
 UNSOUND = {
     "viscosity that is none": (
-        lambda: film(lambda eta: short_bearing(Parameter("viscosity", "Pa", 1))),
+        lambda: film(lambda eta: short_bearing(hd.Parameter("viscosity", "Pa", 1))),
         "viscosity",
         "Pa s",
     ),
     "kinematic viscosity": (
-        lambda: film(lambda eta: long_bearing(Parameter("viscosity", "mm^2/s", 1))),
+        lambda: film(lambda eta: long_bearing(hd.Parameter("viscosity", "mm^2/s", 1))),
         "viscosity",
         "Pa s",
     ),
     "a bare number": (lambda: film(lambda eta: short_bearing(0.05)), "bare number", "Parameter"),
     "a layer of half the clearance": (lambda: film(thin=clearance / 2), "0.5", "(0, 0.5)"),
     "a layer that is no length": (lambda: film(thin=viscosity), "viscosity", "m"),
-    "no pair": (lambda: Lubrication("oil", "elsewhere", short_bearing(viscosity), layer), "elsewhere", "joint"),
-    "a law that is no film": (lambda: Lubrication("oil", "joint", flores(0.5), layer), "flores", "film law"),
-    "a film as friction": (lambda: Friction("rub", "joint", short_bearing(viscosity)), "short_bearing", "friction law"),
+    "no pair": (lambda: hd.Lubrication("oil", "elsewhere", short_bearing(viscosity), layer), "elsewhere", "joint"),
+    "a law that is no film": (lambda: hd.Lubrication("oil", "joint", flores(0.5), layer), "flores", "film law"),
+    "a film as friction": (
+        lambda: hd.Friction("rub", "joint", short_bearing(viscosity)),
+        "short_bearing",
+        "friction law",
+    ),
     "a law without its viscosity": (
-        lambda: Lubrication("oil", "joint", short_bearing, layer),
+        lambda: hd.Lubrication("oil", "joint", short_bearing, layer),
         "without its parameters",
         "eta",
     ),
@@ -283,20 +272,20 @@ UNSOUND = {
 @pytest.mark.parametrize("case", UNSOUND)
 def test_unsound_films_are_refused(case):
     make, *texts = UNSOUND[case]
-    with pytest.raises((InputError, InconsistentUnits)) as raised:
-        generate(scene(make(), TOUCHING))
+    with pytest.raises((hd.InputError, InconsistentUnits)) as raised:
+        hd.generate(scene(make(), TOUCHING))
     for text in texts:
         assert text in str(raised.value)
 
 
 def test_a_film_needs_a_pin_with_a_length_and_is_alone():
     short = replace(JOINT, length=None)
-    with pytest.raises(InputError, match="axial length"):
+    with pytest.raises(hd.InputError, match="axial length"):
         scene(film(), pair=short)
-    ball = BallInSocket("joint", pin.at(0, 0, 0), bush.at(0, 0, 0), radius, clearance)
-    with pytest.raises(InputError, match="pin_in_bush"):
+    ball = hd.BallInSocket("joint", pin.at(0, 0, 0), bush.at(0, 0, 0), radius, clearance)
+    with pytest.raises(hd.InputError, match="pin_in_bush"):
         scene(film(), pair=ball)
-    with pytest.raises(InputError, match="lubrication of pair joint"):
+    with pytest.raises(hd.InputError, match="lubrication of pair joint"):
         scene(film(), film(name="more"))
 
 
@@ -304,8 +293,8 @@ def test_units_are_scaled_away_from_an_inconsistent_film():
     """A film law of one's own with a wrong unit is refused by the audit; marked, it runs and the module says so."""
     wrong = replace(short_bearing, name="wrong", couple=short_bearing.along)
     with pytest.raises(InconsistentUnits, match="drag against the spin"):
-        generate(scene(film(wrong)))
-    assert "UNCHECKED" in generate(scene(replace(film(wrong), unchecked=True)))
+        hd.generate(scene(film(wrong)))
+    assert "UNCHECKED" in hd.generate(scene(replace(film(wrong), unchecked=True)))
 
 
 WRITTEN = """
@@ -326,14 +315,14 @@ def test_a_film_law_of_a_file(tmp_path):
     """The full film is the two halves together, at w and at -w."""
     file = tmp_path / "own.toml"
     file.write_text(WRITTEN)
-    full = Derived(scene(film(laws_from(file)["full_squeeze"])))
+    full = Derived(scene(film(hd.laws_from(file)["full_squeeze"])))
     e, rate = (3e-5, -6e-5), np.array([0.02, 0.05])
     q, u = state(e, rate)
     halves = resultants("short_bearing", e, rate) - resultants("short_bearing", e, -rate)
     assert full.call("applied", t=0.0, q=q, u=u) == pytest.approx(halves, rel=1e-10)
-    assert all(finding.verdict == "consistent" for finding in audit_path(file))
+    assert all(finding.verdict == "consistent" for finding in hd.audit_path(file))
     file.write_text(WRITTEN.replace("R_2**3*L/(dR", "R_2**3*L/(dR**2"))
-    assert [finding.quantity for finding in audit_path(file) if finding.verdict != "consistent"] == ["couple"]
+    assert [finding.quantity for finding in hd.audit_path(file) if finding.verdict != "consistent"] == ["couple"]
     file.write_text("\n".join(line for line in WRITTEN.splitlines() if not line.startswith("across")))
-    with pytest.raises(InputError, match="across: found none"):
-        laws_from(file)
+    with pytest.raises(hd.InputError, match="across: found none"):
+        hd.laws_from(file)

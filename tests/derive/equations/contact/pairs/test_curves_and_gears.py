@@ -10,48 +10,23 @@ from derived import Derived
 from plane_pairs import CAM, ECCENTRIC, LOBED, OVAL, PLATE, A, B, E, R, check_gradient, gaps, scene
 from scipy.optimize import brentq, minimize
 
-from hertzwerk.derive import (
-    GROUND,
-    Arc,
-    CircleOnCurve,
-    ConstantSpeed,
-    Contact,
-    Curve,
-    CurveOnCurve,
-    EnergyLedger,
-    GearMesh,
-    InputError,
-    InvoluteTeeth,
-    JointForce,
-    Mechanism,
-    Outline,
-    Parameter,
-    Planar,
-    Revolute,
-    S,
-    Scales,
-    Scene,
-    Start,
-    X,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
-P = Parameter("p", "mm", 20)
-DISC = Curve("disc", P * sp.cos(S), E + P * sp.sin(S))
-EGG = Curve("egg", P * sp.cos(S), B * sp.sin(S) / 2)
+P = hd.Parameter("p", "mm", 20)
+DISC = hd.Curve("disc", P * sp.cos(hd.S), E + P * sp.sin(hd.S))
+EGG = hd.Curve("egg", P * sp.cos(hd.S), B * sp.sin(hd.S) / 2)
 
 
 def moved(curve, angle, x, y, at):
     values = {p: p.si for p in (R, E, A, B, P)}
-    px, py = (np.broadcast_to(sp.lambdify(S, c.xreplace(values))(at), np.shape(at)) for c in (curve.x, curve.y))
+    px, py = (np.broadcast_to(sp.lambdify(hd.S, c.xreplace(values))(at), np.shape(at)) for c in (curve.x, curve.y))
     return np.array([x + np.cos(angle) * px - np.sin(angle) * py, y + np.sin(angle) * px + np.cos(angle) * py])
 
 
 def touching(first, second, place=None):
     """The second curve on the cam, the first on the plate."""
-    return scene(CurveOnCurve("touch", first, place or PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0)))
+    return scene(hd.CurveOnCurve("touch", first, place or PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0)))
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +38,7 @@ def made():
 @pytest.mark.parametrize("hole", [False, True])
 def test_two_circles_equal_their_closed_form(made, hole):
     """Gap, rate and second derivative at random states of two eccentric circles, beside and within one another."""
-    second = Curve("bore", E + A * sp.cos(S), A * sp.sin(S), hole=True) if hole else ECCENTRIC
+    second = hd.Curve("bore", E + A * sp.cos(hd.S), A * sp.sin(hd.S), hole=True) if hole else ECCENTRIC
     derived, random = made(DISC, second), np.random.default_rng(1)
     t = ca.SX.sym("t")
     for _ in range(40):
@@ -135,7 +110,9 @@ def test_rates_are_those_of_differences(made):
 
 def test_of_several_hollows_the_nearest_is_taken(made):
     """Two lobed curves against the least of very many pairs of points."""
-    other = Curve("star", P * (1 + sp.cos(3 * S) / 4) * sp.cos(S), P * (1 + sp.cos(3 * S) / 4) * sp.sin(S))
+    other = hd.Curve(
+        "star", P * (1 + sp.cos(3 * hd.S) / 4) * sp.cos(hd.S), P * (1 + sp.cos(3 * hd.S) / 4) * sp.sin(hd.S)
+    )
     derived, random, at = made(other, LOBED), np.random.default_rng(4), np.linspace(0, 2 * np.pi, 1001)
     for _ in range(25):
         q = random.uniform(-1, 1, 4) * (3, 1, 1, 3)
@@ -147,7 +124,7 @@ def test_of_several_hollows_the_nearest_is_taken(made):
 
 def test_an_end_touches_as_a_corner(made):
     """Of the first curve, of the second, and of both: distance and turning of the normal as of points."""
-    blade = Curve("blade", P * S, P * S**2 / 40, -1, 1, closed=False)  # its solid is above
+    blade = hd.Curve("blade", P * hd.S, P * hd.S**2 / 40, -1, 1, closed=False)  # its solid is above
     derived = made(blade, ECCENTRIC)
     v = np.array([0.3, -0.7])
     G, dG, ddG = gaps(derived, (0, 0.065, 0.0001, 0), (0, *v, 0))
@@ -155,7 +132,7 @@ def test_an_end_touches_as_a_corner(made):
     assert pytest.approx(np.hypot(*end) - 0.03, rel=1e-12) == G
     n = end / np.hypot(*end)
     assert (dG, ddG) == pytest.approx((n @ v, (v @ [-n[1], n[0]]) ** 2 / np.hypot(*end)), rel=1e-10)
-    other = Curve("edge", -P * S, R, -1, 1, closed=False)  # its solid is below
+    other = hd.Curve("edge", -P * hd.S, R, -1, 1, closed=False)  # its solid is below
     derived = made(blade, other)
     G, dG, ddG = gaps(derived, (0, 0.043, 0.034, 0), (0, *v, 0))
     apart = np.array([0.003, 0.0045])
@@ -171,21 +148,24 @@ def test_forces_are_minus_the_gradient_of_the_stored_energy(made):
 # -- gears ---------------------------------------------------------------------------------------------------------------
 
 MODULE, ALPHA, THIN, APART = (
-    Parameter(name, unit, value)
+    hd.Parameter(name, unit, value)
     for name, unit, value in (("module", "mm", 3), ("alpha", "deg", 20), ("thin", "mm", 0.1), ("apart", "mm", 75.2))
 )
 PINION, WHEEL = (
-    InvoluteTeeth("pinion_teeth", MODULE, 20, ALPHA, THIN),
-    InvoluteTeeth("wheel_teeth", MODULE, 30, ALPHA, THIN),
+    hd.InvoluteTeeth("pinion_teeth", MODULE, 20, ALPHA, THIN),
+    hd.InvoluteTeeth("wheel_teeth", MODULE, 30, ALPHA, THIN),
 )
 
 
 def meshing(*effects, start=None, sharing=False, damping=None):
-    mesh = GearMesh("mesh", PINION, PLATE.at(0, 0, 0), WHEEL, CAM.at(0, 0, 0), sharing=sharing)
-    joints = Revolute("one", GROUND, PLATE, axis=Z), Revolute("two", GROUND.at(APART, 0, 0), CAM, axis=Z)
-    effects = *effects, Contact("mesh", laws.power(Parameter("K", "N/m", 1e6), 1), damping), EnergyLedger()
-    scales = Scales(MODULE / 100, Parameter("v", "m/s", 1), APART)
-    return Scene(Mechanism("gears", joints, (mesh,)), effects, scales, start or Start())
+    mesh = hd.GearMesh("mesh", PINION, PLATE.at(0, 0, 0), WHEEL, CAM.at(0, 0, 0), sharing=sharing)
+    joints = (
+        hd.Revolute("one", hd.GROUND, PLATE, axis=hd.Z),
+        hd.Revolute("two", hd.GROUND.at(APART, 0, 0), CAM, axis=hd.Z),
+    )
+    effects = *effects, hd.Contact("mesh", hd.laws.power(hd.Parameter("K", "N/m", 1e6), 1), damping), hd.EnergyLedger()
+    scales = hd.Scales(MODULE / 100, hd.Parameter("v", "m/s", 1), APART)
+    return hd.Scene(hd.Mechanism("gears", joints, (mesh,)), effects, scales, start or hd.Start())
 
 
 @pytest.fixture(scope="module")
@@ -263,13 +243,13 @@ def test_two_pairs_of_teeth_touch_for_the_part_of_the_pitch_that_the_contact_rat
 def test_a_mesh_is_twice_as_stiff_where_two_pairs_of_teeth_carry():
     """A slow pinion against a torque: the wheel lags by T/(K r_b), half of that in double contact."""
     pace, load_, damping = (
-        Parameter("pace", "rad/s", 10),
-        Parameter("load", "N m", 0.4),
-        laws.power_damping(Parameter("c", "N s/m", 500), 0),
+        hd.Parameter("pace", "rad/s", 10),
+        hd.Parameter("load", "N m", 0.4),
+        hd.laws.power_damping(hd.Parameter("c", "N s/m", 500), 0),
     )
-    effects = ConstantSpeed("motor", "one", pace), JointForce("brake", "two", load_)
+    effects = hd.ConstantSpeed("motor", "one", pace), hd.JointForce("brake", "two", load_)
     at = np.pi + np.pi / 30 + (HALF_BACKLASH + 0.4 / BASE[1] / 1e6) / BASE[1]
-    start = Start(position={"two": Parameter("at", "rad", at)}, speed={"two": -pace * 2 / 3})
+    start = hd.Start(position={"two": hd.Parameter("at", "rad", at)}, speed={"two": -pace * 2 / 3})
     run = simulate(
         load(meshing(*effects, start=start, sharing=True, damping=damping)), duration=np.pi / 100, accuracy=1e-4
     )
@@ -287,22 +267,27 @@ def test_a_mesh_is_twice_as_stiff_where_two_pairs_of_teeth_carry():
 
 
 def test_all_faults_come_at_once():
-    hole, few = Curve("hole", R * sp.cos(S), R * sp.sin(S), hole=True), InvoluteTeeth("few", MODULE, 3, ALPHA)
-    none = Curve("none_at_all", R * S, R * S**2, closed=False, repeats=0)
+    hole, few = (
+        hd.Curve("hole", R * sp.cos(hd.S), R * sp.sin(hd.S), hole=True),
+        hd.InvoluteTeeth("few", MODULE, 3, ALPHA),
+    )
+    none = hd.Curve("none_at_all", R * hd.S, R * hd.S**2, closed=False, repeats=0)
     wrong = (
-        CurveOnCurve("chain", Outline("none", (0, 0), ()), PLATE.at(0, 0, 0), "R", CAM.at(0, 0, 0)),
-        CurveOnCurve("mixed", OVAL, PLATE.at(0, 0, 0), Outline("ring", (R, 0), (Arc((R, 0), (0, 0)),)), CAM.at(0, 0, 0)),
-        CurveOnCurve("holes", hole, PLATE.at(0, 0, 0), replace(hole, name="other_hole"), CAM.at(0, 0, 0)),
-        CurveOnCurve("copies", replace(hole, name="round", hole=False, repeats=3), PLATE.at(0, 0, 0), none, CAM.at(0, 0, 0)),
-        CircleOnCurve("roller", PLATE.at(0, 0, 0), R, replace(none, name="teeth", repeats=8), CAM.at(0, 0, 0)),
-        GearMesh("mesh", few, PLATE.at(0, 0, 0), InvoluteTeeth("pointed", MODULE, 8, ALPHA, addendum=3), CAM.at(0, 0, 0)),
-        GearMesh("strange", "teeth", PLATE.at(0, 0, 0), InvoluteTeeth("text", "3 mm", 20, ALPHA), CAM.at(0, 0, 0)),
+        hd.CurveOnCurve("chain", hd.Outline("none", (0, 0), ()), PLATE.at(0, 0, 0), "R", CAM.at(0, 0, 0)),
+        hd.CurveOnCurve("mixed", OVAL, PLATE.at(0, 0, 0), hd.Outline("ring", (R, 0), (hd.Arc((R, 0), (0, 0)),)), CAM.at(0, 0, 0)),
+        hd.CurveOnCurve("holes", hole, PLATE.at(0, 0, 0), replace(hole, name="other_hole"), CAM.at(0, 0, 0)),
+        hd.CurveOnCurve("copies", replace(hole, name="round", hole=False, repeats=3), PLATE.at(0, 0, 0), none, CAM.at(0, 0, 0)),
+        hd.CircleOnCurve("roller", PLATE.at(0, 0, 0), R, replace(none, name="teeth", repeats=8), CAM.at(0, 0, 0)),
+        hd.GearMesh("mesh", few, PLATE.at(0, 0, 0), hd.InvoluteTeeth("pointed", MODULE, 8, ALPHA, addendum=3), CAM.at(0, 0, 0)),
+        hd.GearMesh("strange", "teeth", PLATE.at(0, 0, 0), hd.InvoluteTeeth("text", "3 mm", 20, ALPHA), CAM.at(0, 0, 0)),
     )  # fmt: skip
-    with pytest.raises(InputError) as error:
-        Scene(
-            Mechanism("faulty", (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)), wrong),
+    with pytest.raises(hd.InputError) as error:
+        hd.Scene(
+            hd.Mechanism(
+                "faulty", (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE)), wrong
+            ),
             (),
-            Scales(R, Parameter("pace", "m/s", 1), R),
+            hd.Scales(R, hd.Parameter("pace", "m/s", 1), R),
         )
     found = str(error.value)
     for text in (
@@ -319,6 +304,6 @@ def test_all_faults_come_at_once():
         "teeth text, module: found '3 mm'",
     ):
         assert text in found, text
-    with pytest.raises(InputError, match="a Z of the first curve"):
-        turned = PLATE.at(0, 0, 0).turned(X, Parameter("half", "deg", 180))
+    with pytest.raises(hd.InputError, match="a Z of the first curve"):
+        turned = PLATE.at(0, 0, 0).turned(hd.X, hd.Parameter("half", "deg", 180))
         Derived(touching(EGG, OVAL, turned))

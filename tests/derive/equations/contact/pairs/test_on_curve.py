@@ -9,41 +9,22 @@ from mpmath import mp
 from plane_pairs import CAM, ECCENTRIC, LOBED, OVAL, PLATE, A, B, R, check_gradient, gaps, scene
 from scipy.interpolate import make_interp_spline
 
-from hertzwerk.derive import (
-    GROUND,
-    CircleOnCurve,
-    Curve,
-    FaceOnCurve,
-    InputError,
-    Mechanism,
-    Parameter,
-    Planar,
-    PointOnCurve,
-    Revolute,
-    S,
-    Scales,
-    Scene,
-    Table,
-    X,
-    Y,
-    Z,
-    curve_through,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
-ROLLER = Parameter("roller", "mm", 8)
-ARCH = Curve("arch", A * S, B * S**2 / 2, start=-1, end=1, closed=False)
+ROLLER = hd.Parameter("roller", "mm", 8)
+ARCH = hd.Curve("arch", A * hd.S, B * hd.S**2 / 2, start=-1, end=1, closed=False)
 
 
 def circle(curve, radius=ROLLER):
-    return CircleOnCurve("touch", PLATE.at(0, 0, 0), radius, curve, CAM.at(0, 0, 0))
+    return hd.CircleOnCurve("touch", PLATE.at(0, 0, 0), radius, curve, CAM.at(0, 0, 0))
 
 
 def point(curve):
-    return PointOnCurve("touch", PLATE.at(0, 0, 0), curve, CAM.at(0, 0, 0))
+    return hd.PointOnCurve("touch", PLATE.at(0, 0, 0), curve, CAM.at(0, 0, 0))
 
 
-FACE = FaceOnCurve("touch", PLATE.at(0, 0, 0), -Y, ECCENTRIC, CAM.at(0, 0, 0))
+FACE = hd.FaceOnCurve("touch", PLATE.at(0, 0, 0), -hd.Y, ECCENTRIC, CAM.at(0, 0, 0))
 
 
 @pytest.fixture(scope="module")
@@ -97,7 +78,7 @@ def test_a_point_beside_an_ellipse_is_as_far_as_mpmath_finds(made):
 def test_of_several_candidates_the_nearest_is_taken(made, curve):
     """Against the least of very many points, where hollows compete."""
     derived, random = made(point(curve)), np.random.default_rng(3)
-    s = sp.lambdify(S, [value.xreplace({p: p.si for p in (R, A, B)}) for value in (curve.x, curve.y)])
+    s = sp.lambdify(hd.S, [value.xreplace({p: p.si for p in (R, A, B)}) for value in (curve.x, curve.y)])
     rim = np.array(s(np.linspace(float(curve.start), float(curve.end), 400_001)))
     for x, y in random.uniform(-0.05, 0.05, (60, 2)):
         apart = np.hypot(*(rim - [[x], [y]]))
@@ -130,7 +111,7 @@ def test_forces_are_minus_the_gradient_of_the_stored_energy(made):
 def test_a_table_of_points_is_the_smooth_curve_through_them(made):
     """Forty points of an ellipse: to the fourth power of their distance at least; the point where it closes is like any other."""
     at = np.linspace(0, 2 * np.pi, 40, endpoint=False)
-    oval = curve_through("oval", 40 * np.cos(at), 15 * np.sin(at), "mm")
+    oval = hd.curve_through("oval", 40 * np.cos(at), 15 * np.sin(at), "mm")
     derived = made(point(oval))
     for x, y in ((0.05, 0.001), (0.05, -0.001), (0.001, 0.03), (-0.02, -0.02)):
         assert gaps(derived, (0, x, y, 0))[0] == pytest.approx(nearest_on_ellipse(x, y), abs=2e-7)
@@ -140,45 +121,50 @@ def test_a_table_of_points_is_the_smooth_curve_through_them(made):
 
 def test_a_periodic_table_is_scipys_periodic_spline():
     x, y = (0.0, 0.7, 1.1, 2.0, 2.6, 3.0), (1.0, -1.0, 0.5, 2.0, 0.0, 1.0)
-    table = Table("wave", x, y, ("1", "m"), periodic=True)
+    table = hd.Table("wave", x, y, ("1", "m"), periodic=True)
     assert not list(table.faults())
     expected, at = make_interp_spline(x, y, k=5, bc_type="periodic"), np.linspace(0, 2.999, 77)
     rows = np.array(table.pieces())
     k = np.searchsorted(rows[:, 0], at, side="right") - 1
     found = sum(rows[k, 1 + j] * (at - rows[k, 0]) ** j for j in range(6))
     assert np.allclose(found, expected(at), atol=1e-12)
-    assert [fault.found for fault in Table("wave", x, (*y[:-1], 2.0), ("1", "m"), (0, 0), periodic=True).faults()] == [
+    assert [
+        fault.found for fault in hd.Table("wave", x, (*y[:-1], 2.0), ("1", "m"), (0, 0), periodic=True).faults()
+    ] == [
         "slopes at the ends of a period",
         "2.0 after a period that begins with 1.0",
     ]
 
 
 def test_a_parameter_may_be_called_s():
-    derived = Derived(scene(circle(Curve("rim", (s := Parameter("s", "mm", 30)) * sp.cos(S), s * sp.sin(S)))))
+    derived = Derived(
+        scene(circle(hd.Curve("rim", (s := hd.Parameter("s", "mm", 30)) * sp.cos(hd.S), s * sp.sin(hd.S))))
+    )
     assert gaps(derived, (0, 0.05, 0, 0))[0] == pytest.approx(0.05 - 0.03 - 0.008)
 
 
 def test_all_faults_come_at_once():
     wrong = (
-        Curve("clockwise", R * sp.cos(S), -R * sp.sin(S)),
-        Curve("half", R * sp.cos(S), R * sp.sin(S), end=3),
-        Curve("eight", R * sp.sin(2 * S), R * sp.sin(S)),
-        Curve("bare", 30 * sp.cos(S), R * sp.sin(S)),
-        Curve("no_metres", Parameter("turn", "rad", 1) * sp.cos(S), R * sp.sin(S)),
-        Curve("still", R, R),
-        Curve("cusp", R * S**2, R * S**3, -1, 1, closed=False),
-        Curve("gap", R * sp.log(S), R * S, closed=False),
-        Curve("strange", X, R * sp.Symbol("q"), 2, 1),
-        Curve("open hole", R * S, R * S**2, closed=False, hole=True),
-        curve_through("flat", (0, 1, 1, 0), (0, 0, 1, 1), "s"),
+        hd.Curve("clockwise", R * sp.cos(hd.S), -R * sp.sin(hd.S)),
+        hd.Curve("half", R * sp.cos(hd.S), R * sp.sin(hd.S), end=3),
+        hd.Curve("eight", R * sp.sin(2 * hd.S), R * sp.sin(hd.S)),
+        hd.Curve("bare", 30 * sp.cos(hd.S), R * sp.sin(hd.S)),
+        hd.Curve("no_metres", hd.Parameter("turn", "rad", 1) * sp.cos(hd.S), R * sp.sin(hd.S)),
+        hd.Curve("still", R, R),
+        hd.Curve("cusp", R * hd.S**2, R * hd.S**3, -1, 1, closed=False),
+        hd.Curve("gap", R * sp.log(hd.S), R * hd.S, closed=False),
+        hd.Curve("strange", hd.X, R * sp.Symbol("q"), 2, 1),
+        hd.Curve("open hole", R * hd.S, R * hd.S**2, closed=False, hole=True),
+        hd.curve_through("flat", (0, 1, 1, 0), (0, 0, 1, 1), "s"),
         "R*cos(S)",
     )
     pairs = tuple(
-        CircleOnCurve(f"touch_{k}", PLATE.at(0, 0, 0), ROLLER, curve, CAM.at(0, 0, 0)) for k, curve in enumerate(wrong)
+        hd.CircleOnCurve(f"touch_{k}", PLATE.at(0, 0, 0), ROLLER, curve, CAM.at(0, 0, 0))
+        for k, curve in enumerate(wrong)
     )
-    joints = (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE))
-    with pytest.raises(InputError) as error:
-        Scene(Mechanism("faulty", joints, pairs), (), Scales(R, Parameter("pace", "m/s", 1), R))
+    joints = (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE))
+    with pytest.raises(hd.InputError) as error:
+        hd.Scene(hd.Mechanism("faulty", joints, pairs), (), hd.Scales(R, hd.Parameter("pace", "m/s", 1), R))
     found = str(error.value)
     for text in (
         "runs clockwise", "curve half: found ends", "crosses itself", "30*cos(s)", "curve no_metres, x", "no length", "stands still",
@@ -190,25 +176,27 @@ def test_all_faults_come_at_once():
 
 
 def test_names_of_a_curve_are_its_own():
-    other = Curve("RIM", R * sp.cos(S), R * sp.sin(S) * 2)
+    other = hd.Curve("RIM", R * sp.cos(hd.S), R * sp.sin(hd.S) * 2)
     pairs = (
         circle(ECCENTRIC),
-        CircleOnCurve("other", PLATE.at(0, 0, 0), Parameter("rim_curve", "mm", 8), other, CAM.at(0, 0, 0)),
+        hd.CircleOnCurve("other", PLATE.at(0, 0, 0), hd.Parameter("rim_curve", "mm", 8), other, CAM.at(0, 0, 0)),
     )
-    with pytest.raises(InputError, match="two different curves of this name") as error:
-        Scene(
-            Mechanism("faulty", (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)), pairs),
+    with pytest.raises(hd.InputError, match="two different curves of this name") as error:
+        hd.Scene(
+            hd.Mechanism(
+                "faulty", (hd.Revolute("shaft", hd.GROUND, CAM, axis=hd.Z), hd.Planar("free", hd.GROUND, PLATE)), pairs
+            ),
             (),
-            Scales(R, Parameter("pace", "m/s", 1), R),
+            hd.Scales(R, hd.Parameter("pace", "m/s", 1), R),
         )
     assert "a parameter named RIM_curve" in str(error.value)
 
 
 def test_a_curve_out_of_the_plane_of_motion_is_refused():
-    tilted = CircleOnCurve(
-        "touch", PLATE.at(0, 0, 0), ROLLER, ECCENTRIC, CAM.at(0, 0, 0).turned(X, Parameter("tilt", "rad", 0.3))
+    tilted = hd.CircleOnCurve(
+        "touch", PLATE.at(0, 0, 0), ROLLER, ECCENTRIC, CAM.at(0, 0, 0).turned(hd.X, hd.Parameter("tilt", "rad", 0.3))
     )
-    with pytest.raises(InputError, match="motion out of the curve's plane"):
+    with pytest.raises(hd.InputError, match="motion out of the curve's plane"):
         Derived(scene(tilted))
 
 

@@ -8,33 +8,13 @@ from matplotlib.path import Path
 from plane_pairs import BLOCK, CAM, FREE, PLATE, SHAFT, L, check_gradient, gaps, scene
 from scipy.spatial import cKDTree
 
-from hertzwerk.derive import (
-    GROUND,
-    Arc,
-    Contact,
-    CurveOnCurve,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    JointSpring,
-    Line,
-    Mechanism,
-    Outline,
-    OutlineOnOutline,
-    Parameter,
-    PointForce,
-    Scales,
-    Scene,
-    Start,
-    Y,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.scenes.geneva_drive import scene as geneva_drive
 from hertzwerk.runtime import equilibrium, load
 
-R, E, C = (Parameter(name, "mm", value) for name, value in (("R_half", 15), ("e_stone", 6), ("c", 0.5)))
-CONTACT = Contact("touch", laws.power(Parameter("K", "N/m", 1e6), 1))
-STONE = Outline("stone", (-E, -E), [Line((E, -E)), Arc((E, E), (E, 0)), Line((-E, E)), Line((-E, -E))])
+R, E, C = (hd.Parameter(name, "mm", value) for name, value in (("R_half", 15), ("e_stone", 6), ("c", 0.5)))
+CONTACT = hd.Contact("touch", hd.laws.power(hd.Parameter("K", "N/m", 1e6), 1))
+STONE = hd.Outline("stone", (-E, -E), [hd.Line((E, -E)), hd.Arc((E, E), (E, 0)), hd.Line((-E, E)), hd.Line((-E, -E))])
 TURN = np.linspace(-np.pi / 2, np.pi / 2, 2001)
 RIMS = {
     "block": [(0, -15), *np.transpose([40 + 15 * np.cos(TURN), 15 * np.sin(TURN)]),
@@ -44,7 +24,7 @@ RIMS = {
 
 
 def touching(first, second):
-    return scene(CurveOnCurve("touch", first, PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0)))
+    return scene(hd.CurveOnCurve("touch", first, PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0)))
 
 
 @pytest.fixture(scope="module")
@@ -106,8 +86,8 @@ def test_each_kind_of_place_equals_its_closed_form(stones, x, y, angle, gap, nor
 
 def test_a_disc_in_a_ring_is_a_journal():
     """Gap c - e, its rate and second derivative, wherever either has its seam."""
-    disc = Outline("disc", (R - C, 0), [Arc((R - C, 0), (0, 0))])
-    ring = Outline("ring", (0, R), [Arc((0, R), (0, 0))], hole=True)
+    disc = hd.Outline("disc", (R - C, 0), [hd.Arc((R - C, 0), (0, 0))])
+    ring = hd.Outline("ring", (0, R), [hd.Arc((0, R), (0, 0))], hole=True)
     derived, random, t = Derived(touching(disc, ring)), np.random.default_rng(3), ca.SX.sym("t")
     for _ in range(30):
         q, u, a = (random.uniform(-1, 1, 4) * (3, 6e-4, 6e-4, 3) for _ in range(3))
@@ -129,8 +109,8 @@ def test_forces_are_minus_the_gradient_of_the_stored_energy(stones):
 
 def test_a_thin_bow_is_not_entered_from_behind():
     """A stone in the hollow of a bow half a millimetre thick: its corner or arc is as far from the inside as it is."""
-    bow = [Arc((-L, 0), (0, -E)), Line((-L, -C)), Arc((L, -C), (0, -E - C), clockwise=True), Line((L, 0))]
-    derived = Derived(touching(STONE, Outline("bow", (L, 0), bow)))
+    bow = [hd.Arc((-L, 0), (0, -E)), hd.Line((-L, -C)), hd.Arc((L, -C), (0, -E - C), clockwise=True), hd.Line((L, 0))]
+    derived = Derived(touching(STONE, hd.Outline("bow", (L, 0), bow)))
     for y in (0.0, 0.02, 0.0273):
         reach = max(np.hypot(0.006, 0.006 + y + 0.0065), np.hypot(0.006, y + 0.0065) + 0.006)
         assert gaps(derived, (0, 0, y, np.pi))[0] == pytest.approx(np.hypot(0.04, 0.006) - reach, abs=1e-12)
@@ -141,18 +121,22 @@ def test_a_thin_bow_is_not_entered_from_behind():
 
 def test_each_corner_of_a_box_carries_its_share():
     """A box on a bench, pushed off its middle: by the lever's law."""
-    g = Parameter("g", "m/s^2", 9.81)
-    box = Outline("box", (-L, -R), [Line((L, -R)), Line((L, R)), Line((-L, R)), Line((-L, -R))])
-    bench = Outline("bench", (-4 * L, -R), [Line((4 * L, -R)), Line((4 * L, 0)), Line((-4 * L, 0)), Line((-4 * L, -R))])
-    pair = OutlineOnOutline("touch", box, PLATE.at(0, 0, 0), bench, GROUND.at(0, 0, 0))
-    at, pushed = Parameter("at", "mm", 15), Parameter("pushed", "N", 3)
-    hold, push = (
-        JointSpring("hold", "free.x", Parameter("k", "N/m", 1)),
-        PointForce("push", PLATE.at(at, 0, 0), (0, -pushed, 0)),
+    g = hd.Parameter("g", "m/s^2", 9.81)
+    box = hd.Outline("box", (-L, -R), [hd.Line((L, -R)), hd.Line((L, R)), hd.Line((-L, R)), hd.Line((-L, -R))])
+    bench = hd.Outline(
+        "bench", (-4 * L, -R), [hd.Line((4 * L, -R)), hd.Line((4 * L, 0)), hd.Line((-4 * L, 0)), hd.Line((-4 * L, -R))]
     )
-    effects = Gravity("gravity", g, direction=-Y), CONTACT, push, hold, EnergyLedger()
-    start = Start(position={"free.y": R})
-    declared = Scene(Mechanism("bench", (FREE,), (pair,)), effects, Scales(C, Parameter("v", "m/s", 1), arm=L), start)
+    pair = hd.OutlineOnOutline("touch", box, PLATE.at(0, 0, 0), bench, hd.GROUND.at(0, 0, 0))
+    at, pushed = hd.Parameter("at", "mm", 15), hd.Parameter("pushed", "N", 3)
+    hold, push = (
+        hd.JointSpring("hold", "free.x", hd.Parameter("k", "N/m", 1)),
+        hd.PointForce("push", PLATE.at(at, 0, 0), (0, -pushed, 0)),
+    )
+    effects = hd.Gravity("gravity", g, direction=-hd.Y), CONTACT, push, hold, hd.EnergyLedger()
+    start = hd.Start(position={"free.y": R})
+    declared = hd.Scene(
+        hd.Mechanism("bench", (FREE,), (pair,)), effects, hd.Scales(C, hd.Parameter("v", "m/s", 1), arm=L), start
+    )
     model = load(declared)
     assert model.pairs == tuple(f"touch_{k}" for k in range(1, 9))
     rest = equilibrium(model)
@@ -221,16 +205,16 @@ def test_an_edge_of_the_disc_passes_a_tip_that_is_pressed_in_without_a_jump_of_t
 
 def test_all_faults_come_at_once():
     ring, clock = (
-        Outline("ring", (R, 0), [Arc((R, 0), (0, 0))], hole=True),
-        Outline("clock", (0, 0), [Line((0, L)), Line((L, 0)), Line((0, 0))]),
+        hd.Outline("ring", (R, 0), [hd.Arc((R, 0), (0, 0))], hole=True),
+        hd.Outline("clock", (0, 0), [hd.Line((0, L)), hd.Line((L, 0)), hd.Line((0, 0))]),
     )
     pairs = (
-        OutlineOnOutline("text", "ring", PLATE.at(0, 0, 0), STONE, CAM.at(0, 0, 0)),
-        OutlineOnOutline("holes", ring, PLATE.at(0, 0, 0), ring, CAM.at(0, 0, 0)),
-        OutlineOnOutline("backwards", clock, PLATE.at(0, 0, 0), STONE, CAM.at(0, 0, 0)),
+        hd.OutlineOnOutline("text", "ring", PLATE.at(0, 0, 0), STONE, CAM.at(0, 0, 0)),
+        hd.OutlineOnOutline("holes", ring, PLATE.at(0, 0, 0), ring, CAM.at(0, 0, 0)),
+        hd.OutlineOnOutline("backwards", clock, PLATE.at(0, 0, 0), STONE, CAM.at(0, 0, 0)),
     )
-    with pytest.raises(InputError) as error:
-        Scene(Mechanism("faulty", (SHAFT, FREE), pairs), (), Scales(R, Parameter("pace", "m/s", 1), R))
+    with pytest.raises(hd.InputError) as error:
+        hd.Scene(hd.Mechanism("faulty", (SHAFT, FREE), pairs), (), hd.Scales(R, hd.Parameter("pace", "m/s", 1), R))
     for text in (
         "pair text, first outline: found 'ring'; expected an Outline",
         "pair holes, curves: found two holes",

@@ -4,24 +4,7 @@ import numpy as np
 import pytest
 from derived import Derived
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-    generate,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.execute_file import names_defined_by
 from hertzwerk.derive.laws import flores, hertz_point, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
@@ -98,12 +81,12 @@ class Mute(Pair):
     middle: Point
     plane: Point
 '''
-RADIUS, MASS = Parameter("radius", "m", 0.05), Parameter("mass", "kg", 0.4)
-BALL = Body("ball", MASS, (Parameter("J", "kg m^2", 4e-4),) * 3)
-PLACES = BALL.at(0, 0, 0), GROUND.at(0, 0, 0)
+RADIUS, MASS = hd.Parameter("radius", "m", 0.05), hd.Parameter("mass", "kg", 0.4)
+BALL = hd.Body("ball", MASS, (hd.Parameter("J", "kg m^2", 4e-4),) * 3)
+PLACES = BALL.at(0, 0, 0), hd.GROUND.at(0, 0, 0)
 LAWS = (
-    Contact("touch", power(Parameter("K", "N/m", 4e4), 1), flores(Parameter("restitution", "1", 0.8))),
-    Friction("rub", "touch", smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "m/s", 0.01))),
+    hd.Contact("touch", power(hd.Parameter("K", "N/m", 4e4), 1), flores(hd.Parameter("restitution", "1", 0.8))),
+    hd.Friction("rub", "touch", smooth_coulomb(hd.Parameter("mu", "1", 0.3), hd.Parameter("v_s", "m/s", 0.01))),
 )
 
 
@@ -115,10 +98,10 @@ def kinds(tmp_path_factory):
 
 
 def scene(pair, *effects):
-    start = Start({"fly.y": Parameter("height", "m", 0.08)}, {"fly.x_speed": Parameter("push", "m/s", 0.5)})
-    effects = (*(effects or LAWS), Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), EnergyLedger())
-    mechanism = Mechanism("dome", (Free("fly", GROUND, BALL),), (pair,))
-    return Scene(mechanism, effects, Scales(RADIUS, Parameter("pace", "m/s", 1.0), RADIUS), start)
+    start = hd.Start({"fly.y": hd.Parameter("height", "m", 0.08)}, {"fly.x_speed": hd.Parameter("push", "m/s", 0.5)})
+    effects = (*(effects or LAWS), hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger())
+    mechanism = hd.Mechanism("dome", (hd.Free("fly", hd.GROUND, BALL),), (pair,))
+    return hd.Scene(mechanism, effects, hd.Scales(RADIUS, hd.Parameter("pace", "m/s", 1.0), RADIUS), start)
 
 
 def path(declared):
@@ -130,38 +113,38 @@ def path(declared):
 
 
 def test_a_pair_of_ones_own_touches_as_the_built_in_pair_that_it_equals(kinds):
-    wanted = path(scene(SphereOnPlane("touch", PLACES[0], RADIUS, PLACES[1], Y)))
+    wanted = path(scene(hd.SphereOnPlane("touch", PLACES[0], RADIUS, PLACES[1], hd.Y)))
     assert np.ptp(wanted[2]) > 1  # it is rubbed
-    assert np.max(np.abs(path(scene(kinds["Dome"]("touch", *PLACES, Y, RADIUS))) - wanted)) < 1e-8
+    assert np.max(np.abs(path(scene(kinds["Dome"]("touch", *PLACES, hd.Y, RADIUS))) - wanted)) < 1e-8
 
 
 def test_a_pair_of_ones_own_offers_its_geometry_to_laws(kinds):
     """K = 4/3 E* sqrt(R_eff), with the radius of the dome."""
     names, values, units = ("E_1", "nu_1", "E_2", "nu_2"), (1e9, 0.3, 2e9, 0.3), ("Pa", "1", "Pa", "1")
     given = zip(names, units, values, strict=True)
-    steel = {name: Parameter(name, unit, value) for name, unit, value in given}
-    derived = Derived(scene(kinds["Dome"]("touch", *PLACES, Y, RADIUS), Contact("touch", hertz_point(**steel))))
+    steel = {name: hd.Parameter(name, unit, value) for name, unit, value in given}
+    derived = Derived(scene(kinds["Dome"]("touch", *PLACES, hd.Y, RADIUS), hd.Contact("touch", hertz_point(**steel))))
     constants = dict(zip((name for name, _ in derived.CONSTANTS), derived.c, strict=True))
     E_eff = 1 / ((1 - 0.3**2) / 1e9 + (1 - 0.3**2) / 2e9)
     assert constants["touch_K"] == pytest.approx(4 / 3 * E_eff * RADIUS.si**0.5, rel=1e-12)
 
 
 def test_a_gap_that_is_no_distance_is_found_at_random_states(kinds):
-    with pytest.raises(InputError, match=r"pair touch, gap: found a rate of .* where the bodies approach at"):
-        generate(scene(kinds["Steep"]("touch", *PLACES, Y, RADIUS)))
+    with pytest.raises(hd.InputError, match=r"pair touch, gap: found a rate of .* where the bodies approach at"):
+        hd.generate(scene(kinds["Steep"]("touch", *PLACES, hd.Y, RADIUS)))
 
 
 def test_a_journal_that_cannot_be_centred_is_refused(kinds):
-    with pytest.raises(InputError, match="pair touch: found a journal without an eccentricity"):
-        generate(scene(kinds["Sleeve"]("touch", *PLACES, Y, RADIUS)))
+    with pytest.raises(hd.InputError, match="pair touch: found a journal without an eccentricity"):
+        hd.generate(scene(kinds["Sleeve"]("touch", *PLACES, hd.Y, RADIUS)))
 
 
 def test_a_direction_of_ones_own_is_checked(kinds):
-    with pytest.raises(InputError, match="pair touch, up: found 3"):
+    with pytest.raises(hd.InputError, match="pair touch, up: found 3"):
         scene(kinds["Dome"]("touch", *PLACES, 3, RADIUS))
 
 
 def test_a_pair_without_equations_is_refused(kinds):
-    with pytest.raises(InputError, match="pair touch: found Mute, a kind of pair without equations"):
-        generate(scene(kinds["Mute"]("touch", *PLACES)))
+    with pytest.raises(hd.InputError, match="pair touch: found Mute, a kind of pair without equations"):
+        hd.generate(scene(kinds["Mute"]("touch", *PLACES)))
     assert kinds["Mute"]("touch", *PLACES).form == "point"

@@ -9,58 +9,35 @@ import pytest
 from derived import Derived
 from scipy.optimize import minimize
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Direction,
-    EnergyLedger,
-    Free,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnBox,
-    SphereOnCylinder,
-    SphereOnEdge,
-    SphereOnFace,
-    Start,
-    X,
-    Y,
-    Z,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
 R, A, B, C, BIG = (
-    Parameter(name, "mm", value) for name, value in (("r", 20), ("a", 100), ("b", 60), ("c", 40), ("R", 30))
+    hd.Parameter(name, "mm", value) for name, value in (("r", 20), ("a", 100), ("b", 60), ("c", 40), ("R", 30))
 )
 r, a, b, c, big = (p.si for p in (R, A, B, C, BIG))
-K = Parameter("K", "N/m^1.5", 1e8)
-SIZES = Scales(length=R, speed=Parameter("pace", "m/s", 1), arm=R)
-STEP, PACE = Parameter("step", "mm", 5), Parameter("v_in", "m/s", 2)
-SKEW = Direction((1, 2, 2))
+K = hd.Parameter("K", "N/m^1.5", 1e8)
+SIZES = hd.Scales(length=R, speed=hd.Parameter("pace", "m/s", 1), arm=R)
+STEP, PACE = hd.Parameter("step", "mm", 5), hd.Parameter("v_in", "m/s", 2)
+SKEW = hd.Direction((1, 2, 2))
 
 
 def tri(name):
-    return (Parameter(f"J_{name}", "kg m^2", 1e-3),) * 3
+    return (hd.Parameter(f"J_{name}", "kg m^2", 1e-3),) * 3
 
 
 BALL, BLOCK = (
-    Body("ball", Parameter("m", "kg", 0.5), tri("ball")),
-    Body("block", Parameter("m_block", "kg", 2), tri("block")),
+    hd.Body("ball", hd.Parameter("m", "kg", 0.5), tri("ball")),
+    hd.Body("block", hd.Parameter("m_block", "kg", 2), tri("block")),
 )
-PLACE = BLOCK.at(A / 2, B / 3, -C).turned(SKEW, Parameter("turn", "rad", 0.7))
+PLACE = BLOCK.at(A / 2, B / 3, -C).turned(SKEW, hd.Parameter("turn", "rad", 0.7))
 PAIRS = {
-    "box": SphereOnBox("touch", BALL.at(0, 0, 0), R, PLACE, A, B, C),
-    "face": SphereOnFace("touch", BALL.at(0, 0, 0), R, PLACE, Z, Y, A, B),
-    "edge": SphereOnEdge("touch", BALL.at(0, 0, 0), R, PLACE, SKEW, A),
-    "cylinder": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, PLACE, BIG, X, A),
-    "endless edge": SphereOnEdge("touch", BALL.at(0, 0, 0), R, PLACE, SKEW),
-    "endless cylinder": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, PLACE, BIG, X),
+    "box": hd.SphereOnBox("touch", BALL.at(0, 0, 0), R, PLACE, A, B, C),
+    "face": hd.SphereOnFace("touch", BALL.at(0, 0, 0), R, PLACE, hd.Z, hd.Y, A, B),
+    "edge": hd.SphereOnEdge("touch", BALL.at(0, 0, 0), R, PLACE, SKEW, A),
+    "cylinder": hd.SphereOnCylinder("touch", BALL.at(0, 0, 0), R, PLACE, BIG, hd.X, A),
+    "endless edge": hd.SphereOnEdge("touch", BALL.at(0, 0, 0), R, PLACE, SKEW),
+    "endless cylinder": hd.SphereOnCylinder("touch", BALL.at(0, 0, 0), R, PLACE, BIG, hd.X),
 }
 FAR = 1.0  # half of what has no end
 
@@ -99,10 +76,10 @@ def turned(axis, angle):
 
 @pytest.fixture(scope="module", params=PAIRS)
 def tried(request):
-    joints = Free("flight", GROUND, BALL), Free("drift", GROUND, BLOCK)
-    law = Contact("touch", laws.power(K, 1.5))
-    mechanism = Mechanism("tried", joints, (PAIRS[request.param],))
-    return request.param, Derived(Scene(mechanism, (law, EnergyLedger()), SIZES))
+    joints = hd.Free("flight", hd.GROUND, BALL), hd.Free("drift", hd.GROUND, BLOCK)
+    law = hd.Contact("touch", hd.laws.power(K, 1.5))
+    mechanism = hd.Mechanism("tried", joints, (PAIRS[request.param],))
+    return request.param, Derived(hd.Scene(mechanism, (law, hd.EnergyLedger()), SIZES))
 
 
 @cache
@@ -171,25 +148,25 @@ def test_derivatives_are_numbers_everywhere(tried):
 
 def rolling(pair, coordinates="tree", speed=0.0, start=0.0, gravity=9.81, law=None):
     """A ball without friction on a pair fixed in the ground, in the plane, put on it at a place x."""
-    cart = Body("cart", 0)
-    joints = Prismatic("way", GROUND, cart, axis=X), Prismatic("height", cart, BALL, axis=Y)
+    cart = hd.Body("cart", 0)
+    joints = hd.Prismatic("way", hd.GROUND, cart, axis=hd.X), hd.Prismatic("height", cart, BALL, axis=hd.Y)
     effects = (
-        Gravity("gravity", Parameter("g", "m/s^2", gravity), -Y),
-        law or Contact("touch", laws.power(Parameter("K_1", "N/m", 1e7), 1)),
-        EnergyLedger(),
+        hd.Gravity("gravity", hd.Parameter("g", "m/s^2", gravity), -hd.Y),
+        law or hd.Contact("touch", hd.laws.power(hd.Parameter("K_1", "N/m", 1e7), 1)),
+        hd.EnergyLedger(),
     )
-    at = {"way": Parameter("x_0", "m", start), "height": Parameter("y_0", "m", r - 0.5 * gravity / 1e7)}
-    return Scene(
-        Mechanism("rolling", joints, (pair,)), effects, SIZES,
-        Start(position=at, speed={"way": Parameter("v_0", "m/s", speed)}), coordinates=coordinates,
+    at = {"way": hd.Parameter("x_0", "m", start), "height": hd.Parameter("y_0", "m", r - 0.5 * gravity / 1e7)}
+    return hd.Scene(
+        hd.Mechanism("rolling", joints, (pair,)), effects, SIZES,
+        hd.Start(position=at, speed={"way": hd.Parameter("v_0", "m/s", speed)}), coordinates=coordinates,
     )  # fmt: skip
 
 
-TABLE = GROUND.at(-A / 2, -C / 2, 0)  # its right edge is the origin
+TABLE = hd.GROUND.at(-A / 2, -C / 2, 0)  # its right edge is the origin
 OVER = {
-    "box": SphereOnBox("touch", BALL.at(0, 0, 0), R, TABLE, A, C, B),
-    "face": SphereOnFace("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, 0, 0), Y, X, A, B),
-    "rim": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, TABLE, A / 2, Y, C),
+    "box": hd.SphereOnBox("touch", BALL.at(0, 0, 0), R, TABLE, A, C, B),
+    "face": hd.SphereOnFace("touch", BALL.at(0, 0, 0), R, hd.GROUND.at(-A / 2, 0, 0), hd.Y, hd.X, A, B),
+    "rim": hd.SphereOnCylinder("touch", BALL.at(0, 0, 0), R, TABLE, A / 2, hd.Y, C),
 }
 
 
@@ -210,9 +187,11 @@ def test_a_ball_leaves_the_edge_of_a_table_where_its_weight_no_longer_holds_it(s
 
 def inside(pair, half):
     """A ball with its centre at points within a solid fixed in the ground: depth and outward normal by the derivation."""
-    law = Contact("touch", laws.power(Parameter("K_1", "N/m", 1), 1))
+    law = hd.Contact("touch", hd.laws.power(hd.Parameter("K_1", "N/m", 1), 1))
     derived = Derived(
-        Scene(Mechanism("within", (Free("flight", GROUND, BALL),), (pair,)), (law, EnergyLedger()), SIZES)
+        hd.Scene(
+            hd.Mechanism("within", (hd.Free("flight", hd.GROUND, BALL),), (pair,)), (law, hd.EnergyLedger()), SIZES
+        )
     )
     rng = np.random.default_rng(8)
     for centre in rng.uniform(-0.999, 0.999, (20, 3)) * half:
@@ -226,7 +205,7 @@ def inside(pair, half):
 def test_a_centre_within_a_box_is_pushed_out_through_the_nearest_face():
     half = np.array([a, b, c]) / 2
     for centre, depth, push, slope in inside(
-        SphereOnBox("touch", BALL.at(0, 0, 0), R, GROUND.at(0, 0, 0), A, B, C), half
+        hd.SphereOnBox("touch", BALL.at(0, 0, 0), R, hd.GROUND.at(0, 0, 0), A, B, C), half
     ):
         below = half - np.abs(centre)
         nearest_face = np.argmin(below)
@@ -237,7 +216,7 @@ def test_a_centre_within_a_box_is_pushed_out_through_the_nearest_face():
 
 @pytest.mark.parametrize("length", [A, None])
 def test_a_centre_within_a_cylinder_is_pushed_out_through_its_side_or_end(length):
-    pair = SphereOnCylinder("touch", BALL.at(0, 0, 0), R, GROUND.at(0, 0, 0), BIG, X, length)
+    pair = hd.SphereOnCylinder("touch", BALL.at(0, 0, 0), R, hd.GROUND.at(0, 0, 0), BIG, hd.X, length)
     inner = 0.7 * big
     for centre, depth, push, slope in inside(pair, np.array([a / 2, inner, inner])):
         aside = np.hypot(*centre[1:])
@@ -253,14 +232,14 @@ def test_a_centre_within_a_cylinder_is_pushed_out_through_its_side_or_end(length
 @pytest.mark.parametrize("solid", ["box", "rim"])
 def test_a_ball_shot_into_a_soft_solid_comes_back_as_fast(solid):
     """It turns deeper than its radius, at v sqrt(m/K); in the plane of motion no face beside it is a way out."""
-    law = Contact("touch", laws.power(Parameter("K_1", "N/m", 2000), 1))
+    law = hd.Contact("touch", hd.laws.power(hd.Parameter("K_1", "N/m", 2000), 1))
     pair = {
-        "box": SphereOnBox("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, -A, 0), A, 2 * A, R),
-        "rim": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, -A, 0), A, Y, 2 * A),
+        "box": hd.SphereOnBox("touch", BALL.at(0, 0, 0), R, hd.GROUND.at(-A / 2, -A, 0), A, 2 * A, R),
+        "rim": hd.SphereOnCylinder("touch", BALL.at(0, 0, 0), R, hd.GROUND.at(-A / 2, -A, 0), A, hd.Y, 2 * A),
     }[solid]
     scene = rolling(pair, start=-a / 2, law=law)
     speed, m = 2.0, 0.5
-    scene = replace(scene.without("gravity"), start=Start({"way": -A / 2, "height": R + STEP}, {"height": -PACE}))
+    scene = replace(scene.without("gravity"), start=hd.Start({"way": -A / 2, "height": R + STEP}, {"height": -PACE}))
     run = simulate(load(scene), duration="0.1 s", accuracy=1e-8)
     assert run.impacts[0].peak_penetration == pytest.approx(speed * np.sqrt(m / 2000), rel=1e-7)
     assert run.impacts[0].peak_penetration > 1.5 * r
@@ -269,10 +248,12 @@ def test_a_ball_shot_into_a_soft_solid_comes_back_as_fast(solid):
 
 def test_gap_and_force_go_on_from_face_to_edge_to_corner():
     """Along a way over a corner, force and slope of the gap change by no more than the step."""
-    pair = SphereOnBox("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, -B / 2, -C / 2), A, B, C)
-    law = Contact("touch", laws.power(K, 1.5))
+    pair = hd.SphereOnBox("touch", BALL.at(0, 0, 0), R, hd.GROUND.at(-A / 2, -B / 2, -C / 2), A, B, C)
+    law = hd.Contact("touch", hd.laws.power(K, 1.5))
     derived = Derived(
-        Scene(Mechanism("corner", (Free("flight", GROUND, BALL),), (pair,)), (law, EnergyLedger()), SIZES)
+        hd.Scene(
+            hd.Mechanism("corner", (hd.Free("flight", hd.GROUND, BALL),), (pair,)), (law, hd.EnergyLedger()), SIZES
+        )
     )
     ways = np.linspace(-0.5, 0.3, 321)
     forces, slopes = [], []
@@ -288,6 +269,6 @@ def test_gap_and_force_go_on_from_face_to_edge_to_corner():
 
 
 def test_a_face_needs_a_direction_square_to_its_normal():
-    slanted = SphereOnFace("touch", BALL.at(0, 0, 0), R, GROUND.at(0, 0, 0), Y, Direction((1, 1, 0)), A, B)
-    with pytest.raises(InputError, match=r"pair touch, along: found a direction at a cosine of 0\.707"):
+    slanted = hd.SphereOnFace("touch", BALL.at(0, 0, 0), R, hd.GROUND.at(0, 0, 0), hd.Y, hd.Direction((1, 1, 0)), A, B)
+    with pytest.raises(hd.InputError, match=r"pair touch, along: found a direction at a cosine of 0\.707"):
         rolling(slanted)

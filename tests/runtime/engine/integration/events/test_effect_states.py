@@ -7,54 +7,24 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    DCMotor,
-    Element,
-    EnergyLedger,
-    Event,
-    InputError,
-    JointDamper,
-    JointEffect,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Relay,
-    Revolute,
-    Scales,
-    Scene,
-    Slot,
-    SpeedController,
-    SphereOnPlane,
-    Start,
-    State,
-    Varying,
-    X,
-    Z,
-    laws,
-    speed_of,
-    state_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.loading import engine_model
 
 J, R, L, K, V = 1e-3, 2.0, 5e-3, 0.1, 24.0  # kg m^2, ohm, H, N m/A, V
-ROTOR = Body("rotor", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", J))
-SHAFT = Mechanism("shaft", (Revolute("main", GROUND, ROTOR, axis=Z),))
-SCALES = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", V / K), Parameter("arm", "m", 1))
+ROTOR = hd.Body("rotor", hd.Parameter("mass", "kg", 1), hd.Parameter("inertia", "kg m^2", J))
+SHAFT = hd.Mechanism("shaft", (hd.Revolute("main", hd.GROUND, ROTOR, axis=hd.Z),))
+SCALES = hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("pace", "m/s", V / K), hd.Parameter("arm", "m", 1))
 
 
 def shaft(*effects, coordinates="tree"):
-    return Scene(SHAFT, (*effects, EnergyLedger()), SCALES, coordinates=coordinates)
+    return hd.Scene(SHAFT, (*effects, hd.EnergyLedger()), SCALES, coordinates=coordinates)
 
 
 def motor(voltage=None, name="motor"):
-    given = Parameter("supply", "V", V) if voltage is None else voltage
-    values = (Parameter("R", "ohm", R), Parameter("L", "mH", 1e3 * L), Parameter("k", "N m/A", K))
-    return DCMotor(name, "main", given, *values)
+    given = hd.Parameter("supply", "V", V) if voltage is None else voltage
+    values = (hd.Parameter("R", "ohm", R), hd.Parameter("L", "mH", 1e3 * L), hd.Parameter("k", "N m/A", K))
+    return hd.DCMotor(name, "main", given, *values)
 
 
 def step_response(t, resistance=R):
@@ -111,16 +81,16 @@ def test_a_current_that_a_jolted_crank_drives_is_not_taken_for_stiff():
 def test_a_controlled_speed_of_second_order():
     """PI on a torque: e'' + Kp/J e' + Ki/J e = 0 from e = w, e' = -Kp w/J."""
     w, Kp, Ki = 100.0, 0.02, 2.0
-    control = SpeedController(
+    control = hd.SpeedController(
         "control",
         "main",
-        Parameter("target", "rad/s", w),
-        Parameter("Kp", "N m s/rad", Kp),
-        Parameter("Ki", "N m/rad", Ki),
+        hd.Parameter("target", "rad/s", w),
+        hd.Parameter("Kp", "N m s/rad", Kp),
+        hd.Parameter("Ki", "N m/rad", Ki),
         "N m",
     )
     run = simulate(
-        engine_model(shaft(JointForce("drive", "main", control.command), control)), duration=0.5, tolerance=1e-10
+        engine_model(shaft(hd.JointForce("drive", "main", control.command), control)), duration=0.5, tolerance=1e-10
     )
     decay, natural = Kp / (2 * J), np.sqrt(Ki / J)
     omega = np.sqrt(natural**2 - decay**2)
@@ -130,13 +100,13 @@ def test_a_controlled_speed_of_second_order():
 
 
 def sampled(period, duration=0.1999, **given):
-    control = SpeedController(
-        *("control", "main", Parameter("target", "rad/s", 100), Parameter("Kp", "N m s/rad", 0.05)),
-        *(Parameter("Ki", "N m/rad", 1.0), "N m", Parameter("period", "s", period)),
+    control = hd.SpeedController(
+        *("control", "main", hd.Parameter("target", "rad/s", 100), hd.Parameter("Kp", "N m s/rad", 0.05)),
+        *(hd.Parameter("Ki", "N m/rad", 1.0), "N m", hd.Parameter("period", "s", period)),
     )
-    drag = JointDamper("drag", "main", Parameter("b", "N m s/rad", 0.01))
+    drag = hd.JointDamper("drag", "main", hd.Parameter("b", "N m s/rad", 0.01))
     return simulate(
-        engine_model(shaft(JointForce("drive", "main", control.command), drag, control)), duration=duration, **given
+        engine_model(shaft(hd.JointForce("drive", "main", control.command), drag, control)), duration=duration, **given
     )
 
 
@@ -177,7 +147,7 @@ def test_a_sampled_controller_is_its_recursion(method):
 
 
 @dataclass(frozen=True)
-class SpeedRelay(JointEffect):
+class SpeedRelay(hd.JointEffect):
     """Force +-thrust that keeps the speed of a slide at zero, with hysteresis."""
 
     name: str
@@ -187,21 +157,21 @@ class SpeedRelay(JointEffect):
     kind = "relay"
 
     def slots(self, scene):
-        yield Slot(f"{self.where}, thrust", self.thrust, "N")
-        yield Slot(f"{self.where}, hysteresis", self.hysteresis, "m/s")
+        yield hd.Slot(f"{self.where}, thrust", self.thrust, "N")
+        yield hd.Slot(f"{self.where}, hysteresis", self.hysteresis, "m/s")
 
     def states(self, scene):
-        yield State("sign", "1", start=1)
+        yield hd.State("sign", "1", start=1)
 
     def element(self, kin):
         sign, speed = kin.state(f"{self.name}.sign"), kin.speed(self.joint)
-        turn = Event("turn", self.hysteresis - sign * speed, kin.scene.scales.speed, {"sign": -sign})
+        turn = hd.Event("turn", self.hysteresis - sign * speed, kin.scene.scales.speed, {"sign": -sign})
         force = kin.tape.let(sign * self.thrust, f"{self.name}_force")
-        return Element(kin.on_joint(self.joint, force, self.name), input=force * speed, events=(turn,))
+        return hd.Element(kin.on_joint(self.joint, force, self.name), input=force * speed, events=(turn,))
 
 
 @dataclass(frozen=True)
-class Latch(JointEffect):
+class Latch(hd.JointEffect):
     """State that becomes 1, for good, where a condition [1] falls through zero."""
 
     name: str
@@ -211,29 +181,31 @@ class Latch(JointEffect):
     enters = ""
 
     def slots(self, scene):
-        yield Varying(f"{self.where}, condition", self.condition, "1")
+        yield hd.Varying(f"{self.where}, condition", self.condition, "1")
 
     def states(self, scene):
-        yield State("closed", "1")
+        yield hd.State("closed", "1")
 
     def element(self, kin):
         closed = kin.state(f"{self.name}.closed")
-        close = Event("close", kin.expression(self.condition) + 10 * closed, 1, {"closed": 1})
-        return Element(events=(close,))
+        close = hd.Event("close", kin.expression(self.condition) + 10 * closed, 1, {"closed": 1})
+        return hd.Element(events=(close,))
 
 
-SLED = Mechanism("sled", (Prismatic("slide", GROUND, Body("sled", Parameter("mass", "kg", 2)), axis=X),))
-SMALL = Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 0.1))
+SLED = hd.Mechanism(
+    "sled", (hd.Prismatic("slide", hd.GROUND, hd.Body("sled", hd.Parameter("mass", "kg", 2)), axis=hd.X),)
+)
+SMALL = hd.Scales(hd.Parameter("size", "m", 0.1), hd.Parameter("pace", "m/s", 0.1))
 
 
 def relay(hysteresis, tolerance=1e-8, method="auto", **limits):
-    scene = Scene(
+    scene = hd.Scene(
         SLED,
         (
-            switching := Relay("relay", speed_of("slide"), "m/s", Parameter("hysteresis", "m/s", hysteresis)),
-            JointForce("jets", "slide", Parameter("thrust", "N", 3) * switching.output),
-            JointDamper("drag", "slide", Parameter("drag", "N s/m", 12)),
-            EnergyLedger(),
+            switching := hd.Relay("relay", hd.speed_of("slide"), "m/s", hd.Parameter("hysteresis", "m/s", hysteresis)),
+            hd.JointForce("jets", "slide", hd.Parameter("thrust", "N", 3) * switching.output),
+            hd.JointDamper("drag", "slide", hd.Parameter("drag", "N s/m", 12)),
+            hd.EnergyLedger(),
         ),
         SMALL,
     )
@@ -265,10 +237,10 @@ def test_a_relay_without_hysteresis_ends_with_what_it_has():
 
 def test_events_follow_each_other_at_one_instant():
     """A latch closes when another has, which closes at a known time; both stay closed."""
-    first = Latch("first", "slide", 1 - speed_of("slide") / Parameter("limit", "m/s", 1.0))
-    second = Latch("second", "slide", 0.5 - state_of("first.closed"))
-    push = JointForce("push", "slide", Parameter("push", "N", 4) * (1 - state_of("second.closed")))
-    run = simulate(engine_model(Scene(SLED, (first, second, push), SMALL)), duration=1.0, tolerance=1e-8)
+    first = Latch("first", "slide", 1 - hd.speed_of("slide") / hd.Parameter("limit", "m/s", 1.0))
+    second = Latch("second", "slide", 0.5 - hd.state_of("first.closed"))
+    push = hd.JointForce("push", "slide", hd.Parameter("push", "N", 4) * (1 - hd.state_of("second.closed")))
+    run = simulate(engine_model(hd.Scene(SLED, (first, second, push), SMALL)), duration=1.0, tolerance=1e-8)
     assert run["first.closed"].tolist() == run["second.closed"].tolist()
     closes = run.t[np.argmax(run["second.closed"] > 0)]
     assert closes == pytest.approx(0.5, rel=1e-9)  # 4 N on 2 kg reach 1 m/s
@@ -279,18 +251,22 @@ def test_events_follow_each_other_at_one_instant():
 
 def test_events_between_impacts():
     """A ball thrown between a floor and a relay's thrust: both kinds of events, one energy balance."""
-    mass = Parameter("mass", "kg", 0.1)
-    ball = Body("ball", mass)
-    pair = SphereOnPlane("wall", ball.at(0, 0, 0), Parameter("radius", "mm", 10), GROUND.at(0, 0, 0), normal=X)
-    scene = Scene(
-        Mechanism("thrown", (Prismatic("slide", GROUND, ball, axis=X),), (pair,)),
+    mass = hd.Parameter("mass", "kg", 0.1)
+    ball = hd.Body("ball", mass)
+    pair = hd.SphereOnPlane(
+        "wall", ball.at(0, 0, 0), hd.Parameter("radius", "mm", 10), hd.GROUND.at(0, 0, 0), normal=hd.X
+    )
+    scene = hd.Scene(
+        hd.Mechanism("thrown", (hd.Prismatic("slide", hd.GROUND, ball, axis=hd.X),), (pair,)),
         (
-            SpeedRelay("relay", "slide", Parameter("thrust", "N", 1), Parameter("hysteresis", "m/s", 0.5)),
-            Contact("wall", laws.power(Parameter("stiffness", "N/m^1.5", 1e8), n=1.5)),
-            EnergyLedger(),
+            SpeedRelay("relay", "slide", hd.Parameter("thrust", "N", 1), hd.Parameter("hysteresis", "m/s", 0.5)),
+            hd.Contact("wall", hd.laws.power(hd.Parameter("stiffness", "N/m^1.5", 1e8), n=1.5)),
+            hd.EnergyLedger(),
         ),
-        Scales(Parameter("size", "mm", 10), Parameter("pace", "m/s", 1)),
-        Start(position={"slide": Parameter("height", "m", 0.012)}, speed={"slide": Parameter("thrown", "m/s", -0.4)}),
+        hd.Scales(hd.Parameter("size", "mm", 10), hd.Parameter("pace", "m/s", 1)),
+        hd.Start(
+            position={"slide": hd.Parameter("height", "m", 0.012)}, speed={"slide": hd.Parameter("thrown", "m/s", -0.4)}
+        ),
     )
     runs = {
         method: simulate(engine_model(scene), duration=1.0, tolerance=1e-9, method=method)
@@ -311,44 +287,48 @@ def test_events_between_impacts():
 def test_the_rate_of_a_state_has_its_unit_each_second():
     class Wrong(SpeedRelay):
         def states(self, scene):
-            yield State("sign", "1", start=1)
-            yield State("spent", "N", size=self.thrust)
+            yield hd.State("sign", "1", start=1)
+            yield hd.State("spent", "N", size=self.thrust)
 
         def element(self, kin):
             from dataclasses import replace
 
             return replace(super().element(kin), rates={"spent": self.thrust})
 
-    wrong = Wrong("relay", "slide", Parameter("thrust", "N", 3), Parameter("h", "m/s", 0.1))
-    with pytest.raises(InputError, match="expected W/m"):
-        engine_model(Scene(SLED, (wrong,), SMALL))
+    wrong = Wrong("relay", "slide", hd.Parameter("thrust", "N", 3), hd.Parameter("h", "m/s", 0.1))
+    with pytest.raises(hd.InputError, match="expected W/m"):
+        engine_model(hd.Scene(SLED, (wrong,), SMALL))
 
 
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"states": lambda self, scene: iter(())}, "unknown|sign"),
-        ({"states": lambda self, scene: iter((State("sign", "1"), State("idle", "1")))}, "which nothing changes"),
-        ({"states": lambda self, scene: iter((State("sign", "A"),))}, "size"),
+        ({"states": lambda self, scene: iter((hd.State("sign", "1"), hd.State("idle", "1")))}, "which nothing changes"),
+        ({"states": lambda self, scene: iter((hd.State("sign", "A"),))}, "size"),
     ],
 )
 def test_states_that_are_not_declared_or_not_used(change, message):
     wrong = type("Wrong", (SpeedRelay,), change)
-    with pytest.raises(InputError, match=message):
+    with pytest.raises(hd.InputError, match=message):
         engine_model(
-            Scene(SLED, (wrong("relay", "slide", Parameter("thrust", "N", 3), Parameter("h", "m/s", 0.1)),), SMALL)
+            hd.Scene(
+                SLED, (wrong("relay", "slide", hd.Parameter("thrust", "N", 3), hd.Parameter("h", "m/s", 0.1)),), SMALL
+            )
         )
 
 
 def test_bad_motors_and_controllers_are_reported_at_once():
-    control = SpeedController(
-        *("control", "main", Parameter("target", "N", 1), Parameter("Kp", "V", 1)),
-        *(Parameter("Ki", "V/rad", 1), "furlong"),
+    control = hd.SpeedController(
+        *("control", "main", hd.Parameter("target", "N", 1), hd.Parameter("Kp", "V", 1)),
+        *(hd.Parameter("Ki", "V/rad", 1), "furlong"),
     )
-    with pytest.raises(InputError, match="furlong"):
+    with pytest.raises(hd.InputError, match="furlong"):
         shaft(control)
-    bad = DCMotor("motor", "main", state_of("contrl.command"), Parameter("R", "V", 1), "2 mH", Parameter("k", "N m", 1))
-    with pytest.raises(InputError) as error:
+    bad = hd.DCMotor(
+        "motor", "main", hd.state_of("contrl.command"), hd.Parameter("R", "V", 1), "2 mH", hd.Parameter("k", "N m", 1)
+    )
+    with pytest.raises(hd.InputError) as error:
         shaft(bad)
     places = " ".join(fault.where for fault in error.value.faults)
     for what in ("voltage", "resistance", "inductance", "constant"):

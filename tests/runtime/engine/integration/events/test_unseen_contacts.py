@@ -8,22 +8,7 @@ import pytest
 import sympy as sp
 from scipy.optimize import brentq
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Drive,
-    Mechanism,
-    Parameter,
-    Planar,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    T,
-    Y,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, power
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.loop import plain_attempt
@@ -32,35 +17,35 @@ REACH = 0.05  # m: of the bar, and of the plate that is driven
 
 
 def scene(name, joints, pair, start, *effects):
-    law = power(Parameter("stiffness", "N/m^1.5", 1e8), n=1.5), flores(Parameter("restitution", "1", 0.8))
-    scales = Scales(
-        length=Parameter("size", "mm", 1), speed=Parameter("pace", "m/s", 1), arm=Parameter("arm", "mm", 50)
+    law = power(hd.Parameter("stiffness", "N/m^1.5", 1e8), n=1.5), flores(hd.Parameter("restitution", "1", 0.8))
+    scales = hd.Scales(
+        length=hd.Parameter("size", "mm", 1), speed=hd.Parameter("pace", "m/s", 1), arm=hd.Parameter("arm", "mm", 50)
     )
-    return Scene(Mechanism(name, joints, (pair,)), (*effects, Contact("floor", *law)), scales, start)
+    return hd.Scene(hd.Mechanism(name, joints, (pair,)), (*effects, hd.Contact("floor", *law)), scales, start)
 
 
-MASS, BALL = Parameter("mass", "kg", 0.1), Parameter("radius", "mm", 1)
-HEIGHT, FALL = Parameter("height", "mm", 60), Parameter("fall", "m/s", 0.1)
-RATE = Parameter("rate", "rad/s", 100)
+MASS, BALL = hd.Parameter("mass", "kg", 0.1), hd.Parameter("radius", "mm", 1)
+HEIGHT, FALL = hd.Parameter("height", "mm", 60), hd.Parameter("fall", "m/s", 0.1)
+RATE = hd.Parameter("rate", "rad/s", 100)
 
 
 @cache
 def bar():
     """A bar that spins and drifts towards a floor, free of forces: its states are straight lines."""
-    body, reach = Body("bar", MASS, Parameter("inertia", "kg m^2", 1e-4)), Parameter("reach", "m", REACH)
-    floor = SphereOnPlane("floor", body.at(reach, 0, 0), BALL, GROUND.at(0, 0, 0), Y)
-    start = Start(position={"fly.y": BALL + HEIGHT}, speed={"fly.y": -FALL, "fly.angle": -RATE})
-    return load(scene("spinning_bar", (Planar("fly", GROUND, body),), floor, start))
+    body, reach = hd.Body("bar", MASS, hd.Parameter("inertia", "kg m^2", 1e-4)), hd.Parameter("reach", "m", REACH)
+    floor = hd.SphereOnPlane("floor", body.at(reach, 0, 0), BALL, hd.GROUND.at(0, 0, 0), hd.Y)
+    start = hd.Start(position={"fly.y": BALL + HEIGHT}, speed={"fly.y": -FALL, "fly.angle": -RATE})
+    return load(scene("spinning_bar", (hd.Planar("fly", hd.GROUND, body),), floor, start))
 
 
 @cache
 def plate():
     """A ball that drifts towards a plate that is shaken."""
-    ball, floor = Body("ball", mass=MASS), Body("plate", mass=MASS)
-    joints = Prismatic("up", GROUND, ball, axis=Y), Prismatic("shake", GROUND, floor, axis=Y)
-    pair = SphereOnPlane("floor", ball.at(0, 0, 0), BALL, floor.at(0, 0, 0), Y)
-    start = Start(position={"up": BALL + HEIGHT}, speed={"up": -FALL})
-    shake = Drive("drive", "shake", position=Parameter("reach", "m", REACH) * sp.sin(RATE * T))
+    ball, floor = hd.Body("ball", mass=MASS), hd.Body("plate", mass=MASS)
+    joints = hd.Prismatic("up", hd.GROUND, ball, axis=hd.Y), hd.Prismatic("shake", hd.GROUND, floor, axis=hd.Y)
+    pair = hd.SphereOnPlane("floor", ball.at(0, 0, 0), BALL, floor.at(0, 0, 0), hd.Y)
+    start = hd.Start(position={"up": BALL + HEIGHT}, speed={"up": -FALL})
+    shake = hd.Drive("drive", "shake", position=hd.Parameter("reach", "m", REACH) * sp.sin(RATE * hd.T))
     return load(scene("shaken_plate", joints, pair, start, shake))
 
 

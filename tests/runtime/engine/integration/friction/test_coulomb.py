@@ -11,25 +11,7 @@ from each import each
 from jacobians import check_jacobian, start_of
 from scipy.optimize import brentq
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    EnergyLedger,
-    Friction,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import coulomb, flores, kelvin_voigt, power
 from hertzwerk.derive.scenes import slider_crank
 from hertzwerk.runtime import simulate
@@ -49,7 +31,7 @@ CRITICAL = math.atan(MU_S * MASS / MOVING)  # rad: MOVING g sin = mu_s MASS g co
 
 
 def dry(name="", mu_k=MU_K, mu_s=MU_S):
-    return coulomb(Parameter(f"mu_k{name}", "1", mu_k), Parameter(f"mu_s{name}", "1", mu_s))
+    return coulomb(hd.Parameter(f"mu_k{name}", "1", mu_k), hd.Parameter(f"mu_s{name}", "1", mu_s))
 
 
 @cache
@@ -185,31 +167,35 @@ FEET = 0.2  # m, from the middle
 
 def sledge(angle=0.0, *, rocks=False, speed=0.0):
     """A body on two feet, 2 kg, on a plane on a heavy ramp; with `rocks` it may turn too."""
-    weight, radius, alpha = Parameter("mass", "kg", 2), Parameter("radius", "m", 0.05), Parameter("slope", "rad", angle)
-    gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", STIFFNESS)
-    inertia, foot = Parameter("inertia", "kg m^2", 0.03), Parameter("foot", "m", FEET)
-    ramp = Body("ramp", mass=weight, inertia=Parameter("ramp_inertia", "kg m^2", 1e16))
-    light = Parameter("light", "kg", 1e-9)
-    frame, lift = Body("frame", mass=light, inertia=inertia), Body("lift", mass=weight, inertia=inertia)
-    joints = [Revolute("tilt", GROUND, ramp, axis=Z), Prismatic("along", ramp, frame, axis=X)]
+    weight, radius, alpha = (
+        hd.Parameter("mass", "kg", 2),
+        hd.Parameter("radius", "m", 0.05),
+        hd.Parameter("slope", "rad", angle),
+    )
+    gravity, stiffness = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("stiffness", "N/m", STIFFNESS)
+    inertia, foot = hd.Parameter("inertia", "kg m^2", 0.03), hd.Parameter("foot", "m", FEET)
+    ramp = hd.Body("ramp", mass=weight, inertia=hd.Parameter("ramp_inertia", "kg m^2", 1e16))
+    light = hd.Parameter("light", "kg", 1e-9)
+    frame, lift = hd.Body("frame", mass=light, inertia=inertia), hd.Body("lift", mass=weight, inertia=inertia)
+    joints = [hd.Revolute("tilt", hd.GROUND, ramp, axis=hd.Z), hd.Prismatic("along", ramp, frame, axis=hd.X)]
     body = lift
     if rocks:
-        lift, body = Body("lift", mass=light, inertia=inertia), Body("body", mass=weight, inertia=inertia)
-    joints.append(Prismatic("up", frame, lift, axis=Y))
+        lift, body = hd.Body("lift", mass=light, inertia=inertia), hd.Body("body", mass=weight, inertia=inertia)
+    joints.append(hd.Prismatic("up", frame, lift, axis=hd.Y))
     if rocks:
-        joints.append(Revolute("rock", lift, body, axis=Z))
-    pairs, effects = [], [Gravity("gravity", gravity, direction=-Y), EnergyLedger()]
+        joints.append(hd.Revolute("rock", lift, body, axis=hd.Z))
+    pairs, effects = [], [hd.Gravity("gravity", gravity, direction=-hd.Y), hd.EnergyLedger()]
     for name, x in (("rear", -foot), ("front", foot)):
-        pairs.append(SphereOnPlane(name, body.at(x, 0, 0), radius, ramp.at(0, 0, 0), Y))
-        effects.append(Contact(name, power(stiffness, 1), kelvin_voigt(Parameter("restitution", "1", 0.2))))
-        effects.append(Friction(f"{name}_rub", name, dry(mu_s=0.3)))
-    return Scene(
-        Mechanism("sledge", tuple(joints), tuple(pairs)),
+        pairs.append(hd.SphereOnPlane(name, body.at(x, 0, 0), radius, ramp.at(0, 0, 0), hd.Y))
+        effects.append(hd.Contact(name, power(stiffness, 1), kelvin_voigt(hd.Parameter("restitution", "1", 0.2))))
+        effects.append(hd.Friction(f"{name}_rub", name, dry(mu_s=0.3)))
+    return hd.Scene(
+        hd.Mechanism("sledge", tuple(joints), tuple(pairs)),
         tuple(effects),
-        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius),
-        Start(
+        hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=radius),
+        hd.Start(
             position={"up": radius - weight * gravity / (2 * stiffness), "tilt": -alpha},
-            speed={"along": Parameter("slide", "m/s", speed)},
+            speed={"along": hd.Parameter("slide", "m/s", speed)},
         ),
     )
 
@@ -248,35 +234,35 @@ def test_a_body_that_rocks_loads_its_feet_unequally(method):
 
 def stack(upper, lower):
     """A slab, 3 kg, on the ground, and a block, 1 kg, on the slab; both slide at 1 m/s at the start."""
-    radius, stiffness = Parameter("radius", "m", 0.1), Parameter("stiffness", "N/m", STIFFNESS)
-    gravity, light = Parameter("gravity", "m/s^2", GRAVITY), Parameter("light", "kg", 1e-9)
-    slab_mass, block_mass = Parameter("slab_mass", "kg", 3), Parameter("block_mass", "kg", 1)
-    sled, slab = Body("sled", mass=light), Body("slab", mass=slab_mass)
-    cart, top = Body("cart", mass=light), Body("top", mass=block_mass)
+    radius, stiffness = hd.Parameter("radius", "m", 0.1), hd.Parameter("stiffness", "N/m", STIFFNESS)
+    gravity, light = hd.Parameter("gravity", "m/s^2", GRAVITY), hd.Parameter("light", "kg", 1e-9)
+    slab_mass, block_mass = hd.Parameter("slab_mass", "kg", 3), hd.Parameter("block_mass", "kg", 1)
+    sled, slab = hd.Body("sled", mass=light), hd.Body("slab", mass=slab_mass)
+    cart, top = hd.Body("cart", mass=light), hd.Body("top", mass=block_mass)
     joints = (
-        Prismatic("sled_x", GROUND, sled, axis=X), Prismatic("slab_y", sled, slab, axis=Y),
-        Prismatic("cart_x", slab, cart, axis=X), Prismatic("top_y", cart, top, axis=Y),
+        hd.Prismatic("sled_x", hd.GROUND, sled, axis=hd.X), hd.Prismatic("slab_y", sled, slab, axis=hd.Y),
+        hd.Prismatic("cart_x", slab, cart, axis=hd.X), hd.Prismatic("top_y", cart, top, axis=hd.Y),
     )  # fmt: skip
     pairs = (
-        SphereOnPlane("ground", slab.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),
-        SphereOnPlane("deck", top.at(0, 0, 0), radius, slab.at(0, 0, 0), Y),
+        hd.SphereOnPlane("ground", slab.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y),
+        hd.SphereOnPlane("deck", top.at(0, 0, 0), radius, slab.at(0, 0, 0), hd.Y),
     )
-    damping = kelvin_voigt(Parameter("restitution", "1", 0.2))
-    return Scene(
-        Mechanism("stack", joints, pairs),
+    damping = kelvin_voigt(hd.Parameter("restitution", "1", 0.2))
+    return hd.Scene(
+        hd.Mechanism("stack", joints, pairs),
         (
-            Gravity("gravity", gravity, direction=-Y),
-            Contact("ground", power(stiffness, 1), damping), Friction("below", "ground", dry("_below", lower, lower)),
-            Contact("deck", power(stiffness, 1), damping), Friction("above", "deck", dry("_above", upper, upper)),
-            EnergyLedger(),
+            hd.Gravity("gravity", gravity, direction=-hd.Y),
+            hd.Contact("ground", power(stiffness, 1), damping), hd.Friction("below", "ground", dry("_below", lower, lower)),
+            hd.Contact("deck", power(stiffness, 1), damping), hd.Friction("above", "deck", dry("_above", upper, upper)),
+            hd.EnergyLedger(),
         ),
-        Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1)),
-        Start(
+        hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1)),
+        hd.Start(
             position={
                 "slab_y": radius - gravity * (slab_mass + block_mass) / stiffness,
                 "top_y": radius - gravity * block_mass / stiffness,
             },
-            speed={"sled_x": Parameter("slide", "m/s", 1)},
+            speed={"sled_x": hd.Parameter("slide", "m/s", 1)},
         ),
     )  # fmt: skip
 
@@ -314,26 +300,26 @@ RADIUS = 0.02  # m
 
 def ball(height=0.0, stiffness=STIFFNESS):
     """A ball in the plane, 0.1 kg, thrown along with backspin."""
-    mass, radius = Parameter("mass", "kg", 0.1), Parameter("radius", "m", RADIUS)
-    light, gravity = Parameter("light", "kg", 1e-12), Parameter("gravity", "m/s^2", GRAVITY)
-    cart, lift = Body("cart", mass=light), Body("lift", mass=light)
-    sphere = Body("sphere", mass=mass, inertia=2 * mass * radius**2 / 5)
+    mass, radius = hd.Parameter("mass", "kg", 0.1), hd.Parameter("radius", "m", RADIUS)
+    light, gravity = hd.Parameter("light", "kg", 1e-12), hd.Parameter("gravity", "m/s^2", GRAVITY)
+    cart, lift = hd.Body("cart", mass=light), hd.Body("lift", mass=light)
+    sphere = hd.Body("sphere", mass=mass, inertia=2 * mass * radius**2 / 5)
     joints = (
-        Prismatic("x", GROUND, cart, axis=X), Prismatic("y", cart, lift, axis=Y), Revolute("spin", lift, sphere, axis=Z),
+        hd.Prismatic("x", hd.GROUND, cart, axis=hd.X), hd.Prismatic("y", cart, lift, axis=hd.Y), hd.Revolute("spin", lift, sphere, axis=hd.Z),
     )  # fmt: skip
-    K = Parameter("stiffness", "N/m", stiffness)
-    return Scene(
-        Mechanism("ball", joints, (SphereOnPlane("floor", sphere.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y),)),
+    K = hd.Parameter("stiffness", "N/m", stiffness)
+    return hd.Scene(
+        hd.Mechanism("ball", joints, (hd.SphereOnPlane("floor", sphere.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), hd.Y),)),
         (
-            Gravity("gravity", gravity, direction=-Y),
-            Contact("floor", power(K, 1), flores(Parameter("restitution", "1", 0.7))),
-            Friction("rub", "floor", dry()),
-            EnergyLedger(),
+            hd.Gravity("gravity", gravity, direction=-hd.Y),
+            hd.Contact("floor", power(K, 1), flores(hd.Parameter("restitution", "1", 0.7))),
+            hd.Friction("rub", "floor", dry()),
+            hd.EnergyLedger(),
         ),
-        Scales(length=Parameter("depth", "mm", 0.01), speed=Parameter("pace", "m/s", 1), arm=radius),
-        Start(
-            position={"y": radius - mass * gravity / K + Parameter("height", "m", height)},
-            speed={"x": Parameter("throw", "m/s", 1), "y": -Parameter("fall", "m/s", 0), "spin": Parameter("backspin", "rad/s", 60)},
+        hd.Scales(length=hd.Parameter("depth", "mm", 0.01), speed=hd.Parameter("pace", "m/s", 1), arm=radius),
+        hd.Start(
+            position={"y": radius - mass * gravity / K + hd.Parameter("height", "m", height)},
+            speed={"x": hd.Parameter("throw", "m/s", 1), "y": -hd.Parameter("fall", "m/s", 0), "spin": hd.Parameter("backspin", "rad/s", 60)},
         ),
     )  # fmt: skip
 
@@ -444,7 +430,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
     """The smoothed law goes over into the set-valued one as its layer gets thinner."""
     mu = {"friction_coefficient": 0.1}
     sharp = slider_crank.scene.replace(
-        slider_pin_friction=Friction("slider_pin_friction", "slider_pin", dry(mu_k=0.1, mu_s=0.1))
+        slider_pin_friction=hd.Friction("slider_pin_friction", "slider_pin", dry(mu_k=0.1, mu_s=0.1))
     )
     model, smooth = engine_model(sharp), engine_model("slider_crank")
     given = {"duration": "6 ms", "tolerance": 1e-8}

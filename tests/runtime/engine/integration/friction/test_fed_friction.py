@@ -7,44 +7,15 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    BallFriction,
-    Body,
-    BoxOnPlane,
-    ConstantSpeed,
-    Contact,
-    EnergyLedger,
-    Friction,
-    Gravity,
-    InputError,
-    JointForce,
-    JointFriction,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    PointForce,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Spherical,
-    Start,
-    X,
-    Y,
-    Z,
-    laws,
-    reaction_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 from hertzwerk.runtime.engine.integration.friction.uniqueness import bound, monotone, pivots
 
 G, M, J, L, R = 9.81, 1.3, 0.02, 0.4, 0.06
-p = Parameter
-DOWN = Gravity("gravity", p("g", "m/s^2", G), direction=-Y)
-SCALES = Scales(p("size", "m", L), p("pace", "m/s", 1), arm=p("size", "m", L))
-DRY = laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.2))
+p = hd.Parameter
+DOWN = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y)
+SCALES = hd.Scales(p("size", "m", L), p("pace", "m/s", 1), arm=p("size", "m", L))
+DRY = hd.laws.coulomb(mu_k=p("mu", "1", 0.2), mu_s=p("mu_s", "1", 0.2))
 radius, length = p("radius", "m", R), p("length", "m", 0.1)
 BOTH = ["tree", "absolute"]
 METHODS, REFERENCES = ["dop853", "dopri5", "esdirk", "rodas", "auto"], ["cvodes", "idas"]
@@ -55,19 +26,21 @@ def mu(value, static=None, **others):
 
 
 def pendulum(law=DRY):
-    bob = Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J), centre=(0, -p("size", "m", L), 0))
-    effects = (DOWN, JointFriction("bearing", "hinge", law, radius=radius), EnergyLedger())
-    start = Start(position={"hinge": p("lift", "rad", 0.05)})
-    return Scene(Mechanism("dry_pendulum", (Revolute("hinge", GROUND, bob, axis=Z),)), effects, SCALES, start)
+    bob = hd.Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J), centre=(0, -p("size", "m", L), 0))
+    effects = (DOWN, hd.JointFriction("bearing", "hinge", law, radius=radius), hd.EnergyLedger())
+    start = hd.Start(position={"hinge": p("lift", "rad", 0.05)})
+    return hd.Scene(
+        hd.Mechanism("dry_pendulum", (hd.Revolute("hinge", hd.GROUND, bob, axis=hd.Z),)), effects, SCALES, start
+    )
 
 
 def guide(*effects, arm=0.2):
     """A block on two pads, its mass centre an arm above them."""
-    block = Body("block", p("mass", "kg", 2), inertia=p("J", "kg m^2", J), centre=(0, p("arm", "m", arm), 0))
-    rubs = JointFriction("rubs", "slide", DRY, length=length)
-    start = Start(speed={"slide": p("v0", "m/s", 1)})
-    mechanism = Mechanism("dry_guide", (Prismatic("slide", GROUND, block, axis=X),))
-    return Scene(mechanism, (DOWN, rubs, *effects, EnergyLedger()), SCALES, start)
+    block = hd.Body("block", p("mass", "kg", 2), inertia=p("J", "kg m^2", J), centre=(0, p("arm", "m", arm), 0))
+    rubs = hd.JointFriction("rubs", "slide", DRY, length=length)
+    start = hd.Start(speed={"slide": p("v0", "m/s", 1)})
+    mechanism = hd.Mechanism("dry_guide", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),))
+    return hd.Scene(mechanism, (DOWN, rubs, *effects, hd.EnergyLedger()), SCALES, start)
 
 
 @pytest.mark.parametrize(
@@ -107,7 +80,7 @@ def test_the_circle_of_friction():
 
 
 def test_the_smooth_law_converges_to_it():
-    model = load(pendulum(laws.smooth_coulomb(p("mu", "1", 0.2), p("v_s", "m/s", 1e-3))))
+    model = load(pendulum(hd.laws.smooth_coulomb(p("mu", "1", 0.2), p("v_s", "m/s", 1e-3))))
     exact = simulate(load(pendulum()), duration=1.5, tolerance=1e-9, parameters={"lift": (1.2, "rad")})["hinge.angle"][
         -1
     ]
@@ -145,11 +118,15 @@ def test_a_guide_brakes_to_rest_up_to_where_it_locks(coordinates):
 
 def test_a_drawer_jams_whatever_pulls_it():
     """A pull F at an offset h presses two pads of length L with F h/L each: it jams for mu > L/(2 h), however strong F is."""
-    drawer = Body("drawer", p("mass", "kg", 2), inertia=p("J", "kg m^2", J))
-    pull = PointForce("pull", drawer.at(0, p("offset", "m", 0.2), 0), (p("F", "N", 1), 0, 0))
-    rubs = JointFriction("rubs", "slide", DRY, length=length)
+    drawer = hd.Body("drawer", p("mass", "kg", 2), inertia=p("J", "kg m^2", J))
+    pull = hd.PointForce("pull", drawer.at(0, p("offset", "m", 0.2), 0), (p("F", "N", 1), 0, 0))
+    rubs = hd.JointFriction("rubs", "slide", DRY, length=length)
     model = load(
-        Scene(Mechanism("drawer", (Prismatic("slide", GROUND, drawer, axis=X),)), (pull, rubs, EnergyLedger()), SCALES)
+        hd.Scene(
+            hd.Mechanism("drawer", (hd.Prismatic("slide", hd.GROUND, drawer, axis=hd.X),)),
+            (pull, rubs, hd.EnergyLedger()),
+            SCALES,
+        )
     )
     limit = 0.1 / (2 * 0.2)
     for force in (1e-3, 1e4):
@@ -162,12 +139,12 @@ def test_a_drawer_jams_whatever_pulls_it():
 
 def test_a_wedge_locks_itself():
     """A load on a wedge of angle alpha holds for tan(alpha) <= mu; else it goes down with g (sin - mu cos)."""
-    block = Body("block", p("mass", "kg", 2), inertia=p("J", "kg m^2", J))
-    slope = Prismatic("slide", GROUND.at(0, 0, 0).turned(Z, p("alpha", "rad", 0.3)), block, axis=X)
+    block = hd.Body("block", p("mass", "kg", 2), inertia=p("J", "kg m^2", J))
+    slope = hd.Prismatic("slide", hd.GROUND.at(0, 0, 0).turned(hd.Z, p("alpha", "rad", 0.3)), block, axis=hd.X)
     model = load(
-        Scene(
-            Mechanism("wedge", (slope,)),
-            (DOWN, JointFriction("rubs", "slide", DRY, length=length), EnergyLedger()),
+        hd.Scene(
+            hd.Mechanism("wedge", (slope,)),
+            (DOWN, hd.JointFriction("rubs", "slide", DRY, length=length), hd.EnergyLedger()),
             SCALES,
         )
     )
@@ -179,11 +156,11 @@ def test_a_wedge_locks_itself():
 def rod():
     """A uniform rod of length 2 a whose lower end slides along a rough straight guide, both ways pressed."""
     a, m = p("a", "m", 0.5), p("m", "kg", 1)
-    foot, bar = Body("foot", 0), Body("bar", m, inertia=m * a**2 / 3, centre=(a, 0, 0))
-    joints = Prismatic("slide", GROUND, foot, axis=X), Revolute("toe", foot, bar, axis=Z)
-    effects = DOWN, JointFriction("rough", "slide", DRY, length=length), EnergyLedger()
-    start = Start(position={"toe": p("theta", "rad", np.arctan(2.0))}, speed={"slide": p("v0", "m/s", 1)})
-    return Scene(Mechanism("rod", joints), effects, SCALES, start)
+    foot, bar = hd.Body("foot", 0), hd.Body("bar", m, inertia=m * a**2 / 3, centre=(a, 0, 0))
+    joints = hd.Prismatic("slide", hd.GROUND, foot, axis=hd.X), hd.Revolute("toe", foot, bar, axis=hd.Z)
+    effects = DOWN, hd.JointFriction("rough", "slide", DRY, length=length), hd.EnergyLedger()
+    start = hd.Start(position={"toe": p("theta", "rad", np.arctan(2.0))}, speed={"slide": p("v0", "m/s", 1)})
+    return hd.Scene(hd.Mechanism("rod", joints), effects, SCALES, start)
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
@@ -210,25 +187,25 @@ def test_painleves_rod(coordinates, way):
 
 def post(feeds, *, box=False):
     """A cart with a post, on which a foot stands on the floor: the cart is loaded by `feeds` |force of the post|."""
-    cart, foot = Body("cart", p("cart_mass", "kg", 2)), Body("foot", p("mass", "kg", 1))
-    joints = Prismatic("slide", GROUND, cart, axis=X), Prismatic("post", cart, foot, axis=Y)
-    ground, place = GROUND.at(0, 0, 0), foot.at(0, 0, 0)
+    cart, foot = hd.Body("cart", p("cart_mass", "kg", 2)), hd.Body("foot", p("mass", "kg", 1))
+    joints = hd.Prismatic("slide", hd.GROUND, cart, axis=hd.X), hd.Prismatic("post", cart, foot, axis=hd.Y)
+    ground, place = hd.GROUND.at(0, 0, 0), foot.at(0, 0, 0)
     stands = (
-        BoxOnPlane("floor", place, 2 * radius, 2 * radius, ground, normal=Y)
+        hd.BoxOnPlane("floor", place, 2 * radius, 2 * radius, ground, normal=hd.Y)
         if box
-        else SphereOnPlane("floor", place, radius, ground, normal=Y)
+        else hd.SphereOnPlane("floor", place, radius, ground, normal=hd.Y)
     )
     effects = (
         DOWN,
-        Contact("floor", laws.power(p("K", "N/m^1.5", 1e6), 1.5), laws.flores(e=p("e", "1", 0.3))),
-        Friction("grip", "floor", laws.coulomb(mu_k=p("mu", "1", 0.4), mu_s=p("mu_s", "1", 0.4))),
-        JointForce("push", "slide", p("push", "N", 3)),
-        JointForce("fed", "slide", feeds * p("k", "1", 0.5) * reaction_of("post")),
-        EnergyLedger(),
+        hd.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e6), 1.5), hd.laws.flores(e=p("e", "1", 0.3))),
+        hd.Friction("grip", "floor", hd.laws.coulomb(mu_k=p("mu", "1", 0.4), mu_s=p("mu_s", "1", 0.4))),
+        hd.JointForce("push", "slide", p("push", "N", 3)),
+        hd.JointForce("fed", "slide", feeds * p("k", "1", 0.5) * hd.reaction_of("post")),
+        hd.EnergyLedger(),
     )
     deep = (G / (2 if box else 1) / 1e6) ** (2 / 3)
-    start = Start(position={"post": radius - p("sink", "m", deep)})
-    return load(Scene(Mechanism("post", joints, (stands,)), effects, SCALES, start))
+    start = hd.Start(position={"post": radius - p("sink", "m", deep)})
+    return load(hd.Scene(hd.Mechanism("post", joints, (stands,)), effects, SCALES, start))
 
 
 @pytest.mark.parametrize("box", [False, pytest.param(True, marks=pytest.mark.exhaustive)])
@@ -259,11 +236,13 @@ def test_a_load_that_frees_what_holds_it_is_reported():
 
 def test_under_a_declared_normal_force():
     """On a spring it loses 2 mu N/k in every half swing, and stops where mu_s N holds it."""
-    block = Body("block", p("mass", "kg", 2))
-    rubs = JointFriction("rubs", "slide", DRY, normal_force=p("N", "N", 10))
-    effects = rubs, JointSpring("spring", "slide", p("k", "N/m", 50)), EnergyLedger()
-    start = Start(position={"slide": p("x0", "m", 0.5)})
-    scene = Scene(Mechanism("block", (Prismatic("slide", GROUND, block, axis=X),)), effects, SCALES, start)
+    block = hd.Body("block", p("mass", "kg", 2))
+    rubs = hd.JointFriction("rubs", "slide", DRY, normal_force=p("N", "N", 10))
+    effects = rubs, hd.JointSpring("spring", "slide", p("k", "N/m", 50)), hd.EnergyLedger()
+    start = hd.Start(position={"slide": p("x0", "m", 0.5)})
+    scene = hd.Scene(
+        hd.Mechanism("block", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),)), effects, SCALES, start
+    )
     run = simulate(load(scene), duration=4.0, tolerance=1e-9, parameters=mu(0.3, 0.4))
     turns = np.flatnonzero(np.diff(run["rubs.slip"])) + 1
     assert run["slide.travel"][turns] == pytest.approx([-0.38, 0.26, -0.14, 0.02], abs=1e-8)
@@ -274,13 +253,13 @@ def test_under_a_declared_normal_force():
 def two_journals():
     size = p("size", "m", L)
     one, two = (
-        Body(name, p(f"{name}_mass", "kg", m), inertia=p("J", "kg m^2", J), centre=(size / 2, 0, 0))
+        hd.Body(name, p(f"{name}_mass", "kg", m), inertia=p("J", "kg m^2", J), centre=(size / 2, 0, 0))
         for name, m in (("one", 1), ("two", 2))
     )
-    joints = Revolute("hinge", GROUND, one, axis=Z), Revolute("elbow", one.at(size, 0, 0), two, axis=Z)
-    first = JointFriction("first", "hinge", DRY, radius=radius)
-    effects = DOWN, first, replace(first, name="second", joint="elbow"), EnergyLedger()
-    return Scene(Mechanism("two_journals", joints), effects, SCALES)
+    joints = hd.Revolute("hinge", hd.GROUND, one, axis=hd.Z), hd.Revolute("elbow", one.at(size, 0, 0), two, axis=hd.Z)
+    first = hd.JointFriction("first", "hinge", DRY, radius=radius)
+    effects = DOWN, first, replace(first, name="second", joint="elbow"), hd.EnergyLedger()
+    return hd.Scene(hd.Mechanism("two_journals", joints), effects, SCALES)
 
 
 @pytest.mark.parametrize("coordinates", [pytest.param("absolute", marks=pytest.mark.exhaustive), "tree"])
@@ -327,22 +306,25 @@ def test_small_vibrations_of_what_sticks_and_slides():
     run = simulate(load(pendulum()), duration=3.0, tolerance=1e-9, parameters=mu(0.05))
     assert len(modes(run, at=0.3).frequencies) == 1
     assert not len(modes(run, at=3.0).frequencies)
-    with pytest.raises(InputError, match="wherever they stop"):
+    with pytest.raises(hd.InputError, match="wherever they stop"):
         equilibrium(load(pendulum()))
 
 
 def test_unsupported_friction_is_refused_by_name():
-    bob = Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
-    ball = Body("ball", p("mass", "kg", M), inertia=(p("J", "kg m^2", J),) * 3)
-    with pytest.raises(InputError, match="law coulomb"):
-        Scene(
-            Mechanism("ball", (Spherical("socket", GROUND, ball),)),
-            (BallFriction("rubs", "socket", DRY, radius),),
+    bob = hd.Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
+    ball = hd.Body("ball", p("mass", "kg", M), inertia=(p("J", "kg m^2", J),) * 3)
+    with pytest.raises(hd.InputError, match="law coulomb"):
+        hd.Scene(
+            hd.Mechanism("ball", (hd.Spherical("socket", hd.GROUND, ball),)),
+            (hd.BallFriction("rubs", "socket", DRY, radius),),
             SCALES,
         )
-    driven = ConstantSpeed("motor", "hinge", p("w", "rad/s", 1)), JointFriction("bearing", "hinge", DRY, radius=radius)
-    with pytest.raises(InputError, match="which is driven"):
-        Scene(Mechanism("driven", (Revolute("hinge", GROUND, bob, axis=Z),)), driven, SCALES)
+    driven = (
+        hd.ConstantSpeed("motor", "hinge", p("w", "rad/s", 1)),
+        hd.JointFriction("bearing", "hinge", DRY, radius=radius),
+    )
+    with pytest.raises(hd.InputError, match="which is driven"):
+        hd.Scene(hd.Mechanism("driven", (hd.Revolute("hinge", hd.GROUND, bob, axis=hd.Z),)), driven, SCALES)
 
 
 def test_the_bound_of_uniqueness():

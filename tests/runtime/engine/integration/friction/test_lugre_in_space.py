@@ -10,30 +10,7 @@ from balls import GRAVITY, MASS, RADIUS, STIFFNESS, ball
 from jacobians import check_jacobian, start_of
 from scipy.integrate import solve_ivp
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    Drive,
-    Free,
-    Friction,
-    Gravity,
-    InputError,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    SphereOnSphere,
-    Start,
-    T,
-    X,
-    Y,
-    Z,
-    derive,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import LAWS, kelvin_voigt, lugre, power
 from hertzwerk.derive.laws.law import FrictionLaw, N, Quantity, s, z
 from hertzwerk.runtime import equilibrium, modes, simulate
@@ -48,8 +25,8 @@ METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 
 def bristles():
     return lugre(
-        Parameter("mu_k", "1", MU_K), Parameter("mu_s", "1", MU_S), Parameter("v_S", "m/s", V_S),
-        Parameter("s_0", "1/m", S_0), Parameter("s_1", "s/m", S_1), Parameter("c_v", "N s/m", 0),
+        hd.Parameter("mu_k", "1", MU_K), hd.Parameter("mu_s", "1", MU_S), hd.Parameter("v_S", "m/s", V_S),
+        hd.Parameter("s_0", "1/m", S_0), hd.Parameter("s_1", "s/m", S_1), hd.Parameter("c_v", "N s/m", 0),
     )  # fmt: skip
 
 
@@ -136,34 +113,34 @@ def test_held_on_a_slope_by_its_bristle():
 @cache
 def driven():
     """A ball carried along X and Z of a plate at given speeds, that only presses; the plate turns about Y."""
-    plate, cart, sledge, body = (Body(name, 1, 1e-3) for name in ("plate", "cart", "sledge", "body"))
-    mass, radius = Parameter("mass", "kg", MASS), Parameter("radius", "m", RADIUS)
+    plate, cart, sledge, body = (hd.Body(name, 1, 1e-3) for name in ("plate", "cart", "sledge", "body"))
+    mass, radius = hd.Parameter("mass", "kg", MASS), hd.Parameter("radius", "m", RADIUS)
     plate, cart, sledge = (
-        Body(name, mass, (Parameter("inertia", "kg m^2", 1),) * 3) for name in ("plate", "cart", "sledge")
+        hd.Body(name, mass, (hd.Parameter("inertia", "kg m^2", 1),) * 3) for name in ("plate", "cart", "sledge")
     )
-    body = Body("body", mass, (0.4 * mass * radius**2,) * 3)
-    turn, wave = Parameter("turn", "rad/s", 0), Parameter("wave", "mm", 0)
+    body = hd.Body("body", mass, (0.4 * mass * radius**2,) * 3)
+    turn, wave = hd.Parameter("turn", "rad/s", 0), hd.Parameter("wave", "mm", 0)
     joints = (
-        Revolute("table", GROUND, plate, axis=Y), Prismatic("x", plate, cart, axis=X),
-        Prismatic("z", cart, sledge, axis=Z), Prismatic("y", sledge, body, axis=Y),
+        hd.Revolute("table", hd.GROUND, plate, axis=hd.Y), hd.Prismatic("x", plate, cart, axis=hd.X),
+        hd.Prismatic("z", cart, sledge, axis=hd.Z), hd.Prismatic("y", sledge, body, axis=hd.Y),
     )  # fmt: skip
-    pair = SphereOnPlane("floor", body.at(0, 0, 0), radius, plate.at(0, 0, 0), Y)
-    stiffness, gravity = Parameter("stiffness", "N/m", STIFFNESS), Parameter("gravity", "m/s^2", GRAVITY)
-    rate = Parameter("rate", "rad/s", 20)
+    pair = hd.SphereOnPlane("floor", body.at(0, 0, 0), radius, plate.at(0, 0, 0), hd.Y)
+    stiffness, gravity = hd.Parameter("stiffness", "N/m", STIFFNESS), hd.Parameter("gravity", "m/s^2", GRAVITY)
+    rate = hd.Parameter("rate", "rad/s", 20)
     effects = (
-        Drive("turning", "table", position=turn * T),
-        Drive("along", "x", position=Parameter("v_x", "m/s", 0) * T + wave * sp.sin(rate * T)),
-        Drive("across", "z", position=Parameter("v_z", "m/s", 0) * T + wave * sp.sin(2 * rate * T)),
-        Gravity("gravity", gravity, direction=-Y), Contact("floor", power(stiffness, 1), kelvin_voigt(Parameter("e", "1", 0.2))),
-        Friction("rub", "floor", bristles()),
+        hd.Drive("turning", "table", position=turn * hd.T),
+        hd.Drive("along", "x", position=hd.Parameter("v_x", "m/s", 0) * hd.T + wave * sp.sin(rate * hd.T)),
+        hd.Drive("across", "z", position=hd.Parameter("v_z", "m/s", 0) * hd.T + wave * sp.sin(2 * rate * hd.T)),
+        hd.Gravity("gravity", gravity, direction=-hd.Y), hd.Contact("floor", power(stiffness, 1), kelvin_voigt(hd.Parameter("e", "1", 0.2))),
+        hd.Friction("rub", "floor", bristles()),
     )  # fmt: skip
-    scales = Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius)
+    scales = hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=radius)
     return engine_model(
-        Scene(
-            Mechanism("driven", joints, (pair,)),
+        hd.Scene(
+            hd.Mechanism("driven", joints, (pair,)),
             effects,
             scales,
-            Start(position={"y": radius - mass * gravity / stiffness}),
+            hd.Start(position={"y": radius - mass * gravity / stiffness}),
         )
     )
 
@@ -204,24 +181,30 @@ def test_bristles_are_the_same_to_an_observer_who_turns():
 
 def two_balls(**coordinates):
     """A ball that falls on another, aside and spinning: the normal turns while they touch."""
-    mass, radius = Parameter("mass", "kg", MASS), Parameter("radius", "m", RADIUS)
-    upper = Body("upper", mass, (0.4 * mass * radius**2,) * 3)
-    pair = SphereOnSphere("touch", upper.at(0, 0, 0), GROUND.at(0, 0, 0), radius, radius)
+    mass, radius = hd.Parameter("mass", "kg", MASS), hd.Parameter("radius", "m", RADIUS)
+    upper = hd.Body("upper", mass, (0.4 * mass * radius**2,) * 3)
+    pair = hd.SphereOnSphere("touch", upper.at(0, 0, 0), hd.GROUND.at(0, 0, 0), radius, radius)
     effects = (
-        Gravity("gravity", Parameter("gravity", "m/s^2", GRAVITY), direction=-Y),
-        Contact("touch", power(Parameter("stiffness", "N/m", 1e4), 1)), Friction("rub", "touch", bristles()),
+        hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", GRAVITY), direction=-hd.Y),
+        hd.Contact("touch", power(hd.Parameter("stiffness", "N/m", 1e4), 1)), hd.Friction("rub", "touch", bristles()),
     )  # fmt: skip
-    start = Start(
+    start = hd.Start(
         position={"flight.x": 0.2 * radius, "flight.z": 0.1 * radius, "flight.y": 1.94 * radius},
         speed={
-            "flight.x_speed": Parameter("v", "m/s", 0.3),
-            "flight.angular_speed_y": Parameter("w_y", "rad/s", 50),
-            "flight.angular_speed_x": Parameter("w_x", "rad/s", 9),
+            "flight.x_speed": hd.Parameter("v", "m/s", 0.3),
+            "flight.angular_speed_y": hd.Parameter("w_y", "rad/s", 50),
+            "flight.angular_speed_x": hd.Parameter("w_x", "rad/s", 9),
         },
     )
-    scales = Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius)
+    scales = hd.Scales(length=hd.Parameter("depth", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 1), arm=radius)
     return engine_model(
-        Scene(Mechanism("two_balls", (Free("flight", GROUND, upper),), (pair,)), effects, scales, start, **coordinates)
+        hd.Scene(
+            hd.Mechanism("two_balls", (hd.Free("flight", hd.GROUND, upper),), (pair,)),
+            effects,
+            scales,
+            start,
+            **coordinates,
+        )
     )
 
 
@@ -263,5 +246,7 @@ def test_a_law_that_is_not_linear_in_its_deflection_is_refused():
     )  # fmt: skip
     assert cubic.in_two_directions is None
     assert all(law.in_two_directions for law in LAWS.values() if isinstance(law, FrictionLaw) and law.memory)
-    with pytest.raises(InputError, match=r"(?s)effect rub: found law cubic at floor.*linear in its deflection.*lugre"):
-        derive(ball(cubic(Parameter("mu", "1", 0.3), Parameter("k", "1/m", 1e4))))
+    with pytest.raises(
+        hd.InputError, match=r"(?s)effect rub: found law cubic at floor.*linear in its deflection.*lugre"
+    ):
+        hd.derive(ball(cubic(hd.Parameter("mu", "1", 0.3), hd.Parameter("k", "1/m", 1e4))))

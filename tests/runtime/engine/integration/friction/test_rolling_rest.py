@@ -9,22 +9,7 @@ import pytest
 import sympy as sp
 from balls import GRAVITY, MASS, RADIUS, ball, brake, dry
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    BodyTorque,
-    DrillingResistance,
-    InputError,
-    JointForce,
-    Parameter,
-    Revolute,
-    RollingResistance,
-    T,
-    Z,
-    generate,
-    normal_force_of,
-    reaction_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import equilibrium, simulate
 from hertzwerk.runtime.loading import engine_model
@@ -41,12 +26,12 @@ SPIN_SLOWS = DRILL * GRAVITY / (0.4 * RADIUS**2)  # rad/s^2
 
 
 def rolling():
-    return RollingResistance("rolling", "floor", Parameter("arm", "m", ARM))
+    return hd.RollingResistance("rolling", "floor", hd.Parameter("arm", "m", ARM))
 
 
 def drilling():
-    return DrillingResistance(
-        "drilling", "floor", 3 * sp.pi / 16 * Parameter("mu_k", "1", MU) * Parameter("patch", "m", PATCH)
+    return hd.DrillingResistance(
+        "drilling", "floor", 3 * sp.pi / 16 * hd.Parameter("mu_k", "1", MU) * hd.Parameter("patch", "m", PATCH)
     )
 
 
@@ -64,7 +49,7 @@ def model(coordinates="tree"):
 def pushed():
     """The ball under a torque about the normal that grows with time."""
     body = ball(dry(MU)).mechanism.joints[0].child.body
-    return engine_model(scene(BodyTorque("twist", body, (0, Parameter("rise", "N m/s", 1e-5) * T, 0))))
+    return engine_model(scene(hd.BodyTorque("twist", body, (0, hd.Parameter("rise", "N m/s", 1e-5) * hd.T, 0))))
 
 
 def shot(speed, heading, spin):
@@ -166,8 +151,8 @@ def test_a_growing_torque_drills_once_it_is_beyond_the_limit():
 def test_a_wheel_under_a_block_stops_and_holds_its_guide(coordinates):
     """In plane motion: after spin I/(c N), and then stays against a torque below c N, which the guide takes up."""
     spin, inertia, normal = 20, 1e-3, 2 * GRAVITY
-    drag = RollingResistance("drag", "rub", Parameter("arm", "m", ARM))
-    push = JointForce("push", "axle", Parameter("push", "N m", 0))
+    drag = hd.RollingResistance("drag", "rub", hd.Parameter("arm", "m", ARM))
+    push = hd.JointForce("push", "axle", hd.Parameter("push", "N m", 0))
     built = engine_model(brake(drag, push).with_coordinates(coordinates))
     given = {"spin": (spin, "rad/s"), "push": (-0.5 * ARM * normal, "N m")}
     run = simulate(built, duration="3 s", method="dop853", tolerance=1e-8, parameters=given)
@@ -182,7 +167,7 @@ def test_a_wheel_under_a_block_stops_and_holds_its_guide(coordinates):
 
 def test_resistance_alone_has_modes_beside_smoothed_friction():
     """Sliding is then no mode, and its velocity no slip: the spin stops as before."""
-    smooth = smooth_coulomb(Parameter("mu_k", "1", MU), Parameter("v_s", "m/s", 1e-3))
+    smooth = smooth_coulomb(hd.Parameter("mu_k", "1", MU), hd.Parameter("v_s", "m/s", 1e-3))
     built = engine_model(scene(law=smooth))
     assert [name for name, *_ in built.slips] == ["rolling.turning_1", "rolling.turning_2", "drilling.turning"]
     spin = 0.2
@@ -221,10 +206,10 @@ def test_where_it_rests_has_derivatives():
 
 def test_a_load_by_the_normal_force_is_one_by_the_weight():
     """Friction changes no normal force: what rolls and rests beside a load by it moves as beside a known one."""
-    body, lever = ball(dry(MU)).mechanism.joints[0].child.body, Parameter("lever", "m", 1e-4)
+    body, lever = ball(dry(MU)).mechanism.joints[0].child.body, hd.Parameter("lever", "m", 1e-4)
     runs = [
-        simulate(scene(BodyTorque("fed", body, (0, lever * force, 0))), duration="50 ms", tolerance=1e-9, parameters={"v_x": (0.1, "m/s")})
-        for force in (normal_force_of("floor"), Parameter("weight", "N", MASS * GRAVITY))
+        simulate(scene(hd.BodyTorque("fed", body, (0, lever * force, 0))), duration="50 ms", tolerance=1e-9, parameters={"v_x": (0.1, "m/s")})
+        for force in (hd.normal_force_of("floor"), hd.Parameter("weight", "N", MASS * GRAVITY))
     ]  # fmt: skip
     one, other = (run.final["flight.x_speed"] for run in runs)
     assert one == pytest.approx(other, rel=1e-9)
@@ -234,13 +219,13 @@ def test_a_load_by_the_normal_force_is_one_by_the_weight():
 def test_it_is_refused_beside_loads_by_reactions_that_it_changes():
     body, bob = (
         ball(dry(MU)).mechanism.joints[0].child.body,
-        Body("bob", Parameter("m_bob", "kg", 1.0), Parameter("J_bob", "kg m^2", 1e-3)),
+        hd.Body("bob", hd.Parameter("m_bob", "kg", 1.0), hd.Parameter("J_bob", "kg m^2", 1e-3)),
     )
-    more = (BodyTorque("fed", body, (0, Parameter("lever", "m", 1e-6) * reaction_of("hinge"), 0)),)
+    more = (hd.BodyTorque("fed", body, (0, hd.Parameter("lever", "m", 1e-6) * hd.reaction_of("hinge"), 0)),)
     found = scene()
-    joints = (*found.mechanism.joints, Revolute("hinge", GROUND, bob, axis=Z))
-    with pytest.raises(InputError) as caught:
-        generate(replace(found, mechanism=replace(found.mechanism, joints=joints), effects=(*found.effects, *more)))
+    joints = (*found.mechanism.joints, hd.Revolute("hinge", hd.GROUND, bob, axis=hd.Z))
+    with pytest.raises(hd.InputError) as caught:
+        hd.generate(replace(found, mechanism=replace(found.mechanism, joints=joints), effects=(*found.effects, *more)))
     for word in ("effect rolling", "effect rub", "in several directions beside loads by reactions", "Give it a speed"):
         assert word in str(caught.value)
     assert "effect drilling" not in str(caught.value)  # about one axis

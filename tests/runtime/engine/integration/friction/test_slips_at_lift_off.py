@@ -10,24 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    Direction,
-    Free,
-    Friction,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Planar,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import coulomb, exact, hunt_crossley, kelvin_voigt, lee_wang, power
 from hertzwerk.derive.scenes.hard.slips_at_lift_off import ball_beside_wall, ball_on_diagonal, ball_that_is_held_back
 from hertzwerk.runtime import load, simulate
@@ -37,34 +20,34 @@ METHODS = ("dop853", "dopri5", "esdirk", "rodas", "auto")
 G = 9.81
 
 
-def body(*, mass, inertia, radius, normal, stiffness, n, damping, friction, position, speed, centre=(0, 0, 0), up=Z):
+def body(*, mass, inertia, radius, normal, stiffness, n, damping, friction, position, speed, centre=(0, 0, 0), up=hd.Z):
     """A sphere that falls on a plane through the origin, in space if it has three moments of inertia."""
     space = np.ndim(inertia) == 1
-    size = Parameter("radius", "m", radius)
-    moments = tuple(Parameter(f"J_{i}", "kg m^2", J) for i, J in enumerate(np.atleast_1d(inertia)))
-    sphere = Body("sphere", mass=Parameter("mass", "kg", mass), inertia=moments if space else moments[0])
-    joint = Free("flight", GROUND, sphere) if space else Planar("flight", GROUND, sphere, normal=Z)
-    place = sphere.at(*(Parameter(f"c_{i}", "m", x) if x else 0 for i, x in enumerate(centre)))
+    size = hd.Parameter("radius", "m", radius)
+    moments = tuple(hd.Parameter(f"J_{i}", "kg m^2", J) for i, J in enumerate(np.atleast_1d(inertia)))
+    sphere = hd.Body("sphere", mass=hd.Parameter("mass", "kg", mass), inertia=moments if space else moments[0])
+    joint = hd.Free("flight", hd.GROUND, sphere) if space else hd.Planar("flight", hd.GROUND, sphere, normal=hd.Z)
+    place = sphere.at(*(hd.Parameter(f"c_{i}", "m", x) if x else 0 for i, x in enumerate(centre)))
     units = {False: ("m", "rad"), True: ("m/s", "rad/s")}
 
     def given(values, rate):
         return {
-            f"flight.{name}": Parameter(f"at_{name}_{rate:d}", units[rate]["ang" in name], value)
+            f"flight.{name}": hd.Parameter(f"at_{name}_{rate:d}", units[rate]["ang" in name], value)
             for name, value in values.items()
         }
 
-    restitution = () if damping is None else (damping[0](Parameter("e", "1", damping[1])),)
-    laws = power(Parameter("K", f"N/m^{n}", stiffness), n), *restitution
-    kinetic, static = (Parameter(name, "1", mu) for name, mu in zip(("mu_k", "mu_s"), friction, strict=True))
-    return Scene(
-        Mechanism("body", (joint,), (SphereOnPlane("floor", place, size, GROUND.at(0, 0, 0), normal),)),
+    restitution = () if damping is None else (damping[0](hd.Parameter("e", "1", damping[1])),)
+    laws = power(hd.Parameter("K", f"N/m^{n}", stiffness), n), *restitution
+    kinetic, static = (hd.Parameter(name, "1", mu) for name, mu in zip(("mu_k", "mu_s"), friction, strict=True))
+    return hd.Scene(
+        hd.Mechanism("body", (joint,), (hd.SphereOnPlane("floor", place, size, hd.GROUND.at(0, 0, 0), normal),)),
         (
-            Gravity("gravity", Parameter("g", "m/s^2", G), direction=-up),
-            Contact("floor", *laws),
-            Friction("rub", "floor", coulomb(kinetic, static)),
+            hd.Gravity("gravity", hd.Parameter("g", "m/s^2", G), direction=-up),
+            hd.Contact("floor", *laws),
+            hd.Friction("rub", "floor", coulomb(kinetic, static)),
         ),
-        Scales(length=size, speed=Parameter("pace", "m/s", 1), arm=size),
-        Start(position=given(position, False), speed=given(speed, True)),
+        hd.Scales(length=size, speed=hd.Parameter("pace", "m/s", 1), arm=size),
+        hd.Start(position=given(position, False), speed=given(speed, True)),
     )
 
 
@@ -102,7 +85,9 @@ def diagonal(space):
     if space:
         return load(ball_on_diagonal())
     data = {"mass": 1, "inertia": 1e-3, "radius": 0.05, "stiffness": 1e7, "n": 1.5, "damping": None}
-    return load(body(**data, friction=(0.3, 0.3), normal=Direction((1, 1, 0)), position={"y": 0.3}, speed={}, up=Y))
+    return load(
+        body(**data, friction=(0.3, 0.3), normal=hd.Direction((1, 1, 0)), position={"y": 0.3}, speed={}, up=hd.Y)
+    )
 
 
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10, 1e-12])
@@ -150,7 +135,7 @@ def off_centre():
     tilt = 0.434577
     return body(
         mass=1.74036, inertia=(2.6354e-4, 3.10187e-4, 3.28556e-4), radius=0.0449658, centre=(0.00665304, 0, 0),
-        normal=Direction((math.sin(tilt), 0, math.cos(tilt))), stiffness=1.50019e7, n=1.5, damping=(lee_wang, 0.570645),
+        normal=hd.Direction((math.sin(tilt), 0, math.cos(tilt))), stiffness=1.50019e7, n=1.5, damping=(lee_wang, 0.570645),
         friction=(0.471913, 0.471913), position={"z": 0.513057},
         speed={"x_speed": 0.222066, "angular_speed_x": -7.35237, "angular_speed_y": 0.697269},
     )  # fmt: skip
@@ -171,7 +156,7 @@ def test_methods_agree_on_a_sphere_off_its_mass_centre():
 def test_an_oblique_plane_has_tangents():
     """A normal without a zero component: "no rule to emit BooleanTrue: True"."""
     scene = body(
-        mass=1, inertia=(1e-3,) * 3, radius=0.05, normal=Direction((0.1, 0.2, 1)), stiffness=1e7, n=1.5, damping=None,
+        mass=1, inertia=(1e-3,) * 3, radius=0.05, normal=hd.Direction((0.1, 0.2, 1)), stiffness=1e7, n=1.5, damping=None,
         friction=(0.3, 0.3), position={"z": 0.3}, speed={},
     )  # fmt: skip
     run = simulate(load(scene), duration=0.3, tolerance=1e-10, compiled=False)
@@ -185,9 +170,9 @@ def test_an_oblique_plane_has_tangents():
 def test_friction_that_turns_round_lets_go_between(method, tolerance):
     """Friction needed passes from one limit to the other in a microsecond: it lets go, which every method passed over."""
     scene = body(
-        mass=2.2491, inertia=3.85249e-3, radius=0.0654389, centre=(-0.0083995, 0.00730016, 0), normal=Direction((0.418704, 0.908123, 0)),
+        mass=2.2491, inertia=3.85249e-3, radius=0.0654389, centre=(-0.0083995, 0.00730016, 0), normal=hd.Direction((0.418704, 0.908123, 0)),
         stiffness=1.12416e7, n=1, damping=(kelvin_voigt, 0.458188), friction=(0.461072, 0.461072), position={"y": 0.251772},
-        speed={"x": 0.107249, "y": 0.548452, "angle": -35.562}, up=Y,
+        speed={"x": 0.107249, "y": 0.548452, "angle": -35.562}, up=hd.Y,
     )  # fmt: skip
     run = simulate(load(scene), duration=0.27, tolerance=tolerance, method=method, compiled=False)
     (_, sticks), (lets_go, before), (turns, after) = changes(run)
@@ -204,7 +189,7 @@ def test_an_implicit_step_follows_friction_that_turns():
     """From rest it took all the way to lift-off, with the direction that friction had there: 2e-7 off at any tolerance."""
     model = shell(
         mass=0.550251, inertia=(4.7409e-5, 4.75453e-5, 6.03925e-5), radius=0.0110257, centre=(-0.00163752, -0.000499016, 0.002109),
-        normal=Direction((-0.325353, 0.147716, 0.933983)), stiffness=7.05085e13, n=2, damping=(hunt_crossley, 0.753985),
+        normal=hd.Direction((-0.325353, 0.147716, 0.933983)), stiffness=7.05085e13, n=2, damping=(hunt_crossley, 0.753985),
         friction=(0.129163, 0.129163), position={"z": 0.171753},
         speed={"x_speed": 0.704577, "y_speed": 0.0939678, "z_speed": 0.510634, "angular_speed_z": 25.6176},
     )  # fmt: skip
@@ -218,7 +203,7 @@ def test_an_explicit_step_does_not_repeat_itself_near_rest():
     model = shell(
         mass=0.18010363315901684, inertia=(5.547935971615244e-05, 4.425344129391225e-05, 5.1976471852383085e-05),
         radius=0.018529749105867972, centre=(-0.0009842306514079415, 0.0021174234967637406, 0.0031606207514771004),
-        normal=Direction((-0.17687915380463082, 0.270231872467072, 0.9464082100511902)), stiffness=71361538.30757974, n=1.5,
+        normal=hd.Direction((-0.17687915380463082, 0.270231872467072, 0.9464082100511902)), stiffness=71361538.30757974, n=1.5,
         damping=(exact, 0.46629448124864936), friction=(0.13906563285994328, 0.18078532272792627), position={"z": 0.29506119992394264},
         speed={"x_speed": -0.22646044199588977, "y_speed": -0.44460763925472024, "z_speed": 0.394460931179601,
                "angular_speed_y": -37.73243156735131, "angular_speed_z": -37.3926314844107},
@@ -254,7 +239,7 @@ def test_friction_ends_where_a_law_begins_to_pull(method):
     pressed = 1 + math.exp(-z / math.sqrt(1 - z**2) * (math.pi - 2 * math.asin(z)))
     data = {"mass": 1, "inertia": 1e3, "radius": 0.05, "stiffness": 1e6, "n": 1, "damping": (kelvin_voigt, e)}
     start = {"position": {"y": 0.0505}, "speed": {"x_speed": 3, "y_speed": -1}}
-    model = load(body(**data, **start, friction=(mu, mu), normal=Y, up=Y))
+    model = load(body(**data, **start, friction=(mu, mu), normal=hd.Y, up=hd.Y))
     for tolerance in (1e-6, 1e-7, 1e-9, 1e-10, 1e-11):
         run = simulate(
             model, duration=0.01, method=method, tolerance=tolerance, parameters={"g": "0 m/s^2"}, compiled=False
@@ -271,7 +256,7 @@ def test_a_move_to_the_opening_does_not_take_the_force_beyond_it(method):
     """
     data = {"mass": 1, "inertia": 1e3, "radius": 0.05, "stiffness": 1e6, "n": 1, "damping": (kelvin_voigt, 0.5)}
     start = {"position": {"y": 0.0505}, "speed": {"x_speed": 3, "y_speed": -1}}
-    model = load(body(**data, **start, friction=(0.2, 0.2), normal=Y, up=Y))
+    model = load(body(**data, **start, friction=(0.2, 0.2), normal=hd.Y, up=hd.Y))
     for speed in np.arange(1, 1.2, 0.01):
         given = {"parameters": {"g": "0 m/s^2"}, "initial": {"flight.y_speed": (-speed, "m/s")}, "compiled": False}
         run = simulate(model, duration=0.01, method=method, tolerance=1e-11, **given)

@@ -6,40 +6,28 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    InputError,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    SpeedController,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
 J, Kp, Ki, TARGET, LOW, HIGH, PERIOD = 0.02, 0.1, 4.0, 100.0, -1.0, 3.0, 0.01
 
 
 def p(name, unit, value):
-    return Parameter(name, unit, value)
+    return hd.Parameter(name, unit, value)
 
 
 def scene(limit="both", tracking=None, period=None, **fields):
     """Rotor whose torque is the command of a controller."""
     limits = {"both": (p("low", "N m", LOW), p("high", "N m", HIGH)), "one": p("high", "N m", HIGH), None: None}
     times = {"tracking": tracking, "period": period}
-    control = SpeedController(
+    control = hd.SpeedController(
         *("control", "main", p("target", "rad/s", TARGET), p("Kp", "N m s/rad", Kp), p("Ki", "N m/rad", Ki), "N m"),
         limit=limits.get(limit, limit), **{name: value and p(name, "s", value) for name, value in times.items()}, **fields,
     )  # fmt: skip
-    rotor = Body("rotor", p("mass", "kg", 1), p("J", "kg m^2", J))
-    mechanism = Mechanism("shaft", (Revolute("main", GROUND, rotor, axis=Z),))
-    scales = Scales(p("size", "m", 1), p("pace", "m/s", 100), arm=p("arm", "m", 1))
-    return Scene(mechanism, (JointForce("drive", "main", control.command), control), scales)
+    rotor = hd.Body("rotor", p("mass", "kg", 1), p("J", "kg m^2", J))
+    mechanism = hd.Mechanism("shaft", (hd.Revolute("main", hd.GROUND, rotor, axis=hd.Z),))
+    scales = hd.Scales(p("size", "m", 1), p("pace", "m/s", 100), arm=p("arm", "m", 1))
+    return hd.Scene(mechanism, (hd.JointForce("drive", "main", control.command), control), scales)
 
 
 @cache
@@ -110,17 +98,17 @@ def test_a_command_at_its_limit_does_not_wind_up():
     ],
 )
 def test_limits_that_are_none_are_refused(fields, told):
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(hd.InputError, match=told):
         scene(**fields)
 
 
 def test_without_a_proportional_gain_a_tracking_time_is_requested():
     found = (*("control", "main", p("target", "rad/s", TARGET), 0, p("Ki", "N m/rad", Ki), "N m"),)
-    with pytest.raises(InputError, match="a limit without a proportional gain"):
-        control = SpeedController(*found, limit=p("high", "N m", HIGH))
-        rotor = Body("rotor", p("mass", "kg", 1), p("J", "kg m^2", J))
-        Scene(
-            Mechanism("shaft", (Revolute("main", GROUND, rotor, axis=Z),)),
-            (JointForce("drive", "main", control.command), control),
+    with pytest.raises(hd.InputError, match="a limit without a proportional gain"):
+        control = hd.SpeedController(*found, limit=p("high", "N m", HIGH))
+        rotor = hd.Body("rotor", p("mass", "kg", 1), p("J", "kg m^2", J))
+        hd.Scene(
+            hd.Mechanism("shaft", (hd.Revolute("main", hd.GROUND, rotor, axis=hd.Z),)),
+            (hd.JointForce("drive", "main", control.command), control),
             scene().scales,
         )

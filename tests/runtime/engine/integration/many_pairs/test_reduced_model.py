@@ -6,23 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Direction,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Planar,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    Y,
-    Z,
-)  # fmt: skip
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, power
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.engine.integration.loop import reduced_runs
@@ -55,25 +39,29 @@ def test_bounds_contain_the_values():
 @pytest.fixture(scope="module")
 def ball_among_walls():
     """A ball that flies to and fro in a room of 18 walls: it meets them one after the other."""
-    room, radius = Parameter("room", "m", 1), Parameter("radius", "m", 0.05)
-    ball = Body.sphere("ball", radius, mass=Parameter("mass", "kg", 1))
+    room, radius = hd.Parameter("room", "m", 1), hd.Parameter("radius", "m", 0.05)
+    ball = hd.Body.sphere("ball", radius, mass=hd.Parameter("mass", "kg", 1))
     normals = [(math.cos(x), math.sin(x)) for x in np.arange(WALLS) * 2 * math.pi / WALLS]
     walls = [
-        SphereOnPlane(
-            f"wall_{i}", ball.at(0, 0, 0), radius, plane=GROUND.at(-x * room, -y * room, 0), normal=Direction((x, y, 0))
+        hd.SphereOnPlane(
+            f"wall_{i}",
+            ball.at(0, 0, 0),
+            radius,
+            plane=hd.GROUND.at(-x * room, -y * room, 0),
+            normal=hd.Direction((x, y, 0)),
         )
         for i, (x, y) in enumerate(normals)
     ]
-    law = power(Parameter("stiffness", "N/m^1.5", 1e7), n=1.5), flores(Parameter("restitution", "1", 0.95))
-    scene = Scene(
-        Mechanism("ball_among_walls", (Planar("flight", GROUND, ball, normal=Z),), tuple(walls)),
+    law = power(hd.Parameter("stiffness", "N/m^1.5", 1e7), n=1.5), flores(hd.Parameter("restitution", "1", 0.95))
+    scene = hd.Scene(
+        hd.Mechanism("ball_among_walls", (hd.Planar("flight", hd.GROUND, ball, normal=hd.Z),), tuple(walls)),
         effects=(
-            Gravity("gravity", Parameter("gravity", "m/s^2", 1), direction=-Y),
-            *(Contact(wall.name, *law) for wall in walls),
-            EnergyLedger(),
+            hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", 1), direction=-hd.Y),
+            *(hd.Contact(wall.name, *law) for wall in walls),
+            hd.EnergyLedger(),
         ),
-        start=Start(speed={"flight.x": Parameter("pace", "m/s", 20), "flight.y": Parameter("rise", "m/s", 7)}),
-        scales=Scales(length=radius, arm=radius, speed=Parameter("pace_scale", "m/s", 5)),
+        start=hd.Start(speed={"flight.x": hd.Parameter("pace", "m/s", 20), "flight.y": hd.Parameter("rise", "m/s", 7)}),
+        scales=hd.Scales(length=radius, arm=radius, speed=hd.Parameter("pace_scale", "m/s", 5)),
     )
     return load(scene)
 

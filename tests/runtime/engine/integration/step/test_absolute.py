@@ -7,26 +7,7 @@ import pytest
 import sympy as sp
 from loops import cranks, four_bar, open_by, rad
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Drive,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    JointDamper,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    T,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.laws import coulomb
 from hertzwerk.derive.scenes.bricard import scene as bricard
 from hertzwerk.derive.scenes.n_four_bar import L, n_four_bar, v
@@ -37,7 +18,7 @@ from hertzwerk.runtime.loading import engine_model
 TOLERANCE = 1e-11
 
 
-def both(scene: Scene, duration: float, tolerance: float = TOLERANCE, **options):
+def both(scene: hd.Scene, duration: float, tolerance: float = TOLERANCE, **options):
     """The scene's run by its joints, and by its bodies."""
     return [
         simulate(engine_model(scene.with_coordinates(kind)), duration=duration, tolerance=tolerance, **options)
@@ -58,50 +39,55 @@ def poses(run, t: np.ndarray) -> np.ndarray:
     )
 
 
-def pendulum(n: int) -> Scene:
+def pendulum(n: int) -> hd.Scene:
     m, J, length, g = (
-        Parameter(*row)
+        hd.Parameter(*row)
         for row in (("mass", "kg", 1.0), ("J", "kg m^2", 0.02), ("reach", "m", 0.5), ("g", "m/s^2", 9.81))
     )
-    joints, before, at = [], GROUND, 0
+    joints, before, at = [], hd.GROUND, 0
     for i in range(n):
-        body = Body(f"link_{i}", m, J, centre=(0, -length / 2, 0))
-        joints.append(Revolute(f"pin_{i}", before.at(0, at, 0), body, Z))
+        body = hd.Body(f"link_{i}", m, J, centre=(0, -length / 2, 0))
+        joints.append(hd.Revolute(f"pin_{i}", before.at(0, at, 0), body, hd.Z))
         before, at = body, -length
-    start = Start(
-        position={"pin_0": Parameter("lift", "rad", 1.0)}, speed={f"pin_{n - 1}": Parameter("kick", "rad/s", 2.0)}
+    start = hd.Start(
+        position={"pin_0": hd.Parameter("lift", "rad", 1.0)}, speed={f"pin_{n - 1}": hd.Parameter("kick", "rad/s", 2.0)}
     )
-    scales = Scales(length, Parameter("pace", "m/s", 1.0), length)
-    return Scene(Mechanism("pendulum", tuple(joints)), (Gravity("gravity", g, -Y), EnergyLedger()), scales, start)
+    scales = hd.Scales(length, hd.Parameter("pace", "m/s", 1.0), length)
+    return hd.Scene(
+        hd.Mechanism("pendulum", tuple(joints)), (hd.Gravity("gravity", g, -hd.Y), hd.EnergyLedger()), scales, start
+    )
 
 
-def driven_within() -> Scene:
+def driven_within() -> hd.Scene:
     """A double pendulum whose elbow is moved, its shoulder on a spring with a damper."""
     scene = pendulum(2)
-    swing, pace = Parameter("swing", "rad", 0.8), Parameter("pulse", "1/s", 5.0)
+    swing, pace = hd.Parameter("swing", "rad", 0.8), hd.Parameter("pulse", "1/s", 5.0)
     effects = (
-        Drive("elbow", "pin_1", position=swing * (1 - sp.cos(pace * T))),
-        JointSpring("shoulder", "pin_0", Parameter("k", "N m/rad", 6.0)),
-        JointDamper("oil", "pin_0", Parameter("d", "N m s/rad", 0.3)),
+        hd.Drive("elbow", "pin_1", position=swing * (1 - sp.cos(pace * hd.T))),
+        hd.JointSpring("shoulder", "pin_0", hd.Parameter("k", "N m/rad", 6.0)),
+        hd.JointDamper("oil", "pin_0", hd.Parameter("d", "N m s/rad", 0.3)),
     )
     return replace(
-        scene, effects=(*scene.effects, *effects), start=Start(position={"pin_0": Parameter("lift", "rad", 1.0)})
+        scene, effects=(*scene.effects, *effects), start=hd.Start(position={"pin_0": hd.Parameter("lift", "rad", 1.0)})
     )
 
 
-def ball_chain() -> Scene:
-    m, length, g = Parameter("mass", "kg", 1.0), Parameter("reach", "m", 0.5), Parameter("g", "m/s^2", 9.81)
-    J = tuple(Parameter(f"J{k}", "kg m^2", value) for k, value in zip("xyz", (0.03, 0.01, 0.02), strict=True))
-    one, two = (Body(name, m, J, centre=(0, -length / 2, 0)) for name in ("upper", "lower"))
-    joints = (Spherical("shoulder", GROUND, one), Spherical("elbow", one.at(0, -length, 0), two))
+def ball_chain() -> hd.Scene:
+    m, length, g = hd.Parameter("mass", "kg", 1.0), hd.Parameter("reach", "m", 0.5), hd.Parameter("g", "m/s^2", 9.81)
+    J = tuple(hd.Parameter(f"J{k}", "kg m^2", value) for k, value in zip("xyz", (0.03, 0.01, 0.02), strict=True))
+    one, two = (hd.Body(name, m, J, centre=(0, -length / 2, 0)) for name in ("upper", "lower"))
+    joints = (hd.Spherical("shoulder", hd.GROUND, one), hd.Spherical("elbow", one.at(0, -length, 0), two))
     speed = {
-        "shoulder.angular_speed_x": Parameter("wx", "rad/s", 4.0),
-        "elbow.angular_speed_y": Parameter("wy", "rad/s", 9.0),
+        "shoulder.angular_speed_x": hd.Parameter("wx", "rad/s", 4.0),
+        "elbow.angular_speed_y": hd.Parameter("wy", "rad/s", 9.0),
     }
-    position = {"shoulder.q0": Parameter("q0", "1", 1.0), "shoulder.q3": Parameter("q3", "1", 0.5)}
-    scales = Scales(length, Parameter("pace", "m/s", 1.0), length)
-    return Scene(
-        Mechanism("balls", joints), (Gravity("gravity", g, -Y), EnergyLedger()), scales, Start(position, speed)
+    position = {"shoulder.q0": hd.Parameter("q0", "1", 1.0), "shoulder.q3": hd.Parameter("q3", "1", 0.5)}
+    scales = hd.Scales(length, hd.Parameter("pace", "m/s", 1.0), length)
+    return hd.Scene(
+        hd.Mechanism("balls", joints),
+        (hd.Gravity("gravity", g, -hd.Y), hd.EnergyLedger()),
+        scales,
+        hd.Start(position, speed),
     )
 
 
@@ -145,7 +131,7 @@ def test_slider_crank_with_clearance_through_its_impacts():
 
 
 def test_friction_that_sticks_and_slips():
-    friction = Parameter("friction_coefficient", "1", 0.1)
+    friction = hd.Parameter("friction_coefficient", "1", 0.1)
     dry = replace(slider_crank.effect("slider_pin_friction"), law=coulomb(mu_k=friction, mu_s=friction))
     tree, absolute = both(slider_crank.replace(slider_pin_friction=dry), 0.004, tolerance=1e-10)
     assert len(absolute.impacts) == len(tree.impacts) > 5
@@ -189,7 +175,7 @@ def test_initial_values_are_those_of_the_joints():
         engine_model(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial=given, tolerance=1e-6
     )
     assert [run[f"post_{i}.angle"][0] for i in range(3)] == pytest.approx([-0.2] * 3, abs=1e-12)
-    with pytest.raises(InputError, match=r"foot_0\.angle"):
+    with pytest.raises(hd.InputError, match=r"foot_0\.angle"):
         simulate(
             engine_model(n_four_bar(2).with_coordinates("absolute")),
             duration=1e-3,
@@ -201,8 +187,8 @@ def test_initial_values_are_those_of_the_joints():
 @pytest.mark.parametrize(
     "scene",
     [
-        replace(n_four_bar(2), start=Start(position={"foot_0": rad(0.3), "foot_1": rad(0.4)})),
-        replace(n_four_bar(2), start=Start(speed={"foot_0": -v / L, "foot_1": v / L})),
+        replace(n_four_bar(2), start=hd.Start(position={"foot_0": rad(0.3), "foot_1": rad(0.4)})),
+        replace(n_four_bar(2), start=hd.Start(speed={"foot_0": -v / L, "foot_1": v / L})),
         four_bar(0.5, 1.5, 1.2, 1.6),
         four_bar(0.1, 0.2, 0.3, 5.0, 2.0),
     ],
@@ -212,7 +198,7 @@ def test_assembly_faults_are_the_same_in_words(scene):
     """They speak of joints, which is what starts are given of."""
     texts = []
     for kind in ("tree", "absolute"):
-        with pytest.raises(InputError) as error:
+        with pytest.raises(hd.InputError) as error:
             simulate(engine_model(scene.with_coordinates(kind)), duration=1.0, tolerance=1e-6)
         texts.append([str(fault) for fault in error.value.faults])
     assert texts[0] == texts[1]

@@ -7,25 +7,7 @@ import pytest
 from loops import four_bar, open_by, rad
 from scipy.integrate import quad
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    ConstantSpeed,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    Universal,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.derive.scenes.n_four_bar import L, n_four_bar, v
 from hertzwerk.runtime import simulate
@@ -50,18 +32,20 @@ def test_a02_at_4_seconds(method):
 
 def test_a_quick_return_turns_as_its_one_freedom_equation_says():
     """A crank pin on a block that slides along a turning arm, unforced: I(phi) phi'^2 stays, I = J_1 + m r^2 + (J_2 + J_3) (dpsi/dphi)^2."""
-    R, base, W = Parameter("r", "m", 0.1), Parameter("base", "m", 0.25), Parameter("w", "rad/s", 12.0)
-    mass = Parameter("mass", "kg", 0.8)
+    R, base, W = hd.Parameter("r", "m", 0.1), hd.Parameter("base", "m", 0.25), hd.Parameter("w", "rad/s", 12.0)
+    mass = hd.Parameter("mass", "kg", 0.8)
     inertias = (("crank", 4e-3), ("arm", 3e-2), ("block", 1e-3))
-    crank, arm, block = (Body(name, mass, Parameter(f"J_{name}", "kg m^2", J)) for name, J in inertias)
+    crank, arm, block = (hd.Body(name, mass, hd.Parameter(f"J_{name}", "kg m^2", J)) for name, J in inertias)
     joints = (
-        Revolute("main", GROUND, crank, axis=Z),
-        Revolute("pivot", GROUND.at(-base, 0, 0), arm, axis=Z),
-        Prismatic("slot", arm, block, axis=X),
-        Revolute("pin", crank.at(R, 0, 0), block, axis=Z),
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
+        hd.Revolute("pivot", hd.GROUND.at(-base, 0, 0), arm, axis=hd.Z),
+        hd.Prismatic("slot", arm, block, axis=hd.X),
+        hd.Revolute("pin", crank.at(R, 0, 0), block, axis=hd.Z),
     )
-    start = Start(position={"slot": R + base}, speed={"main": W})
-    model = engine_model(Scene(Mechanism("quick_return", joints), (EnergyLedger(),), Scales(R, R * W, R), start))
+    start = hd.Start(position={"slot": R + base}, speed={"main": W})
+    model = engine_model(
+        hd.Scene(hd.Mechanism("quick_return", joints), (hd.EnergyLedger(),), hd.Scales(R, R * W, R), start)
+    )
     run = simulate(model, duration=0.6, tolerance=1e-10)
 
     def inertia(phi):
@@ -147,7 +131,7 @@ def test_initial_values_count_as_given():
 
 
 def test_too_much_is_said_with_the_loop_and_how_far_it_is_open():
-    start = Start(position={"foot_0": rad(0.3), "foot_1": rad(0.4)})
+    start = hd.Start(position={"foot_0": rad(0.3), "foot_1": rad(0.4)})
     with pytest.raises(InputError) as error:
         simulate(engine_model(replace(n_four_bar(2), start=start)), duration=1.0, tolerance=1e-6)
     (fault,) = error.value.faults
@@ -159,7 +143,7 @@ def test_too_much_is_said_with_the_loop_and_how_far_it_is_open():
 def test_speeds_that_tear_a_loop_are_refused():
     with pytest.raises(InputError, match=r"over-determined: right_0 open by 2 m/s"):
         simulate(
-            engine_model(replace(n_four_bar(2), start=Start(speed={"foot_0": -v / L, "foot_1": v / L}))),
+            engine_model(replace(n_four_bar(2), start=hd.Start(speed={"foot_0": -v / L, "foot_1": v / L}))),
             duration=1.0,
             tolerance=1e-6,
         )
@@ -177,19 +161,21 @@ def test_too_little_is_said_with_what_is_free():
 @pytest.fixture(scope="module")
 def ball_crank():
     """A crank about Z, a rod on it by a ball, that pushes a slider on a line along X, 0.2 m above and 0.3 m beside, by a universal joint."""
-    triple = tuple(Parameter(f"inertia_{k}", "kg m^2", 0.02) for k in "xyz")
-    m, l, far = Parameter("mass", "kg", 1.0), Parameter("rod", "m", 1.5), Parameter("far", "m", 0.5)
-    crank, rod, slider = (Body(name, m, triple, centre=(far, 0, 0)) for name in ("crank", "rod", "slider"))
+    triple = tuple(hd.Parameter(f"inertia_{k}", "kg m^2", 0.02) for k in "xyz")
+    m, l, far = hd.Parameter("mass", "kg", 1.0), hd.Parameter("rod", "m", 1.5), hd.Parameter("far", "m", 0.5)
+    crank, rod, slider = (hd.Body(name, m, triple, centre=(far, 0, 0)) for name in ("crank", "rod", "slider"))
     joints = (
-        Revolute("main", GROUND, crank, axis=Z),
-        Spherical("ball", crank.at(2 * far, 0, 0), rod),
-        Prismatic("guide", GROUND.at(0, 0.4 * far, 0.6 * far), slider, axis=X),
-        Universal("cross", rod.at(l, 0, 0), slider, first=Y, second=Z),
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
+        hd.Spherical("ball", crank.at(2 * far, 0, 0), rod),
+        hd.Prismatic("guide", hd.GROUND.at(0, 0.4 * far, 0.6 * far), slider, axis=hd.X),
+        hd.Universal("cross", rod.at(l, 0, 0), slider, first=hd.Y, second=hd.Z),
     )
-    gravity = Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y)
-    pace = Parameter("pace", "m/s", 1.0)
+    gravity = hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), direction=-hd.Y)
+    pace = hd.Parameter("pace", "m/s", 1.0)
     return engine_model(
-        Scene(Mechanism("pushed", joints), (gravity, EnergyLedger()), Scales(length=far, speed=pace, arm=far))
+        hd.Scene(
+            hd.Mechanism("pushed", joints), (gravity, hd.EnergyLedger()), hd.Scales(length=far, speed=pace, arm=far)
+        )
     )
 
 
@@ -215,16 +201,18 @@ def test_too_little_is_said_of_a_ball_too(ball_crank):
 
 def test_more_drives_than_a_loop_has_freedoms_are_named():
     """The window has one freedom: both feet driven are too many where their speeds differ, and where the posts cannot be parallel."""
-    drives = [ConstantSpeed(f"drive_{i}", f"foot_{i}", Parameter(f"pace_{i}", "rad/s", 1.0 + i)) for i in range(2)]
+    drives = [
+        hd.ConstantSpeed(f"drive_{i}", f"foot_{i}", hd.Parameter(f"pace_{i}", "rad/s", 1.0 + i)) for i in range(2)
+    ]
     window = n_four_bar(1)
     with pytest.raises(InputError) as error:
-        simulate(engine_model(replace(window, effects=(*window.effects, *drives), start=Start())), duration=1.0)
+        simulate(engine_model(replace(window, effects=(*window.effects, *drives), start=hd.Start())), duration=1.0)
     (fault,) = error.value.faults
     assert fault.where == "start, speeds"
     assert "over-determined: right_0 open by" in fault.found
     assert "driven by drive_0, drive_1" in fault.remedy
     assert "omit one" in fault.remedy
-    one = replace(window, effects=(*window.effects, drives[0]), start=Start())
+    one = replace(window, effects=(*window.effects, drives[0]), start=hd.Start())
     assert simulate(engine_model(one), duration=1e-2).outcome.finished
 
 

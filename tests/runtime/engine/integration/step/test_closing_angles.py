@@ -7,38 +7,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    CountedAngle,
-    Coupling,
-    Direction,
-    EnergyLedger,
-    Gravity,
-    Harmonic,
-    InputError,
-    JointDamper,
-    JointForce,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    Universal,
-    X,
-    Y,
-    Z,
-    coordinate_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.derive.declare.effects.effect import Element
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 
-p = Parameter
-SCALES = Scales(p("size", "m", 1), p("pace", "m/s", 1), arm=p("arm", "m", 1))
+p = hd.Parameter
+SCALES = hd.Scales(p("size", "m", 1), p("pace", "m/s", 1), arm=p("arm", "m", 1))
 BETA, TURNED = 0.5, 8.0
 CRANK, ROD, ROCKER, BASE = 0.3, 1.0, 0.6, (0.9, 0.2, 0.1)
 four_ways = pytest.mark.parametrize(
@@ -53,7 +27,7 @@ four_ways = pytest.mark.parametrize(
 
 def solid(name, mass, *inertia, centre=(0, 0, 0)):
     moments = tuple(p(f"J_{name}_{i}", "kg m^2", x) for i, x in enumerate(inertia))
-    return Body(name, p(f"m_{name}", "kg", mass), moments, centre)
+    return hd.Body(name, p(f"m_{name}", "kg", mass), moments, centre)
 
 
 def cardan(*effects, closing=True, coordinates="tree", near=None, driven=True):
@@ -63,26 +37,26 @@ def cardan(*effects, closing=True, coordinates="tree", near=None, driven=True):
         solid("two", 1, 0.02, 0.03, 0.025),
         solid("wheel", 1, 0.1, 0.1, 0.1),
     )
-    cross = Universal("cross", one, two, first=Y, second=Z)
-    out = Revolute("out", GROUND.at(0, 0, 0).turned(Z, p("beta", "rad", BETA)), two, axis=X)
+    cross = hd.Universal("cross", one, two, first=hd.Y, second=hd.Z)
+    out = hd.Revolute("out", hd.GROUND.at(0, 0, 0).turned(hd.Z, p("beta", "rad", BETA)), two, axis=hd.X)
     loop = (cross, out) if closing else (out, cross)
     joints = (
-        Revolute("inn", GROUND, one, axis=X),
+        hd.Revolute("inn", hd.GROUND, one, axis=hd.X),
         *loop,
-        Revolute("wheel", GROUND.at(0, 0, p("aside", "m", 1)), wheel, axis=X),
+        hd.Revolute("wheel", hd.GROUND.at(0, 0, p("aside", "m", 1)), wheel, axis=hd.X),
     )
-    shake = (Harmonic("shake", "inn", p("A", "rad", TURNED), frequency=p("w", "rad/s", 2)),) if driven else ()
+    shake = (hd.Harmonic("shake", "inn", p("A", "rad", TURNED), frequency=p("w", "rad/s", 2)),) if driven else ()
     still = {} if driven else {"inn": p("still", "rad", 0)}
-    start = Start(position=still, near=near or {})
-    return Scene(Mechanism("cardan", joints), (*shake, *effects, EnergyLedger()), SCALES, start).with_coordinates(
-        coordinates
-    )
+    start = hd.Start(position=still, near=near or {})
+    return hd.Scene(
+        hd.Mechanism("cardan", joints), (*shake, *effects, hd.EnergyLedger()), SCALES, start
+    ).with_coordinates(coordinates)
 
 
-SPRING = JointSpring("spring", "out", p("k", "N m/rad", 2))
-GEAR = Coupling("gear", "wheel", "out", ratio=p("i", "1", -2))
+SPRING = hd.JointSpring("spring", "out", p("k", "N m/rad", 2))
+GEAR = hd.Coupling("gear", "wheel", "out", ratio=p("i", "1", -2))
 COUNTS = tuple(
-    CountedAngle(f"count_{joint.replace('.', '_')}", joint)
+    hd.CountedAngle(f"count_{joint.replace('.', '_')}", joint)
     for joint in ("inn", "wheel", "cross.angle_1", "cross.angle_2")
 )
 
@@ -110,7 +84,7 @@ def test_a_cardan_shaft_turns_forward_and_back_as_the_textbook_says(closing, coo
 
 
 def test_an_angle_whose_turns_are_not_followed_is_found(monkeypatch):
-    monkeypatch.setattr(CountedAngle, "element", lambda self, kin: Element(rates={"near": sp.S.Zero}))
+    monkeypatch.setattr(hd.CountedAngle, "element", lambda self, kin: Element(rates={"near": sp.S.Zero}))
     run = simulate(load(cardan(SPRING)), duration="1 s", tolerance=1e-6, compiled=False, max_steps=2000)
     assert not run.outcome.finished or np.abs(run["out.angle"] - followed(TURNED * np.sin(2 * run.t))).max() > 6
 
@@ -137,24 +111,29 @@ def loop(closing=True, coordinates="tree"):
         solid("rod", 0.7, 0.02, 0.09, 0.1, centre=(p("s", "m", 0.5), 0, 0)),
     )
     rocker = solid("rocker", 0.9, 0.1, 0.13, 0.14)
-    main, ball = Revolute("main", GROUND, crank, axis=Z), Spherical("ball", crank.at(p("r", "m", CRANK), 0, 0), rod)
-    cross = Universal("cross", rod.at(p("l", "m", ROD), 0, 0), rocker.at(p("b", "m", ROCKER), 0, 0), first=Y, second=Z)
-    hinge = Revolute(
-        "hinge", GROUND.at(*(p(f"base_{i}", "m", x) for i, x in zip("xyz", BASE, strict=True))), rocker, axis=Y
+    main, ball = (
+        hd.Revolute("main", hd.GROUND, crank, axis=hd.Z),
+        hd.Spherical("ball", crank.at(p("r", "m", CRANK), 0, 0), rod),
+    )
+    cross = hd.Universal(
+        "cross", rod.at(p("l", "m", ROD), 0, 0), rocker.at(p("b", "m", ROCKER), 0, 0), first=hd.Y, second=hd.Z
+    )
+    hinge = hd.Revolute(
+        "hinge", hd.GROUND.at(*(p(f"base_{i}", "m", x) for i, x in zip("xyz", BASE, strict=True))), rocker, axis=hd.Y
     )
     near = {"cross.angle_1": p("near", "rad", 0.6)} if closing else {"hinge": p("near", "rad", 1.1)}
     effects = (
-        Gravity("gravity", p("g", "m/s^2", 9.81), direction=-Z),
-        JointSpring("spring", "hinge", p("k", "N m/rad", 5), rest=p("rest", "rad", 0.1)),
-        JointSpring("soft", "cross.angle_1", p("k2", "N m/rad", 3)),
-        JointDamper("damper", "cross.angle_2", p("c", "N m s/rad", 0.05)),
-        JointForce("feed", "main", p("fed", "N m/rad", 0.2) * coordinate_of("cross.angle_2")),
-        CountedAngle("count", "main"),
-        EnergyLedger(),
+        hd.Gravity("gravity", p("g", "m/s^2", 9.81), direction=-hd.Z),
+        hd.JointSpring("spring", "hinge", p("k", "N m/rad", 5), rest=p("rest", "rad", 0.1)),
+        hd.JointSpring("soft", "cross.angle_1", p("k2", "N m/rad", 3)),
+        hd.JointDamper("damper", "cross.angle_2", p("c", "N m s/rad", 0.05)),
+        hd.JointForce("feed", "main", p("fed", "N m/rad", 0.2) * hd.coordinate_of("cross.angle_2")),
+        hd.CountedAngle("count", "main"),
+        hd.EnergyLedger(),
     )
-    start = Start(position={"main": p("start", "rad", 0.4)}, speed={"main": p("turning", "rad/s", 9)}, near=near)
-    return Scene(
-        Mechanism("loop", (main, ball, *((cross, hinge) if closing else (hinge, cross)))), effects, SCALES, start
+    start = hd.Start(position={"main": p("start", "rad", 0.4)}, speed={"main": p("turning", "rad/s", 9)}, near=near)
+    return hd.Scene(
+        hd.Mechanism("loop", (main, ball, *((cross, hinge) if closing else (hinge, cross)))), effects, SCALES, start
     ).with_coordinates(coordinates)
 
 
@@ -219,17 +198,17 @@ def test_it_rests_and_vibrates_alike():
 def test_axes_of_a_universal_joint_may_be_oblique():
     """In absolute coordinates, where its angles are those of a joint that closes a loop, against its own coordinates."""
     bob = solid("bob", 1, 0.02, 0.03, 0.04, centre=(p("d", "m", 0.3), 0, p("e", "m", -0.2)))
-    hung = Universal("hung", GROUND, bob, first=Y, second=Direction((1, 1, 2)))
+    hung = hd.Universal("hung", hd.GROUND, bob, first=hd.Y, second=hd.Direction((1, 1, 2)))
     effects = (
-        Gravity("gravity", p("g", "m/s^2", 9.81), direction=-Z),
-        *(JointSpring(f"spring_{i}", f"hung.angle_{i}", p("k", "N m/rad", 2)) for i in (1, 2)),
-        EnergyLedger(),
+        hd.Gravity("gravity", p("g", "m/s^2", 9.81), direction=-hd.Z),
+        *(hd.JointSpring(f"spring_{i}", f"hung.angle_{i}", p("k", "N m/rad", 2)) for i in (1, 2)),
+        hd.EnergyLedger(),
     )
-    start = Start(
+    start = hd.Start(
         position={"hung.angle_1": p("a", "rad", 4.5)},
         speed={"hung.angle_1": p("wa", "rad/s", 9), "hung.angle_2": p("wb", "rad/s", -8)},
     )
-    scene, t = Scene(Mechanism("hung", (hung,)), effects, SCALES, start), np.linspace(0, 1, 6)
+    scene, t = hd.Scene(hd.Mechanism("hung", (hung,)), effects, SCALES, start), np.linspace(0, 1, 6)
     one, other = (
         simulate(load(scene.with_coordinates(kind)), duration="1 s", tolerance=1e-11, compiled=False).at(t)
         for kind in ("absolute", "tree")
@@ -243,29 +222,29 @@ def test_axes_of_a_universal_joint_may_be_oblique():
 
 
 def test_an_angle_that_is_a_coordinate_is_not_counted():
-    slide = Prismatic("slide", GROUND, solid("block", 1, 0.1, 0.1, 0.1), axis=X)
-    spatial = Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=X)
-    flat = Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=Z)
+    slide = hd.Prismatic("slide", hd.GROUND, solid("block", 1, 0.1, 0.1, 0.1), axis=hd.X)
+    spatial = hd.Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=hd.X)
+    flat = hd.Revolute("turn", slide.child, solid("arm", 1, 0.1, 0.1, 0.1), axis=hd.Z)
     for joint, key, found in (
         (spatial, "slide", "slide, a travel"),
         (flat, "turn", "turn, a plane angle"),
         (spatial, "none", "joint 'none'"),
     ):
-        with pytest.raises(InputError, match=found):
-            Scene(Mechanism("arm", (slide, joint)), (CountedAngle("count", key), EnergyLedger()), SCALES)
-    Scene(
-        Mechanism("arm", (slide, spatial)), (CountedAngle("count", "turn"), EnergyLedger()), SCALES
+        with pytest.raises(hd.InputError, match=found):
+            hd.Scene(hd.Mechanism("arm", (slide, joint)), (hd.CountedAngle("count", key), hd.EnergyLedger()), SCALES)
+    hd.Scene(
+        hd.Mechanism("arm", (slide, spatial)), (hd.CountedAngle("count", "turn"), hd.EnergyLedger()), SCALES
     )  # for absolute coordinates
 
 
 def test_a_name_that_a_count_would_take_is_refused():
-    with pytest.raises(InputError, match=re.compile("out_count.*unique", re.DOTALL)):
-        cardan(SPRING, JointDamper("out_count", "inn", p("c", "N m s/rad", 1)))
+    with pytest.raises(hd.InputError, match=re.compile("out_count.*unique", re.DOTALL)):
+        cardan(SPRING, hd.JointDamper("out_count", "inn", p("c", "N m s/rad", 1)))
 
 
 def test_a_scene_without_such_an_angle_counts_nothing():
     assert not cardan(
-        JointDamper("damper", "out", p("c", "N m s/rad", 1)), GEAR.__class__("gear", "wheel", "inn", ratio=-2)
+        hd.JointDamper("damper", "out", p("c", "N m s/rad", 1)), GEAR.__class__("gear", "wheel", "inn", ratio=-2)
     ).states
     assert list(cardan(SPRING).states) == ["out_count.near"]
     assert list(cardan(near={"out": p("turned", "rad", 1)}).states) == ["out_count.near"]  # asked for by the start

@@ -6,47 +6,21 @@ from functools import cache
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Coupling,
-    Cylindrical,
-    Drive,
-    EnergyLedger,
-    Gravity,
-    InputError,
-    JointDamper,
-    JointForce,
-    JointSpring,
-    Mechanism,
-    Parameter,
-    Potential,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    Spherical,
-    Start,
-    X,
-    Y,
-    Z,
-    coordinate_of,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, simulate
 
 SIDES = {"crank": 0.3, "coupler": 0.9, "rocker": 0.7}
 BASE = 0.8
-SCALES = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1), arm=Parameter("arm", "m", 1))
+SCALES = hd.Scales(hd.Parameter("size", "m", 1), hd.Parameter("pace", "m/s", 1), arm=hd.Parameter("arm", "m", 1))
 
 
 def p(name, unit, value):
-    return Parameter(name, unit, value)
+    return hd.Parameter(name, unit, value)
 
 
 def bars():
     return {
-        name: Body(
+        name: hd.Body(
             name, p(f"m_{name}", "kg", 1 + x), p(f"J_{name}", "kg m^2", x**2 / 12), (p(f"s_{name}", "m", x / 2), 0, 0)
         )
         for name, x in SIDES.items()
@@ -55,32 +29,34 @@ def bars():
 
 def effects(name, rack):
     """Everything that asks for a coordinate or speed of a joint, on the one of this name."""
-    angle, rate = coordinate_of(name), speed_of(name)
+    angle, rate = hd.coordinate_of(name), hd.speed_of(name)
     found = (
-        Gravity("gravity", p("g", "m/s^2", 9.81), direction=-Y),
-        JointSpring("spring", name, p("k", "N m/rad", 20), rest=p("rest", "rad", 0.3)),
-        JointDamper("damper", name, p("c", "N m s/rad", 0.4)),
-        JointForce("load", "main", p("a", "N m/rad", 2) * angle - p("b", "N m s/rad", 0.1) * rate),
-        Potential("well", p("w", "N m/rad^3", 3) * angle**4 / p("one", "rad", 1)),
-        EnergyLedger(),
+        hd.Gravity("gravity", p("g", "m/s^2", 9.81), direction=-hd.Y),
+        hd.JointSpring("spring", name, p("k", "N m/rad", 20), rest=p("rest", "rad", 0.3)),
+        hd.JointDamper("damper", name, p("c", "N m s/rad", 0.4)),
+        hd.JointForce("load", "main", p("a", "N m/rad", 2) * angle - p("b", "N m s/rad", 0.1) * rate),
+        hd.Potential("well", p("w", "N m/rad^3", 3) * angle**4 / p("one", "rad", 1)),
+        hd.EnergyLedger(),
     )
-    return (*found, Coupling("rack_mesh", rack, name, ratio=p("radius", "m", 0.05))) if rack else found
+    return (*found, hd.Coupling("rack_mesh", rack, name, ratio=p("radius", "m", 0.05))) if rack else found
 
 
 @cache
 def four_bar(*, closing, rack=False):
     """Four-bar whose joint "pin" closes the loop, or carries the rocker; the other joint of the rocker does the other."""
     bar, ends = bars(), {name: p(f"l_{name}", "m", length) for name, length in SIDES.items()}
-    main = Revolute("main", GROUND, bar["crank"], axis=Z)
-    knee = Revolute("knee", bar["crank"].at(ends["crank"], 0, 0), bar["coupler"], axis=Z)
-    pin = Revolute("pin", bar["coupler"].at(ends["coupler"], 0, 0), bar["rocker"].at(ends["rocker"], 0, 0), axis=Z)
-    foot = Revolute("foot", GROUND.at(p("base", "m", BASE), 0, 0), bar["rocker"], axis=Z)
-    slide = (Prismatic("rack", GROUND, Body("rack", p("m_rack", "kg", 2)), axis=X),) if rack else ()
+    main = hd.Revolute("main", hd.GROUND, bar["crank"], axis=hd.Z)
+    knee = hd.Revolute("knee", bar["crank"].at(ends["crank"], 0, 0), bar["coupler"], axis=hd.Z)
+    pin = hd.Revolute(
+        "pin", bar["coupler"].at(ends["coupler"], 0, 0), bar["rocker"].at(ends["rocker"], 0, 0), axis=hd.Z
+    )
+    foot = hd.Revolute("foot", hd.GROUND.at(p("base", "m", BASE), 0, 0), bar["rocker"], axis=hd.Z)
+    slide = (hd.Prismatic("rack", hd.GROUND, hd.Body("rack", p("m_rack", "kg", 2)), axis=hd.X),) if rack else ()
     joints = (main, knee, *((foot, pin) if closing else (pin, foot)), *slide)
     other = {"foot": 1.9} if closing else {"pin": 0.9}
-    start = Start(position={"main": p("start", "rad", 1.1)}, speed={"main": p("turning", "rad/s", 2)},
+    start = hd.Start(position={"main": p("start", "rad", 1.1)}, speed={"main": p("turning", "rad/s", 2)},
                   near={"knee": p("knee_start", "rad", -0.4), **{name: p(f"{name}_start", "rad", x) for name, x in other.items()}})  # fmt: skip
-    return Scene(Mechanism("four_bar", joints), effects("pin", "rack" if rack else ""), SCALES, start)
+    return hd.Scene(hd.Mechanism("four_bar", joints), effects("pin", "rack" if rack else ""), SCALES, start)
 
 
 HOW = {"duration": "0.8 s", "tolerance": 1e-10, "compiled": False}
@@ -114,19 +90,23 @@ def test_a_closing_travel_acts_as_that_of_a_joint_that_carries():
     """Slider-crank whose slider hangs on the rod, and whose guide carries it."""
     found = []
     for closing in (True, False):
-        bar, slider = bars(), Body("slider", p("m_slider", "kg", 1), p("J_slider", "kg m^2", 0.1))
-        main = Revolute("main", GROUND, bar["crank"], axis=Z)
-        knee = Revolute("knee", bar["crank"].at(p("r", "m", 0.3), 0, 0), bar["coupler"], axis=Z)
-        wrist = Revolute("wrist", bar["coupler"].at(p("l", "m", 0.9), 0, 0), slider, axis=Z)
-        guide = Prismatic("guide", GROUND.at(p("x", "m", 0.2), 0, 0), slider, axis=X)
-        spring = JointSpring("spring", "guide", p("k", "N/m", 300), rest=p("rest", "m", 0.7))
-        push = JointForce(
-            "push", "guide", -p("c", "N s/m", 3) * speed_of("guide") - p("k2", "N/m^2", 9) * coordinate_of("guide") ** 2
+        bar, slider = bars(), hd.Body("slider", p("m_slider", "kg", 1), p("J_slider", "kg m^2", 0.1))
+        main = hd.Revolute("main", hd.GROUND, bar["crank"], axis=hd.Z)
+        knee = hd.Revolute("knee", bar["crank"].at(p("r", "m", 0.3), 0, 0), bar["coupler"], axis=hd.Z)
+        wrist = hd.Revolute("wrist", bar["coupler"].at(p("l", "m", 0.9), 0, 0), slider, axis=hd.Z)
+        guide = hd.Prismatic("guide", hd.GROUND.at(p("x", "m", 0.2), 0, 0), slider, axis=hd.X)
+        spring = hd.JointSpring("spring", "guide", p("k", "N/m", 300), rest=p("rest", "m", 0.7))
+        push = hd.JointForce(
+            "push",
+            "guide",
+            -p("c", "N s/m", 3) * hd.speed_of("guide") - p("k2", "N/m^2", 9) * hd.coordinate_of("guide") ** 2,
         )
-        start = Start(position={"main": p("start", "rad", 1.1)}, near={"knee": p("knee_start", "rad", -1.4)})
+        start = hd.Start(position={"main": p("start", "rad", 1.1)}, near={"knee": p("knee_start", "rad", -1.4)})
         joints = (main, knee, *((wrist, guide) if closing else (guide, wrist)))
         found.append(
-            simulate(load(Scene(Mechanism("crank", joints), (spring, push, EnergyLedger()), SCALES, start)), **HOW)
+            simulate(
+                load(hd.Scene(hd.Mechanism("crank", joints), (spring, push, hd.EnergyLedger()), SCALES, start)), **HOW
+            )
         )
     t = np.linspace(0, 0.8, 9)
     one, other = (run.at(t) for run in found)
@@ -138,25 +118,28 @@ def test_a_closing_travel_acts_as_that_of_a_joint_that_carries():
 def spatial(*more):
     """Loop in space that a revolute closes: a plate on a ball, held by an arm on the ground."""
     arm, plate = (
-        Body(name, p(f"m_{name}", "kg", 1), (p(f"J_{name}", "kg m^2", 0.1),) * 3) for name in ("arm", "plate")
+        hd.Body(name, p(f"m_{name}", "kg", 1), (p(f"J_{name}", "kg m^2", 0.1),) * 3) for name in ("arm", "plate")
     )
-    column, ball = Cylindrical("column", GROUND, arm, axis=Z), Spherical("ball", arm.at(p("r", "m", 0.5), 0, 0), plate)
-    closing = Revolute("hinge", GROUND.at(p("x", "m", 1), 0, 0), plate.at(p("l", "m", 0.5), 0, 0), axis=Y)
-    return Scene(Mechanism("loop", (column, ball, closing)), (*more, EnergyLedger()), SCALES)
+    column, ball = (
+        hd.Cylindrical("column", hd.GROUND, arm, axis=hd.Z),
+        hd.Spherical("ball", arm.at(p("r", "m", 0.5), 0, 0), plate),
+    )
+    closing = hd.Revolute("hinge", hd.GROUND.at(p("x", "m", 1), 0, 0), plate.at(p("l", "m", 0.5), 0, 0), axis=hd.Y)
+    return hd.Scene(hd.Mechanism("loop", (column, ball, closing)), (*more, hd.EnergyLedger()), SCALES)
 
 
 def test_a_drive_of_a_closing_angle_in_space_is_refused_by_name():
     with pytest.raises(
-        InputError, match=re.compile("'hinge', which closes a loop.*declare this one before", re.DOTALL)
+        hd.InputError, match=re.compile("'hinge', which closes a loop.*declare this one before", re.DOTALL)
     ):
-        spatial(Drive("drive", "hinge", position=p("zero", "rad", 0)))
+        spatial(hd.Drive("drive", "hinge", position=p("zero", "rad", 0)))
 
 
 def test_a_joint_without_coordinate_is_refused_by_name():
-    with pytest.raises(InputError, match="joint 'ball'"):
-        spatial(JointSpring("spring", "ball", p("k", "N m/rad", 1)))
+    with pytest.raises(hd.InputError, match="joint 'ball'"):
+        spatial(hd.JointSpring("spring", "ball", p("k", "N m/rad", 1)))
 
 
 def test_the_speed_of_an_angle_in_space_needs_no_count():
-    scene = spatial(JointDamper("damper", "hinge", p("c", "N m s/rad", 1)))
+    scene = spatial(hd.JointDamper("damper", "hinge", p("c", "N m s/rad", 1)))
     assert "hinge" in scene.scalars and scene.mechanism.wrapped == ("hinge",) and not scene.states

@@ -12,23 +12,7 @@ from each import each
 from handmade import point
 from jacobians import check_jacobian, start_of
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    EnergyLedger,
-    Gravity,
-    JointForce,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    T,
-    X,
-    Y,
-    Z,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.engine.integration.loop.attempt import integrator
 from hertzwerk.runtime.engine.integration.loop.method_choice import Choosing
@@ -338,8 +322,8 @@ def test_a_block_sticks_in_a_layer_of_1e7(method, part):
 def pushed_ball():
     """A ball dropped by 10 um under a force that changes within the contact, of the size of the contact's."""
     scene = scene_from("bouncing_ball")
-    push, pulse = Parameter("push", "N", 4000), Parameter("pulse", "rad/s", 5e3)
-    effects = (*scene.effects, JointForce("push", "vertical", -push * sp.sin(pulse * T)))
+    push, pulse = hd.Parameter("push", "N", 4000), hd.Parameter("pulse", "rad/s", 5e3)
+    effects = (*scene.effects, hd.JointForce("push", "vertical", -push * sp.sin(pulse * hd.T)))
     return dataclasses.replace(scene, effects=effects)
 
 
@@ -364,7 +348,7 @@ def test_steps_made_of_calls_are_those_written_out(made, method, monkeypatch):
 def swung():
     """Two arms that swing about different axes, by the positions and rotations of their bodies: ten constraints."""
     mass, inertia, reach, lift, pace = (
-        Parameter(*row)
+        hd.Parameter(*row)
         for row in (
             ("mass", "kg", 1.0),
             ("inertia", "kg m^2", 0.02),
@@ -373,12 +357,12 @@ def swung():
             ("pace", "rad/s", 3.0),
         )
     )
-    upper, lower = (Body(name, mass, (inertia, 2 * inertia, inertia), centre=(0, -reach, 0)) for name in "ab")
-    joints = (Revolute("hip", GROUND, upper, Z), Revolute("knee", upper.at(0, -reach, 0), lower, X))
-    start = Start(position={"hip": lift, "knee": lift}, speed={"hip": pace, "knee": pace})
-    scales = Scales(reach, Parameter("typical_speed", "m/s", 1.0), reach)
-    effects = (Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), EnergyLedger())
-    return engine_model(Scene(Mechanism("swung", joints), effects, scales, start).with_coordinates("absolute"))
+    upper, lower = (hd.Body(name, mass, (inertia, 2 * inertia, inertia), centre=(0, -reach, 0)) for name in "ab")
+    joints = (hd.Revolute("hip", hd.GROUND, upper, hd.Z), hd.Revolute("knee", upper.at(0, -reach, 0), lower, hd.X))
+    start = hd.Start(position={"hip": lift, "knee": lift}, speed={"hip": pace, "knee": pace})
+    scales = hd.Scales(reach, hd.Parameter("typical_speed", "m/s", 1.0), reach)
+    effects = (hd.Gravity("gravity", hd.Parameter("g", "m/s^2", 9.81), -hd.Y), hd.EnergyLedger())
+    return engine_model(hd.Scene(hd.Mechanism("swung", joints), effects, scales, start).with_coordinates("absolute"))
 
 
 def test_derivatives_of_a_constrained_motion_are_those_of_how_it_is_solved_for(swung):

@@ -8,53 +8,24 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    ConstantSpeed,
-    Contact,
-    EnergyLedger,
-    Free,
-    Friction,
-    Gravity,
-    InputError,
-    JointForce,
-    JointFriction,
-    Mechanism,
-    Parameter,
-    Planar,
-    Prismatic,
-    Revolute,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Start,
-    T,
-    X,
-    Y,
-    Z,
-    laws,
-    normal_force_of,
-    reaction_of,
-    speed_of,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 
 G, M, J, L, R, MU, V_S = 9.81, 1.3, 0.02, 0.4, 0.06, 0.35, 1e-3
-p = Parameter
-DOWN = Gravity("gravity", p("g", "m/s^2", G), direction=-Y)
-RUBS = laws.smooth_coulomb(p("mu", "1", MU), p("v_s", "m/s", V_S))
-SCALES = Scales(p("size", "m", L), p("pace", "m/s", 1), arm=p("size", "m", L))
+p = hd.Parameter
+DOWN = hd.Gravity("gravity", p("g", "m/s^2", G), direction=-hd.Y)
+RUBS = hd.laws.smooth_coulomb(p("mu", "1", MU), p("v_s", "m/s", V_S))
+SCALES = hd.Scales(p("size", "m", L), p("pace", "m/s", 1), arm=p("size", "m", L))
 radius = p("radius", "m", R)
-BEARING = JointFriction("bearing", "hinge", RUBS, radius=radius)
+BEARING = hd.JointFriction("bearing", "hinge", RUBS, radius=radius)
 BOTH, METHODS = ["tree", "absolute"], ["dop853", "esdirk", "rodas", "auto"]
 
 
 def pendulum(friction=BEARING, *, lift=1.2, effects=()):
-    bob = Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J), centre=(0, -p("size", "m", L), 0))
-    mechanism = Mechanism("journal_pendulum", (Revolute("hinge", GROUND, bob, axis=Z),))
-    start = Start(position={"hinge": p("lift", "rad", lift)})
-    return Scene(mechanism, (DOWN, *((friction,) if friction else ()), *effects, EnergyLedger()), SCALES, start)
+    bob = hd.Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J), centre=(0, -p("size", "m", L), 0))
+    mechanism = hd.Mechanism("journal_pendulum", (hd.Revolute("hinge", hd.GROUND, bob, axis=hd.Z),))
+    start = hd.Start(position={"hinge": p("lift", "rad", lift)})
+    return hd.Scene(mechanism, (DOWN, *((friction,) if friction else ()), *effects, hd.EnergyLedger()), SCALES, start)
 
 
 def by_hand(lift, times):
@@ -88,11 +59,14 @@ def test_a_pendulum_in_its_journal(coordinates, method):
 
 def test_a_reaction_in_an_expression_is_that_of_the_friction():
     drag = (
-        -p("mu", "1", MU) * radius * reaction_of("hinge") * sp.tanh(radius * speed_of("hinge") / p("v_s", "m/s", V_S))
+        -p("mu", "1", MU)
+        * radius
+        * hd.reaction_of("hinge")
+        * sp.tanh(radius * hd.speed_of("hinge") / p("v_s", "m/s", V_S))
     )
     one, two = (
         simulate(load(pendulum(x)), duration=1.0, tolerance=1e-10)
-        for x in (BEARING, JointForce("bearing", "hinge", drag))
+        for x in (BEARING, hd.JointForce("bearing", "hinge", drag))
     )
     assert two["hinge.angle"][-1] == pytest.approx(one["hinge.angle"][-1], abs=1e-9)
     assert two["bearing.input"][-1] == pytest.approx(-one["bearing.dissipated"][-1], rel=1e-8)
@@ -103,15 +77,17 @@ ARM, LENGTH, GUIDED = 0.2, 0.1, 2.0
 
 def guide(*, inertia=0.01, **start):
     """A block on a guide, with its mass centre an arm above it: friction turns it, and presses its pads."""
-    block = Body("block", p("mass", "kg", GUIDED), inertia=p("J", "kg m^2", inertia), centre=(0, p("arm", "m", ARM), 0))
+    block = hd.Body(
+        "block", p("mass", "kg", GUIDED), inertia=p("J", "kg m^2", inertia), centre=(0, p("arm", "m", ARM), 0)
+    )
     effects = (
         DOWN,
-        JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)),
-        JointForce("push", "slide", p("push", "N", 0)),
-        EnergyLedger(),
+        hd.JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)),
+        hd.JointForce("push", "slide", p("push", "N", 0)),
+        hd.EnergyLedger(),
     )
-    mechanism = Mechanism("guide", (Prismatic("slide", GROUND, block, axis=X),))
-    return Scene(mechanism, effects, SCALES, Start(speed={"slide": p("v0", "m/s", 1)}))
+    mechanism = hd.Mechanism("guide", (hd.Prismatic("slide", hd.GROUND, block, axis=hd.X),))
+    return hd.Scene(mechanism, effects, SCALES, hd.Start(speed={"slide": p("v0", "m/s", 1)}))
 
 
 def test_the_time_at_which_a_guide_locks_is_reported():
@@ -136,11 +112,14 @@ def test_pads_share_force_and_moment():
 
 def test_friction_in_a_driven_joint_loads_its_drive():
     size = p("size", "m", L)
-    wheel = Body("wheel", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
-    hung = Body("hung", p("hung_mass", "kg", 1), inertia=p("J", "kg m^2", J), centre=(0, -size, 0))
-    joints = (Revolute("hinge", GROUND, wheel, axis=Z), Revolute("pin", wheel.at(size, 0, 0), hung, axis=Z))
-    motor = ConstantSpeed("motor", "hinge", p("w", "rad/s", 3))
-    scene = Scene(Mechanism("driven", joints), (DOWN, motor, BEARING, EnergyLedger()), SCALES)
+    wheel = hd.Body("wheel", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
+    hung = hd.Body("hung", p("hung_mass", "kg", 1), inertia=p("J", "kg m^2", J), centre=(0, -size, 0))
+    joints = (
+        hd.Revolute("hinge", hd.GROUND, wheel, axis=hd.Z),
+        hd.Revolute("pin", wheel.at(size, 0, 0), hung, axis=hd.Z),
+    )
+    motor = hd.ConstantSpeed("motor", "hinge", p("w", "rad/s", 3))
+    scene = hd.Scene(hd.Mechanism("driven", joints), (DOWN, motor, BEARING, hd.EnergyLedger()), SCALES)
     run = simulate(load(scene), duration=1.0, tolerance=1e-9)
     bare = simulate(load(scene.without("bearing")), duration=1.0, tolerance=1e-9)
     pressed = np.hypot(run["hinge.reaction_x"], run["hinge.reaction_y"])
@@ -152,15 +131,15 @@ def test_friction_in_a_driven_joint_loads_its_drive():
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_brake_by_a_normal_force(coordinates):
     """A ball that rests on a floor brakes a wheel by its normal force, and by nothing while it falls."""
-    wheel = Body("wheel", p("wheel_mass", "kg", 1), inertia=p("J", "kg m^2", J))
-    ball = Body("ball", p("mass", "kg", M))
-    joints = (Prismatic("fall", GROUND, ball, axis=Y), Revolute("axle", GROUND, wheel, axis=Z))
-    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
-    brake = JointForce("brake", "axle", -p("mu", "1", MU) * radius * normal_force_of("floor"))
-    effects = (DOWN, Contact("floor", laws.power(p("K", "N/m^1.5", 1e6), 1.5)), brake, EnergyLedger())
-    start = Start(position={"fall": radius + p("height", "m", 0.05)}, speed={"axle": p("w", "rad/s", 50)})
+    wheel = hd.Body("wheel", p("wheel_mass", "kg", 1), inertia=p("J", "kg m^2", J))
+    ball = hd.Body("ball", p("mass", "kg", M))
+    joints = (hd.Prismatic("fall", hd.GROUND, ball, axis=hd.Y), hd.Revolute("axle", hd.GROUND, wheel, axis=hd.Z))
+    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), normal=hd.Y)
+    brake = hd.JointForce("brake", "axle", -p("mu", "1", MU) * radius * hd.normal_force_of("floor"))
+    effects = (DOWN, hd.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e6), 1.5)), brake, hd.EnergyLedger())
+    start = hd.Start(position={"fall": radius + p("height", "m", 0.05)}, speed={"axle": p("w", "rad/s", 50)})
     run = simulate(
-        load(Scene(Mechanism("brake", joints, (floor,)), effects, SCALES, start, coordinates=coordinates)),
+        load(hd.Scene(hd.Mechanism("brake", joints, (floor,)), effects, SCALES, start, coordinates=coordinates)),
         duration=0.15,
         tolerance=1e-9,
     )
@@ -173,53 +152,53 @@ def test_a_brake_by_a_normal_force(coordinates):
 
 def test_rest_under_loads_by_reactions():
     """A torque of a tenth of the reaction holds the pendulum at m g l sin(angle) = 0.1 r N with N = m g."""
-    torque = p("mu", "1", MU) * radius * reaction_of("hinge")
-    found = equilibrium(load(pendulum(JointForce("bearing", "hinge", torque), lift=0.01)))
+    torque = p("mu", "1", MU) * radius * hd.reaction_of("hinge")
+    found = equilibrium(load(pendulum(hd.JointForce("bearing", "hinge", torque), lift=0.01)))
     assert found["hinge.angle"][0] == pytest.approx(np.arcsin(MU * R / L), rel=1e-8)
 
 
 def test_undefined_reactions_are_refused_at_once():
-    ball = Body("ball", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
-    table = Mechanism("table", (Planar("table", GROUND, ball, normal=Z),))
-    with pytest.raises(InputError, match="under its own reaction"):
-        Scene(table, (JointFriction("drag", "table.x", RUBS),), SCALES)
-    with pytest.raises(InputError) as caught:
-        Scene(
+    ball = hd.Body("ball", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
+    table = hd.Mechanism("table", (hd.Planar("table", hd.GROUND, ball, normal=hd.Z),))
+    with pytest.raises(hd.InputError, match="under its own reaction"):
+        hd.Scene(table, (hd.JointFriction("drag", "table.x", RUBS),), SCALES)
+    with pytest.raises(hd.InputError) as caught:
+        hd.Scene(
             pendulum().mechanism,
             (
                 replace(BEARING, name="a", length=radius),
                 replace(
                     BEARING,
                     name="b",
-                    law=laws.brown_mcphee(MU, 2 * MU, p("v_s", "m/s", V_S), p("c", "N s/m", 1), p("N_t", "N", 1)),
+                    law=hd.laws.brown_mcphee(MU, 2 * MU, p("v_s", "m/s", V_S), p("c", "N s/m", 1), p("N_t", "N", 1)),
                 ),
-                JointForce("c", "hinge", reaction_of("hunge") * radius),
-                JointForce("d", "hinge", normal_force_of("floor") * radius),
-                JointForce("e", "hinge", reaction_of("hinge") * T),
+                hd.JointForce("c", "hinge", hd.reaction_of("hunge") * radius),
+                hd.JointForce("d", "hinge", hd.normal_force_of("floor") * radius),
+                hd.JointForce("e", "hinge", hd.reaction_of("hinge") * hd.T),
             ),
             SCALES,
         )
     assert {fault.where.split(",")[0] for fault in caught.value.faults} == {f"effect {name}" for name in "abcde"}
-    with pytest.raises(InputError, match="linear"):
-        load(pendulum(JointForce("bearing", "hinge", radius * reaction_of("hinge") ** 2 / p("F", "N", 1))))
-    with pytest.raises(InputError, match="length of the guide"):
-        Scene(guide().mechanism, (JointFriction("friction", "slide", RUBS),), SCALES)
-    ball = Body("ball", p("mass", "kg", M), inertia=(p("J", "kg m^2", J),) * 3)
-    wheel = Body("wheel", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
-    joints = (Free("fly", GROUND, ball), Revolute("hinge", GROUND, wheel, axis=Z))
-    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
+    with pytest.raises(hd.InputError, match="linear"):
+        load(pendulum(hd.JointForce("bearing", "hinge", radius * hd.reaction_of("hinge") ** 2 / p("F", "N", 1))))
+    with pytest.raises(hd.InputError, match="length of the guide"):
+        hd.Scene(guide().mechanism, (hd.JointFriction("friction", "slide", RUBS),), SCALES)
+    ball = hd.Body("ball", p("mass", "kg", M), inertia=(p("J", "kg m^2", J),) * 3)
+    wheel = hd.Body("wheel", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
+    joints = (hd.Free("fly", hd.GROUND, ball), hd.Revolute("hinge", hd.GROUND, wheel, axis=hd.Z))
+    floor = hd.SphereOnPlane("floor", ball.at(0, 0, 0), radius, hd.GROUND.at(0, 0, 0), normal=hd.Y)
     sticks = (
-        Contact("floor", laws.power(p("K", "N/m^1.5", 1e6), 1.5)),
-        Friction("grip", "floor", laws.coulomb(MU, MU)),
+        hd.Contact("floor", hd.laws.power(p("K", "N/m^1.5", 1e6), 1.5)),
+        hd.Friction("grip", "floor", hd.laws.coulomb(MU, MU)),
     )
-    with pytest.raises(InputError, match="set-valued, in several directions beside loads"):
-        load(Scene(Mechanism("sticks", joints, (floor,)), (DOWN, *sticks, BEARING), SCALES))
+    with pytest.raises(hd.InputError, match="set-valued, in several directions beside loads"):
+        load(hd.Scene(hd.Mechanism("sticks", joints, (floor,)), (DOWN, *sticks, BEARING), SCALES))
 
 
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_guide_is_pressed_across_the_plane_too(coordinates):
     """Weight across the plane of motion; the mass centre beside the guide: friction F turns the block by F arm about Z."""
-    effects = [replace(e, direction=-Z) if e is DOWN else e for e in guide().effects]
+    effects = [replace(e, direction=-hd.Z) if e is DOWN else e for e in guide().effects]
     scene = replace(guide(), effects=tuple(effects), coordinates=coordinates)
     run = simulate(load(scene), duration=0.1, tolerance=1e-10, parameters={"mu": 0.1})
 
@@ -235,17 +214,17 @@ def test_a_guide_is_pressed_across_the_plane_too(coordinates):
 def test_a_guide_in_a_turning_body():
     """A ring on a spoke that turns steadily: it is pressed by 2 m w v, shared by its pads."""
     spoke, ring = (
-        Body("spoke", p("spoke_mass", "kg", 1), inertia=p("J", "kg m^2", J)),
-        Body("ring", p("mass", "kg", M), inertia=p("J", "kg m^2", J)),
+        hd.Body("spoke", p("spoke_mass", "kg", 1), inertia=p("J", "kg m^2", J)),
+        hd.Body("ring", p("mass", "kg", M), inertia=p("J", "kg m^2", J)),
     )
-    joints = (Revolute("hub", GROUND, spoke, axis=Z), Prismatic("slide", spoke, ring, axis=X))
+    joints = (hd.Revolute("hub", hd.GROUND, spoke, axis=hd.Z), hd.Prismatic("slide", spoke, ring, axis=hd.X))
     effects = (
-        ConstantSpeed("motor", "hub", p("w", "rad/s", 5)),
-        JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)),
-        EnergyLedger(),
+        hd.ConstantSpeed("motor", "hub", p("w", "rad/s", 5)),
+        hd.JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)),
+        hd.EnergyLedger(),
     )
-    start = Start(position={"slide": p("x0", "m", 0.1)}, speed={"slide": p("v0", "m/s", 0.2)})
-    scene = Scene(Mechanism("spoke", joints), effects, SCALES, start)
+    start = hd.Start(position={"slide": p("x0", "m", 0.1)}, speed={"slide": p("v0", "m/s", 0.2)})
+    scene = hd.Scene(hd.Mechanism("spoke", joints), effects, SCALES, start)
     run = simulate(load(scene), duration=0.3, tolerance=1e-10)
     root, grip = np.sqrt(MU**2 + 1) * 5, MU * 5  # x'' = w^2 x - 2 mu w x'
     (a, b), t = np.linalg.solve([[1, 1], [root - grip, -root - grip]], [0.1, 0.2]), run.t
@@ -253,7 +232,7 @@ def test_a_guide_in_a_turning_body():
         a * np.exp((root - grip) * t) + b * np.exp((-root - grip) * t), abs=1e-8
     )
     assert run.energy_residual < 1e-9
-    with pytest.raises(InputError, match="guide on a moving body"):
+    with pytest.raises(hd.InputError, match="guide on a moving body"):
         load(scene.with_coordinates("absolute"))
 
 

@@ -5,21 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    Contact,
-    Gravity,
-    Harmonic,
-    Mechanism,
-    Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    Y,
-    laws,
-)
+import hertzwerk.derive as hd
 from hertzwerk.runtime import load, sweep
 
 E, OMEGA, GRAVITY = 0.8, 40 * math.pi, 9.81
@@ -29,22 +15,22 @@ SPEED = math.pi * GRAVITY / OMEGA  # of a flight of one period [m/s]
 
 def table_and_ball():
     """A table of a prescribed sine at 20 Hz under a ball; contacts of 20 us."""
-    mass, radius = Parameter("mass", "kg", 0.1), Parameter("radius", "mm", 10)
-    table, ball = Body("table", mass=mass), Body("ball", mass=mass)
-    joints = (Prismatic("lift", GROUND, table, axis=Y), Prismatic("vertical", GROUND, ball, axis=Y))
-    pair = SphereOnPlane("floor", sphere=ball.at(0, 0, 0), radius=radius, plane=table.at(0, 0, 0), normal=Y)
-    frequency, phase = Parameter("frequency", "rad/s", OMEGA), Parameter("phase", "rad", 1)
+    mass, radius = hd.Parameter("mass", "kg", 0.1), hd.Parameter("radius", "mm", 10)
+    table, ball = hd.Body("table", mass=mass), hd.Body("ball", mass=mass)
+    joints = (hd.Prismatic("lift", hd.GROUND, table, axis=hd.Y), hd.Prismatic("vertical", hd.GROUND, ball, axis=hd.Y))
+    pair = hd.SphereOnPlane("floor", sphere=ball.at(0, 0, 0), radius=radius, plane=table.at(0, 0, 0), normal=hd.Y)
+    frequency, phase = hd.Parameter("frequency", "rad/s", OMEGA), hd.Parameter("phase", "rad", 1)
     effects = (
-        Harmonic("shaker", "lift", Parameter("amplitude", "mm", 0.5), frequency, phase),
-        Gravity("gravity", Parameter("gravity", "m/s^2", GRAVITY), direction=-Y),
-        Contact(
+        hd.Harmonic("shaker", "lift", hd.Parameter("amplitude", "mm", 0.5), frequency, phase),
+        hd.Gravity("gravity", hd.Parameter("gravity", "m/s^2", GRAVITY), direction=-hd.Y),
+        hd.Contact(
             "floor",
-            laws.power(Parameter("stiffness", "N/m", 2.5e9), n=1),
-            laws.exact(e=Parameter("restitution", "1", E)),
+            hd.laws.power(hd.Parameter("stiffness", "N/m", 2.5e9), n=1),
+            hd.laws.exact(e=hd.Parameter("restitution", "1", E)),
         ),
     )
-    scales = Scales(length=Parameter("length", "mm", 0.1), speed=Parameter("pace", "m/s", 0.3))
-    return load(Scene(Mechanism("vibrating_table", joints, (pair,)), effects, scales))
+    scales = hd.Scales(length=hd.Parameter("length", "mm", 0.1), speed=hd.Parameter("pace", "m/s", 0.3))
+    return load(hd.Scene(hd.Mechanism("vibrating_table", joints, (pair,)), effects, scales))
 
 
 def test_the_period_doubles_where_it_must():
