@@ -34,7 +34,7 @@ ROOMS = {
     "derive/exchange": "user_files sympy_models readable_equations law_sheets",
     "runtime/engine": "accuracy model integration start solution run sensitivity inputs",
     "runtime/engine/integration": "tableaux friction many_pairs step events loop .",
-    "runtime/output": "plots drawings films sweep_plots tables reports",
+    "runtime/output": "plots drawings films tables reports",
     "runtime/analysis": "statics effect_study work_precision validation hard_cases",
     "runtime/studies": "comparison sweeps uncertainty minimisation fitting paper",
     "runtime/studies/sweeps": "points rows .",
@@ -235,6 +235,18 @@ FILE_RINGS = {
         "runtime/studies/sweeps/stored_rows.py",
         "runtime/studies/sweeps/sweep_table.py",
     ): "a sweep saves and reads itself; the format imports what it makes",
+    (
+        "runtime/studies/sweeps/plot_sweep.py",
+        "runtime/studies/sweeps/sweep_table.py",
+    ): "a sweep draws itself; its picture names its type",
+    (
+        "runtime/studies/uncertainty/plot_uncertainty.py",
+        "runtime/studies/uncertainty/propagation_result.py",
+    ): "so does propagated uncertainty",
+    (
+        "runtime/studies/minimisation/plot_minimum.py",
+        "runtime/studies/minimisation/minimum.py",
+    ): "so does a minimum",
 }
 
 

@@ -126,10 +126,9 @@ class Minimum:
 
     def plot(self) -> Figure:
         """Draw the objective and the values of all runs, one after the other."""
-        from hertzwerk.runtime.output.sweep_plots.plot_minimum import figure
+        from hertzwerk.runtime.studies.minimisation import plot_minimum
 
-        unit_of = {name: unit for name, (_, unit) in self.values.items()}
-        return figure(f"{self.scene}: {self.objective_text}", self.unit, unit_of, self.trials, self.objective)
+        return plot_minimum.figure(self)
 
     def record(self) -> dict[str, Any]:
         """Return everything but the run as plain data."""

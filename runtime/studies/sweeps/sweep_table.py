@@ -204,7 +204,7 @@ class Sweep:
         names    those to draw, by default all; with the names of outputs a sweep with a section draws these. Raises
         InputError for unknown ones, and where there is nothing to draw.
         """
-        from hertzwerk.runtime.output.sweep_plots.plot_sweep import figure
+        from hertzwerk.runtime.studies.sweeps.plot_sweep import figure
 
         return figure(self, names)
 

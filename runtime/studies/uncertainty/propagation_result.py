@@ -174,10 +174,9 @@ class Propagated:
 
     def plot(self) -> Figure:
         """Draw the samples of every output beside the spread that derivatives give, and the Sobol indices."""
-        from hertzwerk.runtime.output.sweep_plots.plot_uncertainty import figure
+        from hertzwerk.runtime.studies.uncertainty import plot_uncertainty
 
-        heading = f"{self.draws} samples of {', '.join(self.names)}"
-        return figure(self.scene, [*self], {name: self.samples[name][: self.draws] for name in self.outputs}, heading)
+        return plot_uncertainty.figure(self)
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a line for each output, in SI; raises FileExistsError. `samples.to_csv` has the runs."""

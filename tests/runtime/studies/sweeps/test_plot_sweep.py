@@ -8,8 +8,8 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from hertzwerk.derive.common.faults import InputError
-from hertzwerk.runtime.output.sweep_plots import plot_sweep
-from hertzwerk.runtime.output.sweep_plots.plot_sweep import figure
+from hertzwerk.runtime.studies.sweeps import plot_sweep
+from hertzwerk.runtime.studies.sweeps.plot_sweep import figure
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design
 from hertzwerk.runtime.studies.sweeps.rows.row import Packed, Row
 from hertzwerk.runtime.studies.sweeps.sweep_table import COMPLETE, Sweep, columns_of

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
@@ -17,22 +17,23 @@ from hertzwerk.runtime.engine.solution.outcome import REACHED_END
 from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, empty_panel, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, CYCLE, GREY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.title import title_height, write_title
-from hertzwerk.runtime.output.sweep_plots.swept_table import (
+from hertzwerk.runtime.studies.sweeps.varied_axes import (
     CELLS,
     DOTS,
     PLACES,
-    SweptTable,
     Varied,
     coarse,
     coarse_edges,
     extremes,
+    has_equal_ratios,
     labelled,
     shown_in,
     some,
-    stated_number,
-    varied,
 )
 from hertzwerk.runtime.system.arrays import Array
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.studies.sweeps.sweep_table import Sweep
 
 SECTION, HALF_WIDTH, FAILED = "section", ".half_width", "failed"
 NO_OUTPUT = ("outcome", "message", "warnings", "wall_s")
@@ -46,7 +47,7 @@ SMALLEST, LARGEST, ALL_DOTS = 0.8, 3.2, 60.0  # points: of a dot, and what is sh
 TURN = 2 * np.pi
 
 
-def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
+def figure(table: Sweep, names: Sequence[str] = ()) -> Figure:
     """Draw the section of a sweep, or else its outputs, or those named; raises InputError."""
     diagram = SECTION in table.arrays and all(name in table.arrays[SECTION] for name in names)
     there = [name for name in table.arrays[SECTION] if name != "t"] if diagram else _outputs(table)
@@ -61,10 +62,10 @@ def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
     with mpl.rc_context(STYLE):
         beside = [each for name in wanted[:MOST_PANELS] for each in (name, name + HALF_WIDTH)]
         outputs = [name for name in beside if name in table.columns and not diagram]
-        stated = {name: stated_number(name) for name in table.stated_units if name in table.varied}
+        stated = {name: _stated_number(name) for name in table.stated_units if name in table.varied}
         plain_ones = [name for name in table.varied if name not in stated]
         columns = table.read(*outputs, *plain_ones, **stated, **{FAILED: lambda row: row.outcome not in REACHED_END})
-        axes = [varied(table, name, columns[name]) for name in table.varied]
+        axes = [_varied(table, name, columns[name]) for name in table.varied]
         axes = [axis for axis in axes if len(axis.distinct) > 1] or axes[:1]
         draw = _diagram if diagram else _lines if _along_one(table, axes) else _maps
         return draw(Drawn(table, columns, columns[FAILED] == 1), axes, wanted[:MOST_PANELS], len(wanted))
@@ -74,12 +75,32 @@ def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
 class Drawn:
     """Table that is drawn, its columns as they were read, and which rows failed (rows,)."""
 
-    table: SweptTable
+    table: Sweep
     columns: Mapping[str, np.ndarray]
     failed: Any
 
 
-def _outputs(table: SweptTable) -> list[str]:
+def _stated_number(name: str) -> Callable[[Any], float]:
+    """Return what reads the number that was given for a name."""
+    return lambda row: float(row.stated[name][0])
+
+
+def _varied(table: Sweep, name: str, column: np.ndarray) -> Varied:
+    """Return the values of a name in the unit they were given in, else in one that fits.
+
+    column    numbers as they were given, where they have one unit, else in SI, or labels
+    """
+    if column.dtype.kind == "U":
+        labels = tuple(dict.fromkeys(column.tolist()))
+        return Varied(name, "", np.array([float(labels.index(label)) for label in column]), log=False, labels=labels)
+    unit, values = table.stated_units.get(name), column
+    if unit is None:
+        scale = shown_in(table.columns[name], column)
+        unit, values = scale.unit, scale(column)
+    return Varied(name, unit, values, has_equal_ratios(values))
+
+
+def _outputs(table: Sweep) -> list[str]:
     """Return the columns of numbers that came out."""
     return [
         name
@@ -90,7 +111,7 @@ def _outputs(table: SweptTable) -> list[str]:
     ]
 
 
-def _along_one(table: SweptTable, axes: Sequence[Varied]) -> bool:
+def _along_one(table: Sweep, axes: Sequence[Varied]) -> bool:
     """Return whether outputs are curves over one parameter, a few of them where there are others."""
     return len(axes) == 1 or (len(axes) > 2 and table.gridded and _curves(axes[1:]) <= MOST_CURVES)
 
@@ -360,7 +381,7 @@ def _diagram(drawn: Drawn, axes: Sequence[Varied], names: Sequence[str], count: 
     return page
 
 
-def _section(table: SweptTable, names: Sequence[str]) -> dict[str, list[tuple[int, Array]]]:
+def _section(table: Sweep, names: Sequence[str]) -> dict[str, list[tuple[int, Array]]]:
     """Return rows with points of theirs: all, or where rows are many those of every nth row, and extremes.
 
     The extremes are the least and the largest point of the rows between.

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
@@ -16,41 +15,17 @@ from hertzwerk.runtime.output.plots.title import title_height, write_title
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 from hertzwerk.runtime.system.arrays import Array
 
+if TYPE_CHECKING:
+    from hertzwerk.runtime.studies.uncertainty.propagation_result import Propagated, Uncertain
+
 WIDE, HIGH = 4.6, 2.6  # inches of a panel
 BINS = 40  # most
 
 
-class Part(Protocol):
-    """Part of a variance, with its 95 % interval."""
-
-    value: float
-    low: float
-    high: float
-
-
-class Output(Protocol):
-    """Uncertain output, see `Uncertain`."""
-
-    name: str
-    unit: str
-    nominal: float
-    linear: float
-    reason: str
-
-    @property
-    def first(self) -> Mapping[str, Part]:
-        """Sobol indices of first order."""
-
-    @property
-    def total(self) -> Mapping[str, Part]:
-        """Total Sobol indices."""
-
-
-def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], subtitle: str) -> Figure:
-    """Draw each output in a row: its samples with the normal curve of its derivatives, and its indices.
-
-    samples    independent draws by output, SI; subtitle    text below the title
-    """
+def figure(result: Propagated) -> Figure:
+    """Draw each output in a row: its samples with the normal curve of its derivatives, and its indices."""
+    outputs, scene = [*result], result.scene
+    subtitle = f"{result.draws} samples of {', '.join(result.names)}"
     indices = any(output.first for output in outputs)
     width = WIDE * (2 if indices else 1)
     with mpl.rc_context(STYLE):
@@ -61,7 +36,7 @@ def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], 
         layout.set(rect=(0, 0, 1, 1 - used / page.get_figheight()))
         grid = page.subplots(len(outputs), 2 if indices else 1, squeeze=False)
         for output, row in zip(outputs, grid, strict=True):
-            _spread(row[0], output, samples[output.name])
+            _spread(row[0], output, result.samples[output.name][: result.draws])
             if indices:
                 _indices(row[1], output)
         for column in grid.T:
@@ -70,7 +45,7 @@ def figure(scene: str, outputs: Sequence[Output], samples: Mapping[str, Array], 
     return page
 
 
-def _spread(axis: Axes, output: Output, values: Array) -> None:
+def _spread(axis: Axes, output: Uncertain, values: Array) -> None:
     """Draw the samples of an output, and the normal curve that its derivatives give."""
     values = values[np.isfinite(values)]
     unit = scale_of(output.unit, values)
@@ -82,7 +57,7 @@ def _spread(axis: Axes, output: Output, values: Array) -> None:
     axis.set(title=plain(output.name), yticks=[], xlabel=unit.unit)
 
 
-def _indices(axis: Axes, output: Output) -> None:
+def _indices(axis: Axes, output: Uncertain) -> None:
     """Draw the parts of an output's variance as bars, with their intervals."""
     names = list(output.first)
     if not names:

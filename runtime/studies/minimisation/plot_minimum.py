@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import matplotlib.ticker
@@ -14,28 +13,14 @@ from hertzwerk.runtime.output.plots.plot_panel import LEGEND_ROOM, legend
 from hertzwerk.runtime.output.plots.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
 from hertzwerk.runtime.output.plots.unit_prefixes import scale_of
 
-
-class Trial(Protocol):
-    """Run of a minimisation: values in SI, objective, and whether the constraints are kept."""
-
-    @property
-    def values(self) -> Mapping[str, float]:
-        """Values by name."""
-
-    @property
-    def objective(self) -> float:
-        """Objective."""
-
-    @property
-    def feasible(self) -> bool:
-        """Whether the constraints are kept."""
+if TYPE_CHECKING:
+    from hertzwerk.runtime.studies.minimisation.minimum import Minimum
 
 
-def figure(title: str, unit: str, names: Mapping[str, str], trials: Sequence[Trial], least: float) -> Figure:
-    """Draw the objective of every run, the least marked, and below each quantity that was varied.
-
-    names    of these, with their SI units
-    """
+def figure(minimum: Minimum) -> Figure:
+    """Draw the objective of every run, the least marked, and below each quantity that was varied."""
+    trials, unit = minimum.trials, minimum.unit
+    names = {name: unit for name, (_, unit) in minimum.values.items()}
     numbers, feasible = np.arange(1, len(trials) + 1), np.array([trial.feasible for trial in trials], dtype=bool)
     objective = np.array([trial.objective for trial in trials])
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
@@ -47,7 +32,7 @@ def figure(title: str, unit: str, names: Mapping[str, str], trials: Sequence[Tri
         for there, colour, label in ((feasible, BLUE, "constraints kept"), (~feasible, ORANGE, "constraints not kept")):
             if np.any(there):
                 axes[0].plot(numbers[there], scale(objective[there]), "o", color=colour, markersize=5, label=label)
-        axes[0].axhline(float(scale(least)), color=VERMILLION, linewidth=1.2, label="minimum")
+        axes[0].axhline(float(scale(minimum.objective)), color=VERMILLION, linewidth=1.2, label="minimum")
         axes[0].set_title(f"objective{f' [{scale.unit}]' if scale.unit != '1' else ''}")
         if np.all(objective > 0) and np.ptp(np.log10(objective)) > 1:
             axes[0].set_yscale("log")
@@ -59,5 +44,7 @@ def figure(title: str, unit: str, names: Mapping[str, str], trials: Sequence[Tri
             axis.set_title(plain(f"{name}{f' [{scale.unit}]' if scale.unit != '1' else ''}"))
         axes[-1].set_xlabel("run")
         axes[-1].xaxis.set_major_locator(matplotlib.ticker.MaxNLocator(integer=True))
-        page.suptitle(plain(title), x=0.01, ha="left", fontsize=12, fontweight="bold")
+        page.suptitle(
+            plain(f"{minimum.scene}: {minimum.objective_text}"), x=0.01, ha="left", fontsize=12, fontweight="bold"
+        )
     return page

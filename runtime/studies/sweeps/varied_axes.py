@@ -1,10 +1,8 @@
-"""Table of a sweep as its pictures see it: values in the units given, and as many as a person can see."""
+"""Axes of a sweep's picture: varied values in the units given, and as many as a person can see."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,78 +17,6 @@ PLACES, CELLS, DOTS = (
     350,
     20_000,
 )  # that are distinguished along a curve, along a side of a map, and of scattered dots
-
-
-class ArraysByRow(Protocol):
-    """Arrays of every row by name."""
-
-    @property
-    def units(self) -> Mapping[str, str]:
-        """SI unit text by name, the time first."""
-
-    def __iter__(self) -> Iterator[Mapping[str, np.ndarray]]: ...
-
-
-class ColumnSpread(Protocol):
-    """Numbers of a column."""
-
-    @property
-    def count(self) -> int:
-        """How many there are."""
-
-
-class RowSummary(Protocol):
-    """Summary of the rows."""
-
-    @property
-    def spreads(self) -> Mapping[str, ColumnSpread]:
-        """Spreads of the columns of numbers, by name."""
-
-
-class SweptTable(Protocol):
-    """Table of a sweep, by column."""
-
-    @property
-    def scene(self) -> str:
-        """Name of the scene."""
-
-    @property
-    def rows(self) -> Sequence[Any]:
-        """Rows, with the values that were `given` and the `outcome`."""
-
-    @property
-    def columns(self) -> Mapping[str, str]:
-        """SI unit text by name."""
-
-    @property
-    def varied(self) -> Sequence[str]:
-        """Columns that were varied."""
-
-    @property
-    def gridded(self) -> bool:
-        """Whether all combinations of what was varied were run."""
-
-    @property
-    def arrays(self) -> Mapping[str, Mapping[str, str]]:
-        """Unit text of arrays by what they are of."""
-
-    @property
-    def place(self) -> str:
-        """Where arrays were kept."""
-
-    @property
-    def stated_units(self) -> Mapping[str, str]:
-        """Unit that what was varied was given in, where it is one."""
-
-    @property
-    def summary(self) -> RowSummary:
-        """Summary of the rows."""
-
-    def arrays_of(self, name: str) -> ArraysByRow:
-        """Return the arrays of what they are of."""
-
-    def read(self, *names: str, **others: Callable[[Any], float | str]) -> dict[str, np.ndarray]:
-        """Return columns in one pass over the rows, and what else is read of each."""
 
 
 @dataclass(frozen=True)
@@ -121,26 +47,6 @@ class Varied:
         if self.labels:
             return f"{self.name} = {self.labels[int(value)]}"
         return f"{self.name} = {value:.6g} {self.unit}".rstrip()
-
-
-def stated_number(name: str) -> Callable[[Any], float]:
-    """Return what reads the number that was given for a name."""
-    return lambda row: float(row.stated[name][0])
-
-
-def varied(table: SweptTable, name: str, column: np.ndarray) -> Varied:
-    """Return the values of a name in the unit they were given in, else in one that fits.
-
-    column    numbers as they were given, where they have one unit, else in SI, or labels
-    """
-    if column.dtype.kind == "U":
-        labels = tuple(dict.fromkeys(column.tolist()))
-        return Varied(name, "", np.array([float(labels.index(label)) for label in column]), log=False, labels=labels)
-    unit, values = table.stated_units.get(name), column
-    if unit is None:
-        scale = shown_in(table.columns[name], column)
-        unit, values = scale.unit, scale(column)
-    return Varied(name, unit, values, _has_equal_ratios(values))
 
 
 def extremes(values: Array, places: int) -> NDArray[np.intp]:
@@ -188,7 +94,8 @@ def coarse_edges(edges: Array, cells: int) -> Array:
     return np.append(edges[:-1:step], edges[-1])
 
 
-def _has_equal_ratios(values: Array) -> bool:
+def has_equal_ratios(values: Array) -> bool:
+    """Return whether values span LEAST_SPAN in equal ratios."""
     distinct = np.unique(values[np.isfinite(values)])
     if len(distinct) < 3 or distinct[0] <= 0 or distinct[-1] < LEAST_SPAN * distinct[0]:
         return False

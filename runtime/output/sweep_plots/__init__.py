@@ -1,1 +1,0 @@
-"""Plots of sweeps, of a propagation and of a minimisation."""
