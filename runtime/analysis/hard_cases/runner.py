@@ -112,7 +112,7 @@ def same(run: EngineSolution, twin: EngineSolution) -> Measured:
 
     All of them where the runs differ in length.
     """
-    one, two = run.engine.history.rows, twin.engine.history.rows
+    one, two = (np.asarray(each.engine.history.rows) for each in (run, twin))
     alike = one.shape == two.shape
     differing = int(np.sum(one.view(np.uint64) != two.view(np.uint64))) if alike else max(one.size, two.size)
     return Measured(SAME, differing, 0, "1", f"entries of {one.size:,} that differ in any bit")

@@ -28,7 +28,7 @@ class Rows(Protocol):
     """Protocol of a run's histories as readings need them: states by rows, and what holds there."""
 
     model: EngineModel
-    rows: np.ndarray
+    rows: Any
     p: np.ndarray | None
 
     def part(self, name: str) -> np.ndarray:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.runtime.engine.integration.events.cubics import crest_of_cubic
+from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows, joined
 from hertzwerk.runtime.system.heap import available
 from hertzwerk.runtime.system.lazy import cached_property
 
@@ -29,15 +30,15 @@ class Recorder:
     """
 
     def __init__(
-        self, view: Callable[[np.ndarray], History], observers: Sequence[Observer], block: int | None = BLOCK
+        self, view: Callable[[Rows], History], observers: Sequence[Observer], block: int | None = BLOCK
     ) -> None:
         self._view, self._observers, self._block = view, list(observers), block
         self.error: Exception | None = None
-        self._parts: list[np.ndarray] = []
+        self._parts: list[Rows] = []
         self._known = self._new = self._bytes = 0
         self._look: float = MANY
 
-    def keep(self, rows: np.ndarray) -> None:
+    def keep(self, rows: Rows) -> None:
         """Take the next accepted rows (n, ns); raises MemoryError before they fill the memory."""
         self._parts.append(rows)
         self._new += len(rows)
@@ -66,11 +67,11 @@ class Recorder:
         if self.error is not None:
             raise self.error
 
-    def _gathered(self) -> np.ndarray:
+    def _gathered(self) -> Rows:
         """Join the gathered rows in one array; if memory does not suffice, as many of the first as fit."""
         while True:
             try:
-                return np.concatenate(self._parts)
+                return joined(self._parts)
             except MemoryError as error:
                 if len(self._parts) < 2:
                     raise
@@ -112,7 +113,7 @@ class Grid:
         self._last = block.of(block.rows[-1:].copy())
         stop = int(np.searchsorted(self._times, block.t[-1]))  # the last row has to wait: an event may change it yet
         if stop > self._count:
-            self._rows.append(block.at(self._times[self._count : stop]).rows)
+            self._rows.append(np.asarray(block.at(self._times[self._count : stop]).rows))
             self._count = stop
 
     @cached_property

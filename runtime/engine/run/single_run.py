@@ -15,6 +15,7 @@ from hertzwerk.runtime.engine.accuracy.error_estimate import LOOSEST, POINTS
 from hertzwerk.runtime.engine.integration.loop.automatic_compilation import AutomaticCallers
 from hertzwerk.runtime.engine.integration.loop.chunk import EXCEPTION, Ending, Resume, TimeOverError, keep_to
 from hertzwerk.runtime.engine.integration.loop.near_list import Departures, constants_of, latches_of, scale_of
+from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows
 from hertzwerk.runtime.engine.integration.loop.tally import tally
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
@@ -226,12 +227,12 @@ class SingleRun:
         p = self.request.bound.p
         accepted = integrator.layouts.state["accepted"].start
 
-        def view(rows: np.ndarray) -> History:
+        def view(rows: Rows) -> History:
             return History(self.model, rows, controls, integrator, p=p, departures=departures)
 
         recorder = Recorder(view, observers, block or None)
 
-        def keep(attempts: np.ndarray) -> None:
+        def keep(attempts: Rows) -> None:
             if block != ENDS:
                 recorder.keep(attempts.compress(attempts[:, accepted] == 1, axis=0))
 

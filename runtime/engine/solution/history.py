@@ -12,6 +12,7 @@ from hertzwerk.derive.common.faults import Fault, similar, unknown
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.loop.near_list import Departures
 from hertzwerk.runtime.engine.integration.loop.near_rows import NearRows, places
+from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART, NearModel
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
 from hertzwerk.runtime.engine.integration.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
@@ -52,7 +53,7 @@ class History(Histories):
     def __init__(
         self,
         model: EngineModel,
-        rows: np.ndarray,
+        rows: Rows,
         controls: np.ndarray,
         integrator: Integrator | None,
         *,
@@ -136,7 +137,7 @@ class History(Histories):
         model = None if self.integrator is None else self.integrator.model
         if not isinstance(model, NearModel):
             return None
-        return NearRows(model, self.engine.layouts.state, self.rows, self.departures)
+        return NearRows(model, self.engine.layouts.state, np.asarray(self.rows), self.departures)
 
     def of_pair(self, name: str, pair: int) -> np.ndarray:
         """Return the column of a pair in a part that has one for each, shape (rows,)."""
@@ -402,7 +403,7 @@ class History(Histories):
         ordered[order] = joined
         return ordered
 
-    def of(self, rows: np.ndarray) -> History:
+    def of(self, rows: Rows) -> History:
         """Return histories over other rows (n, ns) of the same run."""
         return self._with(rows, self.beside, steps=False)
 
@@ -416,7 +417,7 @@ class History(Histories):
             return self
         return self._with(self.rows, (*self.beside, *readings), steps=self.steps)
 
-    def _with(self, rows: np.ndarray, beside: tuple[str, ...], *, steps: bool) -> History:
+    def _with(self, rows: Rows, beside: tuple[str, ...], *, steps: bool) -> History:
         """Return histories of the same run over some rows."""
         run = self.model, rows, self.controls, self.integrator
         return History(*run, steps=steps, p=self.p, beside=beside, departures=self.departures)

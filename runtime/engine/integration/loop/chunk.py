@@ -15,6 +15,7 @@ from hertzwerk.runtime.engine.integration.loop.attempt import Integrator
 from hertzwerk.runtime.engine.integration.loop.input_pieces import Pieces
 from hertzwerk.runtime.engine.integration.loop.method_choice import EXPLICIT, IMPLICIT, PATIENCE
 from hertzwerk.runtime.engine.integration.loop.near_list import Departures, renewed
+from hertzwerk.runtime.engine.integration.loop.reduced_rows import Rows
 from hertzwerk.runtime.engine.integration.loop.tally import tally
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import NearModel
 from hertzwerk.runtime.engine.integration.step.layout import CALM, FINISHED, RUNNING, STALE, SUSPECT, TOO_MANY_STEPS
@@ -145,7 +146,7 @@ def march(
     integrator: Integrator,
     state: np.ndarray,
     controls: np.ndarray,
-    keep: Callable[[np.ndarray], object],
+    keep: Callable[[Rows], object],
     *,
     deadline: float = np.inf,
     progress: Callable[[float], object] | None = None,
@@ -250,7 +251,7 @@ class _March:
         first[0, self._at["accepted"]] = 1.0
         return first
 
-    def attempts(self) -> tuple[np.ndarray, bool]:
+    def attempts(self) -> tuple[Rows, bool]:
         """Make attempts; return the states up to the end of the run, and whether to choose methods then.
 
         Where a piece of an input ends they end as well, with the state that goes on with the next one.
@@ -264,7 +265,8 @@ class _March:
             self._clocked += time.perf_counter() - clock
         self.status, chooses = int(states[-1, status]), self._with_choice
         if self.status != RUNNING:  # attempts after the end repeat it
-            states = states[: np.flatnonzero(states[:, status] != RUNNING)[0] + 1]
+            ended = states[:, status] != RUNNING
+            states = states.compress(np.cumsum(ended) - ended == 0, axis=0)
         if self.status in (SUSPECT, CALM):
             chooses = self.status == SUSPECT
             self.status = states[-1, status] = RUNNING
@@ -289,7 +291,7 @@ class _March:
             self._change_callers()
         return states, chooses
 
-    def _fails(self, states: np.ndarray) -> bool:
+    def _fails(self, states: Rows) -> bool:
         """Return whether explicit steps fail: chunk after chunk many are rejected and time stands still.
 
         Where stability limits a contact's step, or it rests within the tolerance of its gap, a step too long ends in events that the motion does not
@@ -302,7 +304,7 @@ class _March:
         self._failing = self._failing + 1 if fails else 0
         return bool(self._failing >= FAILED * (1 + last[self._at["wary"]]))
 
-    def note_resume(self, states: np.ndarray, chooses: bool) -> None:
+    def note_resume(self, states: Rows, chooses: bool) -> None:
         """Note the last of the next states that is independent of where the run is to end."""
         if not self._free:
             return

@@ -7,9 +7,9 @@ or, of too many, the whole.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -18,12 +18,13 @@ import numpy as np
 from hertzwerk.runtime.engine.integration.loop.attempt import Integrator, integrator
 from hertzwerk.runtime.engine.integration.loop.automatic_compilation import AutomaticCallers, Code
 from hertzwerk.runtime.engine.integration.loop.chunk import chunk
+from hertzwerk.runtime.engine.integration.loop.reduced_rows import Columns, ReducedRows
 from hertzwerk.runtime.engine.integration.loop.tally import APPROACHES, tally
 from hertzwerk.runtime.engine.integration.many_pairs.near_pairs import APART
 from hertzwerk.runtime.engine.integration.many_pairs.reduced_model import lowest_gaps, reduced_model
 from hertzwerk.runtime.engine.integration.step.contact_classes import class_of
 from hertzwerk.runtime.engine.integration.step.explicit_step import flow
-from hertzwerk.runtime.engine.integration.step.layout import FLIGHT, MANY, PAIR_PARTS, Layout, layouts
+from hertzwerk.runtime.engine.integration.step.layout import FLIGHT, MANY, PAIR_PARTS, layouts
 from hertzwerk.runtime.engine.integration.tableaux.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.engine.model.caller import Caller, Callers
 from hertzwerk.runtime.engine.model.model import EngineModel
@@ -32,7 +33,7 @@ from hertzwerk.runtime.engine.model.per_model import per_model
 MOST = 4  # pairs of a reduced model: each further one costs in every step
 MODELS = 3  # reduced models of a run: each is built in the time of some thousand attempts
 AHEAD = 100  # times the scene's length over its speed
-WIDEST, NARROWER = 1e6, 8.0  # m or rad: ends of a box that are tried first, and by how much less the next
+WAYS = [1e6 / 8.0**i for i in range(30)]  # m or rad: ways to the ends of a box, of which the longest is taken
 
 Reduced = Callable[[tuple[int, ...]], Code]
 
@@ -65,7 +66,7 @@ def _reduced_code(model: EngineModel, method: str, pairs: tuple[int, ...]) -> Co
     entries = {name: [*pairs] for name in ("mode", "speed_limits", *PAIR_PARTS, *APPROACHES)}
     entries |= {"y": states, "dy": states, "scale": states, "m": own.own_latches}
     columns = [
-        _Columns(mine, whole, entries)
+        Columns(mine, whole, entries)
         for mine, whole in (
             (layouts(own).state, layouts(model).state),
             (layouts(own).controls, layouts(model).controls),
@@ -76,57 +77,26 @@ def _reduced_code(model: EngineModel, method: str, pairs: tuple[int, ...]) -> Co
     return code_of(made, method, partial(Callers, make=partial(_ReducedCaller, columns=columns)))
 
 
-class _Columns:
-    """Places of the entries of a vector of a reduced model in that of the whole, as slices of both."""
-
-    def __init__(self, own: Layout, whole: Layout, entries: dict[str, list[int]]) -> None:
-        places = [
-            whole.places[name] + i for name, size in own.sizes.items() for i in [*entries.get(name, range(size))][:size]
-        ]
-        self.size, self.others = whole.size, np.setdiff1d(np.arange(whole.size), places)
-        breaks = [0, *(np.flatnonzero(np.diff(places) != 1) + 1).tolist(), len(places)]
-        self._slices = [
-            (slice(first, last), slice(places[first], places[first] + last - first))
-            for first, last in pairwise(breaks)
-            if last > first
-        ]
-
-    def gather(self, whole: np.ndarray, own: np.ndarray) -> None:
-        """Take the entries of whole vectors (.., n)."""
-        for one, other in self._slices:
-            own[..., one] = whole[..., other]
-
-    def scatter(self, own: np.ndarray, whole: np.ndarray) -> None:
-        """Put the entries into whole vectors (.., n)."""
-        for one, other in self._slices:
-            whole[..., other] = own[..., one]
-
-
 class _ReducedCaller(Caller):
     """Caller of a reduced model's chunk with vectors of the whole, in which other pairs stay as they are.
 
     columns    of state, controls and tally
     """
 
-    def __init__(self, function: Any, columns: list[_Columns]) -> None:
+    def __init__(self, function: Any, columns: list[Columns]) -> None:
         super().__init__(function)
-        self._columns, self._own = columns, (self.inputs, self.results)
+        self._columns, self._own = columns, self.inputs
         self.inputs = [np.zeros((1, each.size)) for each in columns]
-        self.results = [np.zeros((len(own), each.size)) for own, each in zip(self.results, columns[::2], strict=True)]
 
-    def __call__(self) -> list[np.ndarray]:
-        """Evaluate on `inputs`; the arrays returned are overwritten by the next call."""
-        own_inputs, own_results = self._own
-        for columns, own, whole in zip(self._columns, own_inputs, self.inputs, strict=True):
+    def __call__(self) -> list[Any]:
+        """Evaluate on `inputs`; the states returned are overwritten by the next call."""
+        for columns, own, whole in zip(self._columns, self._own, self.inputs, strict=True):
             columns.gather(whole, own)
         self._evaluate()
-        for columns, own, whole, start in zip(
-            self._columns[::2], own_results, self.results, self.inputs[::2], strict=True
-        ):
-            if not np.array_equal(whole[0, columns.others], start[0, columns.others]):
-                whole[:] = start
-            columns.scatter(own, whole)
-        return self.results
+        of_states, _, of_tally = self._columns
+        (state,), _, tallied = self.inputs
+        states, own_tally = self.results
+        return [ReducedRows(states, of_states, state.copy()), of_tally.scatter(own_tally, tallied.copy())]
 
 
 class ReducingCallers(AutomaticCallers):
@@ -162,7 +132,7 @@ class ReducingCallers(AutomaticCallers):
         if self._pairs != before:
             state = self._of_whole(state, controls)
         if self._pairs is not None:
-            state = self._of_pairs(state, controls, self._pairs)
+            state = _of_pairs(self._model, self._pairs)(state, controls)[0]
         if first or self._pairs != before:
             self._first = self._whole if self._pairs is None else self._reduced(self._pairs)
             self._used |= {self._pairs or ()}
@@ -196,22 +166,6 @@ class ReducingCallers(AutomaticCallers):
                 return pairs
         return None
 
-    def _of_pairs(self, state: np.ndarray, controls: np.ndarray, pairs: tuple[int, ...]) -> np.ndarray:
-        """Return a state in which all other pairs are apart.
-
-        It has the reduced model's class, and a step that keeps to the box.
-        """
-        vectors, far = layouts(self._model), np.setdiff1d(np.arange(self._model.k), pairs)
-        layout, own, state = vectors.state, reduced_model(self._model, pairs), state.copy()
-        for name in PAIR_PARTS:
-            state[layout.places[name] + far] = APART if name == "gap" else 0.0
-        state[layout["class"]] = float(class_of(own, ca.DM(state[layout["mode"]][[*pairs]])))
-        at = {name: ca.DM(state[layout[name]]) for name in ("h", "y", "dy")}
-        state[layout["h"]] = min(
-            float(at["h"]), float(own.longest({"box": ca.DM(controls[vectors.controls["box"]])}, at))
-        )
-        return state
-
     def _of_whole(self, state: np.ndarray, controls: np.ndarray) -> np.ndarray:
         """Return a state with all pairs, where it was one of a reduced model."""
         apart = np.any(state[layouts(self._model).state["gap"]] == APART)
@@ -220,16 +174,43 @@ class ReducingCallers(AutomaticCallers):
 
 def _widened(q: np.ndarray, room: np.ndarray, apart: Callable[[np.ndarray, np.ndarray], bool]) -> np.ndarray:
     """Return the ends (2 n) of a box of coordinates around q +- room, each as far as pairs stay apart."""
-    ends = [q - room, q + room]
-    for end, sign in zip(ends, (-1, 1), strict=True):
-        for i, least in enumerate(room):
-            inner, move = end[i], WIDEST
-            while move > least:
-                end[i] = q[i] + sign * move
-                if apart(*ends):
-                    break
-                end[i], move = inner, move / NARROWER
-    return np.concatenate(ends)
+    n, ways = len(q), np.concatenate([room, room])
+
+    def reaches(ends: slice, way: float) -> bool:
+        trial = ways.copy()
+        trial[ends] = np.maximum(trial[ends], way)
+        if fits := apart(q - trial[:n], q + trial[n:]):
+            ways[:] = trial
+        return fits
+
+    def widen(first: int, last: int) -> None:
+        ends, middle = slice(first, last), (first + last) // 2
+        if reaches(ends, WAYS[0]):
+            return
+        if middle == first:  # a smaller box has no lower bound: what a way does not reach, no longer one does
+            bisect_left(WAYS[1:], True, key=lambda way: reaches(ends, way))
+            return
+        widen(first, middle)
+        widen(middle, last)
+
+    widen(0, 2 * n)
+    return np.concatenate([q - ways[:n], q + ways[n:]])
+
+
+@per_model
+def _of_pairs(model: EngineModel, pairs: tuple[int, ...]) -> Callers:
+    """Return the function (state, controls) -> state in which all other pairs are apart.
+
+    It has the reduced model's class, and a step that keeps to the box.
+    """
+    vectors, own, far = layouts(model), reduced_model(model, pairs), np.setdiff1d(np.arange(model.k), pairs).tolist()
+    (state, controls), (old, run) = vectors.symbols("state controls", ca.MX)
+    new = {name: ca.MX(old[name]) for name in PAIR_PARTS}
+    for name, of_pairs in new.items():
+        of_pairs[far] = APART if name == "gap" else 0.0
+    new["class"] = class_of(own, old["mode"][[*pairs]])
+    new["h"] = ca.fmin(old["h"], own.longest(run, old))
+    return Callers(ca.Function("of_pairs", [state, controls], [vectors.state.join({**old, **new})]))
 
 
 @per_model

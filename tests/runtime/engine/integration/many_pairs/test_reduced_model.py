@@ -9,7 +9,7 @@ import pytest
 import hertzwerk.derive as hd
 from hertzwerk.derive.laws import flores, power
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.engine.integration.loop import reduced_runs
+from hertzwerk.runtime.engine.integration.loop import reduced_rows, reduced_runs
 from hertzwerk.runtime.engine.integration.many_pairs import reduced_model
 from hertzwerk.runtime.engine.integration.many_pairs.interval_arithmetic import interval_extension
 from reference import scenes
@@ -117,6 +117,20 @@ def test_far_guards_are_in_no_model(monkeypatch):
     assert used == [(0,)]
     assert [impact.contact for impact in run.impacts] == [impact.contact for impact in alone.impacts]
     assert run["guide.travel"][-1] == pytest.approx(alone["guide.travel"][-1], abs=1e-6)
+    rows = run.engine.history.rows  # only the columns of the reduced model are stored
+    assert rows.nbytes / len(rows) < 1.5 * alone.engine.history.rows.nbytes / len(alone.engine.history.rows)
+    whole, layout = np.asarray(rows), run.engine.history.engine.layouts.state
+    for name in layout.sizes:
+        assert np.array_equal(rows[:, layout[name]], whole[:, layout[name]])
+        assert np.array_equal(rows[-2:, layout[name]], whole[-2:, layout[name]])
+    for column in range(whole.shape[1]):
+        assert np.array_equal(rows[:, column], whole[:, column])
+    again = reduced_rows.joined([whole[:3], rows])
+    assert isinstance(again, reduced_rows.ReducedRows)
+    assert np.array_equal(np.asarray(again), np.concatenate([whole[:3], whole]))
+    other = whole[:3].copy()
+    other[1, layout["gap"]] = 2.0  # of a pair that the reduced model does not have
+    assert np.array_equal(reduced_rows.joined([other, rows]), np.concatenate([other, whole]))
 
 
 def test_a_run_goes_on_from_its_end(ball_among_walls, every_wall):

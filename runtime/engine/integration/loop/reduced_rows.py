@@ -1,0 +1,115 @@
+"""Rows of a run by a reduced model, of which only the columns that the model has are stored."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from hertzwerk.runtime.engine.integration.step.layout import Layout
+
+NONE = -1  # column of the reduced model's state, of what it does not have
+
+
+class Columns:
+    """Places of the entries of a vector of a reduced model in that of the whole, as slices of both."""
+
+    def __init__(self, own: Layout, whole: Layout, entries: dict[str, list[int]]) -> None:
+        places = [
+            whole.places[name] + i for name, size in own.sizes.items() for i in [*entries.get(name, range(size))][:size]
+        ]
+        self.size, self.others = whole.size, np.setdiff1d(np.arange(whole.size), places)
+        self.own = np.full(whole.size, NONE)
+        self.own[places] = np.arange(own.size)
+        breaks = [0, *(np.flatnonzero(np.diff(places) != 1) + 1).tolist(), len(places)]
+        self._slices = [
+            (slice(first, last), slice(places[first], places[first] + last - first))
+            for first, last in pairwise(breaks)
+            if last > first
+        ]
+
+    def gather(self, whole: np.ndarray, own: np.ndarray) -> np.ndarray:
+        """Take the entries of whole vectors (.., n)."""
+        for one, other in self._slices:
+            own[..., one] = whole[..., other]
+        return own
+
+    def scatter(self, own: np.ndarray, whole: np.ndarray) -> np.ndarray:
+        """Put the entries into whole vectors (.., n)."""
+        for one, other in self._slices:
+            whole[..., other] = own[..., one]
+        return whole
+
+
+class ReducedRows:
+    """States (n, ns) of the whole model, read by rows and slices of columns as arrays.
+
+    own    (n, size) of the reduced model; others: state of the whole (ns), in which the other entries are those of all rows
+    """
+
+    def __init__(self, own: np.ndarray, columns: Columns, others: np.ndarray) -> None:
+        self.own, self.columns, self.others = own, columns, others
+
+    def __len__(self) -> int:
+        return len(self.own)
+
+    @property
+    def nbytes(self) -> int:
+        """Bytes that are stored."""
+        return self.own.nbytes
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Shape of the whole model's states."""
+        return len(self.own), self.columns.size
+
+    def __getitem__(self, key: Any) -> Any:
+        rows, columns = key if isinstance(key, tuple) else (key, slice(None))
+        own, places, others = self.own[rows], self.columns.own[columns], self.others[columns]
+        if np.ndim(places) == 0:
+            return own[..., places] if places != NONE else np.full(own.shape[:-1], others)
+        if len(places) and places[0] != NONE and np.all(places == places[0] + np.arange(len(places))):
+            return own[..., places[0] : places[-1] + 1]
+        read = np.empty((*own.shape[:-1], len(places)))
+        if len(places) == self.columns.size:
+            read[:] = others
+            return self.columns.scatter(own, read)
+        for i, (place, other) in enumerate(zip(places.tolist(), others.tolist(), strict=True)):
+            read[..., i] = other if place == NONE else own[..., place]
+        return read
+
+    def __setitem__(self, key: tuple[int, int], value: float) -> None:
+        row, column = key
+        self.own[row, self.columns.own[column]] = value
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
+        return np.asarray(self[:], dtype)
+
+    def compress(self, condition: np.ndarray, axis: int = 0) -> ReducedRows:
+        """Return a copy of the rows at which a condition holds."""
+        return ReducedRows(self.own.compress(condition, axis=axis), self.columns, self.others)
+
+    def of(self, rows: np.ndarray | ReducedRows) -> np.ndarray | None:
+        """Return the columns that are stored of other rows; None where these differ in another."""
+        if isinstance(rows, ReducedRows):
+            same = rows.columns is self.columns and np.array_equal(
+                rows.others[self.columns.others], self.others[self.columns.others]
+            )
+            return rows.own if same else None
+        same = bool(np.all(rows[:, self.columns.others] == self.others[self.columns.others]))
+        return self.columns.gather(rows, np.empty((len(rows), self.own.shape[1]))) if same else None
+
+
+Rows = np.ndarray | ReducedRows
+
+
+def joined(parts: Sequence[Rows]) -> Rows:
+    """Return all rows in one piece, reduced where those of one reduced model suffice."""
+    if ReducedRows in set(map(type, parts)):
+        reduced = next(part for part in parts if isinstance(part, ReducedRows))
+        own = [values for part in parts if (values := reduced.of(part)) is not None]
+        if len(own) == len(parts):
+            return ReducedRows(np.concatenate(own), reduced.columns, reduced.others)
+    return np.concatenate(parts)
