@@ -66,7 +66,7 @@ def study(
     from hertzwerk.runtime.engine.inputs.measurement_csv import read_measurement
     from hertzwerk.runtime.engine.model.build import is_file
     from hertzwerk.runtime.studies.paper.known_studies import NAMES, study_of
-    from hertzwerk.runtime.studies.paper.overlay import laid_over
+    from hertzwerk.runtime.studies.paper.overlay import laid_over, require_columns
     from hertzwerk.runtime.studies.paper.study_sweeps import Sweeps, SweepStoppedError
 
     faults: list[Fault] = []
@@ -86,6 +86,8 @@ def study(
     faults += [] if resume is not None else unwritable_faults(out, wanted=wanted)
     refuse("study", faults)
     laid = None if measured is None else read_measurement(measured, **reading)
+    if laid is not None:
+        require_columns(chosen, laid)
     target = str(Path(name).absolute()) if is_file(name) else name
     located = None if measured is None else str(Path(measured).absolute())
     request = {"study": target, "quick": quick, "measured": located, "reading": reading, "command": command}

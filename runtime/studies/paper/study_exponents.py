@@ -296,4 +296,9 @@ def _crank_verdicts(rows: list[tuple[float, Measurement, int]]) -> tuple[Verdict
     return tuple(Verdict(text, source) for text in texts)
 
 
-STUDY = Study("exponents", "May the exponent of Hertz's law change while its stiffness keeps its number?", run)
+STUDY = Study(
+    "exponents",
+    "May the exponent of Hertz's law change while its stiffness keeps its number?",
+    run,
+    {f"{PIN}.normal_force": "N", "guide.acceleration": "m/s^2"},
+)

@@ -8,8 +8,8 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -182,8 +182,10 @@ class Study:
     """Question, and `run(quick, progress, sweeps)` that returns its page.
 
     It calls progress(fraction done), and makes its sweeps by `sweeps(name, target, over, ...)`, which stores them.
+    `histories`: those that its panels show over time, with a unit of each, which `--measured` may supply.
     """
 
     name: str
     question: str
     run: Callable[[bool, Progress, Sweeps], Page]
+    histories: Mapping[str, str] = field(default_factory=dict)

@@ -405,5 +405,8 @@ def _apart(cases: Sequence[Case], subject: str, group: Callable[[Case], tuple[ob
 
 
 STUDY = Study(
-    "slider_crank", "How do the laws compare in a slider-crank with clearance, and how certain is each number?", run
+    "slider_crank",
+    "How do the laws compare in a slider-crank with clearance, and how certain is each number?",
+    run,
+    {"guide.travel": "m", "guide.speed": "m/s", "guide.acceleration": "m/s^2", f"{PIN}.normal_force": "N"},
 )

@@ -1,5 +1,7 @@
 """Measurements laid over the figures of a study: units, missing values, what fits no panel."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -7,9 +9,10 @@ from click.testing import CliRunner
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.measurement_csv import Measurement
-from hertzwerk.runtime.studies.paper.overlay import laid_over
+from hertzwerk.runtime.studies.paper.known_studies import study_of
+from hertzwerk.runtime.studies.paper.overlay import laid_over, require_columns
 from hertzwerk.runtime.studies.paper.plot_page import figure
-from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel
+from hertzwerk.runtime.studies.paper.study_page import Axis, Chart, Curve, Page, Panel, Study
 
 TIMES = np.array([1e-3, 2e-3, 3e-3])
 
@@ -41,14 +44,26 @@ def test_columns_are_drawn_in_the_units_of_the_axes():
 @pytest.mark.parametrize(
     ("name", "unit", "said"),
     [
-        ("guide.acceleration", "m/s", "a unit like km/s²"),
+        ("guide.acceleration", "m/s", "a unit like km/s^2"),
         ("rod.acceleration", "m/s^2", "some of guide.acceleration"),
     ],
 )
 def test_an_overlay_that_does_not_fit_is_refused(name, unit, said):
+    study = Study("own", "Why?", lambda *_: pytest.fail("it ran"), {"guide.acceleration": "km/s^2"})
     with pytest.raises(InputError) as refused:
-        laid_over(page(), Measurement(TIMES, {name: TIMES}, {name: unit}, "rig.csv"))
+        require_columns(study, Measurement(TIMES, {name: TIMES}, {name: unit}, "rig.csv"))
     assert said in str(refused.value)
+
+
+def test_wrong_columns_are_refused_before_a_study_runs(tmp_path, monkeypatch):
+    """It had run for minutes."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "rig.csv").write_text("t [s],rod.speed [m/s]\n0,1\n1,2\n")
+    for name in ("exponents", "bouncing"):
+        unrun = replace(study_of(name), run=lambda *_: pytest.fail("it ran"))
+        monkeypatch.setattr(f"hertzwerk.runtime.studies.paper.study_{name}.STUDY", unrun)
+        done = CliRunner().invoke(main, ["study", name, "--measured", "rig.csv"])
+        assert (done.exit_code, "rig.csv" in done.output) == (2, True), done.output
 
 
 def test_a_missing_file_is_reported_before_anything_runs(tmp_path, monkeypatch):

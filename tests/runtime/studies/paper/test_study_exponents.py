@@ -60,6 +60,8 @@ def test_the_whole_page(monkeypatch):
     page = study.STUDY.run(True, done.append, Sweeps())
     assert isinstance(page, Page)
     assert page.holds
+    panels = [panel for chart in page.charts for panel in chart.panels]
+    assert {panel.y.history for panel in panels if panel.x.history == "t"} == study.STUDY.histories.keys()
     assert done == sorted(done)
     table = page.tables[1]
     forces = dict(zip(table.column("n"), table.column("peak force"), strict=True))

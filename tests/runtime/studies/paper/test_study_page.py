@@ -195,7 +195,7 @@ def run(quick, progress, sweeps):
     panel = Panel("a", Axis("time", "ms", history="t"), Axis("a", "m/s^2", history="guide.acceleration"), (Curve("run", [0, 1], [0, 1]),))
     return Page("Beside", (), charts=(Chart("beside", "Beside", (panel,)),), verdicts=(Verdict("it was drawn", "this test", True),))
 
-study = Study("beside", "How does it look?", run)
+study = Study("beside", "How does it look?", run, {"guide.acceleration": "m/s^2"})
 """
 
 
