@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def require_columns(study: Study, measured: Measurement) -> None:
-    """Raise InputError for columns with another unit than a study's histories, and where it shows none of them."""
+    """Raise InputError where a measured unit does not fit, and where a study shows no measured history."""
     shown = study.histories
     faults = [
         Fault(f"column {name}", f"[{measured.units[name]}]", f"a unit like {unit}")
