@@ -36,8 +36,8 @@ LONG = {
 
 
 def blocks(name, *languages):
-    found = re.findall(r"^```(\w+)\n(.*?)^```$", TEXTS[name], re.MULTILINE | re.DOTALL)
-    return [text for language, text in found if language in languages]
+    matches = re.findall(r"^```(\w+)\n(.*?)^```$", TEXTS[name], re.MULTILINE | re.DOTALL)
+    return [text for language, text in matches if language in languages]
 
 
 PYTHON = [

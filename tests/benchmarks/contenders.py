@@ -35,8 +35,8 @@ def hertzwerk(method: str, *, compiled: bool, friction: bool, ledger: bool = Fal
     crank = model(friction, ledger=ledger)
 
     def run(duration: float, tolerance: float) -> Any:
-        given = {"parameters": PARAMETERS, "method": method, "compiled": compiled}
-        return simulate(crank, duration=duration, tolerance=tolerance, **given)
+        options = {"parameters": PARAMETERS, "method": method, "compiled": compiled}
+        return simulate(crank, duration=duration, tolerance=tolerance, **options)
 
     def state(duration: float, tolerance: float) -> Sequence[float]:
         found = run(duration, tolerance)

@@ -41,8 +41,10 @@ def sensitivities() -> Iterator[Ratio]:
 def that_matter(model: Any) -> list[str]:
     """Names of parameters and starts with derivatives that are not zero: others cost less."""
     names = [*model.parameters, "guide.travel"]
-    found = runs(model, "dop853", SHORT, compiled=False)().sensitivities(*names)
-    return [name for name in names if any(found[state, name].any() for state in (*model.coordinates, *model.speeds))]
+    derivatives = runs(model, "dop853", SHORT, compiled=False)().sensitivities(*names)
+    return [
+        name for name in names if any(derivatives[state, name].any() for state in (*model.coordinates, *model.speeds))
+    ]
 
 
 def runs(model: Any, method: str, duration: float, *, compiled: bool) -> Callable[[], Any]:

@@ -110,8 +110,8 @@ def counted() -> Iterator[list[int]]:
 def scene(name: str) -> Motion:
     """Return the motion of a scene's scenario."""
     numbers = scenarios.read(name)
-    given: Mapping[str, Any] = {part: numbers.get(part) for part in ("parameters", "initial")}
-    return Motion(name, engine_model(name), SHORTER.get(name, numbers["duration"]), **given)
+    options: Mapping[str, Any] = {part: numbers.get(part) for part in ("parameters", "initial")}
+    return Motion(name, engine_model(name), SHORTER.get(name, numbers["duration"]), **options)
 
 
 def random_motions(count: int, first: int = 0) -> Iterator[Motion]:

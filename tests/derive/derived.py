@@ -103,12 +103,12 @@ class Derived:
 
 def rate_along(derived, function, result, t, q, u, a):
     """d/dt of a result along the motion, by CasADi's derivatives."""
-    given = {"t": t, "q": q, "u": u}
-    dq = derived.call("coordinate_rates", **given)
+    options = {"t": t, "q": q, "u": u}
+    dq = derived.call("coordinate_rates", **options)
     return (
-        derived.jacobian(function, "t", result, **given)[:, 0]
-        + derived.jacobian(function, "q", result, **given) @ dq
-        + derived.jacobian(function, "u", result, **given) @ a
+        derived.jacobian(function, "t", result, **options)[:, 0]
+        + derived.jacobian(function, "q", result, **options) @ dq
+        + derived.jacobian(function, "u", result, **options) @ a
     )
 
 
@@ -117,12 +117,12 @@ def energy_balance(derived, t, q, u, extra, power_of_extra, dz=None):
 
     Of the energy's rate that is each derivative times the rate of its argument: the accelerations' share is large where bodies are light.
     """
-    given = {"t": t, "q": q, "u": u}
-    f = derived.call("applied", **given) + extra
-    a, reactions = derived.call("accelerations", **given, f=f)
-    moving = {"t": np.ones(1), "q": derived.call("coordinate_rates", **given), "u": a}
-    parts = [derived.jacobian("energy", x, k, **given) * rate for k in range(3) for x, rate in moving.items()]
-    supplied = derived.call("ledger", **given, reactions=reactions)
+    options = {"t": t, "q": q, "u": u}
+    f = derived.call("applied", **options) + extra
+    a, reactions = derived.call("accelerations", **options, f=f)
+    moving = {"t": np.ones(1), "q": derived.call("coordinate_rates", **options), "u": a}
+    parts = [derived.jacobian("energy", x, k, **options) * rate for k in range(3) for x, rate in moving.items()]
+    supplied = derived.call("ledger", **options, reactions=reactions)
     terms = np.concatenate([*map(np.ravel, parts), -supplied, [] if dz is None else dz, [-power_of_extra]])
     return abs(np.sum(terms)) / np.sum(np.abs(terms))
 

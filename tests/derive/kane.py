@@ -415,8 +415,8 @@ def deviation_of_poses(tree, derived):
         full = tree.whole(t, q, speeds=False)
         origins, turns = zip(*(tree.pose(i, full) for i in range(len(tree.links))), strict=True)
         expected = np.ravel(origins), np.ravel(turns)
-        for found, there in zip(derived.call("poses", t=t, q=q), expected, strict=True):
-            worst = max(worst, np.max(np.abs(found - there)))
+        for actual, there in zip(derived.call("poses", t=t, q=q), expected, strict=True):
+            worst = max(worst, np.max(np.abs(actual - there)))
     return worst
 
 

@@ -81,9 +81,9 @@ def test_the_touching_row_against_scipy():
 
     start = np.zeros(10)
     start[5] = 1.0
-    found = solve_ivp(rates, (0, 0.02), start, method="DOP853", rtol=1e-12, atol=1e-15, max_step=2e-5)
+    actual = solve_ivp(rates, (0, 0.02), start, method="DOP853", rtol=1e-12, atol=1e-15, max_step=2e-5)
     known = [k for k in BY_NAME["touching_row_of_5"].known if k.quantity.endswith(".speed")]
-    assert [k.expected for k in known] == pytest.approx(found.y[5:, -1], abs=1e-9)
+    assert [k.expected for k in known] == pytest.approx(actual.y[5:, -1], abs=1e-9)
 
 
 def test_sliding_on_bristles_against_scipy():

@@ -40,7 +40,7 @@ def test_a_crest_beside_steps_of_rounding_is_not_found_at_the_steps(monkeypatch)
 
 
 @pytest.mark.parametrize(
-    ("gear", "told"),
+    ("gear", "message"),
     [
         (Coupling("gear", "right", "left", ratio=-1), "positions: .*end open by .*, gear off by"),
         (
@@ -49,7 +49,7 @@ def test_a_crest_beside_steps_of_rounding_is_not_found_at_the_steps(monkeypatch)
         ),
     ],
 )
-def test_a_gear_that_contradicts_the_bars_at_the_start_is_refused_by_name(gear, told):
+def test_a_gear_that_contradicts_the_bars_at_the_start_is_refused_by_name(gear, message):
     model = load(geared_parallelogram().replace(gear=gear))
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(InputError, match=message):
         simulate(model, duration="0.1 s", compiled=False)

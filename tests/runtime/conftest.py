@@ -3,9 +3,22 @@
 import pytest
 
 from hertzwerk.runtime.engine.integration.loop import c_compilation
+from hertzwerk.runtime.loading import engine_model
 
 
 @pytest.fixture(autouse=True)
 def little_optimised(monkeypatch):
     """Compile in a third of the time: what -O1 makes is compared in engine/integration/step/test_engine.py, what -O3 makes in hard_cases/."""
     monkeypatch.setattr(c_compilation, "FLAGS", (*c_compilation.FLAGS, "-O0"))  # the last one counts
+
+
+@pytest.fixture(scope="session")
+def ball():
+    """Model of the bouncing ball, whose functions are built once for all tests of a process."""
+    return engine_model("bouncing_ball")
+
+
+@pytest.fixture(scope="session")
+def crank():
+    """Model of the slider-crank, shared as `ball` is."""
+    return engine_model("slider_crank")

@@ -34,8 +34,8 @@ def forces_of(centres, width):
 
 def places(run, n, times):
     """Positions of the spheres [m], n x 3 at each time."""
-    found = run.at(times)
-    return np.array([[found[f"flight_{i}.{axis}"] for axis in "xyz"] for i in range(1, n + 1)]).transpose(2, 0, 1)
+    rows = run.at(times)
+    return np.array([[rows[f"flight_{i}.{axis}"] for axis in "xyz"] for i in range(1, n + 1)]).transpose(2, 0, 1)
 
 
 def pressing(end, name, n):

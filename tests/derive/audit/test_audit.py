@@ -334,7 +334,7 @@ def rescaled(request):
     return Rescaled(scene_from(request.param))
 
 
-@pytest.mark.by_turns(4)
+@pytest.mark.by_turns(8)
 @pytest.mark.parametrize(
     "factors",
     [

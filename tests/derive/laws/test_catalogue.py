@@ -142,12 +142,12 @@ MISTAKES = {
 
 @pytest.mark.parametrize("name", MISTAKES)
 def test_published_mistake(name):
-    law, subexpression, found, expected, exponent = MISTAKES[name]
+    law, subexpression, actual, expected, exponent = MISTAKES[name]
     findings = [f for f in audit_law(law) if f.subexpression == subexpression]
     assert findings, [f.subexpression for f in audit_law(law)]
     finding = findings[0]
     assert finding.verdict == ("outside_si" if law.fitted_in else "inconsistent")
-    assert (finding.found, finding.expected) == (found, expected)
+    assert (finding.found, finding.expected) == (actual, expected)
     assert finding.consistent_exponent == exponent
 
 

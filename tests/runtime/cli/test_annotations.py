@@ -58,13 +58,13 @@ def audit(*words):
 def test_github_shows_each_finding_at_its_line(project):
     code, text = audit("my laws", "--format", "github")
     assert code == 1
-    found = [
+    actual = [
         re.fullmatch(r"::error file=([^,]*),line=(\d+),title=([^:]*)::(.*)", line).groups()
         for line in text.splitlines()
     ]
-    assert ("my laws/pads.toml", "18", "foam%2C force") in [each[:3] for each in found]
-    assert {each[:2] for each in found} == {("my laws/pads.toml", "18"), ("my laws/pad.py", "4")}
-    assert all("expected N" in each[3] or "expected J" in each[3] for each in found)
+    assert ("my laws/pads.toml", "18", "foam%2C force") in [each[:3] for each in actual]
+    assert {each[:2] for each in actual} == {("my laws/pads.toml", "18"), ("my laws/pad.py", "4")}
+    assert all("expected N" in each[3] or "expected J" in each[3] for each in actual)
     (project / "my laws" / "pads.toml").write_text(LAWS.replace("d**2", "d**1.5"))
     assert audit("my laws/pads.toml", "--format", "github") == (0, "\n")
 

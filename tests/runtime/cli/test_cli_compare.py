@@ -77,8 +77,8 @@ def test_another_start_is_a_difference_and_json_says_so(hertzwerk, data, tmp_pat
     how = ("--map", "force=floor.normal_force", "--set", "mass=1.2 kg", "--json", *HOW)
     done = hertzwerk("bouncing_ball", "--measured", "data.csv", *how)
     assert done.exit_code == 1, done.output
-    found = json.loads(done.output)
-    assert found["differs"] is True and found["signals"][0]["residual"]["explained"] is False
+    record = json.loads(done.output)
+    assert record["differs"] is True and record["signals"][0]["residual"]["explained"] is False
     assert not (tmp_path / "runs").exists()
 
 

@@ -46,13 +46,13 @@ def test_the_report(hertzwerk, studied, tmp_path):
 def test_json_is_plain_and_writes_nothing(hertzwerk, tmp_path):
     done = hertzwerk("pendulum", "--duration", "1 s", "--tolerance", "1e-6", "--within", "0.02", "--json")
     assert done.exit_code == 0, done.output
-    found = json.loads(done.output)
-    gravity, ledger = found["rows"]
+    record = json.loads(done.output)
+    gravity, ledger = record["rows"]
     assert set(gravity) >= {"effect", "operations", "states", "events", "time_share", "changes", "why"}
     assert gravity["changes"] == {"peak_acceleration": -1.0, "amplitude.hinge.angle": -1.0}
     assert ledger["changes"] == {"peak_acceleration": None, "amplitude.hinge.angle": None}
     assert set(ledger["why"].values()) == {"below error"}
-    assert found["smallest"] == ["gravity"]
+    assert record["smallest"] == ["gravity"]
     assert list(tmp_path.iterdir()) == []
 
 

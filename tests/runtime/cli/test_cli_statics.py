@@ -23,16 +23,16 @@ def test_statics_prints_and_draws(tmp_path):
     assert code == 2
     assert "exists" in error
     code, text, _ = called("statics", "ball_between_walls", "--json")
-    found = json.loads(text)
-    assert code == 0 and found["outcome"]["name"] == "not_unique" and found["indifferent"] == ["track.travel"]
+    record = json.loads(text)
+    assert code == 0 and record["outcome"]["name"] == "not_unique" and record["indifferent"] == ["track.travel"]
 
 
 def test_modes_prints_numbers(tmp_path):
     picture = tmp_path / "modes.png"
     code, text, _ = called("modes", "pendulum", "--json", "--out", str(picture))
-    found = json.loads(text)
-    assert code == 0 and found["stable"] and picture.exists()
-    assert found["modes"][0]["frequency"] == pytest.approx(math.sqrt(9.81) / (2 * math.pi))
+    record = json.loads(text)
+    assert code == 0 and record["stable"] and picture.exists()
+    assert record["modes"][0]["frequency"] == pytest.approx(math.sqrt(9.81) / (2 * math.pi))
     code, text, _ = called("modes", "pendulum", "--nearest", "--set", "start_angle=178 deg")
     assert code == 0 and "unstable" in text and "grows by e in 0.319275 s" in text
 

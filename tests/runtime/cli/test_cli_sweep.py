@@ -74,10 +74,10 @@ def test_options_a_file_and_python_make_the_same_table(tmp_path):
 def test_json_is_one_object_and_writes_no_file(tmp_path):
     done = run("bouncing_ball", *OPTIONS, "--json")
     assert done.exit_code == 0
-    told = json.loads(done.stdout)
-    assert (told["rows"], told["outcomes"], told["out"]) == (6, {"finished": 6}, None)
-    assert told["units"]["floor.impact_rate.half_width"] == "1/s"
-    assert told["table"]["restitution"] == [0.5, 0.7] * 3
+    record = json.loads(done.stdout)
+    assert (record["rows"], record["outcomes"], record["out"]) == (6, {"finished": 6}, None)
+    assert record["units"]["floor.impact_rate.half_width"] == "1/s"
+    assert record["table"]["restitution"] == [0.5, 0.7] * 3
     assert list(tmp_path.iterdir()) == []
 
 
@@ -89,8 +89,8 @@ def test_a_table_is_written_by_the_ending_of_its_file(tmp_path, ending):
     assert f"written       new/t.{ending}" in done.stdout
     python = Sweep.load("a").to_file(tmp_path / f"python.{ending}")
     if ending == "nc":
-        found, expected = (xr.load_dataset(file, engine="h5netcdf") for file in (f"new/t.{ending}", python))
-        assert found.identical(expected)
+        actual, expected = (xr.load_dataset(file, engine="h5netcdf") for file in (f"new/t.{ending}", python))
+        assert actual.identical(expected)
     else:
         assert (tmp_path / "new" / f"t.{ending}").read_bytes() == python.read_bytes()
 
@@ -137,15 +137,15 @@ def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
 
 
 def test_values_are_followed_on_the_command_line_as_in_python(tmp_path):
-    how = ("slider_crank", "--over", "crank_speed=3000..5000 rpm:3", "--duration", "1 rev", "--tolerance", "1e-5")
+    how = ("bouncing_ball", "--over", "restitution=0.5..0.9:3", "--duration", "0.6 s", "--tolerance", "1e-5")
     for way in ("up", "down"):
         done = run(*how, "--continue", way, "--out", way)
         assert done.exit_code == 0, done.output
-        over = {"crank_speed": "3000..5000 rpm:3"}
-        expected = sweep("slider_crank", over, duration="1 rev", tolerance=1e-5, continued=way)
-        found = Sweep.load(way)
-        assert list(found["final.guide.travel"]) == list(expected["final.guide.travel"])
-    assert found["final.guide.travel"][1] != Sweep.load("up")["final.guide.travel"][1]
+        over = {"restitution": "0.5..0.9:3"}
+        expected = sweep("bouncing_ball", over, duration="0.6 s", tolerance=1e-5, continued=way)
+        actual = Sweep.load(way)
+        assert list(actual["final.vertical.travel"]) == list(expected["final.vertical.travel"])
+    assert actual["final.vertical.travel"][1] != Sweep.load("up")["final.vertical.travel"][1]
     assert "continued: found 'up'" in run(*how, "--continue", "up", "--out", "down").stderr
     assert "up" in run(*how, "--continue", "sideways", "--out", "c").stderr
 
@@ -200,7 +200,7 @@ def test_files_of_laws_are_seen_from_a_folder(text, there):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "message"),
     [
         ([], ["TARGET"]),
         (["--resume", "nowhere"], ["--resume"]),
@@ -215,10 +215,10 @@ def test_files_of_laws_are_seen_from_a_folder(text, there):
         ),
     ],
 )
-def test_bad_input_is_reported_at_once_and_nothing_is_written(tmp_path, arguments, told):
+def test_bad_input_is_reported_at_once_and_nothing_is_written(tmp_path, arguments, message):
     done = run(*arguments)
     assert done.exit_code == 2
-    for each in told:
+    for each in message:
         assert each in re.sub(r"\s+", " ", done.stderr)
     assert list(tmp_path.iterdir()) == []
 

@@ -116,17 +116,17 @@ def whole(folder: Path) -> dict | None:
         return None
     (run,) = runs.iterdir()
     assert not run.name.startswith(".")
-    told = json.loads((run / "run.json").read_text())
+    record = json.loads((run / "run.json").read_text())
     solution = Solution.load(run / "states.npz")
-    assert solution.t[-1] == told["t_end"]
-    assert len(solution.t) == told["rows"] > 1
+    assert solution.t[-1] == record["t_end"]
+    assert len(solution.t) == record["rows"] > 1
     for file in run.iterdir():
         assert not file.name.startswith(".")
         if file.suffix == ".png":
             assert file.read_bytes().endswith(b"IEND\xaeB`\x82")
         if file.suffix == ".csv":
-            assert file.read_text().count("\n") == told["rows"] + 1
-    return told
+            assert file.read_text().count("\n") == record["rows"] + 1
+    return record
 
 
 RUN = ["run", "slider_crank"]
@@ -239,9 +239,9 @@ def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run,
     assert done.exit_code == 1
     (folder,) = Path("runs").iterdir()
     assert {path.name for path in folder.iterdir()} <= {"run.json", "states.csv", "mechanism.png"}
-    told = json.loads((folder / "run.json").read_text())
-    assert told["outcome"] == "finished"
-    assert any("states.npz could not be written" in text for text in told["warnings"])
+    record = json.loads((folder / "run.json").read_text())
+    assert record["outcome"] == "finished"
+    assert any("states.npz could not be written" in text for text in record["warnings"])
     assert "overview.png could not be made" in done.output
 
 

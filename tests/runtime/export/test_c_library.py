@@ -53,13 +53,13 @@ def test_one_call_to_the_end_gives_the_bits_of_a_run(ball):
 
 
 def test_parameters_and_start_are_followed_as_in_a_run(ball):
-    given = {"drop_height": 0.7, "restitution": 0.6, "radius": 0.08}
+    options = {"drop_height": 0.7, "restitution": 0.6, "radius": 0.08}
     texts = {"drop_height": "0.7 m", "restitution": 0.6, "radius": "80 mm"}
     settings = {"duration": DURATION, "tolerance": TOLERANCE, "method": "dop853", "parameters": texts}
-    simulation = ball.simulation(**given)
+    simulation = ball.simulation(**options)
     assert simulation.run(DURATION) == 0
     same_bits(ball, simulate(engine_model("bouncing_ball"), **settings), simulation)
-    simulation = ball.simulation(**given)
+    simulation = ball.simulation(**options)
     assert simulation("set_start", ball.find("start", "vertical.speed"), 1.5) == 0
     assert simulation.run(DURATION) == 0
     run = simulate(engine_model("bouncing_ball"), **settings, initial={"vertical.speed": "1.5 m/s"})

@@ -61,8 +61,8 @@ def test_a_coupling_that_cannot_be_is_refused(label):
     coupling, where, expected = REFUSED[label]
     with pytest.raises(hd.InputError) as caught:
         scene(coupling)
-    found = [fault for fault in caught.value.faults if fault.where == where]
-    assert any(expected in fault.expected for fault in found), caught.value
+    actual = [fault for fault in caught.value.faults if fault.where == where]
+    assert any(expected in fault.expected for fault in actual), caught.value
     assert all(fault.where.startswith("effect mesh") for fault in caught.value.faults)
 
 

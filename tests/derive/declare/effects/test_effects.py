@@ -98,8 +98,8 @@ def bench(*effects, scales=SCALES, start=None):
 
 def table(**changed):
     """A drive by a table of which something is changed."""
-    given = {"name": "wave", "arguments": (0, 1, 2), "values": (0, 5, 0), "units": ("s", "deg"), **changed}
-    return bench(Drive("drive", "axle", position=Table(**given)(T)))
+    options = {"name": "wave", "arguments": (0, 1, 2), "values": (0, 5, 0), "units": ("s", "deg"), **changed}
+    return bench(Drive("drive", "axle", position=Table(**options)(T)))
 
 
 def driven(**law):

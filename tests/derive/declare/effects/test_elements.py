@@ -342,15 +342,15 @@ def test_an_accelerated_drive_moves_the_others_and_is_loaded_as_in_kanes_method(
         free = tree.free
         a = np.linalg.solve(mass[np.ix_(free, free)], forcing[free] - mass[free, root] * a_d)
         reaction = mass[root, free] @ a + mass[root, root] * a_d - forcing[root]
-        given = {"t": t, "q": np.concatenate([q, z]), "u": u}
-        ours, reactions = derived.call("accelerations", **given, f=derived.call("applied", **given))
+        options = {"t": t, "q": np.concatenate([q, z]), "u": u}
+        ours, reactions = derived.call("accelerations", **options, f=derived.call("applied", **options))
         assert ours == pytest.approx(a, rel=1e-10)
         assert reactions == pytest.approx([reaction], rel=1e-10)
-        assert derived.call("ledger", **given, reactions=reactions) == pytest.approx(
+        assert derived.call("ledger", **options, reactions=reactions) == pytest.approx(
             [reaction * full_u[root]], rel=1e-10
         )
-        assert imbalance(derived, **given) < 1e-12
-        rates = derived.call("coordinate_rates", **given)[len(free) :]
+        assert imbalance(derived, **options) < 1e-12
+        rates = derived.call("coordinate_rates", **options)[len(free) :]
         assert rates == pytest.approx(by_hand(t, z)[1 : 1 + len(integrated)], rel=1e-14)
 
 
@@ -385,13 +385,13 @@ def test_springs_and_dampers_are_clean_where_their_ends_meet(rest):
     tree = replace(tree, links=tuple(replace(l, on_parent=(0, 0, 0), on_child=(0, 0, 0)) for l in tree.links))
     ends = (tree.bodies[1].at(0, 0, 0), GROUND.at(0, 0, 0))
     derived = Derived(tree.scene(PointSpring("spring", *ends, STIFFNESS, rest), PointDamper("damper", *ends, DAMPING)))
-    given = {"t": 0.0, "q": np.zeros(2), "u": np.array([1.0, 2.0])}
-    assert derived.call("applied", **given).tolist() == [0, 0]
-    assert derived.call("ledger", **given, reactions=[]).tolist() == [0]
-    assert derived.call("energy", **given)[1] == pytest.approx([0.0 if rest is None else 20 * 0.36])
+    options = {"t": 0.0, "q": np.zeros(2), "u": np.array([1.0, 2.0])}
+    assert derived.call("applied", **options).tolist() == [0, 0]
+    assert derived.call("ledger", **options, reactions=[]).tolist() == [0]
+    assert derived.call("energy", **options)[1] == pytest.approx([0.0 if rest is None else 20 * 0.36])
     for which in "qu":
-        assert np.all(np.isfinite(derived.jacobian("applied", which, **given)))
-    assert isinstance(derived.results("applied", given)[0], ca.DM)
+        assert np.all(np.isfinite(derived.jacobian("applied", which, **options)))
+    assert isinstance(derived.results("applied", options)[0], ca.DM)
 
 
 # -- joints of several freedoms ----------------------------------------------------------------------------------------

@@ -153,8 +153,8 @@ def test_a_rigid_whole_has_the_inertia_that_its_axis_needs():
     carried = Derived(scene(pin, Revolute("elbow", hub.at(0, 0, off), BODY, X)))
     alone = Derived(scene(Universal("cross", GROUND, BODY, Z, X)))
     q, u, f = [0.4, 0.7], [1.0, -2.0], [0.3, 0.1]
-    found, expected = (each.call("accelerations", q=q, u=u, f=f)[0] for each in (carried, alone))
-    assert found == pytest.approx(expected, rel=1e-12)
+    actual, expected = (each.call("accelerations", q=q, u=u, f=f)[0] for each in (carried, alone))
+    assert actual == pytest.approx(expected, rel=1e-12)
 
 
 POINT = Body("point", MASS, 0, (0, 0, Parameter("l", "m", 1.0)))
@@ -197,12 +197,12 @@ BAD = {
 
 @pytest.mark.parametrize("label", BAD)
 def test_a_bad_joint_is_a_fault_that_says_where_what_and_the_way_out(label):
-    declare, where, found, way_out = BAD[label]
+    declare, where, actual, way_out = BAD[label]
     with pytest.raises(InputError) as caught:
         declare()
     faults = [fault for fault in caught.value.faults if where in fault.where]
     assert faults, str(caught.value)
-    assert any(found in fault.found and way_out in f"{fault.expected} {fault.remedy}" for fault in faults), str(
+    assert any(actual in fault.found and way_out in f"{fault.expected} {fault.remedy}" for fault in faults), str(
         caught.value
     )
 

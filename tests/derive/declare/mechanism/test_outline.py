@@ -61,8 +61,8 @@ def test_each_piece_and_corner_equals_its_closed_form(beside, at, centre, sign, 
             sign * n @ v,
             sign * (v @ [-n[1], n[0]]) ** 2 / away,
         )
-    found = gaps(beside, (angle, *turned(angle, x, y), 0), (0, *turned(angle, *v), 0))
-    assert found == pytest.approx(expected, rel=1e-12, abs=1e-11)
+    actual = gaps(beside, (angle, *turned(angle, x, y), 0), (0, *turned(angle, *v), 0))
+    assert actual == pytest.approx(expected, rel=1e-12, abs=1e-11)
 
 
 def test_it_is_as_far_as_the_nearest_of_very_many_points(beside):

@@ -200,9 +200,9 @@ def test_a_free_body_with_products_of_inertia_turns_as_in_its_principal_axes(coo
     run = simulate(load(scene), duration="6 s", accuracy=1e-8)
     name = "pivot" if coordinates == "tree" else "body"
     t = np.linspace(0, 6, 25)
-    found = np.array([run.at(t)[f"{name}.angular_speed_{k}"] for k in "xyz"])
+    actual = np.array([run.at(t)[f"{name}.angular_speed_{k}"] for k in "xyz"])
     expected = np.array([TURNED @ euler(spin, time) for time in t]).T
-    assert found == pytest.approx(expected, abs=3e-6 * np.linalg.norm(spin))
+    assert actual == pytest.approx(expected, abs=3e-6 * np.linalg.norm(spin))
     assert np.ptp(expected[1]) > 1
 
 

@@ -65,11 +65,11 @@ APERIODIC = {
 @pytest.mark.parametrize("label", PERIODIC)
 def test_a_period(label):
     effects, expected, repeats = PERIODIC[label]
-    found = period(bench(*effects))
+    actual = period(bench(*effects))
     values = {
-        symbol: symbol.si for symbol in found.free_symbols | repeats.free_symbols if isinstance(symbol, AnyParameter)
+        symbol: symbol.si for symbol in actual.free_symbols | repeats.free_symbols if isinstance(symbol, AnyParameter)
     }
-    assert float(found.subs(values)) == pytest.approx(expected, rel=1e-14)
+    assert float(actual.subs(values)) == pytest.approx(expected, rel=1e-14)
     f = sp.lambdify(hd.T, repeats.subs(values))
     times = np.linspace(2, 9, 50)
     assert f(times + expected) == pytest.approx(f(times), abs=1e-12)

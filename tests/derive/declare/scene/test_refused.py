@@ -43,8 +43,8 @@ IDLE = {
 @pytest.mark.parametrize("label", IDLE)
 def test_an_effect_that_moves_nothing_is_refused(label):
     effect = IDLE[label]
-    found = refused(TRACK, effects=(effect, hd.EnergyLedger()))
-    (fault,) = found.values()
+    actual = refused(TRACK, effects=(effect, hd.EnergyLedger()))
+    (fault,) = actual.values()
     assert fault.where == f"effect {effect.name}"
     assert fault.found == "no equation that it enters"
     assert "cannot move that way" in fault.expected
@@ -128,11 +128,11 @@ SINGULAR = {
 @pytest.mark.parametrize("label", SINGULAR)
 def test_axes_that_coincide_without_a_mass_between_are_named(label):
     joints, where = SINGULAR[label]
-    found = refused(*joints)
-    assert where in found
-    assert "axes that coincide" in found[where].found
-    assert "cross" in found[where].expected
-    assert "Leave one of the joints out" in found[where].remedy
+    actual = refused(*joints)
+    assert where in actual
+    assert "axes that coincide" in actual[where].found
+    assert "cross" in actual[where].expected
+    assert "Leave one of the joints out" in actual[where].remedy
 
 
 def test_each_such_motion_is_a_fault():

@@ -193,23 +193,23 @@ def test_functions_return_what_the_tables_say(name):
     if nl:
         sizes |= {"accelerations": [nu, nr, nl], "constraints": [nl, nl], "projection": [nu, nl]}
     q, u = derived.start()
-    given = {
+    options = {
         "q": q, "u": u, "a": np.ones(nu), "f": np.ones(nf), "reactions": np.ones(nr), "z": np.zeros(nz), "m": np.ones(nm), "t": 1e-3,
         "p": derived.p, "c": derived.c, "wanted": np.ones(nl),
     }  # fmt: skip
     for function, expected in sizes.items():
-        numbers = derived.results(function, given)
+        numbers = derived.results(function, options)
         assert [value.shape for value in numbers] == [(size, 1) for size in expected], function
         for kind in (ca.SX, ca.MX):
-            symbols = [kind.sym(n, np.size(given[n])) for n in derived.arguments(function)]
+            symbols = [kind.sym(n, np.size(options[n])) for n in derived.arguments(function)]
             out = derived.names[function](*symbols)
             compiled = ca.Function("f", symbols, [kind(value) for value in (out if isinstance(out, tuple) else (out,))])
-            values = compiled.call([ca.DM(given[n]) for n in derived.arguments(function)])
+            values = compiled.call([ca.DM(options[n]) for n in derived.arguments(function)])
             for a, b in zip(numbers, values, strict=True):
                 assert a.full().reshape(-1) == pytest.approx(b.full().reshape(-1), rel=2e-14, abs=0)
     for pair, _ in derived.PAIRS:
         friction = any(kind == "friction" for _, kind, _ in derived.EFFECTS)
-        shapes = [value.size for value in derived.call(f"contact_{pair}", **given)]
+        shapes = [value.size for value in derived.call(f"contact_{pair}", **options)]
         assert shapes == [nf, nz, 1, int(friction), 1]
     assert [derived.MEMORY[i][0] for i in derived.DISSIPATED] == [f"{pair}.dissipated" for pair, _ in derived.PAIRS]
     assert all(derived.PAIRS[pair][0] == latch.split(".")[0] for latch, _, pair in derived.LATCHES)

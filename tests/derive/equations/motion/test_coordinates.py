@@ -153,36 +153,37 @@ def pair(request):
 def test_bodies_are_placed_where_the_joints_put_them(pair):
     tree, absolute = pair
     q, _, Q, U = state(*pair)
-    for found, expected in zip(absolute.call("poses", t=0.3, q=Q), tree.call("poses", t=0.3, q=q), strict=True):
-        assert found == pytest.approx(expected, abs=1e-13)
+    for actual, expected in zip(absolute.call("poses", t=0.3, q=Q), tree.call("poses", t=0.3, q=q), strict=True):
+        assert actual == pytest.approx(expected, abs=1e-13)
     phi, rate = absolute.call("constraints", t=0.3, q=Q, u=U)
     assert np.max(np.abs(phi)) < 1e-13
     assert np.max(np.abs(rate)) < 1e-12
 
 
-@pytest.mark.by_turns(3)
+@pytest.mark.by_turns(6)
 def test_motion_energy_and_drives_are_the_same(pair):
     """Accelerations of the bodies: the rates of their speeds as the joints have them, by derivatives of `placed`."""
     tree, absolute = pair
     q, u, Q, U = state(*pair)
-    given, there = {"t": 0.3, "q": q, "u": u}, {"t": 0.3, "q": Q, "u": U}
-    f, F = tree.call("applied", **given), absolute.call("applied", **there)
-    a, reactions = tree.call("accelerations", **given, f=f)
-    found, supplied, _ = absolute.call("accelerations", **there, f=F)
+    options, there = {"t": 0.3, "q": q, "u": u}, {"t": 0.3, "q": Q, "u": U}
+    f, F = tree.call("applied", **options), absolute.call("applied", **there)
+    a, reactions = tree.call("accelerations", **options, f=f)
+    actual, supplied, _ = absolute.call("accelerations", **there, f=F)
     here = {"t": 0.3, "joints": q, "joint_speeds": u}
     expected = (
         absolute.jacobian("placed", "t", 1, **here)[:, 0]
-        + absolute.jacobian("placed", "joints", 1, **here) @ tree.call("coordinate_rates", **given)
+        + absolute.jacobian("placed", "joints", 1, **here) @ tree.call("coordinate_rates", **options)
         + absolute.jacobian("placed", "joint_speeds", 1, **here) @ a
     )
-    assert found == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.max(np.abs(expected)))
+    assert actual == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.max(np.abs(expected)))
     assert supplied == pytest.approx(reactions, rel=1e-8, abs=1e-8)
-    for one, other in zip(absolute.call("energy", **there)[:2], tree.call("energy", **given)[:2], strict=True):
+    for one, other in zip(absolute.call("energy", **there)[:2], tree.call("energy", **options)[:2], strict=True):
         assert one == pytest.approx(other, rel=1e-12)
-    powers = absolute.call("ledger", **there, reactions=supplied), tree.call("ledger", **given, reactions=reactions)
+    powers = absolute.call("ledger", **there, reactions=supplied), tree.call("ledger", **options, reactions=reactions)
     assert powers[0] == pytest.approx(powers[1], rel=1e-8, abs=1e-9)
 
 
+@pytest.mark.by_turns(3)
 def test_constraints_rates_and_accelerations_belong_together(pair):
     """d(phi)/dt is the rate, and under the accelerations found the rates stay as they are; at a state with open loops for the first."""
     _, absolute = pair

@@ -156,8 +156,8 @@ def test_a_redundant_loop_is_no_obstacle():
     again = Revolute("again", twice.parent, twice.child, Z)
     scene = replace(case.scene, mechanism=Mechanism("tree", (*case.scene.mechanism.joints, again)))
     once, both = Derived(case.scene), Derived(scene)
-    given = {"t": 0.3, "q": case.q, "u": case.u, "f": np.array([1.0, -2.0, 0.5])}
-    (a, _, force), (a2, _, forces) = once.call("accelerations", **given), both.call("accelerations", **given)
+    options = {"t": 0.3, "q": case.q, "u": case.u, "f": np.array([1.0, -2.0, 0.5])}
+    (a, _, force), (a2, _, forces) = once.call("accelerations", **options), both.call("accelerations", **options)
     assert a2 == pytest.approx(a, rel=1e-7)
     assert forces == pytest.approx(np.tile(force / 2, 2), rel=1e-5)
 

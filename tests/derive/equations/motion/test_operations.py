@@ -9,12 +9,12 @@ from operations import ACCEPT, BASELINE, CHAINS, counts, of_chain
 
 
 def test_operation_counts_are_those_of_the_baseline():
-    expected, found = json.loads(BASELINE.read_text(encoding="utf-8")), counts()
+    expected, actual = json.loads(BASELINE.read_text(encoding="utf-8")), counts()
     changes = [
-        f"{name}.{function}: {expected.get(name, {}).get(function, 'no entry')} -> {found.get(name, {}).get(function, 'gone')}"
-        for name in {**expected, **found}
-        for function in {**expected.get(name, {}), **found.get(name, {})}
-        if expected.get(name, {}).get(function) != found.get(name, {}).get(function)
+        f"{name}.{function}: {expected.get(name, {}).get(function, 'no entry')} -> {actual.get(name, {}).get(function, 'gone')}"
+        for name in {**expected, **actual}
+        for function in {**expected.get(name, {}), **actual.get(name, {})}
+        if expected.get(name, {}).get(function) != actual.get(name, {}).get(function)
     ]
     assert not changes, "\n".join([*changes, f"if that is meant, accept it: {ACCEPT}"])
 

@@ -127,11 +127,11 @@ def test_text_evaluates_to_the_law(name):
             if expression.has(sp.LambertW):
                 values |= {q: mpf("0.01") for q in symbols if q.name == "d"}
             text = text_of(expression).replace("/", "/mpf(1)/")
-            found = eval(
+            actual = eval(
                 text, functions | {q.name: x for q, x in values.items()} | {"mpf": mpf}
             )  # our own text, of our own laws
             expected = evaluate(expression, values)
-            assert abs(found - expected) <= mpf("1e-14") * abs(expected)
+            assert abs(actual - expected) <= mpf("1e-14") * abs(expected)
 
 
 def test_latex():

@@ -220,7 +220,7 @@ def cases():
         yield from ((name, pair) for pair in range(pairs))
 
 
-@pytest.mark.by_turns(3)
+@pytest.mark.by_turns(6)
 @pytest.mark.parametrize(
     ("name", "pair"),
     [pytest.param(*case, marks=[] if case[0] in IN_CI else pytest.mark.exhaustive) for case in cases()],
@@ -241,8 +241,8 @@ def test_shown_equations_are_those_the_module_computes(read, name, pair):
     speeds = [row[0].replace(".", "_").replace("speed", "acceleration") for row in derived.SPEEDS]
     accelerations = dict(zip(speeds, a, strict=True))
     driven = [label.split(" ")[1] for label in (e.name for e in shown.equations if e.name.startswith("row "))][len(a) :]
-    given = {f"{joint.replace('.', '_')}_reaction_in": value for joint, value in zip(driven, reactions, strict=True)}
-    values = evaluated(shown, by_name(derived.scene, derived, at, **accelerations, **given, **held))
+    options = {f"{joint.replace('.', '_')}_reaction_in": value for joint, value in zip(driven, reactions, strict=True)}
+    values = evaluated(shown, by_name(derived.scene, derived, at, **accelerations, **options, **held))
 
     gap, gap_rate = derived.call("gaps", **at) if derived.k else ([], [])
     for i, (key, _) in enumerate(derived.PAIRS):
@@ -376,7 +376,7 @@ def shape(latex):
 TYPESET = set()  # shapes; of two scenes that share a mechanism most are the same
 
 
-@pytest.mark.by_turns(3)
+@pytest.mark.by_turns(9)
 @pytest.mark.parametrize("name", in_ci(SCENES))
 def test_every_formula_can_be_typeset(read, name):
     """One of each shape; the symbols themselves all."""

@@ -355,10 +355,10 @@ def test_a_gap_beside_a_driven_coordinate_accelerates_with_its_drive():
         scales=hd.Scales(length=radius, speed=hd.Parameter("pace", "m/s", 1), arm=radius),
     )
     derived = Derived(scene)
-    given = {"t": 0.4, "q": np.array([0.5]), "u": np.array([0.7])}
+    options = {"t": 0.4, "q": np.array([0.5]), "u": np.array([0.7])}
     a = np.array([1.3])
-    expected = rate_along(derived, "gaps", 1, given["t"], given["q"], given["u"], a)
-    assert derived.call("gap_accelerations", **given, a=a) == pytest.approx(expected, rel=1e-10)
+    expected = rate_along(derived, "gaps", 1, options["t"], options["q"], options["u"], a)
+    assert derived.call("gap_accelerations", **options, a=a) == pytest.approx(expected, rel=1e-10)
     driven = -0.2 * 3**2 * np.sin(1.2)  # of the cart, and of the string of 0.5 m as an arm of its own
     assert expected == pytest.approx([driven + 0.5 * (np.cos(0.5) * 1.3 - np.sin(0.5) * 0.7**2)], rel=1e-10)
 
@@ -374,6 +374,6 @@ def test_a_force_beside_the_origin_of_an_imported_body_has_its_arm():
         model.scene(effects=(push,), scales=hd.Scales(length=l, speed=hd.Parameter("pace", "m/s", 1), arm=l))
     )
     q = 0.6
-    found = derived.call("applied", t=0.0, q=np.array([q]), u=np.array([0.0]))
+    actual = derived.call("applied", t=0.0, q=np.array([q]), u=np.array([0.0]))
     expected = 3 * (-0.2 * np.sin(q) + (0.5 - 0.1) * np.cos(q)) - 9.81 * 0.5 * np.sin(q)
-    assert found == pytest.approx([expected], rel=1e-12)
+    assert actual == pytest.approx([expected], rel=1e-12)

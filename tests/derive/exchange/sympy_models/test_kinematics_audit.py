@@ -64,6 +64,7 @@ def conical(turning):
     return kane, O, dict.fromkeys(map(str, (f.func for f in alpha + beta)), "rad")
 
 
+@pytest.mark.exhaustive
 def test_pydys_conical_pendulum_turns_otherwise_than_its_axes_say():
     def as_pydy(frames, i, omega, delta, beta):
         frames[i + 1].set_ang_vel(frames[0], omega * frames[0].z + delta * frames[0].x)
@@ -132,9 +133,9 @@ def test_an_audit_of_a_file_finds_them(tmp_path):
     ):
         audit_path(file)
     file.write_text(FILE.replace("KINEMATICS", 'kinematics="as given"'))
-    (found,) = [finding for finding in audit_path(file) if not finding.sound]
-    assert (found.quantity, found.verdict, found.kind) == ("velocity of P in N", "unchecked", "kinematics")
-    assert "found - l*u(t)*A.x, as it was set, expected l*u(t)*A.x, the derivative of its position" in str(found)
+    (actual,) = [finding for finding in audit_path(file) if not finding.sound]
+    assert (actual.quantity, actual.verdict, actual.kind) == ("velocity of P in N", "unchecked", "kinematics")
+    assert "found - l*u(t)*A.x, as it was set, expected l*u(t)*A.x, the derivative of its position" in str(actual)
 
 
 # -- ten models, each sound, and with one fault -----------------------------------------------------------------------
@@ -316,7 +317,7 @@ PLANTED = {
 @pytest.mark.parametrize("model", PLANTED, ids=lambda model: model.__name__)
 def test_one_wrong_sign_or_order_is_named_where_it_begins(model):
     method, origin, units, names = model(wrong=False)
-    given = {"specified": {"y": sp.sin(T)}} if model is shaken else {}
-    assert taken(method, origin, {**units}, names, **given).bodies
+    options = {"specified": {"y": sp.sin(T)}} if model is shaken else {}
+    assert taken(method, origin, {**units}, names, **options).bodies
     method, origin, units, names = model(wrong=True)
-    assert list(refused(method, origin, {**units}, names, **given)) == [PLANTED[model]]
+    assert list(refused(method, origin, {**units}, names, **options)) == [PLANTED[model]]

@@ -164,7 +164,7 @@ def compare(path, base, exact=False):
             q[3:7] /= np.linalg.norm(q[3:7])
         M, forces, expected = theirs.at(q, u)
         a = accelerations(model, q, u)
-        found = [np.abs(np.array(matrix(q, u)) - M).max() / np.abs(M).max(), share(M, a, expected),
+        actual = [np.abs(np.array(matrix(q, u)) - M).max() / np.abs(M).max(), share(M, a, expected),
                  np.abs(a - expected).max() / np.abs(a).max(), 0]  # fmt: skip
         if exact:
             true, altered = theirs.exact(q, u), theirs.exact(q, u, np.random.default_rng(2))
@@ -176,8 +176,8 @@ def compare(path, base, exact=False):
             q, G = followed(couplings, theirs.places, q, size)
             u = G @ np.linalg.lstsq(G, u, rcond=None)[0]
             M, forces, _ = theirs.at(q, u)
-            found[3] = share(M, accelerations(coupled, q, u), G @ np.linalg.solve(G.T @ M @ G, -G.T @ forces))
-        worst = np.maximum(worst, found)
+            actual[3] = share(M, accelerations(coupled, q, u), G @ np.linalg.solve(G.T @ M @ G, -G.T @ forces))
+        worst = np.maximum(worst, actual)
     return options, size, worst, len(robot.repairs)
 
 

@@ -329,17 +329,6 @@ def test_a_law_without_a_number_has_one_fault(file, text, parts):
         assert part in str(raised.value)
 
 
-def test_all_faults_of_a_file_come_at_once(file):
-    text = FOAM.replace("K*d**n*exp(d/h)", "K*d^n").replace("[1, 3]", "1..3") + DAMPING.replace(
-        "8*(1 - e)", "8*(1 - q)"
-    )
-    with pytest.raises(InputError) as raised:
-        laws_from(file(text))
-    assert len(raised.value.faults) == 3
-    for part in ("law foam, force", "law foam, symbols.n.limits", "law my_flores, factor"):
-        assert part in str(raised.value)
-
-
 def test_all_faults_of_the_tables_come_at_once(file):
     """Of one law what each entry is by itself, beside what the entries of another mean to each other."""
     wrong = {

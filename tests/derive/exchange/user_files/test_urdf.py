@@ -159,9 +159,9 @@ def test_an_inertia_in_turned_axes_is_that_of_the_turned_tensor(tmp_path):
     body = from_urdf(written(tmp_path, text)).bodies["a"]
     R = Rotation.from_euler("xyz", angles).as_matrix()
     expected = R @ [[0.02, 0.001, 0.002], [0.001, 0.03, 0.003], [0.002, 0.003, 0.04]] @ R.T
-    found = np.array([[float(value.default) for value in row] for row in body.tensor])
-    assert np.abs(found - expected).max() < 1e-16
-    assert np.abs(found - R.T @ found @ R).max() > 1e-3  # turned the other way it would be another
+    actual = np.array([[float(value.default) for value in row] for row in body.tensor])
+    assert np.abs(actual - expected).max() < 1e-16
+    assert np.abs(actual - R.T @ actual @ R).max() > 1e-3  # turned the other way it would be another
     text = robot_with(joint("j", "continuous", "base", "a", '<origin rpy="0.3 -0.4 0.5"/>'), links="a")
     axes = from_urdf(written(tmp_path, text)).mechanism.joints[0].parent.axes
     turns = {symbol: symbol.si for row in axes for value in row for symbol in sp.sympify(value).free_symbols}
@@ -287,7 +287,7 @@ def test_a_moving_link_without_inertia_is_named(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "message"),
     [
         ("<robot name='r'>", "expected a URDF file"),
         ("<sdf/>", "found the root element <sdf>"),
@@ -298,8 +298,8 @@ def test_a_moving_link_without_inertia_is_named(tmp_path):
         ('<robot name="r"><link name="__import__(\'os\').system(\'x\')"/></robot>', "found the name '__import__"),
     ],
 )  # fmt: skip
-def test_a_file_that_is_no_robot_is_refused(tmp_path, text, told):
-    assert told in faults_of(tmp_path, text)
+def test_a_file_that_is_no_robot_is_refused(tmp_path, text, message):
+    assert message in faults_of(tmp_path, text)
 
 
 def test_a_file_that_is_not_there_and_a_base_that_is_none(tmp_path):

@@ -33,19 +33,19 @@ FINE = ("cos(2*pi*f*t)", "cos(6.2832*f*t)", "cos(2*3.1416*f*t)", "J*(2*pi*f)**2"
 
 @pytest.mark.parametrize("text", DOUBTED)
 def test_a_frequency_that_may_lack_two_pi_is_doubted(text):
-    found = audit_expression(text, UNITS)
+    finding = audit_expression(text, UNITS)
     (name,) = {"f", "h"} & set(text)
-    assert found.sound
+    assert finding.sound
     assert (
         f" takes {name} [{UNITS[name]}] as an angular speed: write 2*pi*{name} if it counts turns, or declare it in rad/s"
-        in found.advice
+        in finding.advice
     )
 
 
 @pytest.mark.parametrize("text", FINE)
 def test_a_frequency_with_two_pi_or_of_no_rotation_is_not_doubted(text):
-    found = audit_expression(text, UNITS)
-    assert (found.sound, found.advice) == (True, "")
+    finding = audit_expression(text, UNITS)
+    assert (finding.sound, finding.advice) == (True, "")
 
 
 def test_no_law_and_no_scene_of_ours_is_doubted():

@@ -81,11 +81,11 @@ SCALAR = [text for text, _ in CONSISTENT if not any(word in text for word in ("d
 def test_sympy_means_what_python_means(text):
     expected = eval(text, dict(PYTHON), dict(STATE))  # a literal of this repository
     symbols = {name: sp.Symbol(name, real=True) for name in UNITS}
-    found = to_sympy(read(text), symbols).subs({symbols[name]: sp.Float(value, 17) for name, value in STATE.items()})
+    actual = to_sympy(read(text), symbols).subs({symbols[name]: sp.Float(value, 17) for name, value in STATE.items()})
     if isinstance(expected, bool):
-        assert bool(found) == expected
+        assert bool(actual) == expected
     else:
-        assert float(found.doit()) == pytest.approx(expected, rel=1e-12)
+        assert float(actual.doit()) == pytest.approx(expected, rel=1e-12)
 
 
 def test_numbers_are_the_fractions_written():
@@ -337,5 +337,5 @@ def test_random_good_texts_mean_what_python_means(text, x, y, z):
         expected = eval(text, dict(PYTHON), dict(values))  # made of the pieces above
     except OverflowError:
         return
-    found = to_sympy(read(text), {name: sp.Float(value, 17) for name, value in values.items()})
-    assert float(sp.sympify(found).doit()) == pytest.approx(expected, rel=1e-9, abs=1e-9)
+    expression = to_sympy(read(text), {name: sp.Float(value, 17) for name, value in values.items()})
+    assert float(sp.sympify(expression).doit()) == pytest.approx(expected, rel=1e-9, abs=1e-9)

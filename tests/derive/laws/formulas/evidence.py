@@ -111,8 +111,8 @@ LOG = {
 
 
 def _log(name: str) -> tuple[Evidence, ...]:
-    what, relation, given = LOG[name]
-    return tuple(log_law(relation, TYPED, what, **given))
+    what, relation, options = LOG[name]
+    return tuple(log_law(relation, TYPED, what, **options))
 
 
 def _hysteresis(

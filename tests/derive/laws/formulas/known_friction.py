@@ -27,8 +27,8 @@ def drags(formula: Callable[..., Any], slope: Callable[..., Any] | None = None) 
             expected = mp.sign(speed) * formula(abs(speed), load, named)
             same(evaluate(law.force, values | {s: speed, N: load}), expected)
         if slope is not None:
-            found, expected = evaluate(law.slope, values | {N: mpf(700)}), slope(mpf(700), named)
-            assert abs(found - expected) <= SHARP * abs(expected)
+            actual, expected = evaluate(law.slope, values | {N: mpf(700)}), slope(mpf(700), named)
+            assert abs(actual - expected) <= SHARP * abs(expected)
 
     return Evidence(TYPED, "the force as published", check)
 
@@ -84,8 +84,8 @@ def lugre_bristle(law: Any) -> None:
         settled = mp.sign(x) * g / mpf("1e5")
         for z_now in (mpf(0), mpf("1e-6"), settled):
             zdot = x - mpf("1e5") * abs(x) * z_now / g
-            found = evaluate(rate, values | {symbol: z_now})
-            assert abs(found - zdot) <= mpf("1e-20") + SHARP * abs(zdot)
+            actual = evaluate(rate, values | {symbol: z_now})
+            assert abs(actual - zdot) <= mpf("1e-20") + SHARP * abs(zdot)
             expected = 700 * (mpf("1e5") * z_now + 3 * zdot) + 3 * x
             same(evaluate(law.force, values | {z: z_now}), expected)
         same(evaluate(law.force, values | {z: settled}), mp.sign(x) * 700 * g + 3 * x)
@@ -110,8 +110,8 @@ def reynolds(law: Any) -> None:
             values[symbol] = evaluate(expression, values)
         force = by_quadrature(law.name, e, tuple(float(x) for x in rate))
         size = mp.hypot(force[0], force[1])
-        found = (-evaluate(law.along, values) * speed, -evaluate(law.across, values) * speed)
+        actual = (-evaluate(law.along, values) * speed, -evaluate(law.across, values) * speed)
         expected = (force[0] * w[0] + force[1] * w[1], -force[0] * w[1] + force[1] * w[0])
-        assert all(abs(x - y) <= mpf("1e-9") * size for x, y in zip(found, expected, strict=True)), (found, expected)
+        assert all(abs(x - y) <= mpf("1e-9") * size for x, y in zip(actual, expected, strict=True)), (actual, expected)
         spin = by_quadrature(law.name, e, (1e-9, 0.0), 200.0, -200.0)
         same(evaluate(law.couple, values) * 400, mpf(-(spin[2] - spin[5]) / 2), mpf("1e-9"))

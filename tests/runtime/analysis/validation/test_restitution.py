@@ -50,10 +50,10 @@ def test_the_study_covers_every_damping_law(study):
 @pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", [name for name in TRIALS if name not in ("ristow", "kuwabara_kono", "power_damping")])
 def test_the_engine_returns_the_closed_form(study, name):
-    found = next(c for c in study.curves if c.law == name)
-    known = [expected(name, e) for e in found.prescribed]
-    assert np.max(np.abs(found.simulated - known)) < 1e-9
-    assert np.max(np.abs(found.closed - known)) < 1e-12
+    actual = next(c for c in study.curves if c.law == name)
+    known = [expected(name, e) for e in actual.prescribed]
+    assert np.max(np.abs(actual.simulated - known)) < 1e-9
+    assert np.max(np.abs(actual.closed - known)) < 1e-12
 
 
 def test_power_damping_of_m_equal_n_is_hysteresis(study):

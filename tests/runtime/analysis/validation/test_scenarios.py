@@ -38,8 +38,8 @@ def test_every_built_in_scene_has_a_scenario():
     assert all(load_scenario(name).checks for name in scenarios.names())
 
 
-# a quarter of the time of all: its outlines have closed forms, and its lock at speed is a hard case
-LONG = ("geneva_drive",)
+# half the time of all: tests/scenarios has the bearing and the gears, of the drive outlines have closed forms, and its lock at speed is a hard case
+LONG = ("geneva_drive", "ball_bearing", "gears_with_backlash")
 
 
 @pytest.mark.parametrize(
@@ -61,21 +61,21 @@ def test_ten_times_the_duration_ends_for_a_reason_of_the_motion(name):
     """No limit of the program's own ends it; within a horizon that is claimed runs agree, and what is met is not out of reach."""
     scenario, model = load_scenario(name), engine_model(name)
     duration = 10 * float(scenario.duration.split()[0])
-    given = {
+    options = {
         "duration": f"{duration!r} {scenario.duration.split()[1]}",
         "parameters": scenario.parameters,
         "initial": scenario.initial,
     }
-    run = simulate(model, **given)
+    run = simulate(model, **options)
     assert run.t_end == run.settings.duration
     assert run.energy_residual < 1e-6
     if run.outcome.name == "beyond_horizon":
         assert run.error.worst > 1e-2
-        shorter = simulate(model, **given | {"duration": 0.9 * run.error.horizon}, accuracy=1e-2)
+        shorter = simulate(model, **options | {"duration": 0.9 * run.error.horizon}, accuracy=1e-2)
         assert shorter.outcome.finished
     elif run.outcome.name == "accuracy_unreachable":
         assert 1e-6 < run.error.floor <= run.error.worst < 1e-2
-        assert simulate(model, **given, accuracy=10 * run.error.floor).outcome.finished
+        assert simulate(model, **options, accuracy=10 * run.error.floor).outcome.finished
     else:
         assert run.outcome.finished
         assert run.error.worst <= 1e-6

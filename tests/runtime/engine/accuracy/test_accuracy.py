@@ -352,10 +352,10 @@ def test_rounding_of_independent_runs_is_not_taken_for_several_times_as_much(off
 
 def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
     """Below rounding steps are rejected without end: what the request costs stays bounded, and the floor is told."""
-    asked = []
+    recorded = []
 
     def run(tolerance, checks, most):
-        asked.append((tolerance, most))
+        recorded.append((tolerance, most))
         work = 100 if tolerance > 2e-13 else 100_000
         end = End.REACHED if work <= most else End.FAILED
         return Rung(tolerance, end, TIMES, np.full((POINTS, 1), 1e4 * tolerance), min(work, most), 100, 1.0, None)
@@ -364,7 +364,7 @@ def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
     assert ladder_result.verdict is Verdict.UNREACHABLE
     assert ladder_result.run.tolerance == 5e-13
     assert ladder_result.error.end == pytest.approx(5e-9)
-    assert max(min(most, 100_000) for tolerance, most in asked if tolerance < 2e-13) <= 500
+    assert max(min(most, 100_000) for tolerance, most in recorded if tolerance < 2e-13) <= 500
 
 
 def test_a_stop_returns_what_there_is():

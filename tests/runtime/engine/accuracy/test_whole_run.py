@@ -190,10 +190,10 @@ def test_where_friction_turns_round_within_a_step_the_error_is_seen(asked, durat
 
 def test_a_step_over_a_turn_is_compared_as_often_as_its_dense_output_may_bend():
     """dopri5 takes one step over the turn of tanh(v/10 mm/s), after 70 % of which it is off most. On the old code 1.35 times over."""
-    asked, given = 1e-2, {"duration": 5, "parameters": {"v0": "1 m/s"}, "compiled": False}
+    asked, options = 1e-2, {"duration": 5, "parameters": {"v0": "1 m/s"}, "compiled": False}
     rubbed = point(None, push=lambda t, x, v: 2 * ca.cos(3 * t) - 0.8 * ca.tanh(v / 1e-2))
-    run = simulate(rubbed, accuracy=asked, method="dopri5", **given)
-    truth = simulate(rubbed, tolerance=1e-13, method="dop853", **given)
+    run = simulate(rubbed, accuracy=asked, method="dopri5", **options)
+    truth = simulate(rubbed, tolerance=1e-13, method="dop853", **options)
     times = np.unique(np.concatenate([run.t[:-1] + part * np.diff(run.t) for part in np.arange(0, 1, 0.05)]))
     states = (side.part(name) for name in ("y", "dy") for side in (run.at(times), truth.at(times)))
     true = error(rubbed, run.engine.scales, *states).max()

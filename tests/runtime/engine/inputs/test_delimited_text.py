@@ -236,10 +236,10 @@ def test_a_file_is_read_right_or_refused(tmp_path, name):
         assert file.expected in " ".join(str(error.value).split()), str(error.value)
         return
     times, columns, unit = file.expected
-    found = read_measurement(written(tmp_path, file), **file.how)
-    np.testing.assert_allclose(found.times, times, rtol=1e-15)
-    np.testing.assert_equal(found.columns, {name: np.array(values) for name, values in columns.items()})
-    assert set(found.units.values()) == {unit}
+    measurement = read_measurement(written(tmp_path, file), **file.how)
+    np.testing.assert_allclose(measurement.times, times, rtol=1e-15)
+    np.testing.assert_equal(measurement.columns, {name: np.array(values) for name, values in columns.items()})
+    assert set(measurement.units.values()) == {unit}
 
 
 def rendered(random, values):
@@ -288,15 +288,15 @@ def test_random_dialects_of_known_numbers_give_these_numbers_or_an_error(tmp_pat
         path.write_bytes(content)
         how = {"decimal": mark} if dice.random() < 0.3 else {}
         try:
-            found = read_measurement(path, **how)
+            measurement = read_measurement(path, **how)
         except InputError:
             continue
         read += 1
         times, *columns = (np.array(column, dtype=float) for column in zip(*exact, strict=True))
         kept = np.append(np.diff(times) > 0, True)
-        np.testing.assert_allclose(found.times, 1e-3 * times[kept], rtol=1e-15, err_msg=str(content))
+        np.testing.assert_allclose(measurement.times, 1e-3 * times[kept], rtol=1e-15, err_msg=str(content))
         for name, values in zip("ab", columns, strict=True):
-            np.testing.assert_array_equal(found.columns[name], values[kept], str(content))
+            np.testing.assert_array_equal(measurement.columns[name], values[kept], str(content))
     assert read > 280, read
 
 
@@ -306,9 +306,11 @@ def test_arrays_and_data_frames_are_taken():
     frame = pandas.DataFrame({"x": [1.5, NAN, 2.5]}, index=pandas.Index([0.0, 1e-3, 2e-3], name="t"))
     frame.attrs["units"] = {"t": "s", "x": "mm"}
     for data, how in ((arrays, {"units": {"x": "mm"}}), (frame, {})):
-        found = read_measurement(data, **how)
-        np.testing.assert_allclose(found.times, [0, 1e-3, 2e-3])
-        np.testing.assert_equal((found.columns, found.units), ({"x": np.array([1.5, NAN, 2.5])}, {"x": "mm"}))
+        measurement = read_measurement(data, **how)
+        np.testing.assert_allclose(measurement.times, [0, 1e-3, 2e-3])
+        np.testing.assert_equal(
+            (measurement.columns, measurement.units), ({"x": np.array([1.5, NAN, 2.5])}, {"x": "mm"})
+        )
     impacts = read_impacts({"impact [1]": [1, 2, 4], "t [s]": [0.1, 0.2, 0.4]})
     assert impacts.numbers.tolist() == [1, 2, 4]
 

@@ -100,8 +100,8 @@ def test_a_file_is_read_with_the_arguments_behind_its_name(tmp_path, monkeypatch
     text = (
         f"{path}?skip=1&decimal=,&units.time=ms&columns.time=1&units.load=kN&columns.load=CH 2&missing=-999:load:held"
     )
-    found = signal(text)
-    np.testing.assert_allclose(found(np.array([0.0, 0.4, 2.0])), [1234, 1234, 2345])
+    actual = signal(text)
+    np.testing.assert_allclose(actual(np.array([0.0, 0.4, 2.0])), [1234, 1234, 2345])
     monkeypatch.chdir(tmp_path)
     assert located(f"torque={text}".replace(f"{path}", "bench.csv"), tmp_path) == f"torque={text}"
     assert "?mark: found no argument; expected skip, decimal" in refused(f"{path}?mark=,:load")

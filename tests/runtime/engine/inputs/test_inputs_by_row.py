@@ -130,7 +130,7 @@ def test_many_runs_have_inputs_of_their_own():
 
 
 @pytest.mark.parametrize(
-    ("over", "told"),
+    ("over", "message"),
     [
         ({"push": ["nowhere.csv:load"]}, "nowhere.csv"),
         ({"push": ["calm.csv:loud", "gusty.csv:push:cubical"]}, "linear, held, cubic"),
@@ -141,8 +141,8 @@ def test_many_runs_have_inputs_of_their_own():
         ({"push": []}, "no value"),
     ],
 )
-def test_bad_choices_are_reported_at_once(folder, over, told):
-    with pytest.raises(InputError, match=told):
+def test_bad_choices_are_reported_at_once(folder, over, message):
+    with pytest.raises(InputError, match=message):
         sweep(shaken(), over, **HOW)
 
 

@@ -82,22 +82,22 @@ def test_a_scenario_has_inputs_by_files_beside_it(folder):
 
 def test_a_sweep_has_the_same_inputs_in_all_rows_and_keys_them_by_their_values(folder):
     design = {"stiffness": "40..60 N/m:3"}
-    asked = {"duration": "1 s", "tolerance": 1e-9, "workers": 1, "out": folder / "rows"}
+    options = {"duration": "1 s", "tolerance": 1e-9, "workers": 1, "out": folder / "rows"}
     file = folder / "push.toml"
     file.write_text(
         'target = "pushed.py"\nduration = "1 s"\n[inputs]\npush = "bench.csv:load"\n[over]\nstiffness = "40..60 N/m:3"\n'
     )
     arguments = read_sweep(file)
     assert arguments["inputs"] == {"push": str(folder / "bench.csv:load")}
-    table = sweep("pushed.py", design, inputs=arguments["inputs"], **asked)
+    table = sweep("pushed.py", design, inputs=arguments["inputs"], **options)
     run = simulate(
         shaken(), duration="1 s", tolerance=1e-9, inputs={"push": (TIMES, LOADS)}, parameters={"damping": "0 N s/m"}
     )
     assert table["final.slide.travel"][1] == pytest.approx(run["slide.travel"][-1], abs=1e-8)
-    again = sweep("pushed.py", design, inputs={"push": "bench.csv:load"}, **asked)  # the same file by another name
+    again = sweep("pushed.py", design, inputs={"push": "bench.csv:load"}, **options)  # the same file by another name
     assert np.array_equal(again["final.slide.travel"], table["final.slide.travel"])
     with pytest.raises(InputError, match="signals"):
-        sweep("pushed.py", design, inputs={"push": "2 N"}, **asked)
+        sweep("pushed.py", design, inputs={"push": "2 N"}, **options)
     with pytest.raises(InputError, match="input push: found no value"):
         sweep("pushed.py", design, duration="1 s")
 

@@ -111,7 +111,7 @@ def kinked(t):
 
 
 @pytest.mark.parametrize(
-    ("motion", "given", "told"),
+    ("motion", "given", "message"),
     [
         ("position", encoder("linear"), "31 values, linear: its rate jumps from piece to piece; expected values with two continuous derivatives"),
         ("position", encoder("held"), "held: the value jumps"),
@@ -126,13 +126,13 @@ def kinked(t):
         ("acceleration", Samples((0, 1, 6), (0, 50, 0), ("ms", "rad/s^2"), "held"), None),
     ],
 )  # fmt: skip
-def test_a_motion_that_is_too_rough_is_refused_with_the_reason(motion, given, told):
+def test_a_motion_that_is_too_rough_is_refused_with_the_reason(motion, given, message):
     symbol = {"position": ANGLE, "speed": RATE, "acceleration": hd.Input("crank_acceleration", "rad/s^2")}[motion]
     how = {"duration": "5 ms", "tolerance": 1e-6, "max_steps": 5, "inputs": {symbol.name: given}}
-    if told is None:
+    if message is None:
         assert len(simulate(driven(**{motion: symbol}), **how).t)
         return
-    with pytest.raises(hd.InputError, match=told):
+    with pytest.raises(hd.InputError, match=message):
         simulate(driven(**{motion: symbol}), **how)
 
 

@@ -73,14 +73,14 @@ def test_the_file_of_a_run_with_two_rows_at_an_event_is_compared(tmp_path):
     rows = run.engine.history.rows[np.sort([*range(len(run.t)), onset])]
     twice = replace(run, engine=replace(run.engine, history=run.engine.history.of(rows)))
     assert np.sum(np.diff(twice.t) == 0) == 1
-    found = compare(run, twice.to_csv(tmp_path / "states.csv"), map={"vertical.travel": "vertical.travel"})
-    assert found.signals[0].residual.rms < 1e-12
-    assert "1 times are repeated" in str(found)
+    comparison = compare(run, twice.to_csv(tmp_path / "states.csv"), map={"vertical.travel": "vertical.travel"})
+    assert comparison.signals[0].residual.rms < 1e-12
+    assert "1 times are repeated" in str(comparison)
 
 
 def test_all_faults_of_a_file_come_at_once_with_their_lines(tmp_path):
     text = 't [s],a [m/s^2],b [furlong],c,d [m]\n0,1,1,1,1\n1,x,1,1,inf\n1,2,1,1,2\n0.5,2,1,1,2\n,2,1,1,2\n7,2\n8,2,1,1,"3,5"\n'
-    found = faults_of(tmp_path, text)
+    actual = faults_of(tmp_path, text)
     for expected in (
         "line 1, b: found 'b [furlong]'",
         "line 1, c: found 'c'; expected name [unit] [1] for a plain number",
@@ -91,8 +91,8 @@ def test_all_faults_of_a_file_come_at_once_with_their_lines(tmp_path):
         "line 7: found 2 cells; expected 5",
         "line 8, d: found '3,5', and '0.5' in line 5, t; expected one decimal mark",
     ):
-        assert any(expected in fault for fault in found), (expected, found)
-    assert len(found) == 8
+        assert any(expected in fault for fault in actual), (expected, actual)
+    assert len(actual) == 8
 
 
 def test_long_lists_of_faults_are_cut(tmp_path):

@@ -210,11 +210,11 @@ def test_an_effect(name, coordinates, method):
     except hd.InputError as refused:
         pytest.skip(str(refused).splitlines()[-1])
     assert expected.outcome.finished and abs(expected.energy_residual) < 1e-7, expected
-    found = run(name, coordinates, method, TOLERANCES[method])
-    assert found.outcome.finished, found
+    actual = run(name, coordinates, method, TOLERANCES[method])
+    assert actual.outcome.finished, actual
     for state in expected.final:
         size = max(np.abs(expected[state]).max(), 1e-3)
-        assert abs(found.final[state] - expected.final[state]) <= WITHIN * size, state
+        assert abs(actual.final[state] - expected.final[state]) <= WITHIN * size, state
     if coordinates == "absolute":
         joints = run(name, "tree", "dop853", 1e-12)
         for state in joints.final:

@@ -23,17 +23,12 @@ def restored(thing):
     return pickle.loads(pickle.dumps(thing))
 
 
-@pytest.fixture(scope="module")
-def crank():
-    return engine_model("slider_crank")
-
-
 @pytest.mark.by_turns(2)
 @pytest.mark.parametrize("again", [restored, copy.deepcopy], ids=["pickled", "copied"])
 @pytest.mark.parametrize("name", RUNS)
 def test_a_run_is_what_it_was(name, again):
-    scene, asked = RUNS[name]
-    run = simulate(engine_model(scene), compiled=False, **asked)
+    scene, options = RUNS[name]
+    run = simulate(engine_model(scene), compiled=False, **options)
     twin = again(run)
     assert twin.engine.history is not run.engine.history
     assert twin.engine.model is not run.engine.model

@@ -73,24 +73,24 @@ def test_wherever_it_was_stopped(scene, method, duration, options):
 
 @pytest.mark.parametrize("ends", ["user", "clock"])
 def test_stopped_by_the_user_or_the_clock(ends):
-    crank, asked = built("slider_crank"), {"duration": "48 ms", "tolerance": TOLERANCE, "compiled": False}
-    whole = simulate(crank, **asked)
+    crank, options = built("slider_crank"), {"duration": "48 ms", "tolerance": TOLERANCE, "compiled": False}
+    whole = simulate(crank, **options)
 
     def stop(done):
         if done > 0.3:
             raise KeyboardInterrupt
 
-    stopped = simulate(crank, **asked, **({"progress": stop} if ends == "user" else {"wall_time": 1e-9}))
+    stopped = simulate(crank, **options, **({"progress": stop} if ends == "user" else {"wall_time": 1e-9}))
     assert stopped.outcome.name == ("interrupted" if ends == "user" else "wall_time_limit")
     assert_bitwise(whole, stopped, stopped.continued())
 
 
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_a_run_that_was_finished_goes_on_as_if_it_had_not_ended_there(method):
-    crank, asked = built("slider_crank"), {"tolerance": TOLERANCE, "method": method}
-    whole = simulate(crank, duration="24 ms", **asked)
+    crank, options = built("slider_crank"), {"tolerance": TOLERANCE, "method": method}
+    whole = simulate(crank, duration="24 ms", **options)
     for end in ("1.7 ms", "11 ms", "23.9 ms"):
-        short = simulate(crank, duration=end, **asked)
+        short = simulate(crank, duration=end, **options)
         assert short.outcome.finished
         rest = short.continued("24 ms")
         assert rest.engine.t_start < short.t_end
@@ -99,8 +99,8 @@ def test_a_run_that_was_finished_goes_on_as_if_it_had_not_ended_there(method):
 
 
 def test_grids_go_on_and_find_what_the_whole_finds():
-    crank, asked = built("slider_crank"), {"duration": "24 ms", "tolerance": TOLERANCE, "grid": "0.1 ms"}
-    whole, stopped = simulate(crank, **asked), simulate(crank, **asked, max_steps=500)
+    crank, options = built("slider_crank"), {"duration": "24 ms", "tolerance": TOLERANCE, "grid": "0.1 ms"}
+    whole, stopped = simulate(crank, **options), simulate(crank, **options, max_steps=500)
     rest = stopped.continued(grid="0.1 ms")
     assert_bitwise(whole, stopped, rest)
     assert rest.t[0] - stopped.t[-1] < 1.01e-4
@@ -175,12 +175,12 @@ def test_a_folder_goes_on_in_a_new_one_bitwise(hertzwerk):
     assert third.exit_code == 0, third.output
     one, two, three = (Solution.load(f"{name}/states.npz") for name in ("one", "two", "three"))
     values = {"parameters": {"clearance": "0.3 mm"}, "initial": {"guide.speed": "0.1 m/s"}}
-    asked = {"tolerance": one.settings.tolerance, "method": "esdirk", **values}
-    assert_bitwise(simulate(crank, duration="12 ms", **asked), one, two)
-    assert_bitwise(simulate(crank, duration="18 ms", **asked), one, two, three)
-    told = json.loads(Path("three/run.json").read_text())
-    assert told["request"]["continues"] == "two"
-    assert any("continues from" in warning for warning in told["warnings"])
+    options = {"tolerance": one.settings.tolerance, "method": "esdirk", **values}
+    assert_bitwise(simulate(crank, duration="12 ms", **options), one, two)
+    assert_bitwise(simulate(crank, duration="18 ms", **options), one, two, three)
+    record = json.loads(Path("three/run.json").read_text())
+    assert record["request"]["continues"] == "two"
+    assert any("continues from" in warning for warning in record["warnings"])
 
 
 def test_options_that_differ_from_the_run_are_refused_with_the_difference(hertzwerk):

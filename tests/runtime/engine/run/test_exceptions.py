@@ -22,11 +22,6 @@ ASKED = {"duration": "5 s", "tolerance": 1e-12, "compiled": False}
 
 
 @pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
-@pytest.fixture(scope="module")
 def whole(ball):
     return simulate(ball, **ASKED)
 
@@ -131,18 +126,18 @@ def test_a_recorder_short_of_memory_keeps_the_first_rows(monkeypatch):
 
 def test_a_run_ends_before_its_steps_fill_the_memory(monkeypatch):
     """Half a megabyte is left: where the system hands out more than it has, no allocation fails."""
-    given = {"duration": "50 ms", "tolerance": 1e-9, "compiled": False}
+    options = {"duration": "50 ms", "tolerance": 1e-9, "compiled": False}
     crank = engine_model("slider_crank")
-    whole = simulate(crank, **given)
+    whole = simulate(crank, **options)
     monkeypatch.setattr(recorder, "MANY", 2**18)
     monkeypatch.setattr(recorder, "available", lambda: 2.0**19)
-    run = simulate(crank, **given)
+    run = simulate(crank, **options)
     assert run.outcome.name == "exception"
     assert "MemoryError" in run.outcome.message
     assert "keep a grid" in run.outcome.remedy
     assert 2**19 < run.engine.history.rows.nbytes < 2**20
     assert np.array_equal(run.engine.history.rows, whole.engine.history.rows[: len(run.t)])
-    assert simulate(crank, **given, grid=100).outcome.finished
+    assert simulate(crank, **options, grid=100).outcome.finished
 
 
 @pytest.mark.slow

@@ -106,14 +106,14 @@ def test_builds_during_a_run_end_with_its_time_limit(crank, monkeypatch):
 
 
 def test_max_steps_is_a_limit_of_each_run(crank):
-    asked = {"duration": "12 ms", "accuracy": 1e-5, "compiled": False}
-    whole = simulate(crank, **asked)
+    options = {"duration": "12 ms", "accuracy": 1e-5, "compiled": False}
+    whole = simulate(crank, **options)
     assert whole.error.runs > 1
     steps = whole.statistics.steps
-    limited = simulate(crank, **asked, max_steps=2 * steps)  # all of them take more
+    limited = simulate(crank, **options, max_steps=2 * steps)  # all of them take more
     assert limited.outcome.finished
     assert np.array_equal(limited.engine.history.rows, whole.engine.history.rows)
-    cut = simulate(crank, **asked, max_steps=steps + 1)  # the run that checks it takes more
+    cut = simulate(crank, **options, max_steps=steps + 1)  # the run that checks it takes more
     assert cut.outcome.name == "too_many_steps"
     assert f"max_steps = {steps + 1:,}" in cut.outcome.message
     assert f"the run at tolerance {whole.settings.tolerance / 5:.2g}" in cut.outcome.message
@@ -122,8 +122,8 @@ def test_max_steps_is_a_limit_of_each_run(crank):
 def test_without_a_limit_no_count_ends_a_run(monkeypatch):
     """Two million steps are counted, more than were ever allowed, of a motion that goes on."""
     ball, evaluate = load("bouncing_ball"), caller.Caller.__call__
-    given = {"duration": "5 s", "tolerance": 1e-12, "method": "dopri5", "compiled": False}
-    plain = simulate(ball, **given)
+    options = {"duration": "5 s", "tolerance": 1e-12, "method": "dopri5", "compiled": False}
+    plain = simulate(ball, **options)
     assert plain.statistics.steps > 1000
     layout, counted = plain.engine.history.integrator.layouts.state, 2_000_000
 
@@ -135,7 +135,7 @@ def test_without_a_limit_no_count_ends_a_run(monkeypatch):
         return results
 
     monkeypatch.setattr(caller.Caller, "__call__", counts)
-    run = simulate(ball, **given)
+    run = simulate(ball, **options)
     assert run.outcome.finished
     assert run.statistics.steps == plain.statistics.steps + counted
 
@@ -143,8 +143,8 @@ def test_without_a_limit_no_count_ends_a_run(monkeypatch):
 def test_a_run_that_stands_still_is_stopped_as_a_stall(monkeypatch):
     """Every attempt is rejected: nothing but the lack of progress can end it."""
     ball, evaluate = load("bouncing_ball"), caller.Caller.__call__
-    given = {"duration": "1 s", "tolerance": 1e-6, "compiled": False, "method": "dop853"}
-    layout = simulate(ball, **given).engine.history.integrator.layouts.state
+    options = {"duration": "1 s", "tolerance": 1e-6, "compiled": False, "method": "dop853"}
+    layout = simulate(ball, **options).engine.history.integrator.layouts.state
 
     def rejects(self):
         results = evaluate(self)
@@ -156,22 +156,22 @@ def test_a_run_that_stands_still_is_stopped_as_a_stall(monkeypatch):
         return results
 
     monkeypatch.setattr(caller.Caller, "__call__", rejects)
-    run = simulate(ball, **given)
+    run = simulate(ball, **options)
     assert run.outcome.name == "stalled"
     assert STALL <= run.statistics.rejected < 1.1 * STALL
     assert f"{run.statistics.rejected:,} rejected" in run.outcome.message
     assert run.outcome.remedy.count("esdirk") == run.outcome.remedy.count("rodas") == 1
-    counted = simulate(ball, **given, max_steps=2 * STALL)  # a limit of one's own holds in its place
+    counted = simulate(ball, **options, max_steps=2 * STALL)  # a limit of one's own holds in its place
     assert counted.outcome.name == "too_many_steps"
     assert counted.statistics.rejected > 2 * STALL
 
 
 def test_the_remedy_of_a_stall_names_a_method_once_and_not_its_own(monkeypatch):
     history = simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, compiled=False).engine.history
-    given = {"tolerance": 1e-6, "t": 0.0, "steps": 0, "rejected": 0}
+    options = {"tolerance": 1e-6, "t": 0.0, "steps": 0, "rejected": 0}
 
     def remedy(method):
-        return outcome(STALLED, method, history, **given).remedy
+        return outcome(STALLED, method, history, **options).remedy
 
     for stiff in ("", "take rodas or esdirk"):
         monkeypatch.setattr(
@@ -218,8 +218,8 @@ def pressed():
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8, 1e-10])
 def test_auto_turns_to_implicit_steps_where_explicit_ones_are_rejected(pressed, tolerance):
     """esdirk and rodas take some 30 steps; explicit ones are rejected for phantom ends of the contact, 9 in 10 of them."""
-    given = {"duration": "0.19 s", "tolerance": tolerance, "compiled": False, "max_steps": 3000}
-    run, check = simulate(pressed, **given), simulate(pressed, **given, method="esdirk")
+    options = {"duration": "0.19 s", "tolerance": tolerance, "compiled": False, "max_steps": 3000}
+    run, check = simulate(pressed, **options), simulate(pressed, **options, method="esdirk")
     assert run.outcome.finished
     assert check.outcome.finished
     for name in ("base.x", "base.y", "base.angle"):
@@ -254,16 +254,16 @@ def test_auto_leaves_a_chatter_within_the_tolerance():
 @pytest.mark.parametrize("output", [None, 2])
 def test_an_overlap_that_opens_is_warned_of(pressed, output):
     """It is no faster than this scene, so that nothing else is said of it."""
-    given = {"duration": "0.1 ms", "tolerance": 1e-6, "grid": output, "parameters": {"pace": "100 m/s"}}
-    (text,) = (text for text in simulate(pressed, **given).warnings if text.startswith("floor starts"))
+    options = {"duration": "0.1 ms", "tolerance": 1e-6, "grid": output, "parameters": {"pace": "100 m/s"}}
+    (text,) = (text for text in simulate(pressed, **options).warnings if text.startswith("floor starts"))
     assert "0.00434 m deep and opening" in text
-    still = simulate(pressed, **given, initial={"base.x": "-1 m"})  # far above the plane
+    still = simulate(pressed, **options, initial={"base.x": "-1 m"})  # far above the plane
     assert not any("deep" in text for text in still.warnings)
 
 
 def test_the_remedy_of_explicit_steps_helps(pressed):
-    given = {"duration": "0.19 s", "tolerance": 1e-6, "compiled": False, "max_steps": 3000}
-    run = simulate(pressed, **given, method="dop853")
+    options = {"duration": "0.19 s", "tolerance": 1e-6, "compiled": False, "max_steps": 3000}
+    run = simulate(pressed, **options, method="dop853")
     assert run.outcome.name == "too_many_steps"
     assert 'method="auto"' in run.outcome.remedy
-    assert simulate(pressed, **given, method="auto").outcome.finished
+    assert simulate(pressed, **options, method="auto").outcome.finished

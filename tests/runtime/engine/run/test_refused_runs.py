@@ -33,10 +33,10 @@ def test_a_function_that_is_none(name, said):
 @pytest.mark.parametrize("compiled", [False, "auto"])
 @pytest.mark.parametrize("workers", [1, 2])
 def test_an_output_that_is_an_array_is_refused_with_the_first_row(compiled, workers):
-    seen = []
+    recorded = []
 
     def heights(run):
-        seen.append(run)
+        recorded.append(run)
         return run["vertical.travel"]
 
     sets = [{"drop_height": (0.1 + 0.01 * i, "m")} for i in range(8)]
@@ -52,15 +52,15 @@ def test_an_output_that_is_an_array_is_refused_with_the_first_row(compiled, work
             compiled=compiled,
             functions={"heights": heights},
         )
-    assert len(seen) <= 1  # in this process
+    assert len(recorded) <= 1  # in this process
 
 
 def test_an_array_of_one_number_in_no_dimension_is_one():
-    found = simulate_many(
+    table = simulate_many(
         BALL, [{}], duration="0.1 s", tolerance=1e-6, functions={"top": lambda run: np.max(run["vertical.travel"])}
     )
-    assert found.rows[0].outcome == "finished"
-    assert found.rows[0].outputs["top"] > 0
+    assert table.rows[0].outcome == "finished"
+    assert table.rows[0].outputs["top"] > 0
 
 
 @pytest.mark.parametrize("sets", [None, 5, "text", {"drop_height": "1 m"}, [5], [["drop_height", "1 m"]]])

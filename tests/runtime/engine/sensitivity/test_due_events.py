@@ -28,12 +28,12 @@ def test_a_sample_that_is_due_at_the_end_has_derivatives(method, tolerance):
     )
     run = simulate(load(scene), duration=SAMPLES * PERIOD, tolerance=tolerance, method=method, compiled=False)
     assert run.statistics.events == SAMPLES
-    found = run.sensitivities("gain", "target")
-    assert found.reason == "" and found.until == run.t_end
+    derivatives = run.sensitivities("gain", "target")
+    assert derivatives.reason == "" and derivatives.until == run.t_end
     x = GAIN * PERIOD / J
     by_gain = TARGET * SAMPLES * (1 - x) ** (SAMPLES - 1) * PERIOD / J
-    assert found["main.speed", "gain"][-1] == pytest.approx(by_gain, rel=1e-6)
-    assert found["main.speed", "target"][-1] == pytest.approx(1 - (1 - x) ** SAMPLES, rel=1e-6)
+    assert derivatives["main.speed", "gain"][-1] == pytest.approx(by_gain, rel=1e-6)
+    assert derivatives["main.speed", "target"][-1] == pytest.approx(1 - (1 - x) ** SAMPLES, rel=1e-6)
     command = TARGET * (1 - x) ** SAMPLES - GAIN * by_gain  # of the sample at the end
-    assert found["control.command", "gain"][-1] == pytest.approx(command, rel=1e-6)
-    assert np.isfinite(found["main.angle", "gain"]).all()
+    assert derivatives["control.command", "gain"][-1] == pytest.approx(command, rel=1e-6)
+    assert np.isfinite(derivatives["main.angle", "gain"]).all()

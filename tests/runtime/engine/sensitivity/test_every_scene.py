@@ -82,11 +82,11 @@ def compared(scene, coordinates, method):
     model, named, states, differences = case(scene, coordinates)
     duration, tolerance = SHORT.get(scene, "0.2 s"), METHODS[method]
     run = simulate(model, duration=duration, tolerance=tolerance, method=method, compiled=False)
-    found = run.sensitivities(*named)
-    assert found.reason == ""
+    derivatives = run.sensitivities(*named)
+    assert derivatives.reason == ""
     for name, (expected, doubt) in differences.items():
         for state, value, unsure in zip(states, expected, doubt, strict=True):
-            history = found[state, name]
+            history = derivatives[state, name]
             size = np.abs(history).max()
             if size * abs(model.bind()[name]) > SEEN and unsure <= SURE * size:
                 yield name, state, abs(history[-1] - value) / size, unsure / size

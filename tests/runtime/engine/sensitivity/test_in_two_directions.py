@@ -51,20 +51,20 @@ def shot(method):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_ball_that_slid_rolls_as_its_shot_and_friction_say(method):
-    found = shot(method).sensitivities("mu_k", "v_x", "w_x")
-    assert found.reason == ""
+    derivatives = shot(method).sensitivities("mu_k", "v_x", "w_x")
+    assert derivatives.reason == ""
     for k, name in enumerate(("mu_k", "v_x", "w_x")):
         expected = slope(after, (MU, SHOT["v_x"], SHOT["w_x"]), k)
-        values = np.array([found[place, name][-1] for place in PLACES])
+        values = np.array([derivatives[place, name][-1] for place in PLACES])
         assert values == pytest.approx(expected, abs=CLOSE * np.max(np.abs(expected)))
 
 
 def test_the_instant_of_a_stop_has_no_derivative_and_says_so():
     """Its direction is rounding: the numbers were off by 5 % at a tolerance of 1e-11. What does not jump there has one."""
     run = shot("dop853")
-    found = run.sensitivities("mu_k", "v_x")
-    assert np.isnan(found.events[1]).all() and len(found.events[0]) == 1
-    outputs = OutputDerivatives(run, found)
+    derivatives = run.sensitivities("mu_k", "v_x")
+    assert np.isnan(derivatives.events[1]).all() and len(derivatives.events[0]) == 1
+    outputs = OutputDerivatives(run, derivatives)
     with pytest.raises(NoDerivativeError, match="sliding in two directions ends"):
         outputs["floor.friction_force.mean"]
 
@@ -83,8 +83,8 @@ def test_a_stop_along_the_slip_alone_would_leave_the_ball_sliding_across(monkeyp
     """The fault that this guards against: across the slip the change of the speed has no limit of its own before rest."""
     monkeypatch.setattr(saltation, "_stopping", lambda _, index: np.zeros(len(index), dtype=bool))
     expected = slope(after, (MU, SHOT["v_x"], SHOT["w_x"]), 0)
-    found = shot("dop853").sensitivities("mu_k")
-    values = np.array([found[place, "mu_k"][-1] for place in PLACES])
+    derivatives = shot("dop853").sensitivities("mu_k")
+    values = np.array([derivatives[place, "mu_k"][-1] for place in PLACES])
     assert np.max(np.abs(values - expected)) > 10 * CLOSE * np.max(np.abs(expected))
 
 
@@ -115,12 +115,12 @@ def dragged(mu_k, mu_s, rate, ahead, aside, t=0.5):
 def test_onset_of_slip_follows_pull_and_friction(method):
     names = ("mu_k", "mu_s", "rate", "ahead", "aside")
     run = simulate(pulled(), duration="0.5 s", method=method, tolerance=1e-9, compiled=False)
-    found = run.sensitivities(*names)
-    assert found.reason == ""
+    derivatives = run.sensitivities(*names)
+    assert derivatives.reason == ""
     at = (MU, 0.3, 2.0, 0.8, 0.6)
     for k, name in enumerate(names):
         expected = slope(dragged, at, k)
-        values = np.array([found[place, name][-1] for place in ("x.travel", "z.travel", "x.speed", "z.speed")])
+        values = np.array([derivatives[place, name][-1] for place in ("x.travel", "z.travel", "x.speed", "z.speed")])
         assert values == pytest.approx(expected, abs=5e-5 * np.max(np.abs(expected)))
 
 
@@ -140,12 +140,12 @@ def test_a_disc_on_three_feet_comes_to_rest_as_differences_say():
 
     at = {"slide": 1.0, "spin": 7.0, "mu_k": MU}
     run = rests(**at)
-    found = run.sensitivities(*names)
-    assert found.reason == ""
+    derivatives = run.sensitivities(*names)
+    assert derivatives.reason == ""
     for name in names:
         step = 1e-4 * at[name]
         there, back = (rests(**{**at, name: at[name] + sign * step}) for sign in (1, -1))
         for place in places:
             expected = (there.final[place] - back.final[place]) / (2 * step)
-            size = max(np.max(np.abs(found[place, name])), 1e-12)
-            assert found[place, name][-1] == pytest.approx(expected, abs=1e-6 * size)
+            size = max(np.max(np.abs(derivatives[place, name])), 1e-12)
+            assert derivatives[place, name][-1] == pytest.approx(expected, abs=1e-6 * size)

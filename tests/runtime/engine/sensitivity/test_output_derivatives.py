@@ -25,13 +25,15 @@ def values(model, run, outputs):
 def worst(model, name, outputs, duration, step=1e-4):
     """Largest relative difference of the outputs' derivatives from extrapolated differences."""
     run, now = made(model, "", 0, duration), model.bind()[name]
-    found = OutputDerivatives(run, run.sensitivities(name))
+    actual = OutputDerivatives(run, run.sensitivities(name))
     first = [
         (values(model, made(model, name, now + d, duration), outputs) - values(model, made(model, name, now - d, duration), outputs)) / (2 * d)
         for d in (step * now, step * now / 2)
     ]  # fmt: skip
     expected = (4 * first[1] - first[0]) / 3
-    return {output: abs(found[output][0] - value) / abs(value) for output, value in zip(outputs, expected, strict=True)}
+    return {
+        output: abs(actual[output][0] - value) / abs(value) for output, value in zip(outputs, expected, strict=True)
+    }
 
 
 def test_outputs_of_a_crank_with_clearance():

@@ -46,7 +46,7 @@ def difference(model, name, now, read, step=1e-3, **how):
 def compared(model, names, read, step=1e-3, **how):
     """Check derivatives at the end against differences, of the largest in each history, where those are sure."""
     run = made(model, **how)
-    found, bound, judged = run.sensitivities(*names), model.bind(), 0
+    actual, bound, judged = run.sensitivities(*names), model.bind(), 0
     worst = 0.0
     for name in names:
         now = bound[name] if name in model.parameters else run.initial[name]
@@ -54,23 +54,13 @@ def compared(model, names, read, step=1e-3, **how):
             model, name, now, lambda r: np.array([r.final[s] for s in read]), step=step, **how
         )
         for state, value, doubt in zip(read, expected, unsure, strict=True):
-            history = found[state, name]
+            history = actual[state, name]
             size = np.nanmax(np.abs(history))
             if doubt <= 1e-7 * size:
                 judged += 1
                 worst = max(worst, abs(history[-1] - value) / size)
     assert judged >= len(names)
     assert worst <= 1e-6
-
-
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
-@pytest.fixture(scope="module")
-def crank():
-    return engine_model("slider_crank")
 
 
 # -- closed forms ------------------------------------------------------------------------------------------------------
@@ -134,14 +124,17 @@ def sliding():
 def test_friction_that_stops(sliding):
     speed, a = 1.0, 0.2 * WEIGHT / (MASS + CARRIAGE)
     run = made(sliding, {"slide": speed}, duration="1 s", tolerance=1e-12)
-    found = run.sensitivities("slide", "mu_k", "mu_s")
+    derivatives = run.sensitivities("slide", "mu_k", "mu_s")
     assert run["floor_0.slip"][-1] == 0
-    assert found["along_0.travel", "slide"][-1] == pytest.approx(speed / a, rel=1e-9)
-    assert found["along_0.travel", "mu_k"][-1] == pytest.approx(-(speed**2) / (2 * a * 0.2), rel=1e-9)
+    assert derivatives["along_0.travel", "slide"][-1] == pytest.approx(speed / a, rel=1e-9)
+    assert derivatives["along_0.travel", "mu_k"][-1] == pytest.approx(-(speed**2) / (2 * a * 0.2), rel=1e-9)
     assert (
-        np.abs([found["along_0.travel", "mu_s"], found["along_0.speed", "mu_k"][-1:].repeat(len(run.t))]).max() < 1e-12
+        np.abs(
+            [derivatives["along_0.travel", "mu_s"], derivatives["along_0.speed", "mu_k"][-1:].repeat(len(run.t))]
+        ).max()
+        < 1e-12
     )
-    assert found["floor_0.friction_force", "mu_k"][1] == pytest.approx(WEIGHT, rel=1e-6)
+    assert derivatives["floor_0.friction_force", "mu_k"][1] == pytest.approx(WEIGHT, rel=1e-6)
 
 
 def stop_of(sliding, method):
@@ -175,11 +168,11 @@ def test_absolute_coordinates_close_their_loops(crank):
 @pytest.mark.parametrize("method", ["dopri5", "esdirk", "rodas", "auto"])
 def test_every_method_in_the_graph(ball, method):
     how = {"duration": "0.7 s", "tolerance": 1e-11}
-    found = made(ball, method=method, **how).sensitivities("restitution", "drop_height")
+    derivatives = made(ball, method=method, **how).sensitivities("restitution", "drop_height")
     exact = made(ball, duration="0.7 s", tolerance=1e-13).sensitivities("restitution", "drop_height")
-    for name in found.names:
+    for name in derivatives.names:
         for state in ("vertical.travel", "vertical.speed"):
-            assert found[state, name][-1] == pytest.approx(exact[state, name][-1], rel=2e-6), name
+            assert derivatives[state, name][-1] == pytest.approx(exact[state, name][-1], rel=2e-6), name
 
 
 def test_every_history_has_a_derivative(crank):
@@ -190,12 +183,12 @@ def test_every_history_has_a_derivative(crank):
     run = made(crank, duration="0.3 ms", tolerance=1e-12)
     t = np.array([0.255e-3])
     assert run.at(t)["slider_pin.penetration"] > 0
-    found, now = run.sensitivities("clearance"), crank.bind()["clearance"]
+    actual, now = run.sensitivities("clearance"), crank.bind()["clearance"]
     expected, unsure = difference(crank, "clearance", now, lambda r: np.array([r.at(t)[name][0] for name in names]),
                                   step=1e-4, duration="0.3 ms", tolerance=1e-12)  # fmt: skip
     for name, value, doubt in zip(names, expected, unsure, strict=True):
         assert doubt < 1e-6 * abs(value) or doubt < 1e-9, name
-        assert found.at(t, name, "clearance")[0] == pytest.approx(value, rel=5e-6, abs=1e-8), name
+        assert actual.at(t, name, "clearance")[0] == pytest.approx(value, rel=5e-6, abs=1e-8), name
 
 
 # -- how steps are taken -----------------------------------------------------------------------------------------------
@@ -221,9 +214,9 @@ def test_implicit_steps_whose_stages_newton_s_method_does_not_reach_are_solved_a
     shares = []
     for iterations in (step_chain.ITERATIONS, 1):
         monkeypatch.setattr(step_chain, "ITERATIONS", iterations)
-        found = made(engine_model("bouncing_ball"), method="esdirk", **how).sensitivities("drop_height")
-        assert found["vertical.speed", "drop_height"][-1] == pytest.approx(exact, rel=2e-4)
-        shares.append(np.mean(found._followed.apart))
+        derivatives = made(engine_model("bouncing_ball"), method="esdirk", **how).sensitivities("drop_height")
+        assert derivatives["vertical.speed", "drop_height"][-1] == pytest.approx(exact, rel=2e-4)
+        shares.append(np.mean(derivatives._followed.apart))
     assert shares[0] == 0 < 0.1 < shares[1]
 
 
@@ -310,12 +303,12 @@ def test_a_graze_ends_it_by_name(crank, monkeypatch):
     """Surfaces that touch without approaching: a run that lands so, made by taking every landing for one."""
     run = made(crank, duration="0.5 ms", tolerance=1e-9)
     monkeypatch.setattr(saltation, "LANDING", 1e12)
-    found = run.sensitivities("clearance")
-    assert "graze" in found.reason
-    assert found.until == run.impacts[0].t
-    history = found["guide.travel", "clearance"]
-    assert np.isfinite(history[run.t < found.until]).all()
-    assert np.isnan(history[run.t >= found.until]).all()
+    derivatives = run.sensitivities("clearance")
+    assert "graze" in derivatives.reason
+    assert derivatives.until == run.impacts[0].t
+    history = derivatives["guide.travel", "clearance"]
+    assert np.isfinite(history[run.t < derivatives.until]).all()
+    assert np.isnan(history[run.t >= derivatives.until]).all()
 
 
 def test_events_at_one_instant_that_would_part_have_no_derivative():
@@ -381,9 +374,9 @@ def test_a_load_given_as_an_input_changes_nothing_itself():
     )
     samples = Samples(np.array([0.0, 0.3, 0.5, 1.0]), np.array([1.0, -2.0, 3.0, 0.0]), ("s", "N"), "held")
     run = simulate(engine_model(scene), duration="1 s", tolerance=1e-10, inputs={"force": samples})
-    found = run.sensitivities("mass")
-    np.testing.assert_allclose(found["slide.travel", "mass"], -run["slide.travel"] / 2, atol=1e-12)
-    assert not found["force", "mass"].any()
+    derivatives = run.sensitivities("mass")
+    np.testing.assert_allclose(derivatives["slide.travel", "mass"], -run["slide.travel"] / 2, atol=1e-12)
+    assert not derivatives["force", "mass"].any()
 
 
 def test_an_infinite_derivative_ends_them_and_says_where():
@@ -396,10 +389,10 @@ def test_an_infinite_derivative_ends_them_and_says_where():
         hd.Scales(far, hd.Parameter("pace", "m/s", 1.0)),
     )
     run = simulate(engine_model(declared), duration=1.0, tolerance=1e-9)
-    found = run.sensitivities("F")
-    assert found.reason.startswith("the equations have no finite derivatives in the step before ")
-    assert found.until == run.t[1]
-    assert np.isnan(found["rail.travel", "F"][1:]).all()
+    derivatives = run.sensitivities("F")
+    assert derivatives.reason.startswith("the equations have no finite derivatives in the step before ")
+    assert derivatives.until == run.t[1]
+    assert np.isnan(derivatives["rail.travel", "F"][1:]).all()
 
 
 def test_a_ball_that_rests_in_space_has_derivatives():
@@ -419,8 +412,8 @@ def test_a_ball_that_rests_in_space_has_derivatives():
         hd.Start(position={"free.y": r - (m * g / K) ** sp.Rational(2, 3)}),
     )
     run = simulate(engine_model(declared), duration=0.01, tolerance=1e-10)
-    found = run.sensitivities("K", "mu")
-    assert found.reason == ""
+    derivatives = run.sensitivities("K", "mu")
+    assert derivatives.reason == ""
     depth = (9.81 / 1e7) ** (2 / 3)
-    assert found["free.y", "K"] == pytest.approx(2 / 3 * depth / 1e7, rel=1e-6)
-    assert np.all(found["free.x", "mu"] == 0)
+    assert derivatives["free.y", "K"] == pytest.approx(2 / 3 * depth / 1e7, rel=1e-6)
+    assert np.all(derivatives["free.x", "mu"] == 0)

@@ -33,10 +33,10 @@ def test_a_total_energy_of_zero_is_no_measure(pendulum):
 
 def test_the_zero_of_the_potential_does_not_matter_and_the_error_does(pendulum):
     for tolerance in (1e-4, 1e-7):
-        given = {"duration": "3 s", "tolerance": tolerance, "method": "dopri5"}
-        low, high = (simulate(pendulum, **given, parameters={"height": h}).energy_residual for h in ("0 m", "30 m"))
+        options = {"duration": "3 s", "tolerance": tolerance, "method": "dopri5"}
+        low, high = (simulate(pendulum, **options, parameters={"height": h}).energy_residual for h in ("0 m", "30 m"))
         assert high == pytest.approx(low, rel=0.01)
-        energy = simulate(pendulum, **given)["energy"]
+        energy = simulate(pendulum, **options)["energy"]
         assert low == pytest.approx(max(abs(energy - energy[0])) / (2.0 * 9.81), rel=0.01)  # it falls by its length
 
 
@@ -87,14 +87,14 @@ def test_energy_that_is_not_the_forces_ends_a_run_so(factor):
 
 
 def test_energy_that_is_the_forces_does_not():
-    for given in (
+    for options in (
         {"accuracy": 1e-2},
         {"accuracy": 1e-6},
         {"tolerance": 1e-2},
         {"tolerance": 1e-12},
         {"tolerance": 1e-9, "grid": 50},
     ):
-        assert simulate(dropped(1.0), duration="0.6 s", **given).outcome.finished
+        assert simulate(dropped(1.0), duration="0.6 s", **options).outcome.finished
     assert simulate(
         dropped(1.001), duration="0.6 s", accuracy=1e-3
     ).outcome.finished  # 1e-3 is within 100 times what was asked
@@ -102,6 +102,6 @@ def test_energy_that_is_the_forces_does_not():
 
 def test_rest_and_a_far_zero_of_the_potential_close(pendulum):
     """Where nothing moves an error is measured by the scene's energy, and rounding of a large potential is none."""
-    for given in ({"initial": {"hinge.angle": "-90 deg"}}, {"parameters": {"height": "1e7 m"}}):
+    for options in ({"initial": {"hinge.angle": "-90 deg"}}, {"parameters": {"height": "1e7 m"}}):
         for accuracy in ({"tolerance": 1e-13}, {"tolerance": 1e-5}):
-            assert simulate(pendulum, duration="1 s", **given, **accuracy).outcome.finished
+            assert simulate(pendulum, duration="1 s", **options, **accuracy).outcome.finished

@@ -148,8 +148,8 @@ def test_a_step_of_rounding_at_a_peak_hides_no_crest(run):
         for i in (1, 2):
             doubled.part("t")[top + i, 0] += 30 * i * np.spacing(t[top])
             doubled.part("force")[top + i, 0] *= 1 + i * 1e-12
-        found = next(each for each in watched(doubled).impacts() if each.t == impact.t)
-        assert found.peak_force == pytest.approx(impact.peak_force, rel=1e-8)
+        actual = next(each for each in watched(doubled).impacts() if each.t == impact.t)
+        assert actual.peak_force == pytest.approx(impact.peak_force, rel=1e-8)
 
 
 def test_of_two_crests_the_higher_is_found_though_a_row_beside_the_other_is_the_largest():
@@ -157,8 +157,8 @@ def test_of_two_crests_the_higher_is_found_though_a_row_beside_the_other_is_the_
     drawn = next(mechanisms("crank", 1, 2, 7009))
     draw = drawn.draws[1]
     for tolerance in (1e-8, 1e-10):
-        given = {"parameters": draw.parameters, "tolerance": tolerance, "compiled": False}
-        run = simulate(drawn.model(), duration=draw.duration, method="dop853", **given)
+        options = {"parameters": draw.parameters, "tolerance": tolerance, "compiled": False}
+        run = simulate(drawn.model(), duration=draw.duration, method="dop853", **options)
         assert run.impacts[-1].duration is None
         forces = run.at(np.linspace(run.impacts[-1].t, run.t_end, 4001))["slider_pin.normal_force"]
         assert forces.max() * (1 - 1e-9) <= run.impacts[-1].peak_force <= forces.max() * (1 + 1e-2)
@@ -202,6 +202,6 @@ def test_no_crest_is_found_on_a_step_past_the_onset_of_sticking():
     for name in ("dy", "force_rate"):
         landed[places[name]] = trial[parts[name]]
     landed[places["force"]] *= 1 + 1e-15
-    found = watched(run.engine.history.of(np.insert(rows, sticks, landed, axis=0))).impacts()[-1]
+    actual = watched(run.engine.history.of(np.insert(rows, sticks, landed, axis=0))).impacts()[-1]
     assert rows[sticks, places["force"]] == pytest.approx(expected.peak_force, rel=1e-12)
-    assert found.peak_force == pytest.approx(expected.peak_force, rel=1e-12)
+    assert actual.peak_force == pytest.approx(expected.peak_force, rel=1e-12)

@@ -78,10 +78,10 @@ def test_friction_brings_a_block_to_rest():
     """m v' = -mu N tanh(v/v_s): sinh(v/v_s) falls as exp(-mu N t/(m v_s))."""
     law = smooth_coulomb(hd.Parameter("mu", "1", 0.2), hd.Parameter("v_s", "m/s", 0.5))
     scene = block(hd.JointFriction("friction", "slide", law, hd.Parameter("load", "N", 30.0)), speed=PACE)
-    found = run(scene, 1.0)
-    expected = 0.5 * np.arcsinh(np.sinh(2.0) * np.exp(-0.2 * 30 / (M * 0.5) * found.t))
-    assert found["slide.speed"] == pytest.approx(expected, abs=1e-9)
-    assert found["friction.dissipated"][-1] == pytest.approx(M / 2 * (1 - expected[-1] ** 2), rel=1e-8)
+    actual = run(scene, 1.0)
+    expected = 0.5 * np.arcsinh(np.sinh(2.0) * np.exp(-0.2 * 30 / (M * 0.5) * actual.t))
+    assert actual["slide.speed"] == pytest.approx(expected, abs=1e-9)
+    assert actual["friction.dissipated"][-1] == pytest.approx(M / 2 * (1 - expected[-1] ** 2), rel=1e-8)
 
 
 # -- drives ------------------------------------------------------------------------------------------------------------

@@ -120,12 +120,12 @@ def test_it_is_the_same_of_steps_that_are_kept_and_of_those_that_are_not():
 @pytest.mark.parametrize("damping", LATCHING)
 def test_a_ball_put_down_gently_leaves_every_law_with_v0_and_an_impact_none(damping):
     """It is put on its plane with the least approach speed, and reaches 44 mm/s; or it falls with 1 m/s and leaves with less."""
-    given = {"duration": "20 ms", "tolerance": 1e-7, "max_steps": 20_000, "compiled": False}
-    down = simulate(ball(damping), **given, parameters={"approach_floor": "1 um/s"})
+    options = {"duration": "20 ms", "tolerance": 1e-7, "max_steps": 20_000, "compiled": False}
+    down = simulate(ball(damping), **options, parameters={"approach_floor": "1 um/s"})
     assert [left.pair for left in down.engine.findings.lasting] == ["floor"]
     assert down.engine.findings.lasting[0].ratio > 100
     assert any("exceeded the range of its damping law" in text for text in down.warnings)
-    hit = simulate(ball(damping), **given, parameters={"sunk": "-1 mm", "rising": "-1 m/s"})
+    hit = simulate(ball(damping), **options, parameters={"sunk": "-1 mm", "rising": "-1 m/s"})
     assert len(hit.impacts) == 1
     assert hit.impacts[0].duration is not None
     assert hit.engine.findings.lasting == ()

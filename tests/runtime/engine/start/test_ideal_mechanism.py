@@ -119,13 +119,13 @@ def test_a_tabulated_crank_follows_its_table():
 
 def test_a_clearance_run_with_an_accelerated_crank_stays_near_the_ideal_one():
     """What the slider may deviate by is the gain of the linkage times the reach of the pin in its bush."""
-    found = simulate(cranked("speed"), duration="24 ms", tolerance=1e-7)
-    assert found.outcome.finished
-    assert found.energy_residual < 1e-6
-    ideal = followed(found.t, scene=cranked("speed"))
-    reach = 0.5e-3 + np.max(found["slider_pin.penetration"])
-    assert np.max(np.abs(found["guide.travel"] - ideal["guide.travel"])) < closed_form.gain(R, L, reach) * reach
-    assert found["main_bearing.angle"] == pytest.approx(swaying(found.t)[0], rel=1e-7)
+    run = simulate(cranked("speed"), duration="24 ms", tolerance=1e-7)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-6
+    ideal = followed(run.t, scene=cranked("speed"))
+    reach = 0.5e-3 + np.max(run["slider_pin.penetration"])
+    assert np.max(np.abs(run["guide.travel"] - ideal["guide.travel"])) < closed_form.gain(R, L, reach) * reach
+    assert run["main_bearing.angle"] == pytest.approx(swaying(run.t)[0], rel=1e-7)
 
 
 def held_body(speed):

@@ -106,7 +106,7 @@ def test_a_seated_start_has_the_joints_forces_and_a_centred_one_impacts(slider_c
 
 
 def test_bodies_that_cannot_be_seated_are_reported():
-    for scene, found in (
+    for scene, actual in (
         (ball, "floor (sphere_on_plane)"),
         (sliding, "rear_lower (corner_on_face)"),
         (bearing.without("bearing", "bearing_friction"), "bearing (no contact)"),
@@ -114,7 +114,7 @@ def test_bodies_that_cannot_be_seated_are_reported():
         with pytest.raises(InputError) as refused:
             replace(scene, start=replace(scene.start, seated=True))
         (fault,) = refused.value.faults
-        assert found in fault.found
+        assert actual in fault.found
         assert "pin_in_bush" in fault.expected
     with pytest.raises(InputError, match="expected True or False"):
         replace(bearing, start=Start(seated="yes"))

@@ -137,7 +137,7 @@ def test_first_impacts_are_those_of_the_clearance_and_not_of_a_start_at_rest(mod
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
 def test_a_slider_crank_with_three_clearances_from_nothing_is_its_closed_form(coordinates, models):
     model = models(FROM_NOTHING, coordinates)
-    found, turning = started(model, {}), 5000 * np.pi / 30
+    actual, turning = started(model, {}), 5000 * np.pi / 30
     expected = {
         "rod_plane.x": R,
         "guide.travel": R + L,
@@ -147,7 +147,7 @@ def test_a_slider_crank_with_three_clearances_from_nothing_is_its_closed_form(co
     joints = (*model.joints.coordinates, *model.joints.speeds)
     assert {"crank_plane.x", "rod_plane.angle", "guide.speed"} < set(joints)
     for name in joints:
-        assert found[name] == pytest.approx(expected.get(name, 0), rel=1e-12, abs=1e-11), name
+        assert actual[name] == pytest.approx(expected.get(name, 0), rel=1e-12, abs=1e-11), name
 
 
 FROM_NOTHING = replace(with_three, start=hd.Start())
@@ -342,14 +342,14 @@ def test_overlaps_of_many_spheres_are_those_of_pairs_written_out_and_looked_at_o
     monkeypatch.setattr(
         EngineModel, "evaluate", lambda self, name, *given: calls.append(name) or evaluate(self, name, *given)
     )
-    found = []
+    actual = []
     for each in (model, written):
         bound, faults = each.bind(), []
         q, u = assembled(each, bound, initial, faults)
-        found.append(overlaps(each, bound, initial, q, u))
+        actual.append(overlaps(each, bound, initial, q, u))
         assert not faults
         calls.append("")
-    ours, theirs = found
+    ours, theirs = actual
     assert len(ours[0]) >= 3
     assert [(fault.where, fault.found, fault.expected, fault.remedy) for fault in ours[0]] == [
         (fault.where, fault.found, fault.expected, fault.remedy) for fault in theirs[0]

@@ -315,16 +315,16 @@ def test_every_fault_of_a_film_is_reported_at_once(ball, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(("after", "left"), [(5, 5), (1, 0)])
 def test_an_interrupted_film_has_the_frames_so_far(ball, tmp_path, after, left):
-    told = []
+    recorded = []
 
     def stop(fraction):
-        told.append(fraction)
-        if len(told) == after:
+        recorded.append(fraction)
+        if len(recorded) == after:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         ball.animate(tmp_path / "film.gif", fps=20, slow=1, progress=stop)
-    assert told == sorted(told)
+    assert recorded == sorted(recorded)
     assert [len(frames_of(path)) for path in tmp_path.iterdir()] == ([left] if left else [])
 
 

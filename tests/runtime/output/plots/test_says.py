@@ -129,14 +129,14 @@ def test_titles_name_what_differs_from_the_scene(crank, monkeypatch):
 
 
 def test_the_command_draws_what_was_given_into_the_title(tmp_path, monkeypatch):
-    seen = []
+    recorded = []
     figure = picture.figure
-    monkeypatch.setattr(picture, "figure", lambda *given: seen.append(figure(*given)) or seen[-1])
+    monkeypatch.setattr(picture, "figure", lambda *given: recorded.append(figure(*given)) or recorded[-1])
     monkeypatch.chdir(tmp_path)
     for more in (["--start"], ["--duration", "50 ms"]):
         command = ["draw", "bouncing_ball", "--set", "drop_height=0.2 m", "--overwrite", *more]
         assert CliRunner().invoke(main, command, catch_exceptions=False).exit_code == 0
-        assert "drop_height = 0.2 m" in texts(seen[-1])
+        assert "drop_height = 0.2 m" in texts(recorded[-1])
 
 
 # ---- panels ----------------------------------------------------------------------------------------------------------

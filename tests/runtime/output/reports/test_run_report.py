@@ -152,10 +152,10 @@ def test_the_command_reports_a_run_folder_with_the_command_that_made_it(tmp_path
     assert "casadi" in page
     again = hertzwerk("report", "runs/soft_ball-001")
     assert (again.exit_code, "which exists" in again.output) == (2, True)
-    told = json.loads((tmp_path / "runs/soft_ball-001/run.json").read_text())
-    told["request"]["target"] = str(tmp_path / "never.py")  # a file is executed only where it is named
+    record = json.loads((tmp_path / "runs/soft_ball-001/run.json").read_text())
+    record["request"]["target"] = str(tmp_path / "never.py")  # a file is executed only where it is named
     (tmp_path / "never.py").write_text("raise SystemExit(7)")
-    (tmp_path / "runs/soft_ball-001/run.json").write_text(json.dumps(sealed(told)))
+    (tmp_path / "runs/soft_ball-001/run.json").write_text(json.dumps(sealed(record)))
     assert hertzwerk("report", "runs/soft_ball-001", "--out", "b.html").exit_code == 0
     assert "does not contain its scene" in (tmp_path / "b.html").read_text("utf-8")
 

@@ -106,11 +106,11 @@ def test_a_law_with_values_shows_them():
 
 
 def test_an_audit_shows_verdicts_and_repairs():
-    found = audit_scene(scene_from("slider_crank"))
-    page = Cells(found._repr_html_())
-    assert f"{len(found)} findings, all consistent" in page.texts
-    assert page.texts.count("consistent") == sum(finding.verdict == "consistent" for finding in found)
-    assert len(found) > 8
+    findings = audit_scene(scene_from("slider_crank"))
+    page = Cells(findings._repr_html_())
+    assert f"{len(findings)} findings, all consistent" in page.texts
+    assert page.texts.count("consistent") == sum(finding.verdict == "consistent" for finding in findings)
+    assert len(findings) > 8
     page = Cells(audit_catalogue()._repr_html_())
     assert not page.open
     assert any("repaired as goldsmith_m3" in text for text in page.texts)

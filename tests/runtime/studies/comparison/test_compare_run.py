@@ -27,10 +27,10 @@ def data_of(run, *, seed=1, missing=0.03, spacing=2e-5):
     """Samples of a run behind an instrument, with noise, an offset, a drift of the clock, and holes."""
     rng = np.random.default_rng(seed)
     t = np.arange(0.0015, 0.0108, spacing)
-    seen = FilteredRun(run, NAMES, Instrument(5e3), 1.0).at(OFFSET + t + DRIFT * (t - t[0]))
+    rows = FilteredRun(run, NAMES, Instrument(5e3), 1.0).at(OFFSET + t + DRIFT * (t - t[0]))
     columns = {
-        "acceleration": seen[:, 0] + rng.normal(0, 150, len(t)),
-        "travel": 1e3 * seen[:, 1] + rng.normal(0, 0.02, len(t)),
+        "acceleration": rows[:, 0] + rng.normal(0, 150, len(t)),
+        "travel": 1e3 * rows[:, 1] + rng.normal(0, 0.02, len(t)),
     }
     for values in columns.values():
         values[rng.random(len(t)) < missing] = np.nan
@@ -38,14 +38,14 @@ def data_of(run, *, seed=1, missing=0.03, spacing=2e-5):
 
 
 def test_noise_drift_and_holes_leave_the_noise_alone(run):
-    found = compare(run, data_of(run), map=MAP, **HOW)
-    assert found.alignment.offset == pytest.approx(OFFSET, abs=2e-6)
-    assert found.alignment.drift == pytest.approx(DRIFT, abs=2e-4)
-    assert found.differs is False and found.alignment.doubts == ()
-    for signal in found.signals:
+    comparison = compare(run, data_of(run), map=MAP, **HOW)
+    assert comparison.alignment.offset == pytest.approx(OFFSET, abs=2e-6)
+    assert comparison.alignment.drift == pytest.approx(DRIFT, abs=2e-4)
+    assert comparison.differs is False and comparison.alignment.doubts == ()
+    for signal in comparison.signals:
         assert 0.85 < signal.residual.rms / signal.residual.noise < 1.15
         assert signal.missing and signal.spectrum.distance < 1.5
-    assert "explains every residual" in str(found)
+    assert "explains every residual" in str(comparison)
 
 
 @pytest.mark.parametrize("seed", [2, 3, 4])
@@ -70,13 +70,13 @@ def test_another_instrument_than_that_of_the_data_shows(run, change):
 
 def test_other_friction_leaves_a_larger_residual_at_the_same_noise(run):
     other = simulate(load("slider_crank_frictionless"), duration="12 ms")
-    found = compare(other, data_of(run), map=MAP, **HOW)
-    assert found.differs is True and "more than" in str(found)
+    comparison = compare(other, data_of(run), map=MAP, **HOW)
+    assert comparison.differs is True and "more than" in str(comparison)
 
 
 def test_without_noise_nothing_is_judged(run):
-    found = compare(run, data_of(run), map=MAP, **(HOW | {"noise": None}))
-    assert found.differs is None and "is not stated" in str(found)
+    comparison = compare(run, data_of(run), map=MAP, **(HOW | {"noise": None}))
+    assert comparison.differs is None and "is not stated" in str(comparison)
 
 
 def test_the_trajectory_is_compared_within_the_horizon_and_statistics_beyond(run):
@@ -86,10 +86,10 @@ def test_the_trajectory_is_compared_within_the_horizon_and_statistics_beyond(run
     columns = {name: np.where(late, values[::-1], values) for name, values in data.columns.items()}
     parted = Measurement(data.times, columns, data.units)
     short = replace(run, error=replace(run.error, horizon=0.006))
-    found = compare(short, parted, map=MAP, **HOW)
-    assert all(signal.residual.explained and signal.residual.end <= 0.006 for signal in found.signals)
-    assert all(signal.statistics and signal.statistics[0].run.reason for signal in found.signals)
-    assert "until the horizon, t = 6 ms" in str(found) and found.differs is False
+    comparison = compare(short, parted, map=MAP, **HOW)
+    assert all(signal.residual.explained and signal.residual.end <= 0.006 for signal in comparison.signals)
+    assert all(signal.statistics and signal.statistics[0].run.reason for signal in comparison.signals)
+    assert "until the horizon, t = 6 ms" in str(comparison) and comparison.differs is False
     assert compare(run, parted, map=MAP, **HOW).differs is True
     grown = np.where(run.error.times > 0.003, 2e-3, 0.0)  # within the horizon, but no longer small beside a noise
     early = compare(replace(run, error=replace(run.error, values=grown)), parted, map=MAP, **HOW)

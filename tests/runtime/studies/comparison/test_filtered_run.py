@@ -37,9 +37,9 @@ def test_an_impact_much_shorter_than_the_filter_comes_through_whole(ball):
     seen = FilteredRun(ball, [NAME], instrument, 1.0)
     times = np.linspace(ball.impacts[0].t, 0.465, 300)
     expected = filtered(ball, times, instrument)
-    found = seen.at(times)[:, 0]
+    actual = seen.at(times)[:, 0]
     largest = np.max(np.abs(expected))
-    assert np.max(np.abs(found - expected)) < 5e-3 * largest
+    assert np.max(np.abs(actual - expected)) < 5e-3 * largest
     points = instrument.filtered(ball.at(seen.t)[NAME][:, None], seen.spacing)[:, 0]
     assert np.max(np.abs(np.interp(times, seen.t, points) - expected)) > 0.1 * largest
 
@@ -105,10 +105,10 @@ def test_many_times_within_steps_are_seen_by_a_few_points_of_each():
             return run.at(times)
 
     names = ("guide.acceleration", "slider_pin.normal_force", "guide.travel")
-    times = np.linspace(run.t[0], run.t[-1], 100_000)
+    times = np.linspace(run.t[0], run.t[-1], 30_000)
     exact = np.column_stack([run.at(times)[name] for name in names])
     seen = FilteredRun(Counted(), names, None, 1e-6).at(times)
     assert sum(rows) < 25_000
     np.testing.assert_allclose(seen / np.max(np.abs(exact), axis=0), exact / np.max(np.abs(exact), axis=0), atol=1e-9)
-    few = times[::1000]
-    assert np.array_equal(FilteredRun(Counted(), names, None, 1e-6).at(few), exact[::1000])
+    few = times[::300]
+    assert np.array_equal(FilteredRun(Counted(), names, None, 1e-6).at(few), exact[::300])

@@ -31,11 +31,11 @@ def test_noise_of_the_stated_size_is_explained_and_a_larger_one_is_not(smooth):
 
 def test_limits_of_the_noise_are_those_of_chi_squared():
     """1 % of all draws of n independent samples lie above sqrt(chi2/n) deviations, and 1 % below; n by Bartlett's formula."""
-    found = residual_of(T, noise(1), np.zeros(len(T)), 0.5)
-    n = found.independent
+    residual = residual_of(T, noise(1), np.zeros(len(T)), 0.5)
+    n = residual.independent
     assert n == pytest.approx(len(T), rel=0.05)
-    assert found.largest == pytest.approx(0.5 * math.sqrt(chi2.isf(0.01, n) / n), rel=1e-9)
-    assert found.least == pytest.approx(0.5 * math.sqrt(chi2.isf(0.99, n) / n), rel=1e-9)
+    assert residual.largest == pytest.approx(0.5 * math.sqrt(chi2.isf(0.01, n) / n), rel=1e-9)
+    assert residual.least == pytest.approx(0.5 * math.sqrt(chi2.isf(0.99, n) / n), rel=1e-9)
     series = (
         lfilter([1.0], [1.0, -0.8], noise(seed)) for seed in range(20)
     )  # n (1 - phi^2)/(1 + phi^2) tell the variance
@@ -61,9 +61,9 @@ def test_correlated_samples_are_worth_fewer():
 
 def test_numbers_of_a_residual():
     wave = np.sin(2 * np.pi * T)
-    found = residual_of(T, wave + 0.5, wave, None)
-    assert (found.rms, found.mean, found.peak) == pytest.approx((0.5, 0.5, 0.5))
-    assert found.correlation == pytest.approx(1) and found.explained is None
+    residual = residual_of(T, wave + 0.5, wave, None)
+    assert (residual.rms, residual.mean, residual.peak) == pytest.approx((0.5, 0.5, 0.5))
+    assert residual.correlation == pytest.approx(1) and residual.explained is None
     assert residual_of(T, wave, -wave, None).correlation == pytest.approx(-1)
     assert math.isnan(residual_of(T, wave, np.zeros(len(T)), None).correlation)
 
@@ -119,8 +119,8 @@ def test_excursions_are_counted_once_each():
 
 
 def test_too_short_a_series_has_statistics_without_confidence():
-    found = statistics_of(T[:100], noise(1)[:100], noise(2)[:100], "m", 0.02)
-    assert all(each.differs is None and "at least 8 intervals" in each.run.reason for each in found)
+    statistics = statistics_of(T[:100], noise(1)[:100], noise(2)[:100], "m", 0.02)
+    assert all(each.differs is None and "at least 8 intervals" in each.run.reason for each in statistics)
 
 
 def test_chance_of_so_many_differences():

@@ -48,16 +48,16 @@ def test_intervals_hold_the_truth_and_without_autocorrelation_they_do_not(kind, 
 
 def test_covariance_is_that_of_means_over_blocks():
     """Deviation of the mean: 1 / ((1 - phi) sqrt n); of the second signal's, with its own noise; their covariance the first's."""
-    found = [
+    actual = [
         series_statistics(t, x, [SeriesMoment.of("mean", 0, x[:, 0]), SeriesMoment.of("mean", 1, x[:, 1])], 0.01)
         for t, x in map(series, range(40))
     ]
-    covariance = np.mean([each.covariance for each in found], axis=0)
+    covariance = np.mean([each.covariance for each in actual], axis=0)
     of_first = 1 / ((1 - MEMORY) ** 2 * COUNT)
     expected = np.array([[of_first, of_first], [of_first, of_first + 1 / COUNT]])
     assert np.all((covariance / expected > 0.9) & (covariance / expected < 1.45))  # Student's t of 8 blocks: 1.45
-    assert np.cov(np.array([each.values for each in found]).T) == pytest.approx(expected, rel=0.6)
-    correlations = [each.covariance[0, 1] / np.prod(each.deviations) for each in found]
+    assert np.cov(np.array([each.values for each in actual]).T) == pytest.approx(expected, rel=0.6)
+    correlations = [each.covariance[0, 1] / np.prod(each.deviations) for each in actual]
     assert np.mean(correlations) == pytest.approx(1 / math.sqrt(1 + (1 - MEMORY) ** 2), abs=0.01)
 
 
@@ -95,7 +95,7 @@ def test_statistics_of_impacts_are_those_of_a_poisson_process():
     """Rate r over T: deviation sqrt(r / T); speeds exponential about s: mean s +- s / sqrt(n), mean square 2 s^2; independent."""
     rate, speed, span = 30.0, 0.5, 200.0
     kinds = ["rate", "mean", "rms"]
-    found = []
+    actual = []
     for seed in range(120):
         rng = np.random.default_rng(seed)
         times = np.sort(rng.uniform(0, span, rng.poisson(rate * span)))
@@ -104,16 +104,16 @@ def test_statistics_of_impacts_are_those_of_a_poisson_process():
         moments = [SeriesMoment.of(kind, k > 0, speeds) for k, kind in enumerate(kinds)]
         one = impact_statistics([times, times], [times, speeds], moments, (0.0, span), span / INTERVALS)
         if one.blocks == BLOCKS:  # of every statistic
-            found.append(one)
-    values, deviations = (np.array([getattr(each, what) for each in found]) for what in ("values", "deviations"))
+            actual.append(one)
+    values, deviations = (np.array([getattr(each, what) for each in actual]) for what in ("values", "deviations"))
     n = 0.98 * rate * span
     expected = np.array([math.sqrt(rate / span), speed / math.sqrt(n), speed * math.sqrt(20 / 8 / n)])
     truth = np.array([rate, speed, math.sqrt(2) * speed])
     assert np.mean(values, axis=0) == pytest.approx(truth, rel=0.01)
     factor, accepted = widened()
-    assert len(found) > 0.9 * 120 * accepted**2  # the mean and the rms are nearly one
+    assert len(actual) > 0.9 * 120 * accepted**2  # the mean and the rms are nearly one
     assert np.mean(deviations, axis=0) == pytest.approx(factor * expected, rel=0.05)  # three deviations of that mean
     held = np.sum(np.abs(values - truth) <= 1.96 * deviations, axis=0)
-    assert np.all(held >= binom.ppf(0.003, len(found), 0.95))
-    correlation = np.mean([each.covariance[0, 1] / np.prod(each.deviations[:2]) for each in found])
+    assert np.all(held >= binom.ppf(0.003, len(actual), 0.95))
+    correlation = np.mean([each.covariance[0, 1] / np.prod(each.deviations[:2]) for each in actual])
     assert abs(correlation) < 0.15

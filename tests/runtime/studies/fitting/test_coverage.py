@@ -29,8 +29,8 @@ def measured(run, noise, at, rng):
         units = {names[name]: {"t": "s", "speed": "m/s"}[name.rpartition(".")[2]] for name in noise}
         made = {names[n]: y + rng.normal(0, noise[n], at) for n, y in parts.items()}
         return MeasuredImpacts(np.arange(1, at + 1), made, units), names
-    seen = run.at(at)
-    made = {names[n]: seen[n] + rng.normal(0, noise[n], len(at)) for n in noise}
+    rows = run.at(at)
+    made = {names[n]: rows[n] + rng.normal(0, noise[n], len(at)) for n in noise}
     return Measurement(at, made, {names[n]: run.engine.history.units[n] for n in noise}), names
 
 
@@ -49,13 +49,13 @@ def test_intervals_hold_the_truth_as_often_as_they_say(scene):
     }
     for seed in range(SEEDS):
         data, names = measured(run, noise, at, np.random.default_rng(seed))
-        found = fit(
+        fitted = fit(
             model, data, free=free, map={c: n for n, c in names.items()}, noise={names[n]: (s, units[n]) for n, s in noise.items()},
             duration=duration, starts=0,
         )  # fmt: skip
-        explained += bool(found.explained)
+        explained += bool(fitted.explained)
         for name in free:
-            held[name] += found[name].interval.low <= bound[name] <= found[name].interval.high
+            held[name] += fitted[name].interval.low <= bound[name] <= fitted[name].interval.high
     print(scene, held, explained)
     assert all(count in HELD for count in held.values()), held
     assert explained in HELD

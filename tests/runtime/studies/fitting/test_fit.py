@@ -21,11 +21,6 @@ def walls():
     return engine_model("ball_between_walls")
 
 
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
 def heights(run, *, noise=1e-3, seed=0, end=None, count=60):
     """Measured heights of a ball with normal noise [m]."""
     t = np.linspace(0.02, 0.98 * run.t_end if end is None else end, count)
@@ -40,13 +35,13 @@ HEIGHT = {"map": {"height": TRAVEL}, "noise": {"height": "1 mm"}, "starts": 4}
 def test_public_rebounds_give_their_restitution(walls, e):
     speeds = PUBLISHED[e]
     data = MeasuredImpacts([2, 3, 4], {"speed": speeds}, {"speed": "m/s"})
-    found = fit(
+    fitted = fit(
         walls, data, free={"restitution": (0.3, 1)}, noise={"speed": (1.2e-4 * speeds[2], "m/s")}, duration="2 s"
     )
-    value = found["restitution"]
+    value = fitted["restitution"]
     assert value.interval.low < e < value.interval.high and "linear" in value.interval.how
-    assert abs(value.value - e) < 1.2e-4 and found.explained
-    assert found.known.singular_values[0] > 5e3 and found.solutions[0].impacts[2].speed == pytest.approx(
+    assert abs(value.value - e) < 1.2e-4 and fitted.explained
+    assert fitted.known.singular_values[0] > 5e3 and fitted.solutions[0].impacts[2].speed == pytest.approx(
         speeds[1], rel=1e-3
     )
 
@@ -72,33 +67,33 @@ def test_free_fall_is_a_regression(ball):
     """h = s - g t^2/2 before the floor: interval of ordinary least squares, with Student's t."""
     data = heights(simulate(ball, duration="0.45 s", tolerance=1e-11))
     free = {"gravity": "9..11 m/s^2", TRAVEL: "0.9..1.3 m"}
-    found = fit(ball, data, free=free, map=HEIGHT["map"], starts=2)
+    fitted = fit(ball, data, free=free, map=HEIGHT["map"], starts=2)
     design = np.column_stack([-(data.times**2) / 2, np.ones(60)])
     y = data.si("height")
     expected, square, *_ = np.linalg.lstsq(design, y, rcond=None)
     errors = np.sqrt(np.diag(np.linalg.inv(design.T @ design)) * square / 58) * 2.0017175  # t of 58 degrees at 97.5 %
     for name, value, error in zip(free, expected, errors, strict=True):
-        one = found[name]
+        one = fitted[name]
         assert one.value == pytest.approx(value, rel=1e-7)
         assert one.interval.high - one.value == pytest.approx(error, rel=1e-3)
-    assert found.goodness is None and "is not stated" in str(found)
+    assert fitted.goodness is None and "is not stated" in str(fitted)
     slope = design.T @ design
-    assert found.known.correlation[0, 1] == pytest.approx(-slope[0, 1] / np.sqrt(slope[0, 0] * slope[1, 1]), rel=1e-4)
+    assert fitted.known.correlation[0, 1] == pytest.approx(-slope[0, 1] / np.sqrt(slope[0, 0] * slope[1, 1]), rel=1e-4)
 
 
 def test_intervals_under_stated_noise_are_of_the_normal_distribution(ball):
     """Of a regression: half-width over standard deviation is 1.95996; AICc is chi^2 + 2 sum ln sigma + 2 k + 2 k (k + 1)/(n - k - 1)."""
     data = heights(simulate(ball, duration="0.45 s", tolerance=1e-11))
     free = {"gravity": "9..11 m/s^2", TRAVEL: "0.9..1.3 m"}
-    found = fit(ball, data, free=free, map=HEIGHT["map"], noise={"height": "2 mm"}, starts=2)
+    fitted = fit(ball, data, free=free, map=HEIGHT["map"], noise={"height": "2 mm"}, starts=2)
     design, y = np.column_stack([-(data.times**2) / 2, np.ones(60)]), data.si("height")
     expected, square, *_ = np.linalg.lstsq(design, y, rcond=None)
     deviations = 2e-3 * np.sqrt(np.diag(np.linalg.inv(design.T @ design)))
     for name, value, deviation in zip(free, expected, deviations, strict=True):
-        interval = found[name].interval
+        interval = fitted[name].interval
         assert (interval.high - value) / deviation == pytest.approx(1.95996, abs=1e-3)
         assert (value - interval.low) / deviation == pytest.approx(1.95996, abs=1e-3)
-    assert found.criterion == pytest.approx(square[0] / 2e-3**2 + 120 * np.log(2e-3) + 4 + 12 / 57, abs=1e-6)
+    assert fitted.criterion == pytest.approx(square[0] / 2e-3**2 + 120 * np.log(2e-3) + 4 + 12 / 57, abs=1e-6)
 
 
 def test_derivatives_are_those_of_the_predictions(ball):
@@ -133,14 +128,14 @@ def test_unidentifiable_combinations_are_named(walls):
     times = [impact.t for impact in run.impacts]
     data = MeasuredImpacts(range(1, 4), {"t": times}, {"t": "s"})
     free = {"mass": "1..2 kg log", "stiffness": "5e5..2e6 N/m log", "restitution": (0.5, 1)}
-    found = fit(walls, data, free=free, noise={"t": "0.01 ms"}, duration="0.4 s", starts=2, profile=False)
-    (text,) = found.unidentified
+    fitted = fit(walls, data, free=free, noise={"t": "0.01 ms"}, duration="0.4 s", starts=2, profile=False)
+    (text,) = fitted.unidentified
     assert (
         "mass times 2 with stiffness times 2 changes" in text
         or "stiffness times 2 with mass times 2" in text.replace("mass times 2 with", "")
     )
-    assert "none" in found["mass"].interval.how and "linear" in found["restitution"].interval.how
-    assert "cannot be identified" in found.verdict and np.isnan(found.known.correlation[0, 2])
+    assert "none" in fitted["mass"].interval.how and "linear" in fitted["restitution"].interval.how
+    assert "cannot be identified" in fitted.verdict and np.isnan(fitted.known.correlation[0, 2])
 
 
 def test_noise_that_is_larger_than_stated_is_seen(ball):
@@ -157,10 +152,10 @@ def test_an_offset_and_a_gain_are_found_beside(ball):
     data = heights(run, end=1.1)
     moved = Measurement(data.times - 4e-3, {"height": 1.02 * data.columns["height"]}, data.units)
     how = HEIGHT | {"offset": "-10..10 ms", "gain": {"height": "0.9..1.1"}}
-    found = fit(ball, moved, free={"restitution": (0.3, 1)}, **how)
+    fitted = fit(ball, moved, free={"restitution": (0.3, 1)}, **how)
     for name, true in (("restitution", 0.9), ("offset", 4e-3), ("gain of height", 1.02)):
-        assert found[name].interval.low < true < found[name].interval.high
-    assert list(found.nuisance) == ["offset", "gain of height"] and found.explained
+        assert fitted[name].interval.low < true < fitted[name].interval.high
+    assert list(fitted.nuisance) == ["offset", "gain of height"] and fitted.explained
 
 
 def test_bad_input_is_one_error_with_all_faults(ball, tmp_path):
@@ -233,7 +228,7 @@ def test_a_profile_of_a_linear_model_is_its_curvature(ball):
 
 def test_data_past_the_horizon_of_rough_runs_are_left_out(ball):
     data = heights(simulate(ball, duration="3.5 s", tolerance=1e-11), noise=1e-6, count=80)
-    found = fit(
+    fitted = fit(
         ball,
         data,
         free={"restitution": (0.85, 0.95)},
@@ -242,9 +237,9 @@ def test_data_past_the_horizon_of_rough_runs_are_left_out(ball):
         tolerance=1e-4,
         starts=0,
     )
-    used = found.signals[0].used
-    assert 0.05 < found.share < 0.9 and used[0] and not used[-1]
-    assert any("beyond the horizon" in text for text in found.warnings)
+    used = fitted.signals[0].used
+    assert 0.05 < fitted.share < 0.9 and used[0] and not used[-1]
+    assert any("beyond the horizon" in text for text in fitted.warnings)
     assert not np.any(np.diff(used.astype(int)) > 0)  # from one time on
 
 
@@ -257,12 +252,12 @@ def test_where_there_are_no_exact_derivatives_differences_serve(ball, monkeypatc
         raise InputError("sensitivities", [Fault("friction", "set-valued in two directions", "one")])
 
     monkeypatch.setattr(type(run), "sensitivities", refuse)
-    found = fit(ball, heights(run), **how)
-    assert "in part by differences: friction: set-valued" in found.derivatives and exact.derivatives.endswith(
+    fitted = fit(ball, heights(run), **how)
+    assert "in part by differences: friction: set-valued" in fitted.derivatives and exact.derivatives.endswith(
         "every impact"
     )
-    assert found["restitution"].value == pytest.approx(exact["restitution"].value, abs=1e-6)
-    assert found["restitution"].interval.high == pytest.approx(exact["restitution"].interval.high, abs=1e-6)
+    assert fitted["restitution"].value == pytest.approx(exact["restitution"].value, abs=1e-6)
+    assert fitted["restitution"].interval.high == pytest.approx(exact["restitution"].interval.high, abs=1e-6)
 
 
 def test_several_runs_share_what_is_free_and_keep_their_own(ball):

@@ -6,7 +6,6 @@ from scipy.stats import norm
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit_laws, simulate
-from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.fitting.fitting import read_fit
 from hertzwerk.runtime.studies.fitting.law_ranking import ranked, split_laws
 
@@ -17,11 +16,6 @@ HOW = {
     "map": {"v": "impacts.speed", "f": "impacts.peak_force"},
     "profile": False,
 }
-
-
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
 
 
 def drops(model, heights=(0.4, 0.8, 1.2)):
@@ -42,19 +36,19 @@ def drops(model, heights=(0.4, 0.8, 1.2)):
 @pytest.mark.slow  # derives other laws
 def test_peak_forces_tell_the_form_of_damping_and_not_its_name(ball):
     """Flores and Hunt-Crossley are one law, h(e) apart; Tsuji's damps early, and peaks earlier and lower."""
-    found = fit_laws(ball, drops(ball), {"floor": ["tsuji", "hunt_crossley", "flores"]}, noise=NOISE, **HOW)
-    *alike, last = found.laws
+    fitted = fit_laws(ball, drops(ball), {"floor": ["tsuji", "hunt_crossley", "flores"]}, noise=NOISE, **HOW)
+    *alike, last = fitted.laws
     assert {law.name for law in alike} == {"flores", "hunt_crossley"} and last.name == "tsuji"
     assert alike[1].difference < 1e-3 and last.difference > 20
     assert (
-        last.held_out_total < found.best.held_out_total - 3
-        and found.best.fitted.explained
+        last.held_out_total < fitted.best.held_out_total - 3
+        and fitted.best.fitted.explained
         and not last.fitted.explained
     )
-    assert found.alike == (alike[1].name,) and found.verdict.startswith("not distinguished by these data")
-    assert abs(sum(law.weight for law in found.laws) - 1) < 1e-12
-    told = fit_laws(ball, drops(ball), {"floor": ["tsuji", "flores"]}, noise=NOISE, **HOW)
-    assert told.alike == () and "flores is distinguished" in str(told)
+    assert fitted.alike == (alike[1].name,) and fitted.verdict.startswith("not distinguished by these data")
+    assert abs(sum(law.weight for law in fitted.laws) - 1) < 1e-12
+    fitted = fit_laws(ball, drops(ball), {"floor": ["tsuji", "flores"]}, noise=NOISE, **HOW)
+    assert fitted.alike == () and "flores is distinguished" in str(fitted)
 
 
 def test_weights_are_akaikes(ball):
@@ -62,14 +56,14 @@ def test_weights_are_akaikes(ball):
     t, sigma = np.linspace(0.02, 0.44, 40), 1e-3
     y = 1.1 - 9.81 * t**2 / 2 + sigma * np.sin(37 * np.arange(40))
     data = Measurement(t, {"height": y}, {"height": "m"})
-    given = {
+    options = {
         "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
         "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False,
     }  # fmt: skip
     start = {"vertical.travel": "1..1.2 m"}
     found = ranked({
-        "free": read_fit(ball, data, {"gravity": "9..11 m/s^2", **start}, parameters=None, **given),
-        "held": read_fit(ball, data, start, parameters={"gravity": "9.81 m/s^2"}, **given),
+        "free": read_fit(ball, data, {"gravity": "9..11 m/s^2", **start}, parameters=None, **options),
+        "held": read_fit(ball, data, start, parameters={"gravity": "9.81 m/s^2"}, **options),
     })  # fmt: skip
 
     def aicc(*columns):
@@ -90,15 +84,15 @@ def test_runs_held_out_are_judged_by_the_fit_of_the_others(ball):
     """Two falls h = s - g t^2/2 with s free: each has the density of normal noise about the mean of the other."""
     t, sigma = np.linspace(0.02, 0.4, 30), 1e-3
     falls = [1.1 - 9.81 * t**2 / 2 + sigma * np.sin(factor * np.arange(30)) for factor in (37, 11)]
-    given = {
+    options = {
         "map": {"height": "vertical.travel"}, "noise": {"height": "1 mm"}, "initial": None, "inputs": None, "duration": None, "offset": "0 s",
         "gain": None, "tolerance": 1e-11, "method": "dop853", "starts": 0, "seed": 0, "compiled": False, "profile": False, "parameters": None,
     }  # fmt: skip
     data = [Measurement(t, {"height": fall}, {"height": "m"}) for fall in falls]
-    found = ranked({"one": read_fit(ball, data, {"vertical.travel": "1..1.2 m"}, **given)}).best.held_out
+    actual = ranked({"one": read_fit(ball, data, {"vertical.travel": "1..1.2 m"}, **options)}).best.held_out
     raised = [fall + 9.81 * t**2 / 2 for fall in falls]
     expected = [norm.logpdf(one, np.mean(other), sigma).sum() for one, other in (raised, raised[::-1])]
-    assert found == pytest.approx(expected, rel=1e-6)
+    assert actual == pytest.approx(expected, rel=1e-6)
 
 
 def test_bad_laws_are_one_error(ball):

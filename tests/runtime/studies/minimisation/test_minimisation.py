@@ -23,45 +23,45 @@ def yoke():
 def test_a_derivative_that_is_a_tenth_too_large_is_seen(yoke, monkeypatch):
     right = OutputDerivatives.__getitem__
     monkeypatch.setattr(OutputDerivatives, "__getitem__", lambda self, name: 1.1 * right(self, name))
-    found = minimise(yoke, BEARING, {"counterweight": "0.01..5 kg"}, max_runs=4, **TURN)
-    assert found.checked == pytest.approx(1 - 1 / 1.1, rel=1e-3)
+    best = minimise(yoke, BEARING, {"counterweight": "0.01..5 kg"}, max_runs=4, **TURN)
+    assert best.checked == pytest.approx(1 - 1 / 1.1, rel=1e-3)
 
 
 def test_half_of_what_reciprocates_is_balanced(yoke):
     """A harmonic force m r w^2 cos: (1 - k)^2 + k^2 of its square is least at k = 1/2."""
-    found = minimise(yoke, BEARING, {"counterweight": "0.01..5 kg"}, **TURN)
-    assert found.outcome.finished
-    assert found["counterweight"] == pytest.approx(YOKE * THROW / (2 * ARM), rel=1e-6)
-    assert found.objective == pytest.approx((YOKE * THROW * 100**2) ** 2 / 4, rel=1e-9)
-    assert found.unit == "N^2"
-    assert found.exact
-    assert found.checked < 1e-7
-    assert found.at_end == ()
-    assert "finished" in str(found)
+    best = minimise(yoke, BEARING, {"counterweight": "0.01..5 kg"}, **TURN)
+    assert best.outcome.finished
+    assert best["counterweight"] == pytest.approx(YOKE * THROW / (2 * ARM), rel=1e-6)
+    assert best.objective == pytest.approx((YOKE * THROW * 100**2) ** 2 / 4, rel=1e-9)
+    assert best.unit == "N^2"
+    assert best.exact
+    assert best.checked < 1e-7
+    assert best.at_end == ()
+    assert "finished" in str(best)
 
 
 def test_a_constraint_holds_the_minimum_back(yoke):
     """Of the transverse force alone, which k m r w^2 sin is; and a range that ends before."""
     largest = 0.25 * YOKE * THROW * 100**2
-    found = minimise(
+    best = minimise(
         yoke, BEARING, {"counterweight": "0.01..5 kg"}, {"bearing.reaction_y.max": f"<= {largest} N"}, **TURN
     )
-    assert found["counterweight"] == pytest.approx(0.25 * YOKE * THROW / ARM, rel=1e-5)
-    (held,) = found.constraints
+    assert best["counterweight"] == pytest.approx(0.25 * YOKE * THROW / ARM, rel=1e-5)
+    (held,) = best.constraints
     assert held.active
-    assert any("switches" in note for note in found.notes)
+    assert any("switches" in note for note in best.notes)
     ended = minimise(yoke, BEARING, {"counterweight": "0.01..1 kg"}, **TURN)
     assert ended.at_end == ("counterweight",)
     assert ended["counterweight"] == pytest.approx(1)
     lacking = minimise(yoke, BEARING, {"counterweight": "0.01..1 kg"}, {"counterweight": ">= 2 kg"}, **TURN)
     assert lacking.outcome.name == "infeasible"
-    assert [one.constraints[0].state for one in (found, lacking)] == ["holds it back", "is violated"]
+    assert [one.constraints[0].state for one in (best, lacking)] == ["holds it back", "is violated"]
     assert "counterweight >= 2 kg is violated: 1 kg" in str(lacking)
 
 
 def test_a_smooth_stand_in_for_the_largest_force(yoke):
-    found = minimise(yoke, "bearing.reaction_x.norm32", {"counterweight": "0.01..5 kg"}, **TURN)
-    assert found["counterweight"] == pytest.approx(YOKE * THROW / ARM, rel=1e-3)  # nothing is left along x
+    best = minimise(yoke, "bearing.reaction_x.norm32", {"counterweight": "0.01..5 kg"}, **TURN)
+    assert best["counterweight"] == pytest.approx(YOKE * THROW / ARM, rel=1e-3)  # nothing is left along x
     run = simulate(yoke, parameters={"counterweight": "0.1 kg"}, **TURN)
     slope = OutputDerivatives(run, run.sensitivities("counterweight"))["bearing.reaction_x.norm32"][0]
     largest = (YOKE * THROW - 0.1 * ARM) * 100**2
@@ -74,26 +74,26 @@ def test_counterweight_of_a_crank_with_clearance():
     """The crank is driven, so a counterweight changes no motion: the mean square force is a parabola of its mass."""
     model = load(balanced_crank())
     how = {"duration": "3 ms", "tolerance": 1e-8, "compiled": False}
-    found = minimise(model, FORCE, {"counterweight": "0.01..1 kg"}, **how)
+    best = minimise(model, FORCE, {"counterweight": "0.01..1 kg"}, **how)
     masses, squares = (0.1, 0.4, 0.9), []
     for mass in masses:
         run = simulate(model, parameters={"counterweight": (mass, "kg")}, **how)
         squares.append(sum(Samples(run).mean(lambda h, i=i: h[f"main_bearing.reaction_{i}"] ** 2) for i in "xy"))
     parabola = np.polynomial.Polynomial.fit(masses, squares, 2).convert().coef
-    assert len(found.run.impacts) > 3
-    assert found["counterweight"] == pytest.approx(-parabola[1] / (2 * parabola[2]), rel=1e-4)
-    assert found.objective <= min(squares)
-    assert found.checked < 1e-6
+    assert len(best.run.impacts) > 3
+    assert best["counterweight"] == pytest.approx(-parabola[1] / (2 * parabola[2]), rel=1e-4)
+    assert best.objective <= min(squares)
+    assert best.checked < 1e-6
 
 
 def test_a_motion_that_the_parameter_changes():
     """Through impacts: the restitution for which a ball is at a height; an output without derivatives by differences."""
     ball, how = load("bouncing_ball"), {"duration": "0.7 s", "tolerance": 1e-9, "compiled": False}
     wanted = simulate(ball, parameters={"restitution": 0.7}, **how).final["vertical.travel"]
-    found = minimise(
+    best = minimise(
         ball, "restitution", {"restitution": "0.3..0.95"}, {"final.vertical.travel": f"= {wanted} m"}, **how
     )
-    assert found["restitution"] == pytest.approx(0.7, rel=1e-5)
+    assert best["restitution"] == pytest.approx(0.7, rel=1e-5)
     counted = minimise(ball, "abs(final.vertical.travel - drop_height) + 0*floor.impacts*drop_height",
                        {"drop_height": "0.9..1.1 m"}, precision=1e-3, **how)  # fmt: skip
     assert not counted.exact
@@ -165,13 +165,13 @@ def test_several_starts_find_the_lower_of_two_minima():
     alone = minimise(ball, text, over, start={"restitution": 0.79}, **how)
     assert alone["restitution"] == pytest.approx(high, abs=1e-3)
     assert len(alone.searches) == 1
-    found = minimise(ball, text, over, start={"restitution": 0.79}, starts=4, **how)
-    assert found["restitution"] == pytest.approx(low, abs=1e-3)
-    assert found.begun == alone.begun
-    ends = [search.values["restitution"] for search in found.searches]
-    here = [search.here for search in found.searches]
+    best = minimise(ball, text, over, start={"restitution": 0.79}, starts=4, **how)
+    assert best["restitution"] == pytest.approx(low, abs=1e-3)
+    assert best.begun == alone.begun
+    ends = [search.values["restitution"] for search in best.searches]
+    here = [search.here for search in best.searches]
     assert here == [abs(end - low) < 0.01 for end in ends]
     assert 0 < sum(here) < 5
-    assert f"{sum(here)} of 5 starts ended in this minimum" in str(found)
-    assert "several minima" in str(found)
-    assert f"{well(high):.6g}" in str(found)
+    assert f"{sum(here)} of 5 starts ended in this minimum" in str(best)
+    assert "several minima" in str(best)
+    assert f"{well(high):.6g}" in str(best)

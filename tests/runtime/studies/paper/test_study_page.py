@@ -37,8 +37,8 @@ def hertzwerk(tmp_path, monkeypatch):
 
 
 def page(**fields):
-    given = {"title": "A page", "paragraphs": ("word " * 40,), **fields}
-    return Page(**given)
+    options = {"title": "A page", "paragraphs": ("word " * 40,), **fields}
+    return Page(**options)
 
 
 def chart(labels):

@@ -19,11 +19,6 @@ CRANK = {
 OVER = {"crank_speed": "3000..5000 rpm:4"}
 
 
-@pytest.fixture(scope="module")
-def crank():
-    return engine_model("slider_crank")
-
-
 def test_a_contact_in_progress_goes_on_as_it_was():
     """Cut within a contact, the motion goes on as the whole one, if the approach speed is handed over; not without."""
     ball, how = engine_model("bouncing_ball"), {"tolerance": 1e-11, "compiled": False}
@@ -144,13 +139,13 @@ def test_a_row_that_failed_hands_on_the_start_it_had(crank):
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "message"),
     [
         ({"continued": "sideways"}, "up or down"),
         ({"duration": "2.5 rev"}, "a whole number of periods"),
         ({"over": {"crank_pin.angle": "0, 1 deg"}}, "no parameter that is varied"),
     ],
 )
-def test_bad_input_is_reported(crank, change, told):
-    with pytest.raises(InputError, match=told):
+def test_bad_input_is_reported(crank, change, message):
+    with pytest.raises(InputError, match=message):
         sweep(crank, **{"over": OVER, "continued": "up", **CRANK, **change})

@@ -17,7 +17,6 @@ from click.testing import CliRunner
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import stored_rows, sweep_store
 
 ROWS = 10
@@ -26,11 +25,6 @@ HOW = {
     **{"duration": "0.6 s", "tolerance": 1e-5, "compiled": False, "workers": 1},
     **{"outputs": ["floor.peak_force", "final.vertical.speed"], "grid": 250},
 }
-
-
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
 
 
 @pytest.fixture(scope="module")
@@ -266,9 +260,9 @@ def test_points_of_an_earlier_definition_are_none_of_this_one(ball, tmp_path):
 
 def test_a_definition_with_faults_names_each(folder):
     file = folder / sweep_store.DEFINITION
-    told = json.loads(file.read_text())
-    del told["functions"], told["columns"]
-    file.write_text(json.dumps({**told, "varied": "drop_height", "seed": None}))
+    record = json.loads(file.read_text())
+    del record["functions"], record["columns"]
+    file.write_text(json.dumps({**record, "varied": "drop_height", "seed": None}))
     with pytest.raises(InputError) as refused:
         Sweep.load(folder)
     assert {fault.where.rpartition(": ")[2] for fault in refused.value.faults} == {
@@ -277,7 +271,7 @@ def test_a_definition_with_faults_names_each(folder):
         "varied",
         "seed",
     }
-    file.write_text(json.dumps({**told, "functions": {}, "columns": {}}))
+    file.write_text(json.dumps({**record, "functions": {}, "columns": {}}))
     ended = command("sweep", "--resume", folder)
     assert ended.exit_code == 2
     assert "entries that do not fit its digest" in ended.output

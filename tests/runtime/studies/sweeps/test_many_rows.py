@@ -17,7 +17,6 @@ from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.engine.inputs.inputs_by_row import NO_CHOICES
-from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import parameter_sweep, stored_rows, sweep_store, sweep_table
 from hertzwerk.runtime.studies.sweeps.points.design_points import Design, read_design
 from hertzwerk.runtime.studies.sweeps.points.sweep_definition import Keys, as_text, axes_of, design_of, read_definition
@@ -25,11 +24,6 @@ from hertzwerk.runtime.studies.sweeps.rows.row import Row
 
 MILLION = {"drop_height": "0.5..1.5 m:1000", "restitution": "0.5..0.9:1000"}
 BALL = {"duration": "0.1 s", "tolerance": 1e-6, "compiled": False}
-
-
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
 
 
 @pytest.fixture
@@ -66,9 +60,9 @@ def stopped_after(most):
 def begin(ball, folder, made, over=MILLION):
     """Begin a sweep twice, each for three rows; few points are made, and it goes on where it ended."""
     for known in (0, 3):
-        found = sweep(ball, over, out=folder, workers=1, progress=stopped_after(3), **BALL)
-        assert found.outcome.name == "interrupted"
-        assert [row.index for row in found] == list(range(known + 3))
+        table = sweep(ball, over, out=folder, workers=1, progress=stopped_after(3), **BALL)
+        assert table.outcome.name == "interrupted"
+        assert [row.index for row in table] == list(range(known + 3))
         assert max(made.values()) < 3 * parameter_sweep.BATCH
         made.clear()
 
@@ -79,18 +73,18 @@ def test_a_million_rows_begin_at_once_and_go_on(ball, tmp_path, made, how):
         begin(ball, tmp_path / "a", made)
     elif how == "zip":
         over = {"drop_height": "0.5..1.5 m:1000000", "restitution": "0.5..0.9:1000000 log"}
-        found = sweep(ball, over, zip=True, out=tmp_path / "a", workers=1, progress=stopped_after(2), **BALL)
-        assert len(found) == 2 and max(made.values()) < 3 * parameter_sweep.BATCH
+        table = sweep(ball, over, zip=True, out=tmp_path / "a", workers=1, progress=stopped_after(2), **BALL)
+        assert len(table) == 2 and max(made.values()) < 3 * parameter_sweep.BATCH
     else:
         over = {"restitution": "0.5..0.9:1000", "drop_height": "0.5..1.5 m:1000"}
         how = {"continued": "down", "workers": 1, "progress": stopped_after(1), **BALL}
         (row, *_) = sweep(ball, over, out=tmp_path / "a", **how)
         assert row.stated["restitution"] == (0.9, "1")
         assert max(made.values()) < 3 * 1000 + 3
-    told = json.loads((tmp_path / "a" / "definition.json").read_text())
-    assert told["points"] == 1_000_000
-    assert len(json.dumps(told)) < 3000
-    assert "0.5..1.5 m:1000" in told["over"]["drop_height"]
+    record = json.loads((tmp_path / "a" / "definition.json").read_text())
+    assert record["points"] == 1_000_000
+    assert len(json.dumps(record)) < 3000
+    assert "0.5..1.5 m:1000" in record["over"]["drop_height"]
 
 
 def test_keys_that_are_all_made_first_would_be_found(ball, tmp_path, made, monkeypatch):
@@ -207,8 +201,8 @@ def test_more_rows_than_memory_holds_are_refused_without_a_folder_and_as_one_obj
         with pytest.raises(InputError, match="3 in memory"):
             make()
     assert table.to_file(tmp_path / "a.parquet").stat().st_size > 0
-    told = json.loads(CliRunner().invoke(main, ["sweep", "--resume", str(folder), "--json"]).stdout)
-    assert (told["rows"], told["outcomes"], told["table"]) == (3, {"finished": 3}, {})
+    record = json.loads(CliRunner().invoke(main, ["sweep", "--resume", str(folder), "--json"]).stdout)
+    assert (record["rows"], record["outcomes"], record["table"]) == (3, {"finished": 3}, {})
 
 
 @pytest.mark.exhaustive

@@ -14,16 +14,6 @@ BALL = {"duration": "2 s", "tolerance": 1e-9}
 CRANK = {"duration": "240 ms", "tolerance": 1e-6}
 
 
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
-@pytest.fixture(scope="module")
-def crank():
-    return engine_model("slider_crank")
-
-
 @pytest.mark.parametrize("workers", [1, 2])
 def test_rows_are_the_single_runs_bitwise(ball, workers):
     over = {"drop_height": "0.5..1.5 m:3", "mass": "0.05, 0.1 kg"}

@@ -49,8 +49,8 @@ def two(broken=None):
 def section():
     """Speeds with two points each, 1 and 3 um/rpm."""
     rows = [row(i, s, points=np.array([[1.0, s * 1e-6], [2.0, 3 * s * 1e-6]])) for i, s in enumerate(SPEEDS)]
-    kept = {"arrays": {"section": {"t": "s", "pin.x": "m"}}, "place": "section at here"}
-    return made(rows, {"speed": "rad/s"}, **kept)
+    options = {"arrays": {"section": {"t": "s", "pin.x": "m"}}, "place": "section at here"}
+    return made(rows, {"speed": "rad/s"}, **options)
 
 
 def curve(axis, i=0):
@@ -123,8 +123,8 @@ def test_angles_of_many_turns_are_drawn_within_one():
     """Angles about 170 and 190 degrees, of some turns: no cluster is cut at 180 degrees, and the label says so."""
     near = np.radians([[0.0, 170.0], [0.0, 190.0 + 360 * 7]])
     rows = [row(i, s, points=near - [0.0, 2 * math.pi * i]) for i, s in enumerate(SPEEDS)]
-    kept = {"arrays": {"section": {"t": "s", "pin.angle": "rad"}}, "place": "section at here"}
-    (panel,) = figure(made(rows, {"speed": "rad/s"}, **kept)).axes
+    options = {"arrays": {"section": {"t": "s", "pin.angle": "rad"}}, "place": "section at here"}
+    (panel,) = figure(made(rows, {"speed": "rad/s"}, **options)).axes
     angles = curve(panel)[1].reshape(-1, 2)
     assert "modulo a turn" in panel.get_ylabel()
     assert np.ptp(angles) == pytest.approx(np.radians(20))

@@ -30,11 +30,6 @@ BALL = {"duration": "2 s", "tolerance": 1e-8, "compiled": False, "workers": 1}
 OVER = {"drop_height": "0.5..1.5 m:5"}
 
 
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
 @pytest.fixture
 def counted(tmp_path):
     """A function for `sweep` that tells which rows were computed."""
@@ -417,7 +412,7 @@ def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alon
 
 
 @FORKED
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_rows_that_are_stored_ten_at_a_time_would_be_found_missing(tmp_path):
     with pytest.raises(AssertionError, match=r"a finished row was lost|<= \(\d+ \* 3\)"):  # or computed again
         survive(tmp_path, 3, "late")
@@ -430,8 +425,8 @@ def test_definitions_are_plain_and_say_where_they_come_from(ball, tmp_path):
         out=tmp_path / "a",
         **BALL,
     )
-    told = json.loads((tmp_path / "a" / sweep_store.DEFINITION).read_text())
-    assert (told["target"], told["laws"]) == ("bouncing_ball", {"floor": "hunt_crossley"})
-    assert told["over"] == {"mass": "0.1..0.2 kg:2"}
-    assert told["seed"] == 0
-    assert {"hertzwerk", "casadi", "numpy"} <= set(told["versions"])
+    record = json.loads((tmp_path / "a" / sweep_store.DEFINITION).read_text())
+    assert (record["target"], record["laws"]) == ("bouncing_ball", {"floor": "hunt_crossley"})
+    assert record["over"] == {"mass": "0.1..0.2 kg:2"}
+    assert record["seed"] == 0
+    assert {"hertzwerk", "casadi", "numpy"} <= set(record["versions"])

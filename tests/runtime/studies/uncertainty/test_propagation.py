@@ -27,11 +27,6 @@ G = 9.81
 
 
 @pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
-@pytest.fixture(scope="module")
 def fallen(ball):
     """Ball in flight for 0.4 s: y = h - g t^2/2 is linear in h and g, y' = -g t in g alone."""
     uncertain = {"vertical.travel": Normal("1 m", "3 cm"), "gravity": Normal("9.81 m/s^2", "0.2 m/s^2")}
@@ -102,23 +97,23 @@ def test_a_product_has_an_interaction(ball):
 def test_a_nonlinear_output_is_warned_of(ball):
     """Some balls reach the floor within the run, others do not: a derivative tells one side alone."""
     wide = {"vertical.travel": Normal("0.9 m", "10 cm")}
-    found = propagate(ball, wide, ["final.vertical.speed"], sample=64, indices=False, duration="0.43 s", **SHORT)
-    (one,) = found
-    assert len(found.samples) == 64
+    spread = propagate(ball, wide, ["final.vertical.speed"], sample=64, indices=False, duration="0.43 s", **SHORT)
+    (one,) = spread
+    assert len(spread.samples) == 64
     assert one.first == {}
     assert any("not linear" in text for text in one.warnings)
-    assert "warning" in str(found)
+    assert "warning" in str(spread)
 
 
 def test_runs_that_fail_are_reported(ball):
-    found = propagate(
+    spread = propagate(
         ball, {"restitution": Normal(0.95, 0.05)}, ["final.vertical.speed"], sample=16, duration="0.1 s", **SHORT
     )
-    (one,) = found
+    (one,) = spread
     assert one.first == {}
     assert (
-        found.warnings[-1].startswith("10 of 48 runs")
-        or "runs are omitted, the first because: bad_input" in found.warnings[-1]
+        spread.warnings[-1].startswith("10 of 48 runs")
+        or "runs are omitted, the first because: bad_input" in spread.warnings[-1]
     )
 
 
@@ -134,9 +129,9 @@ def test_the_same_seed_gives_the_same_and_a_folder_is_gone_on_with(ball, tmp_pat
 
 def test_a_duration_that_is_uncertain_has_no_derivative_of_its_own():
     crank = engine_model("slider_crank")
-    found = propagate(crank, {"crank_speed": Normal("5000 rpm", "10 rpm")}, ["final.guide.travel"], sample=8, indices=False,
+    spread = propagate(crank, {"crank_speed": Normal("5000 rpm", "10 rpm")}, ["final.guide.travel"], sample=8, indices=False,
                       duration="0.01 rev", tolerance=1e-6, workers=1)  # fmt: skip
-    assert "duration" in found["final.guide.travel"].reason
+    assert "duration" in spread["final.guide.travel"].reason
 
 
 def test_distributions_are_those_of_their_names(ball):
@@ -177,14 +172,14 @@ def test_correlated_quantities_spread_together(ball):
     rho, of_height, of_gravity = 0.8, 0.03, 0.2 * 0.4**2 / 2
     uncertain = {"vertical.travel": Normal("1 m", "3 cm"), "gravity": Normal("9.81 m/s^2", "0.2 m/s^2")}
     how = {"sample": 128, "duration": "0.4 s", **SHORT}
-    (found,) = propagate(
+    (actual,) = propagate(
         ball, Correlated(uncertain, {"gravity, vertical.travel": rho}), ["final.vertical.travel"], **how
     )
     expected = math.sqrt(of_height**2 + of_gravity**2 - 2 * rho * of_height * of_gravity)
-    assert found.linear == pytest.approx(expected, rel=1e-9)
-    assert found.std == pytest.approx(expected, rel=0.05)
-    assert found.parts["vertical.travel"] == pytest.approx(of_height)
-    assert found.first == {}
+    assert actual.linear == pytest.approx(expected, rel=1e-9)
+    assert actual.std == pytest.approx(expected, rel=0.05)
+    assert actual.parts["vertical.travel"] == pytest.approx(of_height)
+    assert actual.first == {}
     with pytest.raises(InputError, match=r"indices of vertical\.travel, gravity, which are correlated"):
         propagate(ball, uncertain, correlation={"gravity, vertical.travel": rho}, indices=True, **how)
 
@@ -225,11 +220,11 @@ def test_a_fit_is_propagated_with_its_correlation(ball):
     heights = 1 - G * t**2 / 2 + np.random.default_rng(1).normal(0, sigma, len(t))
     data = Measurement(t, {"y": heights}, {"y": "m"})
     free = {"vertical.travel": "0.9..1.2 m", "gravity": "9..11 m/s^2"}
-    found = fit(ball, data, free=free, map={"y": "vertical.travel"}, noise={"y": (sigma, "m")}, starts=0)
+    fitted = fit(ball, data, free=free, map={"y": "vertical.travel"}, noise={"y": (sigma, "m")}, starts=0)
     design = np.column_stack([np.ones(40), -(t**2) / 2])
     way = np.array([1, -(end**2) / 2])
     expected = sigma * math.sqrt(way @ np.linalg.solve(design.T @ design, way))
-    joint = found.distribution()
+    joint = fitted.distribution()
     assert joint.correlation["vertical.travel, gravity"] > 0.7
     for given in (joint, Correlated(**joint.record())):
         (later,) = propagate(ball, given, ["final.vertical.travel"], sample=32, duration=end, **SHORT)

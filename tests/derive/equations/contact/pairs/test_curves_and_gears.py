@@ -240,6 +240,7 @@ def test_two_pairs_of_teeth_touch_for_the_part_of_the_pitch_that_the_contact_rat
     assert all(second(angle) == pytest.approx(-deep, abs=1e-13) for angle in coarse[1:-1][touching[:-2] & touching[2:]])
 
 
+@pytest.mark.exhaustive
 def test_a_mesh_is_twice_as_stiff_where_two_pairs_of_teeth_carry():
     """A slow pinion against a torque: the wheel lags by T/(K r_b), half of that in double contact."""
     pace, load_, damping = (

@@ -67,11 +67,11 @@ def nearest_on_ellipse(x, y):
 
 def test_a_point_beside_an_ellipse_is_as_far_as_mpmath_finds(made):
     derived, random = made(point(OVAL)), np.random.default_rng(2)
-    found = [
+    actual = [
         (gaps(derived, (0, x, y, 0))[0], nearest_on_ellipse(x, y)) for x, y in random.uniform(-0.06, 0.06, (60, 2))
     ]
-    assert np.max(np.abs(np.subtract(*np.transpose(found)))) < 1e-16 * 5
-    assert min(expected for _, expected in found) < -0.005  # deep within too
+    assert np.max(np.abs(np.subtract(*np.transpose(actual)))) < 1e-16 * 5
+    assert min(expected for _, expected in actual) < -0.005  # deep within too
 
 
 @pytest.mark.parametrize("curve", [LOBED, ARCH, OVAL], ids=lambda curve: curve.name)
@@ -126,8 +126,8 @@ def test_a_periodic_table_is_scipys_periodic_spline():
     expected, at = make_interp_spline(x, y, k=5, bc_type="periodic"), np.linspace(0, 2.999, 77)
     rows = np.array(table.pieces())
     k = np.searchsorted(rows[:, 0], at, side="right") - 1
-    found = sum(rows[k, 1 + j] * (at - rows[k, 0]) ** j for j in range(6))
-    assert np.allclose(found, expected(at), atol=1e-12)
+    actual = sum(rows[k, 1 + j] * (at - rows[k, 0]) ** j for j in range(6))
+    assert np.allclose(actual, expected(at), atol=1e-12)
     assert [
         fault.found for fault in hd.Table("wave", x, (*y[:-1], 2.0), ("1", "m"), (0, 0), periodic=True).faults()
     ] == [

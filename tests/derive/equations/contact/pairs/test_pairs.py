@@ -221,8 +221,8 @@ def test_a_ball_in_the_centre_of_its_socket_has_a_gap_a_rate_and_a_second_deriva
     assert second == pytest.approx([-(0.3**2 + 0.2**2) / case.sizes[1]], rel=1e-12)
     for function in ("gaps", "gap_accelerations"):
         for argument in ("q", "u"):
-            given = {"t": 0.0, "q": q, "u": u} | ({"a": np.zeros(4)} if function == "gap_accelerations" else {})
-            assert np.all(np.isfinite(derived.jacobian(function, argument, **given)))
+            options = {"t": 0.0, "q": q, "u": u} | ({"a": np.zeros(4)} if function == "gap_accelerations" else {})
+            assert np.all(np.isfinite(derived.jacobian(function, argument, **options)))
     assert derived.OUTPUTS == (("touch.eccentricity_x", "m"), ("touch.eccentricity_y", "m"))  # no third in the plane
 
 
@@ -232,11 +232,11 @@ def test_derivatives_are_numbers_in_contact_and_apart(name):
     case = PAIRS[name]
     derived = case.derive(friction=True)
     for t, q, u in case.states(derived, 1):
-        given = {"t": t, "q": q, "u": u}
+        options = {"t": t, "q": q, "u": u}
         for which in ("q", "u"):
-            assert np.all(np.isfinite(derived.jacobian("contact_touch", which, **given, m=[V0])))
-            assert np.all(np.isfinite(derived.jacobian("gap_accelerations", which, **given, a=u)))
-        apart = {**given, "q": derived.with_gap(t, q, 0, 0.05)}
+            assert np.all(np.isfinite(derived.jacobian("contact_touch", which, **options, m=[V0])))
+            assert np.all(np.isfinite(derived.jacobian("gap_accelerations", which, **options, a=u)))
+        apart = {**options, "q": derived.with_gap(t, q, 0, 0.05)}
         for which in ("q", "u"):
             assert np.all(np.isfinite(derived.jacobian("gaps", which, result=1, **apart)))
             assert not np.any(derived.jacobian("contact_touch", which, **apart, m=[V0]))
@@ -382,8 +382,8 @@ def test_relative_curvature_is_that_of_both_surfaces():
         (SphereOnCylinder("touch", HERE, small, THERE, big, Z), {**balls, "R_eff": 1 / np.sqrt(1 / 20 * (1 / 20 + 1 / 30))}),
     )  # fmt: skip
     for pair, expected in cases:
-        found = {name: 1e3 * default_value(value) for name, value in pair.geometry.items()}
-        assert found == pytest.approx(expected, rel=1e-12), pair.kind
+        actual = {name: 1e3 * default_value(value) for name, value in pair.geometry.items()}
+        assert actual == pytest.approx(expected, rel=1e-12), pair.kind
 
 
 def test_laws_ask_pairs_for_the_geometry_they_need():

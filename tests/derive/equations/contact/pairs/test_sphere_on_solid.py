@@ -109,6 +109,7 @@ def nearest(name, centre):
     return np.sqrt(min(result.fun for result in found)) * r
 
 
+@pytest.mark.by_turns(3)
 def test_the_gap_is_the_shortest_distance_minus_the_radius(tried):
     name, derived = tried
     for q, _, distance in states(name)[:3]:

@@ -59,8 +59,8 @@ def test_a_motor_switched_on(method, coordinates):
 def test_a_stiff_current_is_passed_by_implicit_steps():
     """L/R of a microsecond beside a mechanical time constant of 0.2 s: auto and the implicit methods take few steps."""
     model = engine_model(shaft(motor()))
-    given = {"duration": 0.5, "tolerance": 1e-6, "parameters": {"L": "2e-3 mH"}}
-    runs = {method: simulate(model, method=method, **given) for method in ("esdirk", "rodas", "auto", "dopri5")}
+    options = {"duration": 0.5, "tolerance": 1e-6, "parameters": {"L": "2e-3 mH"}}
+    runs = {method: simulate(model, method=method, **options) for method in ("esdirk", "rodas", "auto", "dopri5")}
     steps = {method: run.statistics.steps for method, run in runs.items()}
     speed = V / K * (1 - np.exp(-0.5 * K**2 / (R * J)))
     for run in runs.values():

@@ -141,9 +141,9 @@ def test_bounces_take_an_impulse_each():
 @pytest.mark.parametrize("method", [*METHODS, CVODES, IDAS])
 def test_bounces_on_a_slope_agree(model, method):
     """Dropped on a slope it would stay on: slips, sticks while pressed hard, slips again before it leaves; every method finds the same."""
-    given = {"duration": "0.15 s", "parameters": {"slope": 0.2, "height": "2 mm", "restitution": 0.6}}
-    best = simulate(model, tolerance=1e-11, **given)
-    run = simulate(model, tolerance=1e-8, method=method, **given)
+    options = {"duration": "0.15 s", "parameters": {"slope": 0.2, "height": "2 mm", "restitution": 0.6}}
+    best = simulate(model, tolerance=1e-11, **options)
+    run = simulate(model, tolerance=1e-8, method=method, **options)
     slip, mode = best["floor_0.slip"], best["floor_0.mode"]
     assert {-1.0, 0.0} <= set(slip[mode == 1])
     assert run.final["along_0.travel"] == pytest.approx(best.final["along_0.travel"], abs=1e-7)
@@ -154,8 +154,8 @@ def test_bounces_on_a_slope_agree(model, method):
 @pytest.mark.parametrize("method", ["dop853", pytest.param("esdirk", marks=pytest.mark.exhaustive)])
 def test_compiled_is_bitwise_the_virtual_machine(model, method):
     parameters = {"slope": 0.2, "height": "2 mm", "slide": "-0.3 m/s", "restitution": 0.6}
-    given = {"duration": "0.3 s", "tolerance": 1e-6, "method": method, "parameters": parameters}
-    one, two = (simulate(model, compiled=compiled, **given) for compiled in (False, True))
+    options = {"duration": "0.3 s", "tolerance": 1e-6, "method": method, "parameters": parameters}
+    one, two = (simulate(model, compiled=compiled, **options) for compiled in (False, True))
     assert {-1.0, 0.0, 1.0} <= set(one["floor_0.slip"])
     assert np.array_equal(one.engine.history.rows, two.engine.history.rows)
 
@@ -426,6 +426,7 @@ def test_stick_slip_on_a_belt_has_the_closed_period(method):
     assert run["path.speed"][sticking] == pytest.approx(belt, abs=1e-13)
 
 
+@pytest.mark.exhaustive
 def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
     """The smoothed law goes over into the set-valued one as its layer gets thinner."""
     mu = {"friction_coefficient": 0.1}
@@ -433,8 +434,8 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
         slider_pin_friction=hd.Friction("slider_pin_friction", "slider_pin", dry(mu_k=0.1, mu_s=0.1))
     )
     model, smooth = engine_model(sharp), engine_model("slider_crank")
-    given = {"duration": "6 ms", "tolerance": 1e-8}
-    runs = {method: simulate(model, method=method, **given) for method in ("dop853", "esdirk", "cvodes")}
+    options = {"duration": "6 ms", "tolerance": 1e-8}
+    runs = {method: simulate(model, method=method, **options) for method in ("dop853", "esdirk", "cvodes")}
     travel = runs["dop853"].final["guide.travel"]
     assert {-1.0, 0.0, 1.0} == set(runs["dop853"]["slider_pin.slip"])
     for method, run in runs.items():
@@ -443,7 +444,9 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
     layers = ("1e-2 m/s", "1e-3 m/s", "1e-4 m/s")
     errors = [
         abs(
-            simulate(smooth, method="esdirk", parameters=mu | {"friction_speed": layer}, **given).final["guide.travel"]
+            simulate(smooth, method="esdirk", parameters=mu | {"friction_speed": layer}, **options).final[
+                "guide.travel"
+            ]
             - travel
         )
         for layer in layers

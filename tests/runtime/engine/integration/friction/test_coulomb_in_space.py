@@ -92,9 +92,9 @@ def test_a_ball_with_side_spin_runs_on_a_parabola_until_it_rolls(method, coordin
     rolls = np.flatnonzero(run["floor.slip"] == 0)
     assert np.array_equal(rolls, np.arange(rolls[0], len(run.t)))
     assert run.t[rolls[0]] == pytest.approx(end, rel=1e-7)
-    seen = run.at(np.array([0.5 * end, 0.9 * end]))
+    rows = run.at(np.array([0.5 * end, 0.9 * end]))
     for i, t in enumerate((0.5 * end, 0.9 * end)):
-        found = [seen[f"flight.{axis}"][i] for axis in "xz"]
+        found = [rows[f"flight.{axis}"][i] for axis in "xz"]
         assert found == pytest.approx(np.array([2 * t, 0]) + pull * t * t / 2, rel=1e-7)
     final = [run.final[f"flight.{axis}_speed"] for axis in "xz"]
     assert final == pytest.approx(np.array([2, 0]) + pull * end, rel=1e-7)
@@ -106,14 +106,14 @@ def test_friction_is_a_vector():
     """Its components in space, against the slip: among the readings, and by its two tangents."""
     run = simulate(built(), duration="0.1 s", method="dop853", tolerance=1e-8, parameters=SHOT)
     slip = np.array([2 + 5 * RADIUS, -40 * RADIUS])
-    found = np.array([run[f"floor.friction_force_{axis}"][-1] for axis in "xyz"])
+    actual = np.array([run[f"floor.friction_force_{axis}"][-1] for axis in "xyz"])
     expected = -MU * run["floor.normal_force"][-1] * slip / np.linalg.norm(slip)
-    assert found == pytest.approx([expected[0], 0, expected[1]], rel=1e-8, abs=1e-15)
+    assert actual == pytest.approx([expected[0], 0, expected[1]], rel=1e-8, abs=1e-15)
     both = [run[f"floor.friction_force_{i}"][-1] for i in (1, 2)]
     assert -np.hypot(*both) == pytest.approx(run["floor.friction_force"][-1], rel=1e-15)
     total = [run[f"floor.force_{axis}"][-1] for axis in "xyz"]
-    assert total == pytest.approx([found[0], run["floor.normal_force"][-1], found[2]], rel=1e-12)
-    assert run["rub.power"][-1] == pytest.approx(np.linalg.norm(found) * run["floor.sliding_velocity"][-1], rel=1e-12)
+    assert total == pytest.approx([actual[0], run["floor.normal_force"][-1], actual[2]], rel=1e-12)
+    assert run["rub.power"][-1] == pytest.approx(np.linalg.norm(actual) * run["floor.sliding_velocity"][-1], rel=1e-12)
     assert {"floor.slip", "floor.friction_force", "floor.friction_force_1"} <= set(run)
 
 

@@ -73,11 +73,11 @@ def test_an_unsettled_start_is_reported(monkeypatch):
     """The same disc, but for iterations that end too early."""
     monkeypatch.setattr(slip_directions, "ITERATIONS", 2)
     monkeypatch.setattr(stick_and_slip, "settling", slip_directions.settling.__wrapped__)
-    given = {"duration": "1 s", "method": "dop853", "tolerance": 1e-8, "compiled": False}
-    short = simulate(load(curling(dry(MU), 3)), max_steps=2000, **given)
+    options = {"duration": "1 s", "method": "dop853", "tolerance": 1e-8, "compiled": False}
+    short = simulate(load(curling(dry(MU), 3)), max_steps=2000, **options)
     monkeypatch.undo()
     assert sum("sticking and slipping contacts did not converge" in warning for warning in short.warnings) == 1
-    assert not simulate(built(curling, dry(MU), 3), **given).warnings
+    assert not simulate(built(curling, dry(MU), 3), **options).warnings
 
 
 # ---- a top -----------------------------------------------------------------------------------------------------------
@@ -106,13 +106,13 @@ def test_a_tippe_top_keeps_jelletts_invariant(method):
 
 def test_a_tippe_top_is_the_limit_of_smooth_friction():
     """While it slides the smooth law differs by v_s alone; the set-valued one is where the differences go to 0."""
-    given = {"duration": "40 ms", "tolerance": 1e-8}
-    limit = simulate(built(tippe_top, dry(0.3)), method="dop853", **given)
+    options = {"duration": "40 ms", "tolerance": 1e-8}
+    limit = simulate(built(tippe_top, dry(0.3)), method="dop853", **options)
     smooth = built(tippe_top, smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "m/s", 1e-3)))
     names = ("flight.x", "flight.z", "flight.q1", "flight.q3")
     errors = []
     for layer in (4e-3, 1e-3, 2.5e-4):
-        run = simulate(smooth, parameters={"v_s": (layer, "m/s")}, **given)
+        run = simulate(smooth, parameters={"v_s": (layer, "m/s")}, **options)
         errors.append(max(abs(run.final[name] - limit.final[name]) for name in names))
     assert errors[0] > 3.5 * errors[1] > 3.5**2 * errors[2] > 0  # in proportion to v_s
     assert errors[2] < 3e-5

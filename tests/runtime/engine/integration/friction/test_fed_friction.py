@@ -293,13 +293,13 @@ def test_derivatives_through_it():
         values = {name: value + change.get(name, 0.0) for name, value in at.items()}
         return simulate(model, duration=3.0, tolerance=1e-11, parameters=mu(values["mu"], lift=(values["lift"], "rad")))
 
-    found = run().sensitivities(*at)
-    assert found.until == 3
+    derivatives = run().sensitivities(*at)
+    assert derivatives.until == 3
     for name, h in steps.items():
         above, below = run(**{name: h}), run(**{name: -h})
         for history in ("hinge.angle", "bearing.dissipated"):
             slope = (above[history][-1] - below[history][-1]) / (2 * h)
-            assert found[history, name][-1] == pytest.approx(slope, rel=1e-5), (history, name)
+            assert derivatives[history, name][-1] == pytest.approx(slope, rel=1e-5), (history, name)
 
 
 def test_small_vibrations_of_what_sticks_and_slides():

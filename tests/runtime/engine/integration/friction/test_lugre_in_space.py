@@ -70,11 +70,11 @@ def test_a_ball_that_spins_is_what_scipy_finds(method, coordinates):
     times, known = shot()
     units = {name: (value, "m/s" if name[0] == "v" else "rad/s") for name, value in SHOT.items()}
     run = simulate(built(coordinates=coordinates), duration="0.2 s", method=method, tolerance=1e-8, parameters=units)
-    seen = run.at(times)
+    rows = run.at(times)
     for row, name in enumerate(["x", "z", "x_speed", "z_speed"]):
-        assert seen[f"flight.{name}"] == pytest.approx(known[row], abs=1e-7)
+        assert rows[f"flight.{name}"] == pytest.approx(known[row], abs=1e-7)
     for row, axis in enumerate("xz", 7):
-        assert seen[f"rub.bristle_{axis}"] == pytest.approx(known[row], abs=1e-5 * MU_S / S_0)
+        assert rows[f"rub.bristle_{axis}"] == pytest.approx(known[row], abs=1e-5 * MU_S / S_0)
     assert np.max(np.abs(known[8, :2])) > 0.1 * MU_S / S_0
     assert run.energy_residual < 1e-7
     assert run.outcome.finished

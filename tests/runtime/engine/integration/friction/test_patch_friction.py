@@ -111,9 +111,9 @@ def test_the_way_there_is_that_of_equations_of_its_own(coordinates):
     known = solve_ivp(rates, (0, 0.3), [1, 10.5], "DOP853", t_eval=[0.1, 0.3], rtol=1e-11, atol=1e-12).y
     model, given = built(coordinates=coordinates), {"spin": "10.5 rad/s"}
     run = simulate(model, duration="0.3 s", method="dop853", tolerance=1e-8, parameters=given, compiled=False)
-    seen = run.with_histories("disc.x_speed", "disc.z_speed", "disc.angular_speed_y").at(np.array([0.1, 0.3]))
-    assert np.hypot(seen["disc.x_speed"], seen["disc.z_speed"]) == pytest.approx(known[0], rel=1e-7)
-    assert np.abs(seen["disc.angular_speed_y"]) == pytest.approx(known[1], rel=1e-7)
+    rows = run.with_histories("disc.x_speed", "disc.z_speed", "disc.angular_speed_y").at(np.array([0.1, 0.3]))
+    assert np.hypot(rows["disc.x_speed"], rows["disc.z_speed"]) == pytest.approx(known[0], rel=1e-7)
+    assert np.abs(rows["disc.angular_speed_y"]) == pytest.approx(known[1], rel=1e-7)
 
 
 @pytest.mark.parametrize("method", ["rodas", "esdirk"])

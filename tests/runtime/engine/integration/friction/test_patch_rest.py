@@ -122,12 +122,12 @@ def test_where_it_stops_has_derivatives():
     given = {"slide": (0.6, "m/s"), "spin": (10.0, "rad/s")}
     time, way = stop(0.6, 10.0)
     run = simulate(built(), duration=1.2 * time, method="dop853", tolerance=1e-9, parameters=given)
-    found = run.sensitivities("mu", "slide")
-    assert found.reason == ""
+    derivatives = run.sensitivities("mu", "slide")
+    assert derivatives.reason == ""
     side = math.copysign(1, run.final["floor_plane.x"])
-    assert side * found["floor_plane.x", "mu"][-1] == pytest.approx(-way / MU, rel=1e-5)
+    assert side * derivatives["floor_plane.x", "mu"][-1] == pytest.approx(-way / MU, rel=1e-5)
     by_speed = (stop(0.6 + 1e-4, 10.0)[1] - stop(0.6 - 1e-4, 10.0)[1]) / 2e-4
-    assert side * found["floor_plane.x", "slide"][-1] == pytest.approx(by_speed, rel=1e-5)
+    assert side * derivatives["floor_plane.x", "slide"][-1] == pytest.approx(by_speed, rel=1e-5)
 
 
 # ---- the limit surface -----------------------------------------------------------------------------------------------

@@ -237,9 +237,9 @@ def test_an_upright_disc_sways_as_fast_as_published(coordinates):
 
 
 def test_a_rolling_wheel_on_a_spring_rests_and_vibrates_as_one_of_half_again_the_mass():
-    found = equilibrium(engine_model(wheel(None, JointSpring("tie", "ride.x", Parameter("k", "N/m", 300)))))
-    assert found.q[0] == pytest.approx(2 * 9.81 * np.sin(0.4) / 300, rel=1e-9)
-    assert modes(found).frequencies == pytest.approx([np.sqrt(300 / 3) / (2 * np.pi)], rel=1e-9)
+    rest = equilibrium(engine_model(wheel(None, JointSpring("tie", "ride.x", Parameter("k", "N/m", 300)))))
+    assert rest.q[0] == pytest.approx(2 * 9.81 * np.sin(0.4) / 300, rel=1e-9)
+    assert modes(rest).frequencies == pytest.approx([np.sqrt(300 / 3) / (2 * np.pi)], rel=1e-9)
 
 
 def test_derivatives_of_a_rolling_wheel_are_those_of_its_closed_form():

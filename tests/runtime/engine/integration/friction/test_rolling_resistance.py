@@ -58,11 +58,11 @@ def test_a_ball_rolls_to_rest(law, method, coordinates):
     rate = ARM * GRAVITY / (RADIUS * 1.4)
     run = simulate(model(law, coordinates), duration="3.2 s", method=method, tolerance=1e-7, parameters=given)
     left = math.hypot(run.final["flight.angular_speed_x"], run.final["flight.angular_speed_z"])
-    found = np.array([run.final["flight.x"], run.final["flight.z"]])
+    actual = np.array([run.final["flight.x"], run.final["flight.z"]])
     expected = RADIUS * (way(speed / RADIUS, rate / RADIUS) - way(left, rate / RADIUS))
     assert left < LAYER / 10  # v/a is 2.9 s
     assert expected == pytest.approx(speed**2 / (2 * rate), rel=1e-4)
-    assert found == pytest.approx(expected * np.array([math.cos(heading), math.sin(heading)]), rel=3e-5)
+    assert actual == pytest.approx(expected * np.array([math.cos(heading), math.sin(heading)]), rel=3e-5)
     assert run.final["rolling.dissipated"] == pytest.approx(0.7 * MASS * speed**2, rel=1e-4)
     assert run.final["drilling.dissipated"] == pytest.approx(0, abs=1e-10)
     assert run.energy_residual < 1e-6

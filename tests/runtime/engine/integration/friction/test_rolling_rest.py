@@ -192,13 +192,13 @@ def test_statics_hold_it_up_to_the_angle_of_repose():
 def test_where_it_rests_has_derivatives():
     """v^2/(2 a): by the arm -x/c, by the speed 2 x/v; the spin's heat by the patch none, all of it is spent."""
     run = simulate(model(), duration="3.2 s", method="dop853", tolerance=1e-9, parameters=shot(0.2, 0, 0.5))
-    found = run.sensitivities("arm", "patch", "gravity")
-    assert found.reason == ""
+    derivatives = run.sensitivities("arm", "patch", "gravity")
+    assert derivatives.reason == ""
     way = run.final["flight.x"]
-    assert found["flight.x", "arm"][-1] == pytest.approx(-way / ARM, rel=1e-7)
-    assert found["flight.x", "gravity"][-1] == pytest.approx(-way / GRAVITY, rel=1e-7)
-    assert found["flight.x", "patch"][-1] == pytest.approx(0, abs=1e-9)
-    assert found["drilling.dissipated", "patch"][-1] == pytest.approx(0, abs=1e-9)
+    assert derivatives["flight.x", "arm"][-1] == pytest.approx(-way / ARM, rel=1e-7)
+    assert derivatives["flight.x", "gravity"][-1] == pytest.approx(-way / GRAVITY, rel=1e-7)
+    assert derivatives["flight.x", "patch"][-1] == pytest.approx(0, abs=1e-9)
+    assert derivatives["drilling.dissipated", "patch"][-1] == pytest.approx(0, abs=1e-9)
 
 
 # ---- declared and shown ----------------------------------------------------------------------------------------------

@@ -258,8 +258,8 @@ def test_a_move_to_the_opening_does_not_take_the_force_beyond_it(method):
     start = {"position": {"y": 0.0505}, "speed": {"x_speed": 3, "y_speed": -1}}
     model = load(body(**data, **start, friction=(0.2, 0.2), normal=hd.Y, up=hd.Y))
     for speed in np.arange(1, 1.2, 0.01):
-        given = {"parameters": {"g": "0 m/s^2"}, "initial": {"flight.y_speed": (-speed, "m/s")}, "compiled": False}
-        run = simulate(model, duration=0.01, method=method, tolerance=1e-11, **given)
+        options = {"parameters": {"g": "0 m/s^2"}, "initial": {"flight.y_speed": (-speed, "m/s")}, "compiled": False}
+        run = simulate(model, duration=0.01, method=method, tolerance=1e-11, **options)
         assert run["flight.y_speed"][-1] == pytest.approx(speed / 2, abs=1e-10)
 
 

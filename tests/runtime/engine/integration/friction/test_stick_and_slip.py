@@ -72,8 +72,8 @@ def test_a_chain_comes_to_rest(static):
         "stiffness": (1e7, "N/m^1.5"),
         "restitution": 0.5,
     }
-    given = {"duration": 1, "tolerance": 1e-6, "parameters": parameters, "compiled": False, "max_steps": 20_000}
-    run = simulate(engine_model(falling_chain(3)), method="dopri5", **given)
+    options = {"duration": 1, "tolerance": 1e-6, "parameters": parameters, "compiled": False, "max_steps": 20_000}
+    run = simulate(engine_model(falling_chain(3)), method="dopri5", **options)
     changes = sum(int(np.sum(np.diff(run[f"corner_{i}.slip"]) != 0)) for i in range(4))
     assert run.outcome.finished
     assert changes < 400

@@ -38,7 +38,7 @@ def run(duration, **how):
 @pytest.mark.parametrize(("tracking", "limit"), [(None, "both"), (PERIOD, "both"), (0.05, "one"), (None, None)])
 def test_a_sampled_one_is_its_recursion(tracking, limit):
     """The rotor between samples is exact: w' = u/J."""
-    found = run(0.7999, tracking=tracking, limit=limit, period=PERIOD)
+    actual = run(0.7999, tracking=tracking, limit=limit, period=PERIOD)
     low, high = {"both": (LOW, HIGH), "one": (-HIGH, HIGH), None: (-np.inf, np.inf)}[limit]
     w, total, commands, speeds = 0.0, 0.0, [], []
     for _ in range(80):
@@ -50,9 +50,9 @@ def test_a_sampled_one_is_its_recursion(tracking, limit):
         speeds.append(w)
         w, total = w + PERIOD * u / J, total + PERIOD * (e + (u - v) / back)
     middle = (np.arange(80) + 0.5) * PERIOD
-    assert found.at(middle)["control.command"] == pytest.approx(commands, rel=1e-7, abs=1e-7)
+    assert actual.at(middle)["control.command"] == pytest.approx(commands, rel=1e-7, abs=1e-7)
     expected = np.array(speeds) + PERIOD / 2 * np.array(commands) / J
-    assert found.at(middle)["main.speed"] == pytest.approx(expected, rel=1e-8, abs=1e-6)
+    assert actual.at(middle)["main.speed"] == pytest.approx(expected, rel=1e-8, abs=1e-6)
     if limit is not None:
         assert HIGH in commands and commands[-1] not in (low, high)
 
@@ -86,7 +86,7 @@ def test_a_command_at_its_limit_does_not_wind_up():
 
 
 @pytest.mark.parametrize(
-    ("fields", "told"),
+    ("fields", "message"),
     [
         ({"limit": p("high", "V", 3)}, "control, limit: found high"),
         ({"limit": p("high", "N m", -3)}, "limit"),
@@ -97,8 +97,8 @@ def test_a_command_at_its_limit_does_not_wind_up():
         ({"tracking": -0.1}, "tracking time"),
     ],
 )
-def test_limits_that_are_none_are_refused(fields, told):
-    with pytest.raises(hd.InputError, match=told):
+def test_limits_that_are_none_are_refused(fields, message):
+    with pytest.raises(hd.InputError, match=message):
         scene(**fields)
 
 

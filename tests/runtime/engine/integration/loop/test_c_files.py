@@ -86,8 +86,8 @@ def test_arguments_and_results_may_be_absent(small):
     outer = ca.Function("outer", [u], [inner(u, nothing)[1], inner(2 * u, u[:2])[0]])
     (native,) = Program(outer).load()
     for value in ([0.1, -2.0, 3.0], [1e-9, 5.0, -7.0]):
-        for expected, found in zip(outer(value), native(value), strict=True):
-            assert np.array_equal(np.array(expected), np.array(found))
+        for expected, actual in zip(outer(value), native(value), strict=True):
+            assert np.array_equal(np.array(expected), np.array(actual))
 
 
 def test_functions_for_events_are_apart_and_less_optimised(text):
@@ -109,6 +109,7 @@ def test_event_handling_calls_the_right_hand_side(text):
     assert {"moved", "switch", "cut"} <= set(callers)
 
 
+@pytest.mark.exhaustive
 def test_a_variable_that_is_not_handed_on_is_noticed(small, monkeypatch):
     """The seeded fault of the first test: the last variable of each part is lost."""
     parts = c_files._parts

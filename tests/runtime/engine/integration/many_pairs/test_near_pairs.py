@@ -60,8 +60,8 @@ def test_no_impact_of_fast_spheres_is_missed(listed, every_pair_evaluated, monke
     assert [pair for pair, _ in begun(run)] == [pair for pair, _ in begun(every)]
     assert [t for _, t in begun(run)] == pytest.approx([t for _, t in begun(every)], abs=1e-9)
     for name in every:
-        found, expected = run.at([0.08])[name], every.at([0.08])[name]
-        assert found == pytest.approx(expected, abs=1e-6 * np.max(np.abs(every[name])) + 1e-9), name
+        actual, expected = run.at([0.08])[name], every.at([0.08])[name]
+        assert actual == pytest.approx(expected, abs=1e-6 * np.max(np.abs(every[name])) + 1e-9), name
 
 
 @pytest.mark.parametrize("factor", [10, 1e9])

@@ -33,8 +33,8 @@ def solve(model, tolerance, duration, *, method="dop853", exponent=1.5, preload=
         "preload": (preload, "N"),
         "last_speed": (last_speed, "m/s"),
     }
-    given = {"tolerance": tolerance, "method": method, "parameters": parameters, "compiled": False}
-    return simulate(model, duration=duration, max_steps=100_000, **given)
+    options = {"tolerance": tolerance, "method": method, "parameters": parameters, "compiled": False}
+    return simulate(model, duration=duration, max_steps=100_000, **options)
 
 
 def speeds(run, count):
@@ -103,9 +103,9 @@ CASES = {
 
 @pytest.mark.parametrize("name", CASES)
 def test_digits_of_the_hard_cases(name):
-    (duration, expected), given = CASES[name]
-    _, found = row(5, duration, **given)
-    assert np.max(np.abs(found - np.array(expected))) < 1e-13
+    (duration, expected), options = CASES[name]
+    _, actual = row(5, duration, **options)
+    assert np.max(np.abs(actual - np.array(expected))) < 1e-13
 
 
 @pytest.mark.parametrize("tolerance", [1e-9, 1e-11, 1e-13])

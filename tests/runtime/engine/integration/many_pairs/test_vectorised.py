@@ -51,15 +51,15 @@ def test_vectors_over_pairs_have_every_bit(name):
     assert vectors.is_a("MXFunction")
     for seed in range(20):
         arguments = given(model, "t q u a c" if "acc" in name else "t q u c", seed)
-        for expected, found in zip(arrays(function, arguments), arrays(vectors, arguments), strict=True):
-            assert np.array_equal(expected, found)
+        for expected, actual in zip(arrays(function, arguments), arrays(vectors, arguments), strict=True):
+            assert np.array_equal(expected, actual)
 
 
 def test_bounds_of_rounding_have_every_bit():
     model = balls(6)
     arguments = given(model, "t q u c", 3)
-    expected, found = arrays(bounds(model.function("gaps"), STATE), arguments), arrays(gap_rounding(model), arguments)
-    assert all(np.array_equal(a, b) for a, b in zip(expected, found, strict=True))
+    expected, actual = arrays(bounds(model.function("gaps"), STATE), arguments), arrays(gap_rounding(model), arguments)
+    assert all(np.array_equal(a, b) for a, b in zip(expected, actual, strict=True))
 
 
 @pytest.mark.parametrize("contacts", [(), BY_MODE], ids=["flight", "contact"])
@@ -74,13 +74,13 @@ def test_right_hand_side_is_that_of_pairs_written_out(contacts):
         assert arrays(called.rates, arguments)[0] == pytest.approx(
             arrays(written.rates, arguments)[0], rel=1e-12, abs=1e-9
         )
-        found = dict(zip(called.ends.name_out(), arrays(called.ends, arguments), strict=True))
+        actual = dict(zip(called.ends.name_out(), arrays(called.ends, arguments), strict=True))
         expected = dict(zip(written.ends.name_out(), arrays(written.ends, arguments), strict=True))
         for part in ("gap", "gap_rate", "force", "in_range"):
-            assert np.array_equal(found[part], expected[part])
+            assert np.array_equal(actual[part], expected[part])
         for part in ("dy", "gap_acceleration", "force_rate", "kinetic", "potential"):
-            assert found[part] == pytest.approx(expected[part], rel=1e-10, abs=1e-7)
-        touched += np.count_nonzero(found["force"])
+            assert actual[part] == pytest.approx(expected[part], rel=1e-10, abs=1e-7)
+        touched += np.count_nonzero(actual["force"])
     assert touched > 30 if contacts is BY_MODE else touched == 0
 
 
@@ -174,13 +174,13 @@ def items(*expressions):
 
 def kinds(*expressions):
     x, made = items(*expressions)
-    found = alike([x], made)
+    actual = alike([x], made)
     values = np.random.default_rng(1).uniform(1, 2, 12)
     symbol = ca.MX.sym("x", 12)
-    results = ca.Function("found", [symbol], found.results([symbol]))
+    results = ca.Function("found", [symbol], actual.results([symbol]))
     expected = np.array(ca.Function("expected", [x], [ca.vertcat(*made)])(values)).ravel()
     assert np.array_equal(np.array(results(values)).ravel(), expected)
-    return sorted(kind.items for kind in found.kinds)
+    return sorted(kind.items for kind in actual.kinds)
 
 
 def plain(a, b, c):

@@ -23,6 +23,6 @@ def test_the_benchmark_bicycle_has_its_published_eigenvalues():
         assert run.outcome.finished
         by = run.sensitivities(*names)
         growth = np.array([[by[of, name][-1] for name in names] for of in names])
-        found = np.sort_complex(np.log(np.linalg.eigvals(growth).astype(complex)) / duration)
+        actual = np.sort_complex(np.log(np.linalg.eigvals(growth).astype(complex)) / duration)
         expected = [castering, capsize, weave + 1j * frequency, weave - 1j * frequency]
-        assert found == pytest.approx(np.sort_complex(np.array(expected)), rel=1e-8)
+        assert actual == pytest.approx(np.sort_complex(np.array(expected)), rel=1e-8)

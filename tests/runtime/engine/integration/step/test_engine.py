@@ -30,11 +30,6 @@ def little_optimised(monkeypatch):
 
 
 @pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
-@pytest.fixture(scope="module")
 def crank():
     return engine_model("slider_crank_frictionless")
 

@@ -43,16 +43,6 @@ IMPLICIT = ("rodas", "esdirk")
 STATIC = (9.81 / 2.4e10) ** (2 / 3)  # m, penetration of the bouncing ball at rest
 
 
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
-
-
-@pytest.fixture(scope="module")
-def crank():
-    return engine_model("slider_crank")
-
-
 # ---- tables ----------------------------------------------------------------------------------------------------------
 
 
@@ -471,7 +461,7 @@ def test_auto_leaves_implicit_steps_that_save_fewer_explicit_ones_than_they_cost
 # ---- SUNDIALS --------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("method", ["cvodes", "idas"])
+@pytest.mark.parametrize("method", ["cvodes", pytest.param("idas", marks=pytest.mark.exhaustive)])
 def test_sundials_between_two_walls(method):
     model, options = engine_model("ball_between_walls"), {"duration": "1 s", "parameters": {"restitution": 0.9}}
     run = simulate(model, tolerance=1e-11, method=method, **options)

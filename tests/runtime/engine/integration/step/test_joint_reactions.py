@@ -153,8 +153,8 @@ def test_a_brake_by_a_normal_force(coordinates):
 def test_rest_under_loads_by_reactions():
     """A torque of a tenth of the reaction holds the pendulum at m g l sin(angle) = 0.1 r N with N = m g."""
     torque = p("mu", "1", MU) * radius * hd.reaction_of("hinge")
-    found = equilibrium(load(pendulum(hd.JointForce("bearing", "hinge", torque), lift=0.01)))
-    assert found["hinge.angle"][0] == pytest.approx(np.arcsin(MU * R / L), rel=1e-8)
+    rest = equilibrium(load(pendulum(hd.JointForce("bearing", "hinge", torque), lift=0.01)))
+    assert rest["hinge.angle"][0] == pytest.approx(np.arcsin(MU * R / L), rel=1e-8)
 
 
 def test_undefined_reactions_are_refused_at_once():

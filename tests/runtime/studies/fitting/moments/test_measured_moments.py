@@ -33,8 +33,8 @@ def series(seed, duration):
 
 def fitted(seed, duration, **how):
     inputs = {"push": push(1000 + seed, 2 * duration)}
-    given = {"duration": 2 * duration, "inputs": inputs, "workers": 1, **how}
-    return fit_moments(shaken(), MOMENTS, free=FREE, series=series(seed, duration), **given)
+    options = {"duration": 2 * duration, "inputs": inputs, "workers": 1, **how}
+    return fit_moments(shaken(), MOMENTS, free=FREE, series=series(seed, duration), **options)
 
 
 def test_the_truth_is_within_the_interval():

@@ -26,16 +26,16 @@ def test_a_drop_follows_its_power_laws(ball):
         "floor.impulse": ((impulse, "N s"), (part * impulse, "N s")),
         "floor.peak_force": f"{force} +- {part * force} N",
     }
-    found = fit_moments(ball, moments, free=RANGES, **HOW)
+    fitted = fit_moments(ball, moments, free=RANGES, **HOW)
     of_height = 2 * part
     of_stiffness = math.hypot(part, 0.6 * of_height) / 0.4
     for name, value, deviation in (("drop_height", h, of_height), ("stiffness", stiffness, of_stiffness)):
-        one = found[name]
+        one = fitted[name]
         assert one.value == pytest.approx(value, rel=2e-3)
         assert math.log(one.interval.high / one.interval.low) == pytest.approx(2 * 1.96 * deviation, rel=0.05)
         assert "simulated moments" in one.interval.how
-    assert found.goodness is None and found.unidentified == () and found.explained is None
-    for moment in found.moments:
+    assert fitted.goodness is None and fitted.unidentified == () and fitted.explained is None
+    for moment in fitted.moments:
         assert moment.fitted == pytest.approx(moment.value, rel=1e-3)
 
 
@@ -44,11 +44,11 @@ def test_statistics_that_do_not_tell_are_said_by_name(ball):
     h = 1.0
     impulse = 2 * math.sqrt(2 * 9.81 * h)
     moments = {"floor.impulse": f"{impulse} +- {impulse / 100} N s", "floor.impacts": "1 +- 0.1"}
-    found = fit_moments(ball, moments, free=RANGES, **HOW)
+    fitted = fit_moments(ball, moments, free=RANGES, **HOW)
     assert (
-        len(found.unidentified) == 1
-        and "stiffness times 2" in found.unidentified[0]
-        and "none" in found["stiffness"].interval.how
+        len(fitted.unidentified) == 1
+        and "stiffness times 2" in fitted.unidentified[0]
+        and "none" in fitted["stiffness"].interval.how
     )
     wrong = {**moments, "floor.peak_force": "1000 +- 100 N"}
     assert fit_moments(ball, wrong, free=RANGES, **HOW).explained is False
@@ -83,7 +83,7 @@ def test_a_rattling_pin_returns_its_clearance():
     }
     averages = {names[a.name]: a for a in run.averages() if a.name in names}
     moments = {name: ((a.mean, a.unit), (a.half_width / 2, a.unit)) for name, a in averages.items()}
-    found = fit_moments(model, moments, free={"clearance": "0.3..0.7 mm"}, duration="200 rev")
-    print(found)
-    assert found["clearance"].interval.low < 0.5e-3 < found["clearance"].interval.high
-    assert found.explained and found["clearance"].interval.high - found["clearance"].interval.low < 0.2e-3
+    fitted = fit_moments(model, moments, free={"clearance": "0.3..0.7 mm"}, duration="200 rev")
+    print(fitted)
+    assert fitted["clearance"].interval.low < 0.5e-3 < fitted["clearance"].interval.high
+    assert fitted.explained and fitted["clearance"].interval.high - fitted["clearance"].interval.low < 0.2e-3

@@ -10,23 +10,12 @@ import pytest
 
 from hertzwerk.derive.common.faults import InputError
 from hertzwerk.runtime import Sweep, simulate, sweep
-from hertzwerk.runtime.loading import engine_model
 from hertzwerk.runtime.studies.sweeps import sweep_store
 from hertzwerk.runtime.studies.sweeps.rows import poincare_section
 
 CRANK = {"duration": "6 rev", "tolerance": 1e-7, "compiled": False, "workers": 1}
 BALL = {"duration": "2 s", "tolerance": 1e-10, "compiled": False, "workers": 1}
 FREE = {"gravity": "0 m/s^2", "start_angle": "0.25 rad"}
-
-
-@pytest.fixture(scope="module")
-def crank():
-    return engine_model("slider_crank")
-
-
-@pytest.fixture(scope="module")
-def ball():
-    return engine_model("bouncing_ball")
 
 
 def test_returns_of_the_drive_are_whole_turns_with_the_states_of_the_run_bitwise(crank):
@@ -161,9 +150,9 @@ def test_a_store_keeps_arrays_with_their_rows_bitwise(ball, tmp_path):
     over = {"drop_height": "0.5..1 m:4"}
     how = {"section": "floor.gap = 0 falling", "grid": 11, "outputs": ["impacts"], **BALL}
     plain = sweep(ball, over, **how)
-    kept = sweep(ball, over, out=tmp_path / "a", **how)
+    table = sweep(ball, over, out=tmp_path / "a", **how)
     assert (
-        [row.arrays for row in kept]
+        [row.arrays for row in table]
         == [row.arrays for row in plain]
         == [row.arrays for row in Sweep.load(tmp_path / "a")]
     )
@@ -195,9 +184,9 @@ def test_files_open_without_hertzwerk(ball, tmp_path):
         mine = [line for line in lines if line[0] == str(i)]
         assert np.array_equal([float(line[3]) for line in mine], speeds)
         assert {float(line[1]) for line in mine} == {(0.5, 1.0)[i]}
-    told = json.loads(arrays.to_json(tmp_path / "a.json").read_text())
-    assert told["units"] == {"drop_height": "m", "t": "s", "vertical.speed": "m/s"}
-    assert [row["arrays"]["t"] for row in told["rows"]] == [t.tolist() for t in arrays["t"]]
+    record = json.loads(arrays.to_json(tmp_path / "a.json").read_text())
+    assert record["units"] == {"drop_height": "m", "t": "s", "vertical.speed": "m/s"}
+    assert [row["arrays"]["t"] for row in record["rows"]] == [t.tolist() for t in arrays["t"]]
     with pytest.raises(FileExistsError):
         arrays.to_csv(tmp_path / "a.csv")
 

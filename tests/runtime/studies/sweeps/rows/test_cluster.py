@@ -110,14 +110,14 @@ def top(history):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compiled", ["auto", True])
+@pytest.mark.parametrize("compiled", [pytest.param("auto", marks=pytest.mark.exhaustive), True])
 def test_rows_are_those_of_one_machine_to_the_bit(client, compiled, tmp_path):
     """Functions come with what they use of their module, which no worker can import."""
     scale = 3.0
     functions = {"highest": highest, "scaled": lambda run: scale * run.t_end}
-    kept = {"section": "floor.gap = 0 m falling", "histories": ["vertical.speed"]}
+    options = {"section": "floor.gap = 0 m falling", "histories": ["vertical.speed"]}
     alone, together = (
-        sweep("bouncing_ball", **ASKED, **kept, functions=functions, compiled=compiled, out=tmp_path / name, **who)
+        sweep("bouncing_ball", **ASKED, **options, functions=functions, compiled=compiled, out=tmp_path / name, **who)
         for name, who in {"alone": {"workers": 2}, "together": {"client": client}}.items()
     )
     assert together.counts() == {"finished": 12}
@@ -137,9 +137,9 @@ def test_rows_are_those_of_one_machine_to_the_bit(client, compiled, tmp_path):
 def test_failures_are_rows_of_batches_too(client):
     sets = [{"mass": "-1 kg"}, {"drop_height": "0.3 m"}, {"mass": "1 m"}, {"drop_height": "20 m"}]
     outputs = {"second": lambda run: run.impacts[1].speed}
-    asked = {"duration": "1 s", "tolerance": 1e-6, "functions": outputs, "compiled": False}
+    options = {"duration": "1 s", "tolerance": 1e-6, "functions": outputs, "compiled": False}
     alone, together = (
-        simulate_many(engine_model("bouncing_ball"), sets, **asked, **who) for who in ({}, {"client": client})
+        simulate_many(engine_model("bouncing_ball"), sets, **options, **who) for who in ({}, {"client": client})
     )
     assert list(together["outcome"]) == ["bad_input", "finished", "bad_input", "bad_output"]
     assert same(alone, together)
@@ -210,29 +210,29 @@ def test_a_scheduler_that_is_not_there_is_one_clear_error(address, monkeypatch, 
 @pytest.mark.slow
 def test_a_worker_killed_in_a_row_costs_that_row_alone(tmp_path):
     """The row of 0.4 m tells its process and waits, the first time."""
-    told = str(tmp_path / "told")
+    text = str(tmp_path / "told")
 
     def waits(run):
-        if abs(run.initial["vertical.travel"] - 0.5) < 1e-9 and not os.path.lexists(told):
-            Path(told).symlink_to(str(os.getpid()))
+        if abs(run.initial["vertical.travel"] - 0.5) < 1e-9 and not os.path.lexists(text):
+            Path(text).symlink_to(str(os.getpid()))
             time.sleep(600)
         return run.t_end
 
     def kill():
-        until(lambda: os.path.lexists(told))
-        os.kill(int(str(Path(told).readlink())), signal.SIGKILL)
+        until(lambda: os.path.lexists(text))
+        os.kill(int(str(Path(text).readlink())), signal.SIGKILL)
 
-    asked = {**ASKED, "over": {"drop_height": "0.3..0.5 m:21"}, "functions": {"waits": waits}, "compiled": False}
+    options = {**ASKED, "over": {"drop_height": "0.3..0.5 m:21"}, "functions": {"waits": waits}, "compiled": False}
     with running(tmp_path, 2) as (made, client):
         killer = threading.Thread(target=kill)
         killer.start()
-        found = sweep("bouncing_ball", **asked, client=client, out=tmp_path / "rows")
+        table = sweep("bouncing_ball", **options, client=client, out=tmp_path / "rows")
         killer.join()
         assert [process.poll() for process in made.processes].count(-signal.SIGKILL) == 1
         assert len(client.nthreads()) == 1
-    assert found.counts() == {"finished": 21}
-    assert same(found, sweep("bouncing_ball", **asked))
-    assert same(found, Sweep.load(tmp_path / "rows"))
+    assert table.counts() == {"finished": 21}
+    assert same(table, sweep("bouncing_ball", **options))
+    assert same(table, Sweep.load(tmp_path / "rows"))
 
 
 @pytest.mark.exhaustive
@@ -242,12 +242,12 @@ def test_a_row_that_kills_its_workers_is_lost_alone(tmp_path):
             os._exit(3)
         return run.t_end
 
-    asked = {**ASKED, "over": {"drop_height": "0.3..0.5 m:21"}, "functions": {"dies": dies}, "compiled": False}
+    options = {**ASKED, "over": {"drop_height": "0.3..0.5 m:21"}, "functions": {"dies": dies}, "compiled": False}
     with running(tmp_path, 3, DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES="0") as (_, client):
-        found = sweep("bouncing_ball", **asked, client=client)
+        table = sweep("bouncing_ball", **options, client=client)
         assert len(client.nthreads()) == 1  # it killed one beside others, and one alone
-    assert found.counts() == {"finished": 20, "lost": 1}
-    assert "died" in found.rows[10].message
+    assert table.counts() == {"finished": 20, "lost": 1}
+    assert "died" in table.rows[10].message
 
 
 LONG = [
@@ -299,16 +299,16 @@ def test_a_scheduler_that_dies_ends_it_and_the_rest_is_computed_elsewhere(tmp_pa
         time.sleep(0.1)
         return run.t_end
 
-    asked = {**ASKED, "functions": {"end": slowly}, "compiled": False, "out": tmp_path / "rows"}
+    options = {**ASKED, "functions": {"end": slowly}, "compiled": False, "out": tmp_path / "rows"}
     with running(tmp_path, 1) as (made, client):
-        found = sweep("bouncing_ball", **asked, client=client, progress=end)
-    assert found.outcome.name == "cluster_lost"
-    assert "scheduler" in found.outcome.message
-    assert "--resume" in found.outcome.remedy
-    assert 4 <= len(found) < 12
-    rest = sweep("bouncing_ball", **asked, workers=1)
+        table = sweep("bouncing_ball", **options, client=client, progress=end)
+    assert table.outcome.name == "cluster_lost"
+    assert "scheduler" in table.outcome.message
+    assert "--resume" in table.outcome.remedy
+    assert 4 <= len(table) < 12
+    rest = sweep("bouncing_ball", **options, workers=1)
     assert rest.counts() == {"finished": 12}
-    assert same(rest, sweep("bouncing_ball", **{**asked, "out": None}))
+    assert same(rest, sweep("bouncing_ball", **{**options, "out": None}))
 
 
 @pytest.mark.exhaustive
@@ -318,6 +318,6 @@ def test_workers_that_are_all_gone_end_it(tmp_path, monkeypatch):
 
     monkeypatch.setattr(cluster, "PATIENCE", 2.0)
     with running(tmp_path, 1) as (_, client):
-        found = sweep("bouncing_ball", **ASKED, functions={"dies": dies}, compiled=False, client=client)
-    assert (found.outcome.name, len(found)) == ("cluster_lost", 0)
-    assert "no worker" in found.outcome.message
+        table = sweep("bouncing_ball", **ASKED, functions={"dies": dies}, compiled=False, client=client)
+    assert (table.outcome.name, len(table)) == ("cluster_lost", 0)
+    assert "no worker" in table.outcome.message

@@ -16,11 +16,6 @@ PEAK, HOW = "slider_pin.peak_force", {"duration": "1 ms", "tolerance": 1e-10, "c
 BY = f"d({PEAK})/d(restitution)"
 
 
-@pytest.fixture(scope="module")
-def crank():
-    return engine_model("slider_crank")
-
-
 def test_a_derivative_is_a_column_with_its_unit_and_is_kept(crank, tmp_path):
     names = [PEAK, BY, "d(final.guide.travel)/d(guide.travel)"]
     table = sweep(crank, {"clearance": "0.2, 0.4 mm"}, outputs=names, out=tmp_path / "rows", **HOW)
@@ -100,9 +95,9 @@ def test_a_slope_of_scattered_rows_is_within_its_interval_19_times_of_20():
 def test_the_slope_of_few_rows_has_the_interval_of_the_textbook():
     """Of a line through six rows: Student's t of 4 degrees, 2.776445, times the standard error."""
     x, y = np.array([0, 0, 1, 1, 2, 2.0]), np.array([0.1, -0.2, 1.3, 0.8, 1.9, 2.2])
-    found, expected = slope_of("slope", "1", x, y), linregress(x, y)
-    assert found.value == pytest.approx(expected.slope, rel=1e-12)
-    assert found.half_width == pytest.approx(2.776445 * expected.stderr, rel=1e-6)
+    actual, expected = slope_of("slope", "1", x, y), linregress(x, y)
+    assert actual.value == pytest.approx(expected.slope, rel=1e-12)
+    assert actual.half_width == pytest.approx(2.776445 * expected.stderr, rel=1e-6)
 
 
 def test_a_slope_needs_rows_and_names():

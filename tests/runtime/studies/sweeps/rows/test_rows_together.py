@@ -61,8 +61,8 @@ def test_peaks_are_the_same_in_pieces_of_any_size_for_all_rows_at_once(job, monk
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.PIECE", 7)
     monkeypatch.setattr("hertzwerk.runtime.engine.solution.contact_watch.TOGETHER", 2)
     many = replace(job, outputs=job.outputs[: len(ASKED)])
-    found = [plain(row) for row in many.do(*TASKS)]
-    assert [row.outputs["peak_force"] for row in found if row.outputs] == [
+    actual = [plain(row) for row in many.do(*TASKS)]
+    assert [row.outputs["peak_force"] for row in actual if row.outputs] == [
         row.outputs["peak_force"] for row in expected if row.outputs
     ]
 
@@ -128,9 +128,9 @@ def test_an_error_in_any_stage_is_that_of_its_row_alone(job, stage, monkeypatch)
 
     expected = [plain(row) for row in job.do(*TASKS)]
     monkeypatch.setattr("hertzwerk.runtime.studies.sweeps.rows.row_job.solving", fails)
-    found = [plain(row) for row in job.do(*TASKS)]
-    assert (found[2].outcome, found[2].message) == ("failed", "ArithmeticError: seeded")
-    assert found[:2] + found[3:] == expected[:2] + expected[3:]
+    actual = [plain(row) for row in job.do(*TASKS)]
+    assert (actual[2].outcome, actual[2].message) == ("failed", "ArithmeticError: seeded")
+    assert actual[:2] + actual[3:] == expected[:2] + expected[3:]
 
 
 def test_stopping_the_sweep_stops_all_rows_done_together(job):
